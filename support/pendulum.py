@@ -1,0 +1,35 @@
+"""What a pendulum is: its dictionary, and the VPython objects that show it."""
+
+from math import cos, sin
+from typing import TypedDict
+
+from vpython import box, cylinder, sphere, vector
+
+
+class PendulumEntry(TypedDict, total=False):
+    """One pendulum of a pend_list. extract_and_convert fills in what the CSV has, make_newton_cradle the rest."""
+
+    mass: float  # of the bob, kg
+    e: float  # coefficient of restitution of a hit with the next pendulum, from 0 (inelastic) to 1 (elastic)
+    theta: float  # angle of the cord from straight down, rad, positive to the right
+    omega: float  # angular velocity, rad/s
+    color: str  # a key of COLOR_MAP
+    texture: str  # a key of TEXTURE_MAP
+    objects: tuple[box, sphere, cylinder]  # axle, bob and cord
+
+
+def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere, cylinder]:
+    """Return the VPython objects (axle, bob, cord) of a pendulum that hangs from axle_pos at rest or lifted to theta.
+
+    axle_pos is a vector (m), r_param the cord length (m), theta the angle (rad), color a VPython color (a vector),
+    and texture a VPython texture or None.
+    """
+    # A hit counts at 1.05 x the sum of the radii, and axles are r_param/4 apart. At this radius bobs that hang at rest
+    # are just outside one another's reach; were they inside, their velocities would be swapped on every tick.
+    radius = 0.9995 * r_param / 8 / 1.05
+    arm = vector(r_param * sin(theta), -r_param * cos(theta), 0)
+    axle = box(pos=axle_pos, size=vector(r_param / 16, r_param / 32, r_param / 2), color=vector(0.3, 0.3, 0.32))
+    bob = sphere(pos=axle_pos + arm, radius=radius, color=color, texture=texture, shininess=1)
+    # up is square to the plane of swing: VPython then has no need to turn it whenever the axis is set, which is slow.
+    cord = cylinder(pos=axle_pos, axis=arm, up=vector(0, 0, 1), radius=r_param / 200, color=vector(0.15, 0.15, 0.17))
+    return axle, bob, cord
