@@ -1,0 +1,32 @@
+"""The swing of the pendula: the handout's appendix, one time step at a time (semi-implicit Euler)."""
+
+from math import cos, sin
+
+from vpython import vector
+
+
+def angle_update(omega, theta, r_param, dt, g) -> tuple[float, float]:
+    """Return (omega_new, theta_new) of a pendulum after dt (s).
+
+    omega (rad/s) and theta (rad) are the values before, r_param (m) the cord length, g (m/s^2) the gravitational
+    acceleration. Handout, appendix: omega' = -g sin(theta) / R, and theta moves with the new omega.
+    """
+    omega_new = omega - g * sin(theta) / r_param * dt
+    theta_new = theta + omega_new * dt
+    return omega_new, theta_new
+
+
+def swing_update(pend_dict, r_param, dt, g) -> None:
+    """Swing one pendulum for dt (s): update its omega and theta, and move its bob and cord to the new angle."""
+    omega, theta = angle_update(pend_dict["omega"], pend_dict["theta"], r_param, dt, g)
+    pend_dict["omega"], pend_dict["theta"] = omega, theta
+    axle, bob, cord = pend_dict["objects"]
+    arm = vector(r_param * sin(theta), -r_param * cos(theta), 0)
+    bob.pos = axle.pos + arm
+    cord.axis = arm
+
+
+def full_swing_update(pend_list, r_param, dt, g) -> None:
+    """Swing every pendulum of the cradle for dt (s)."""
+    for pend_dict in pend_list:
+        swing_update(pend_dict, r_param, dt, g)

@@ -1,0 +1,37 @@
+"""Cradles for the suites: CSV text, and single pendula made by hand."""
+
+from vpython import color, vector
+
+from support.pendulum import make_pendulum
+
+R = 0.4  # m, not the shipped cord length, so that a constant in place of the parameter shows
+
+# No two pendula alike, no value a default, and none of theta and omega what make_newton_cradle is to set.
+MIXED_CSV = """\
+mass,e,theta,omega,color,texture
+1.5,0.9,0.3,2.0,red,metal
+2.5,0.8,-0.2,-1.0,blue,none
+0.5,0.7,0.1,0.5,yellow,wood
+"""
+MIXED = [
+    {"mass": 1.5, "e": 0.9, "theta": 0.3, "omega": 2.0, "color": "red", "texture": "metal"},
+    {"mass": 2.5, "e": 0.8, "theta": -0.2, "omega": -1.0, "color": "blue", "texture": "none"},
+    {"mass": 0.5, "e": 0.7, "theta": 0.1, "omega": 0.5, "color": "yellow", "texture": "wood"},
+]
+
+
+def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R) -> dict:
+    """Return a pendulum that hangs from axle (x, y, z in m) at theta (rad)."""
+    objects = make_pendulum(vector(*axle), r_param, theta, color.white, None)
+    values = {"mass": mass, "e": e, "theta": theta, "omega": omega, "color": "white", "texture": "none"}
+    return {**values, "objects": objects}
+
+
+def row(count, **values) -> list[dict]:
+    """Return count pendula at rest, R / 4 apart, with these values (as for hang)."""
+    return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]
+
+
+def components(v) -> tuple[float, float, float]:
+    """Return the components of a vector, for pytest.approx."""
+    return v.x, v.y, v.z
