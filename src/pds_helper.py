@@ -1,0 +1,50 @@
+"""Between the CSV and pend_list: one row of the file is one pendulum, a dictionary."""
+
+import os
+import shutil
+from pathlib import Path
+
+import pandas as pd
+
+from support.constants import NC_FP
+from support.cradle_csv import read_cells
+from support.pendulum import PendulumEntry
+
+# pandas reads floats to the last bit from 3.1 on (and warns when asked to); older ones have to be asked.
+EXACT_FLOATS = {} if tuple(map(int, pd.__version__.split(".")[:2])) >= (3, 1) else {"float_precision": "round_trip"}
+
+
+def extract_and_convert(relative_filepath) -> list[PendulumEntry]:
+    """Return pend_list: a dictionary for each row of the CSV, with the column names as keys.
+
+    Spaces around names and values do not count. Raises a ValueError of one line if the file cannot be read.
+    """
+    read_cells(relative_filepath)  # complains, in words for people, of what pandas would trip over
+    df = pd.read_csv(relative_filepath, skipinitialspace=True, **EXACT_FLOATS)
+    df = df.rename(columns=str.strip).map(lambda cell: cell.strip() if isinstance(cell, str) else cell)
+    bad_rep = df.to_dict(orient="index")
+    return list(bad_rep.values())
+
+
+def write_to_csv(pend_list, filepath=NC_FP) -> None:
+    """Write pend_list to a CSV from which extract_and_convert reads the same list back; objects are left out.
+
+    The file is replaced only once the new one is complete on the disk, so that after a crash, or on a full disk, the
+    old one is still whole. Raises an OSError if filepath cannot be written.
+    """
+    columns = list(pend_list[0]) if pend_list else list(PendulumEntry.__annotations__)
+    df = pd.DataFrame(pend_list, columns=[name for name in columns if name != "objects"], dtype=object)
+    target = Path(filepath).resolve()  # behind a link: the link is to stay
+    unfinished = target.with_name(f".{target.name}.{os.getpid()}.tmp")
+    try:
+        with open(unfinished, "w", encoding="utf-8", newline="") as file:
+            df.to_csv(file, index=False, lineterminator="\n")
+            file.flush()
+            os.fsync(file.fileno())
+        if target.exists():
+            shutil.copymode(target, unfinished)
+        os.replace(unfinished, target)
+    except OSError as error:
+        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(filepath)) from error
+    finally:
+        unfinished.unlink(missing_ok=True)

@@ -1,0 +1,51 @@
+"""Cradles made from a CSV: with one mass or one restitution for all pendula, and ready to swing."""
+
+from vpython import vector
+
+from src.pds_helper import extract_and_convert
+from support.constants import COLOR_MAP, TEXTURE_MAP
+from support.cradle_csv import check_cradle
+from support.pendulum import make_pendulum, PendulumEntry
+
+
+def uniform_mass_newton_cradle(relative_filepath, mass) -> list[PendulumEntry]:
+    """Return the pend_list of a CSV with every pendulum's mass set to mass (kg)."""
+    pend_list = extract_and_convert(relative_filepath)
+    for pend_dict in pend_list:
+        pend_dict["mass"] = mass
+    return pend_list
+
+
+def uniform_e_newton_cradle(relative_filepath, e_val) -> list[PendulumEntry]:
+    """Return the pend_list of a CSV with every pendulum's coefficient of restitution set to e_val (0 to 1)."""
+    pend_list = extract_and_convert(relative_filepath)
+    for pend_dict in pend_list:
+        pend_dict["e"] = e_val
+    return pend_list
+
+
+def elastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
+    """Return the pend_list of a CSV with perfectly elastic pendula: e = 1, a hit keeps the kinetic energy."""
+    return uniform_e_newton_cradle(relative_filepath, 1)
+
+
+def inelastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
+    """Return the pend_list of a CSV with perfectly inelastic pendula: e = 0, bobs leave a hit at one velocity."""
+    return uniform_e_newton_cradle(relative_filepath, 0)
+
+
+def make_newton_cradle(relative_filepath, r_param, theta_init) -> list[PendulumEntry]:
+    """Return the pend_list of a CSV, ready to swing: with theta, omega and objects (axle, bob, cord).
+
+    The first pendulum is lifted to theta_init (rad), the others hang straight down; all are at rest. r_param is the
+    cord length (m). Raises a ValueError of one line, before any object is made, if the CSV makes no cradle.
+    """
+    check_cradle(relative_filepath)
+    pend_list = extract_and_convert(relative_filepath)
+    for i, pend_dict in enumerate(pend_list):
+        axle_pos = vector(-0.1 + r_param / 4 * i, r_param / 5, 0)
+        color, texture = COLOR_MAP[pend_dict["color"]], TEXTURE_MAP[pend_dict["texture"]]
+        pend_dict["theta"] = theta_init if i == 0 else 0
+        pend_dict["omega"] = 0
+        pend_dict["objects"] = make_pendulum(axle_pos, r_param, pend_dict["theta"], color, texture)
+    return pend_list

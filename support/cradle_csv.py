@@ -1,0 +1,95 @@
+"""What a CSV must be to be read, and what it must hold to make a cradle. Each complaint is a ValueError of one line."""
+
+import csv
+import io
+from math import inf, nan
+from pathlib import Path
+
+from support.constants import COLOR_MAP, TEXTURE_MAP
+
+
+def read_cells(filepath) -> list[tuple[int, list[str]]]:
+    """Return the rows of a CSV, the header first, each as (line number in the file, its cells as text).
+
+    Blank lines are left out, and spaces around a cell. Raises a ValueError that says what is wrong, and where, if the
+    file cannot be read, is not UTF-8 text, is empty, or has a row with more cells than the header.
+    """
+    try:
+        text = Path(filepath).read_bytes().decode("utf-8-sig")
+    except OSError as error:
+        raise ValueError(f"{filepath}: cannot be read as a CSV file: {error.strerror}") from error
+    except UnicodeDecodeError as error:
+        line = error.object.count(b"\n", 0, error.start) + 1
+        byte = error.object[error.start]
+        raise ValueError(f"{filepath}, line {line}: found byte 0x{byte:02x}, allowed is UTF-8 text only") from error
+    if "\0" in text:
+        line = text.count("\n", 0, text.index("\0")) + 1
+        raise ValueError(f"{filepath}, line {line}: found a zero byte, allowed is text only (is this a CSV file?)")
+
+    rows: list[tuple[int, list[str]]] = []
+    reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True, strict=True)
+    line = 1
+    try:
+        for cells in reader:
+            cells = [cell.strip() for cell in cells]
+            if cells not in ([], [""]):
+                rows.append((line, cells))
+            line = reader.line_num + 1
+    except csv.Error as error:
+        raise ValueError(f"{filepath}, line {line}: is not a row of a CSV file: {error}") from error
+
+    if not rows:
+        raise ValueError(f"{filepath}: is empty, the first line must name the columns")
+    width = len(rows[0][1])
+    for line, cells in rows:
+        if len(cells) > width:
+            found = f"found {len(cells)} cells, allowed are at most {width}, one for each column that line 1 names"
+            raise ValueError(f"{filepath}, line {line}: {found}{semicolon_hint(rows)}")
+    return rows
+
+
+def semicolon_hint(rows) -> str:
+    """Return advice if the columns of these rows, as read_cells gives them, were separated by semicolons, else ''."""
+    return "; separate cells with commas, not semicolons" if ";" in rows[0][1][0] else ""
+
+
+def to_number(text: str) -> float:
+    """Return the number that text stands for in a CSV, or nan; narrower than float(), which takes 1_000 and more."""
+    try:
+        return float(text) if text.isascii() and "_" not in text else nan
+    except ValueError:
+        return nan
+
+
+# What a pendulum's cells must be: a column, a test of the cell's text, and how to say what is allowed. The columns
+# theta and omega are not here: where a cradle starts does not depend on them.
+RULES = (
+    ("mass", lambda text: 0 < to_number(text) < inf, "a number above 0 (kg)"),
+    ("e", lambda text: 0 <= to_number(text) <= 1, "a number from 0 to 1"),
+    ("color", COLOR_MAP.__contains__, f"one of {', '.join(COLOR_MAP)}"),
+    ("texture", TEXTURE_MAP.__contains__, f"one of {', '.join(TEXTURE_MAP)}"),
+)
+
+
+def check_cradle(filepath) -> None:
+    """Raise a ValueError that names the first thing in a CSV because of which no cradle can be made of it.
+
+    It gives the file, the line, the column, the value found and what is allowed there.
+    """
+    rows = read_cells(filepath)
+    header_line, header = rows[0]
+    for column, _, _ in RULES:
+        if header.count(column) != 1:
+            found = f"found {', '.join(header)}"
+            allowed = f"a cradle needs one column of each of {', '.join(name for name, _, _ in RULES)}"
+            hint = semicolon_hint(rows)
+            raise ValueError(f"{filepath}, line {header_line}, column {column}: {found}; {allowed}{hint}")
+    if len(rows) == 1:
+        raise ValueError(f"{filepath}: names columns but has no pendulum, a cradle needs at least one row below them")
+    for line, cells in rows[1:]:
+        pendulum = dict(zip(header, cells, strict=False))  # a short row lacks its last cells
+        for column, is_allowed, allowed in RULES:
+            text = pendulum.get(column, "")
+            if not is_allowed(text):
+                found = f"found {text!r}" if text else "found nothing"
+                raise ValueError(f"{filepath}, line {line}, column {column}: {found}, allowed is {allowed}")
