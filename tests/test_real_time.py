@@ -1,0 +1,78 @@
+"""The loop that keeps real time, on a clock made for the test: time passes only in ticks and sleeps."""
+
+import pytest
+
+from support.real_time import FRAME, keep_real_time, MAX_BEHIND
+
+DT = 1e-4  # s a tick
+
+
+class Wall:
+    """A wall clock for keep_real_time; it raises KeyboardInterrupt, as the closing of the tab does, at `until`."""
+
+    def __init__(self, cost, until):
+        self.now, self.cost, self.until = 0.0, cost, until
+        self.ticks, self.slept, self.frames = 0, 0.0, 0
+        self.interruptions = {}  # frame -> seconds by which its sleep is longer than asked for
+
+    def clock(self):
+        return self.now
+
+    def tick(self):
+        self.ticks += 1
+        self.now += self.cost
+
+    def sleep(self, seconds):
+        assert seconds >= 0
+        self.frames += 1
+        self.slept += seconds
+        self.now += seconds + self.interruptions.get(self.frames, 0)
+        if self.now >= self.until:
+            raise KeyboardInterrupt
+
+    def run(self):
+        """Let the loop run until the end; return the simulated time (s)."""
+        with pytest.raises(KeyboardInterrupt):
+            keep_real_time(self.tick, DT, self.clock, self.sleep)
+        return self.ticks * DT
+
+
+@pytest.mark.parametrize("cost", [0, 10e-6, 50e-6])
+def test_a_simulated_second_lasts_a_second(cost):
+    wall = Wall(cost, until=60)
+    assert wall.run() == pytest.approx(60, abs=2 * FRAME)
+
+
+def test_it_sleeps_when_there_is_nothing_to_do():
+    wall = Wall(cost=20e-6, until=60)
+    wall.run()
+    assert wall.slept == pytest.approx(60 * 0.8, rel=0.01)  # 10,000 ticks a second of 20 us are a fifth of the time
+    assert wall.frames == pytest.approx(60 / FRAME, rel=0.01)
+
+
+@pytest.mark.parametrize("cost", [200e-6, 1e-3, 5e-3])
+def test_a_slow_machine_shows_slow_motion(cost):
+    """Pictures keep coming, the simulation moves on steadily, and the page's threads get a share of the time."""
+    wall = Wall(cost, until=60)
+    assert wall.run() == pytest.approx(0.75 * 60 / cost * DT, rel=0.35)
+    assert wall.frames == pytest.approx(60 / FRAME, rel=0.15)
+    assert wall.slept > 5
+
+
+def test_a_tick_longer_than_a_frame_ends_in_no_spiral():
+    wall = Wall(cost=0.1, until=60)
+    wall.run()
+    assert wall.ticks == wall.frames - 1 == 600  # one a frame, but for the first, in which no time has passed yet
+
+
+def test_a_hiccup_is_made_up_for():
+    wall = Wall(cost=10e-6, until=60)
+    wall.interruptions[600] = 0.2
+    assert wall.run() == pytest.approx(60, abs=2 * FRAME)
+
+
+def test_a_night_of_sleep_is_not_simulated():
+    night = 8 * 3600.0
+    wall = Wall(cost=10e-6, until=night + 60)
+    wall.interruptions[600] = night
+    assert wall.run() == pytest.approx(60 + MAX_BEHIND, abs=2 * FRAME)
