@@ -1,0 +1,47 @@
+"""What stands around the pendula: frame, base, light and camera. It is made once and does not move."""
+
+from vpython import box, cylinder, distant_light, scene, textures, vector
+
+STEEL = vector(0.75, 0.76, 0.78)
+BACKGROUND = vector(0.93, 0.945, 0.96)
+CANVAS_WIDTH, CANVAS_HEIGHT = 960, 600  # pixels
+CAPTION = "Turn: drag with the right button, or Ctrl and the left. Zoom: the wheel. Closing this tab ends the program."
+
+
+def add_scenery(pend_list, r_param) -> None:
+    """Put the cradle into a frame on a wooden base, light it, and point the camera so that every swing is in view.
+
+    pend_list must have its objects; r_param is the cord length (m).
+    """
+    axles = [pend_dict["objects"][0] for pend_dict in pend_list]
+    left, right = axles[0].pos.x - r_param / 4, axles[-1].pos.x + r_param / 4
+    top, bottom = axles[0].pos.y, axles[0].pos.y - 1.35 * r_param
+    add_frame(left, right, top, bottom, depth=axles[0].width, thickness=r_param / 50)
+    set_scene()
+
+    width = right - left + 1.7 * r_param  # the outer bobs, swung out to the side
+    height = top - bottom + 0.4 * r_param  # the frame, seen a little from above
+    scene.center = vector((left + right) / 2, (top + bottom) / 2, 0)
+    scene.range = max(height / 2, width / 2 * CANVAS_HEIGHT / CANVAS_WIDTH)
+
+
+def add_frame(left, right, top, bottom, depth, thickness) -> None:
+    """Make two rails from left to right, four posts and the base; all in m."""
+    for z in (-depth / 2, depth / 2):
+        cylinder(pos=vector(left, top, z), axis=vector(right - left, 0, 0), radius=thickness, color=STEEL, shininess=1)
+        for x in (left, right):
+            cylinder(pos=vector(x, bottom, z), axis=vector(0, top - bottom, 0), radius=thickness, color=STEEL)
+    size = vector(right - left + 10 * thickness, 5 * thickness, depth + 10 * thickness)
+    box(pos=vector((left + right) / 2, bottom, 0), size=size, texture=textures.wood)
+
+
+def set_scene() -> None:
+    """Set the canvas, a pale background, soft light, and a camera that looks a little from the left and above."""
+    scene.width, scene.height, scene.caption = CANVAS_WIDTH, CANVAS_HEIGHT, CAPTION
+    scene.background = BACKGROUND
+    scene.fov = 0.25  # rad: a far camera, since a near one skews what is off the centre
+    scene.forward = vector(-0.25, -0.18, -1)
+    scene.lights = []
+    scene.ambient = vector(0.45, 0.45, 0.45)
+    distant_light(direction=vector(0.3, 0.6, 0.9), color=vector(0.5, 0.5, 0.5))
+    distant_light(direction=vector(-0.6, 0.3, 0.4), color=vector(0.25, 0.25, 0.25))

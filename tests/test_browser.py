@@ -1,0 +1,189 @@
+"""The program as a person meets it: VPython itself, a page in Chromium, Ctrl+C and closed tabs."""
+
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+from contextlib import contextmanager
+from importlib.machinery import PathFinder
+from pathlib import Path
+
+import pytest
+
+PROGRAM = Path(__file__).parents[1] / "src" / "visualize_cradle_run.py"
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+ARGUMENTS = [
+    *("--no-sandbox", "--no-first-run", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
+    "--disable-gpu-compositing",  # without a graphics card it is what slows everything, thirty times
+    *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
+]
+SECONDS = 60  # after which something that is waited for counts as never coming
+
+# The bobs' positions, as the page has them.
+BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere').map(o => [o.pos.x, o.pos.y])"
+
+pytestmark = pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
+
+
+@contextmanager
+def running(program=PROGRAM, **environment):
+    """Start the program as a user would, from another folder; yield the process, and end it in any case."""
+    process = subprocess.Popen(
+        [sys.executable, str(program)],
+        cwd=os.sep,
+        env={**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.communicate()
+
+
+def first_lines(process):
+    """Return the address of the page, from what the program prints before it waits for a browser."""
+    address = re.search(r"http://localhost:\d+", process.stdout.readline())[0]
+    assert "Ctrl+C" in process.stdout.readline()
+    return address
+
+
+def ends_quietly(process):
+    """Whether the program ends by itself with status 0 and not a word on stderr."""
+    stdout, stderr = process.communicate(timeout=SECONDS)
+    return (process.returncode, stdout, stderr) == (0, "", "")
+
+
+@pytest.fixture(scope="module")
+def browser():
+    playwright = pytest.importorskip("playwright.sync_api")
+    if CHROMIUM is None:
+        pytest.skip("Chromium is not installed")
+    with playwright.sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def page(browser):
+    page = browser.new_page(viewport={"width": 1000, "height": 700})
+    page.set_default_timeout(SECONDS * 1000)
+    yield page
+    page.close()
+
+
+def open_cradle(page, address):
+    """Open the page, wait until it has five bobs, and make its canvas small: it is drawn without a graphics card."""
+    page.goto(address)
+    page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === 5")
+    page.evaluate("() => Object.assign(glowObjs[0], {width: 320, height: 200})")
+
+
+def test_the_cradle_swings_until_the_tab_is_closed(page):
+    with running() as process:
+        open_cradle(page, first_lines(process))
+        page.wait_for_function(f"() => ({BOBS})()[4][0] > 0.15")  # the last bob, at rest at 0.1, has been hit
+        bobs, picture = page.evaluate(BOBS), page.locator("canvas").first.screenshot()
+        page.wait_for_function(f"() => ({BOBS})()[0][0] < -0.15")  # and the first one, at rest at -0.1, in its turn
+        later = page.locator("canvas").first.screenshot()
+        for i, (x, y) in enumerate(bobs):  # all on their cords, 0.2 m long, from axles 0.05 m apart
+            assert ((x + 0.1 - 0.05 * i) ** 2 + (y - 0.04) ** 2) ** 0.5 == pytest.approx(0.2, abs=1e-9)
+        assert picture != later
+        assert colors(page, picture) > 100  # a picture, not a plain area
+        page.close()
+        assert ends_quietly(process)
+
+
+def colors(page, picture):
+    """Return how many different colors a PNG picture has; the browser decodes it."""
+    return page.evaluate(
+        """async bytes => {
+            const image = await createImageBitmap(new Blob([new Uint8Array(bytes)]));
+            const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+            context.drawImage(image, 0, 0);
+            return new Set(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)).size;
+        }""",
+        list(picture),
+    )
+
+
+def test_the_page_loads_while_a_browser_holds_an_idle_connection(page):
+    """Browsers open connections in advance; VPython's own server would answer no one else until it gets a request."""
+    with running() as process:
+        address = first_lines(process)
+        with socket.create_connection(("localhost", int(address.rpartition(":")[2])), timeout=SECONDS):
+            open_cradle(page, address)
+
+
+def test_ctrl_c_ends_it_while_the_page_is_open(page):
+    with running() as process:
+        open_cradle(page, first_lines(process))
+        process.send_signal(signal.SIGINT)
+        assert ends_quietly(process)
+
+
+def test_ctrl_c_ends_it_while_it_waits_for_a_browser():
+    with running() as process:
+        first_lines(process)
+        process.send_signal(signal.SIGINT)
+        assert ends_quietly(process)
+
+
+def refusal(process):
+    """Return the one line on stderr with which the program refuses to start."""
+    stdout, stderr = process.communicate(timeout=SECONDS)
+    assert (process.returncode, stdout) == (2, "")
+    assert stderr.count("\n") == 1
+    return stderr
+
+
+def test_a_taken_port_is_refused():
+    with socket.socket() as other:
+        other.bind(("", 0))
+        other.listen()
+        port = str(other.getsockname()[1])
+        with running(VPYTHON_HTTP_PORT=port) as process:
+            assert f"VPYTHON_HTTP_PORT: port {port} cannot be had: Address already in use" in refusal(process)
+
+
+@pytest.mark.parametrize("port", ["web", "-1", "65536", ""])
+def test_what_is_no_port_is_refused(port):
+    with running(VPYTHON_HTTP_PORT=port) as process:
+        line = f"VPYTHON_HTTP_PORT: found {port!r}, allowed is a port number from 0 to 65535\n"
+        assert refusal(process) == line
+
+
+def test_the_port_asked_for_is_used():
+    with socket.socket() as probe:
+        probe.bind(("", 0))
+        port = probe.getsockname()[1]
+    with running(VPYTHON_HTTP_PORT=str(port)) as process:
+        assert first_lines(process) == f"http://localhost:{port}"
+
+
+def test_a_bad_csv_is_refused_before_a_browser_opens(tmp_path):
+    for folder in ("src", "support"):
+        shutil.copytree(PROGRAM.parents[1] / folder, tmp_path / folder)
+    (tmp_path / "newton_cradle_pends.csv").write_text("mass,e,color,texture\n-1,1,red,metal\n")
+    with running(tmp_path / "src" / PROGRAM.name) as process:
+        assert "newton_cradle_pends.csv, line 2, column mass: found '-1'" in refusal(process)
+
+
+def test_a_students_mistake_ends_it_with_a_traceback(tmp_path, page):
+    """VPython's threads would keep the process alive for ever."""
+    for folder in ("src", "support"):
+        shutil.copytree(PROGRAM.parents[1] / folder, tmp_path / folder)
+    shutil.copy(PROGRAM.parents[1] / "newton_cradle_pends.csv", tmp_path)
+    swinging = tmp_path / "src" / "swinging.py"
+    swinging.write_text(swinging.read_text().replace("omega_new = omega -", "omega_new = omegaa -"))
+    with running(tmp_path / "src" / PROGRAM.name) as process:
+        page.goto(first_lines(process))
+        _, stderr = process.communicate(timeout=SECONDS)
+        assert process.returncode == 1
+        assert stderr.splitlines()[-1].startswith("NameError: name 'omegaa' is not defined")

@@ -1,0 +1,297 @@
+"""The CSV: what is refused and in which words, what is accepted silently, and writing it."""
+
+import os
+import random
+
+import pytest
+from cradles import MIXED, MIXED_CSV
+
+from src import visualize_cradle_run
+from src.pds_helper import extract_and_convert, write_to_csv
+from src.special_cradles import make_newton_cradle
+from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
+
+HEADER = "mass,e,theta,omega,color,texture\n"
+GOOD = "1.0,1.0,0.0,0.0,red,metal\n"
+COLORS, TEXTURES = f"allowed is one of {', '.join(COLOR_MAP)}", f"allowed is one of {', '.join(TEXTURE_MAP)}"
+MASS, E = "allowed is a number above 0 (kg)", "allowed is a number from 0 to 1"
+
+
+def cell(column, text):
+    """Return a CSV whose third line has this text in this column."""
+    values = {"mass": "1", "e": "1", "theta": "0", "omega": "0", "color": "red", "texture": "none", column: text}
+    return HEADER + GOOD + ",".join(values.values()) + "\n"
+
+
+# What no file of any kind may be: extract_and_convert refuses these too. The message follows the file's name.
+UNREADABLE = {
+    "empty": (b"", ": is empty, the first line must name the columns"),
+    "blank lines only": (b"\n  \n\n", ": is empty, the first line must name the columns"),
+    "binary": (b"\x89PNG\r\n\x1a\n\x00\x00", ", line 1: found byte 0x89, allowed is UTF-8 text only"),
+    "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte, allowed is text only (is this a CSV file?)"),
+    "latin-1": (
+        (HEADER + GOOD).encode() + "1,1,0,0,ros\xe9,none\n".encode("latin-1"),
+        ", line 3: found byte 0xe9, allowed is UTF-8 text only",
+    ),
+    "utf-16": ((HEADER + GOOD).encode("utf-16"), ", line 1: found byte 0xff, allowed is UTF-8 text only"),
+    "too many cells": (
+        HEADER + GOOD + "1,1,0,0,red,metal,7\n",
+        ", line 3: found 7 cells, allowed are at most 6, one for each column that line 1 names",
+    ),
+    "too many cells everywhere": (
+        HEADER + "1,1,0,0,red,metal,7\n",
+        ", line 2: found 7 cells, allowed are at most 6, one for each column that line 1 names",
+    ),
+    "semicolons and decimal commas": (
+        HEADER.replace(",", ";") + "1,0;1,0;0;0;red;metal\n",
+        ", line 2: found 3 cells, allowed are at most 1, one for each column that line 1 names; "
+        "separate cells with commas, not semicolons",
+    ),
+    "open quotation": (
+        HEADER + '1,1,0,0,"red,metal\n',
+        ", line 2: is not a row of a CSV file: unexpected end of data",
+    ),
+}
+
+NEEDS = "a cradle needs one column of each of mass, e, color, texture"
+
+# What can be read, but makes no cradle.
+NO_CRADLE = {
+    "header only": (HEADER, ": names columns but has no pendulum, a cradle needs at least one row below them"),
+    "semicolons": (
+        (HEADER + GOOD).replace(",", ";"),
+        f", line 1, column mass: found mass;e;theta;omega;color;texture; {NEEDS}; "
+        "separate cells with commas, not semicolons",
+    ),
+    "no column e": (
+        "mass,theta,omega,color,texture\n1,0,0,red,none\n",
+        f", line 1, column e: found mass, theta, omega, color, texture; {NEEDS}",
+    ),
+    "two columns color": (
+        "mass,e,color,color,texture\n1,1,red,blue,none\n",
+        f", line 1, column color: found mass, e, color, color, texture; {NEEDS}",
+    ),
+    "mass is text": (cell("mass", "heavy"), f", line 3, column mass: found 'heavy', {MASS}"),
+    "mass is empty": (cell("mass", ""), f", line 3, column mass: found nothing, {MASS}"),
+    "mass is nan": (cell("mass", "nan"), f", line 3, column mass: found 'nan', {MASS}"),
+    "mass is infinite": (cell("mass", "inf"), f", line 3, column mass: found 'inf', {MASS}"),
+    "mass overflows": (cell("mass", "1e400"), f", line 3, column mass: found '1e400', {MASS}"),
+    "mass is zero": (cell("mass", "0"), f", line 3, column mass: found '0', {MASS}"),
+    "mass is negative": (cell("mass", "-1.5"), f", line 3, column mass: found '-1.5', {MASS}"),
+    "mass with a unit": (cell("mass", "1 kg"), f", line 3, column mass: found '1 kg', {MASS}"),
+    "mass with underscore": (cell("mass", "1_000"), f", line 3, column mass: found '1_000', {MASS}"),
+    "mass in other digits": (cell("mass", "\u0663"), f", line 3, column mass: found '\u0663', {MASS}"),
+    "mass is truth": (cell("mass", "True"), f", line 3, column mass: found 'True', {MASS}"),
+    "e below 0": (cell("e", "-0.1"), f", line 3, column e: found '-0.1', {E}"),
+    "e above 1": (cell("e", "1.01"), f", line 3, column e: found '1.01', {E}"),
+    "e is no number": (cell("e", "bouncy"), f", line 3, column e: found 'bouncy', {E}"),
+    "e is nan": (cell("e", "nan"), f", line 3, column e: found 'nan', {E}"),
+    "e is empty": (cell("e", ""), f", line 3, column e: found nothing, {E}"),
+    "color unknown": (cell("color", "mauve"), f", line 3, column color: found 'mauve', {COLORS}"),
+    "color is empty": (cell("color", ""), f", line 3, column color: found nothing, {COLORS}"),
+    "texture unknown": (cell("texture", "velvet"), f", line 3, column texture: found 'velvet', {TEXTURES}"),
+    "row too short": (HEADER + "1,1,0,0,red\n", f", line 2, column texture: found nothing, {TEXTURES}"),
+    "after blank lines": (
+        HEADER + "\n" + GOOD + "   \n\n" + GOOD.replace("red", "rod"),
+        f", line 6, column color: found 'rod', {COLORS}",
+    ),
+    "after a cell of two lines": (
+        'note,mass,e,color,texture\n"one\ntwo",1,1,red,none\nx,0,1,red,none\n',
+        f", line 4, column mass: found '0', {MASS}",
+    ),
+}
+
+
+@pytest.fixture
+def save(tmp_path):
+    """A function that puts text or bytes into a file and returns the file's path."""
+
+    def save(content):
+        file = tmp_path / "cradle.csv"
+        file.write_bytes(content.encode() if isinstance(content, str) else content)
+        return str(file)
+
+    return save
+
+
+def complaint(function, *arguments):
+    with pytest.raises(ValueError) as caught:
+        function(*arguments)
+    return str(caught.value)
+
+
+def the_programs_complaint(monkeypatch, capsys, filepath):
+    """Return what the program prints on stderr for this file; it must end with status 2, and print nothing else."""
+    monkeypatch.setattr(visualize_cradle_run, "NC_FP", filepath)
+    monkeypatch.setattr(visualize_cradle_run, "open_page", lambda port: pytest.fail("a browser was to be opened"))
+    with pytest.raises(SystemExit) as ended:
+        visualize_cradle_run.main()
+    printed = capsys.readouterr()
+    assert (ended.value.code, printed.out) == (2, "")
+    return printed.err
+
+
+@pytest.mark.parametrize(("content", "message"), UNREADABLE.values(), ids=UNREADABLE)
+def test_unreadable(content, message, save, monkeypatch, capsys):
+    filepath = save(content)
+    assert complaint(extract_and_convert, filepath) == filepath + message
+    assert complaint(make_newton_cradle, filepath, R_PARAM, 0) == filepath + message
+    assert the_programs_complaint(monkeypatch, capsys, filepath) == filepath + message + "\n"
+
+
+@pytest.mark.parametrize(("content", "message"), NO_CRADLE.values(), ids=NO_CRADLE)
+def test_no_cradle(content, message, save, monkeypatch, capsys):
+    filepath = save(content)
+    extract_and_convert(filepath)  # which takes any CSV
+    assert complaint(make_newton_cradle, filepath, R_PARAM, 0) == filepath + message
+    assert the_programs_complaint(monkeypatch, capsys, filepath) == filepath + message + "\n"
+
+
+@pytest.mark.parametrize(("name", "problem"), [("missing.csv", "No such file or directory"), ("", "Is a directory")])
+def test_no_file(name, problem, tmp_path, monkeypatch, capsys):
+    filepath = str(tmp_path / name)
+    message = f"{filepath}: cannot be read as a CSV file: {problem}"
+    assert complaint(extract_and_convert, filepath) == message
+    assert complaint(make_newton_cradle, filepath, R_PARAM, 0) == message
+    assert the_programs_complaint(monkeypatch, capsys, filepath) == message + "\n"
+
+
+PADDED = "\n".join("  " + line.replace(",", " ,\t ") + "  " for line in MIXED_CSV.splitlines())
+TURNED = "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.splitlines())
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        MIXED_CSV,
+        "\ufeff" + MIXED_CSV,
+        MIXED_CSV.replace("\n", "\r\n"),
+        MIXED_CSV.rstrip("\n"),
+        MIXED_CSV.replace("\n", "\n\n"),
+        PADDED,
+        TURNED,
+        '"mass","e","theta","omega","color","texture"\n' + MIXED_CSV.partition("\n")[2].replace("red", '"red"'),
+    ],
+    ids=["plain", "mark", "windows", "no end", "blank lines", "spaces", "order", "quotes"],
+)
+def test_accepted_silently(content, save):
+    filepath = save(content)
+    assert extract_and_convert(filepath) == MIXED
+    assert [pend["mass"] for pend in make_newton_cradle(filepath, R_PARAM, 0)] == [1.5, 2.5, 0.5]
+
+
+def test_extra_columns_are_kept(save):
+    filepath = save("note,mass,e,color,texture,\nmine,1,1,red,none,\n")
+    pend_dict = make_newton_cradle(filepath, R_PARAM, 0.5)[0]
+    assert (pend_dict["note"], pend_dict["theta"], pend_dict["omega"]) == ("mine", 0.5, 0)
+
+
+@pytest.mark.parametrize("count", [1, 1000])
+def test_any_number_of_pendula(count, save):
+    pend_list = make_newton_cradle(save(HEADER + GOOD * count), R_PARAM, 0.5)
+    assert [pend_dict["theta"] for pend_dict in pend_list] == [0.5] + [0] * (count - 1)
+
+
+def test_what_the_check_takes_for_a_number_is_one_for_pandas(save):
+    """The check reads a cell's text by itself; a cell that it passes must not become text in pend_list."""
+    random_text, passed = random.Random(1), 0
+    for _ in range(2000):
+        text = "".join(random_text.choices("0123456789.eE+-x ", k=random_text.randint(1, 6)))
+        filepath = save(f"mass,e,color,texture\n{text},1,red,none\n")
+        try:
+            mass = make_newton_cradle(filepath, R_PARAM, 0)[0]["mass"]
+        except ValueError:
+            continue
+        passed += 1
+        assert isinstance(mass, (int, float)) and mass == float(text), text
+    assert passed > 200
+
+
+# --- write_to_csv ----------------------------------------------------------------------------------------------------
+
+
+def numbers(count):
+    """Return floats of all sizes, among them the ones whose last bit a careless reader loses."""
+    source = random.Random(2)
+    return [0.1 + 0.2, 1 / 3, 5e-324, 1.7976931348623157e308, -0.0] + [
+        source.uniform(-1, 1) * 10.0 ** source.randint(-30, 30) for _ in range(count)
+    ]
+
+
+def test_reading_back_gives_the_same_to_the_last_bit(tmp_path):
+    file = tmp_path / "cradle.csv"
+    pend_list = [{**MIXED[0], "theta": theta, "omega": -theta} for theta in numbers(2000)]
+    write_to_csv(pend_list, file)
+    assert list(map(repr, extract_and_convert(file))) == list(map(repr, pend_list))
+
+
+def test_objects_are_not_written_and_pend_list_is_left_alone(tmp_path, save):
+    pend_list = make_newton_cradle(save(MIXED_CSV), R_PARAM, 0.25)
+    before = [dict(pend_dict) for pend_dict in pend_list]
+    file = tmp_path / "written.csv"
+    write_to_csv(pend_list, file)
+    assert pend_list == before
+    assert file.read_text() == (
+        "mass,e,theta,omega,color,texture\n1.5,0.9,0.25,0,red,metal\n2.5,0.8,0,0,blue,none\n0.5,0.7,0,0,yellow,wood\n"
+    )
+
+
+def test_the_shipped_file_is_what_write_to_csv_writes(tmp_path):
+    file = tmp_path / "written.csv"
+    write_to_csv(extract_and_convert(NC_FP), file)
+    with open(NC_FP, encoding="utf-8") as shipped:
+        assert file.read_text() == shipped.read()
+
+
+def test_the_file_is_nc_fp_by_default():
+    assert write_to_csv.__defaults__ == (NC_FP,)
+
+
+def test_an_empty_list_leaves_a_header(tmp_path):
+    file = tmp_path / "cradle.csv"
+    write_to_csv([], file)
+    assert file.read_text() == HEADER
+    assert extract_and_convert(file) == []
+
+
+@pytest.mark.parametrize("step", ["write", "fsync", "replace"])
+def test_a_failure_leaves_the_old_file_whole(step, tmp_path, monkeypatch):
+    file = tmp_path / "cradle.csv"
+    file.write_text(MIXED_CSV)
+
+    def fail(*arguments, **keywords):
+        raise OSError(28, "No space left on device")
+
+    target = {"write": ("pandas.DataFrame.to_csv",), "fsync": ("os.fsync",), "replace": ("os.replace",)}[step]
+    monkeypatch.setattr(*target, fail)
+    with pytest.raises(OSError, match=r"cannot be written: No space left on device: '.*cradle\.csv'"):
+        write_to_csv(MIXED * 2, file)
+    assert file.read_text() == MIXED_CSV
+    assert os.listdir(tmp_path) == ["cradle.csv"]
+
+
+def test_a_half_written_file_is_never_seen(tmp_path, monkeypatch):
+    """What stands under the name is the old file until the new one is complete."""
+    file = tmp_path / "cradle.csv"
+    file.write_text(MIXED_CSV)
+    seen = []
+    monkeypatch.setattr("os.fsync", lambda descriptor: seen.append(file.read_text()))
+    write_to_csv(MIXED[:1], file)
+    assert seen == [MIXED_CSV]
+    assert extract_and_convert(file) == MIXED[:1]
+
+
+def test_permissions_and_links_stay(tmp_path):
+    file, link = tmp_path / "cradle.csv", tmp_path / "link.csv"
+    file.write_text(MIXED_CSV)
+    file.chmod(0o640)
+    link.symlink_to(file)
+    write_to_csv(MIXED[:1], link)
+    assert link.is_symlink()
+    assert extract_and_convert(file) == MIXED[:1]
+    assert file.stat().st_mode & 0o777 == 0o640
+
+
+def test_a_missing_folder_is_named(tmp_path):
+    with pytest.raises(OSError, match=r"cannot be written: No such file or directory: '.*gone/cradle\.csv'"):
+        write_to_csv(MIXED, tmp_path / "gone" / "cradle.csv")
