@@ -1,0 +1,36 @@
+"""Press the triangle: how newton_cradle_pends.csv becomes pend_list, step by step. Needs pandas only, no VPython."""
+
+import sys
+
+import pandas as pd
+
+from support import headless_vpython
+
+headless_vpython.install()  # nothing is shown here, so VPython itself is not needed
+
+from src.pds_helper import extract_and_convert
+from support.constants import NC_FP
+
+
+def main() -> None:
+    """Print df, bad_rep and pend_list; status 2 if the CSV cannot be read."""
+    try:
+        pend_list = extract_and_convert(NC_FP)
+    except ValueError as error:
+        print(error, file=sys.stderr)
+        sys.exit(2)
+    df = pd.read_csv(NC_FP)
+    bad_rep = df.to_dict(orient="index")
+
+    print("df: the CSV as a pandas dataframe, a table with a row for each pendulum.")
+    print(df)
+    print("\nbad_rep: a dictionary of dictionaries. Its keys only count the rows, which a list does without them.")
+    for row, pendulum in bad_rep.items():
+        print(f"  {row}: {pendulum}")
+    print("\npend_list: what extract_and_convert returns, a list of dictionaries, one for each pendulum.")
+    for pendulum in pend_list:
+        print(f"  {pendulum}")
+
+
+if __name__ == "__main__":
+    main()
