@@ -7,6 +7,9 @@ from pathlib import Path
 
 if __name__ == "__main__":  # started as a file, from any folder: the project's own modules are one folder up
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+    from support.page import end_on_interrupt
+
+    end_on_interrupt()  # the imports below take a moment, in which Ctrl+C would print a traceback
 
 from vpython import mag
 

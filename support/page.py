@@ -2,6 +2,7 @@
 
 import http.server
 import importlib
+import logging
 import os
 import signal
 import socket
@@ -42,6 +43,9 @@ class AnnouncedServer(http.server.ThreadingHTTPServer):
         print(f"Newton's cradle is at http://localhost:{self.server_port}")
         print("Open it yourself if no browser does. Ctrl+C, or closing the tab, ends the program.", flush=True)
 
+    def handle_error(self, request, client_address) -> None:
+        """Say nothing: the browser went away, or asked for what VPython does not have."""
+
 
 @contextmanager
 def open_page(port):
@@ -51,9 +55,8 @@ def open_page(port):
     status 1, where VPython's threads would have kept the process alive.
     """
     os.environ[PORT_VARIABLE] = str(port)
-    # VPython interrupts its own process when the tab is closed. Its handler for that, and for Ctrl+C, then waits for
-    # its servers, which may be waiting for a browser, and its threads print tracebacks about the lost connection.
-    signal.signal(signal.SIGINT, lambda *_: os._exit(0))
+    logging.getLogger("asyncio").addFilter(is_worth_showing)
+    end_on_interrupt()
     try:
         with replaced(signal, "signal", lambda *_: None), replaced(http.server, "HTTPServer", AnnouncedServer):
             importlib.import_module("vpython.no_notebook")  # starts the servers, and returns when a browser is there
@@ -61,6 +64,20 @@ def open_page(port):
     except BaseException:
         traceback.print_exc()
         os._exit(1)
+
+
+def end_on_interrupt() -> None:
+    """Let Ctrl+C end the process at once, with status 0 and no traceback.
+
+    VPython interrupts its own process when the tab is closed. Its handler for that, and for Ctrl+C, waits for its
+    servers, which may be waiting for a browser.
+    """
+    signal.signal(signal.SIGINT, lambda *_: os._exit(0))
+
+
+def is_worth_showing(record) -> bool:
+    """Whether a log record is about anything but VPython having talked to a tab that was just being closed."""
+    return not (record.exc_info and type(record.exc_info[1]).__name__ == "Disconnected")
 
 
 @contextmanager

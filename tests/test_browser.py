@@ -1,5 +1,6 @@
 """The program as a person meets it: VPython itself, a page in Chromium, Ctrl+C and closed tabs."""
 
+import logging
 import os
 import re
 import shutil
@@ -13,6 +14,8 @@ from pathlib import Path
 
 import pytest
 
+from support.page import is_worth_showing
+
 PROGRAM = Path(__file__).parents[1] / "src" / "visualize_cradle_run.py"
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 ARGUMENTS = [
@@ -25,7 +28,10 @@ SECONDS = 60  # after which something that is waited for counts as never coming
 # The bobs' positions, as the page has them.
 BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere').map(o => [o.pos.x, o.pos.y])"
 
-pytestmark = pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
+pytestmark = [
+    pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed"),
+    pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS"),
+]
 
 
 @contextmanager
@@ -128,6 +134,32 @@ def test_ctrl_c_ends_it_while_the_page_is_open(page):
         assert ends_quietly(process)
 
 
+def test_what_a_browser_asks_for_in_vain_is_no_news():
+    """VPython's request handler then prints a traceback, on a screen that is for the user."""
+    with running() as process:
+        port = int(first_lines(process).rpartition(":")[2])
+        with socket.create_connection(("localhost", port), timeout=SECONDS) as connection:
+            connection.sendall(b"GET /nothing.js HTTP/1.0\r\n\r\n")
+            while connection.recv(1000):
+                pass
+        process.send_signal(signal.SIGINT)
+        assert ends_quietly(process)
+
+
+def test_only_talking_to_a_closing_tab_is_no_news():
+    """A student's own error in VPython's thread is shown, a connection lost in the middle of a message is not."""
+
+    class Disconnected(RuntimeError):  # noqa: N818
+        """As autobahn's, which VPython's websocket raises."""
+
+    def is_shown(error):
+        return is_worth_showing(logging.makeLogRecord({"exc_info": (type(error), error, None)}))
+
+    assert is_worth_showing(logging.makeLogRecord({}))
+    assert is_shown(ValueError("a student's own"))
+    assert not is_shown(Disconnected("Attempt to send on a closed protocol"))
+
+
 def test_ctrl_c_ends_it_while_it_waits_for_a_browser():
     with running() as process:
         first_lines(process)
@@ -149,7 +181,7 @@ def test_a_taken_port_is_refused():
         other.listen()
         port = str(other.getsockname()[1])
         with running(VPYTHON_HTTP_PORT=port) as process:
-            assert f"VPYTHON_HTTP_PORT: port {port} cannot be had: Address already in use" in refusal(process)
+            assert f"VPYTHON_HTTP_PORT: port {port} cannot be had: " in refusal(process)
 
 
 @pytest.mark.parametrize("port", ["web", "-1", "65536", ""])
