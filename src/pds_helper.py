@@ -2,6 +2,7 @@
 
 import os
 import shutil
+from contextlib import suppress
 from pathlib import Path
 
 import pandas as pd
@@ -47,4 +48,5 @@ def write_to_csv(pend_list, filepath=NC_FP) -> None:
     except OSError as error:
         raise OSError(error.errno, f"cannot be written: {error.strerror}", str(filepath)) from error
     finally:
-        unfinished.unlink(missing_ok=True)
+        with suppress(OSError):  # it has its final name by now, or was never there
+            unfinished.unlink()

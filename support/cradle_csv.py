@@ -21,10 +21,12 @@ def read_cells(filepath) -> list[tuple[int, list[str]]]:
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
         byte = error.object[error.start]
-        raise ValueError(f"{filepath}, line {line}: found byte 0x{byte:02x}, allowed is UTF-8 text only") from error
+        raise ValueError(
+            f"{filepath}, line {line}: found byte 0x{byte:02x}, allowed is text only, saved as UTF-8"
+        ) from error
     if "\0" in text:
         line = text.count("\n", 0, text.index("\0")) + 1
-        raise ValueError(f"{filepath}, line {line}: found a zero byte, allowed is text only (is this a CSV file?)")
+        raise ValueError(f"{filepath}, line {line}: found a zero byte, allowed is text only, saved as UTF-8")
 
     rows: list[tuple[int, list[str]]] = []
     reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True, strict=True)
@@ -36,21 +38,22 @@ def read_cells(filepath) -> list[tuple[int, list[str]]]:
                 rows.append((line, cells))
             line = reader.line_num + 1
     except csv.Error as error:
-        raise ValueError(f"{filepath}, line {line}: is not a row of a CSV file: {error}") from error
+        raise ValueError(f"{filepath}, line {line}: {error} (is a quotation mark missing?)") from error
 
     if not rows:
         raise ValueError(f"{filepath}: is empty, the first line must name the columns")
     width = len(rows[0][1])
     for line, cells in rows:
         if len(cells) > width:
-            found = f"found {len(cells)} cells, allowed are at most {width}, one for each column that line 1 names"
-            raise ValueError(f"{filepath}, line {line}: {found}{semicolon_hint(rows)}")
+            found = f"found {len(cells)} cells, allowed are at most {width}, as in line {rows[0][0]}"
+            raise ValueError(f"{filepath}, line {line}: {found}{separator_hint(rows)}")
     return rows
 
 
-def semicolon_hint(rows) -> str:
-    """Return advice if the columns of these rows, as read_cells gives them, were separated by semicolons, else ''."""
-    return "; separate cells with commas, not semicolons" if ";" in rows[0][1][0] else ""
+def separator_hint(rows) -> str:
+    """Return advice on what separates cells, after the header of these rows, as read_cells gives them."""
+    used = "semicolons" if ";" in rows[0][1][0] else "tabs" if "\t" in rows[0][1][0] else ""
+    return f"; separate cells with commas, not {used}" if used else "; a comma starts a new cell, also inside a number"
 
 
 def to_number(text: str) -> float:
@@ -82,7 +85,7 @@ def check_cradle(filepath) -> None:
         if header.count(column) != 1:
             found = f"found {', '.join(header)}"
             allowed = f"a cradle needs one column of each of {', '.join(name for name, _, _ in RULES)}"
-            hint = semicolon_hint(rows)
+            hint = separator_hint(rows) if len(header) == 1 else ""
             raise ValueError(f"{filepath}, line {header_line}, column {column}: {found}; {allowed}{hint}")
     if len(rows) == 1:
         raise ValueError(f"{filepath}: names columns but has no pendulum, a cradle needs at least one row below them")

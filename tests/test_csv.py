@@ -2,6 +2,7 @@
 
 import os
 import random
+from pathlib import Path
 
 import pytest
 from cradles import MIXED, MIXED_CSV
@@ -27,29 +28,28 @@ def cell(column, text):
 UNREADABLE = {
     "empty": (b"", ": is empty, the first line must name the columns"),
     "blank lines only": (b"\n  \n\n", ": is empty, the first line must name the columns"),
-    "binary": (b"\x89PNG\r\n\x1a\n\x00\x00", ", line 1: found byte 0x89, allowed is UTF-8 text only"),
-    "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte, allowed is text only (is this a CSV file?)"),
+    "binary": (b"\x89PNG\r\n\x1a\n\x00\x00", ", line 1: found byte 0x89, allowed is text only, saved as UTF-8"),
+    "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte, allowed is text only, saved as UTF-8"),
     "latin-1": (
         (HEADER + GOOD).encode() + "1,1,0,0,ros\xe9,none\n".encode("latin-1"),
-        ", line 3: found byte 0xe9, allowed is UTF-8 text only",
+        ", line 3: found byte 0xe9, allowed is text only, saved as UTF-8",
     ),
-    "utf-16": ((HEADER + GOOD).encode("utf-16"), ", line 1: found byte 0xff, allowed is UTF-8 text only"),
+    "utf-16": ((HEADER + GOOD).encode("utf-16"), ", line 1: found byte 0xff, allowed is text only, saved as UTF-8"),
     "too many cells": (
         HEADER + GOOD + "1,1,0,0,red,metal,7\n",
-        ", line 3: found 7 cells, allowed are at most 6, one for each column that line 1 names",
+        ", line 3: found 7 cells, allowed are at most 6, as in line 1; a comma starts a new cell, also inside a number",
     ),
     "too many cells everywhere": (
         HEADER + "1,1,0,0,red,metal,7\n",
-        ", line 2: found 7 cells, allowed are at most 6, one for each column that line 1 names",
+        ", line 2: found 7 cells, allowed are at most 6, as in line 1; a comma starts a new cell, also inside a number",
     ),
     "semicolons and decimal commas": (
         HEADER.replace(",", ";") + "1,0;1,0;0;0;red;metal\n",
-        ", line 2: found 3 cells, allowed are at most 1, one for each column that line 1 names; "
-        "separate cells with commas, not semicolons",
+        ", line 2: found 3 cells, allowed are at most 1, as in line 1; separate cells with commas, not semicolons",
     ),
     "open quotation": (
         HEADER + '1,1,0,0,"red,metal\n',
-        ", line 2: is not a row of a CSV file: unexpected end of data",
+        ", line 2: unexpected end of data (is a quotation mark missing?)",
     ),
 }
 
@@ -62,6 +62,11 @@ NO_CRADLE = {
         (HEADER + GOOD).replace(",", ";"),
         f", line 1, column mass: found mass;e;theta;omega;color;texture; {NEEDS}; "
         "separate cells with commas, not semicolons",
+    ),
+    "tabs": (
+        (HEADER + GOOD).replace(",", "\t"),
+        f", line 1, column mass: found mass\te\ttheta\tomega\tcolor\ttexture; {NEEDS}; "
+        "separate cells with commas, not tabs",
     ),
     "no column e": (
         "mass,theta,omega,color,texture\n1,0,0,red,none\n",
@@ -147,10 +152,12 @@ def test_no_cradle(content, message, save, monkeypatch, capsys):
     assert the_programs_complaint(monkeypatch, capsys, filepath) == filepath + message + "\n"
 
 
-@pytest.mark.parametrize(("name", "problem"), [("missing.csv", "No such file or directory"), ("", "Is a directory")])
-def test_no_file(name, problem, tmp_path, monkeypatch, capsys):
+@pytest.mark.parametrize("name", ["missing.csv", ""], ids=["missing", "folder"])
+def test_no_file(name, tmp_path, monkeypatch, capsys):
     filepath = str(tmp_path / name)
-    message = f"{filepath}: cannot be read as a CSV file: {problem}"
+    with pytest.raises(OSError) as caught:
+        Path(filepath).read_bytes()
+    message = f"{filepath}: cannot be read as a CSV file: {caught.value.strerror}"
     assert complaint(extract_and_convert, filepath) == message
     assert complaint(make_newton_cradle, filepath, R_PARAM, 0) == message
     assert the_programs_complaint(monkeypatch, capsys, filepath) == message + "\n"
@@ -281,6 +288,7 @@ def test_a_half_written_file_is_never_seen(tmp_path, monkeypatch):
     assert extract_and_convert(file) == MIXED[:1]
 
 
+@pytest.mark.skipif(os.name != "posix", reason="links and permissions as on Linux and macOS")
 def test_permissions_and_links_stay(tmp_path):
     file, link = tmp_path / "cradle.csv", tmp_path / "link.csv"
     file.write_text(MIXED_CSV)
@@ -290,6 +298,18 @@ def test_permissions_and_links_stay(tmp_path):
     assert link.is_symlink()
     assert extract_and_convert(file) == MIXED[:1]
     assert file.stat().st_mode & 0o777 == 0o640
+
+
+def test_a_file_that_cannot_even_be_begun(tmp_path, monkeypatch):
+    """On a read-only disk nothing can be opened for writing, nor removed; the message is about the first."""
+
+    def fail(*arguments, **keywords):
+        raise OSError(30, "Read-only file system")
+
+    monkeypatch.setattr("builtins.open", fail)
+    monkeypatch.setattr("pathlib.Path.unlink", fail)
+    with pytest.raises(OSError, match=r"cannot be written: Read-only file system: '.*cradle\.csv'"):
+        write_to_csv(MIXED, tmp_path / "cradle.csv")
 
 
 def test_a_missing_folder_is_named(tmp_path):
