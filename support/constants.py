@@ -17,7 +17,8 @@ G = 9.81
 # One tick (s). Fine enough for an elastic cradle to keep its energy within 0.1 % a minute.
 DT = 0.0001
 
-# Angle (rad from straight down, positive to the right) at which the first pendulum is let go: 45 degrees to the left.
+# Angle (rad from straight down, positive to the right) at which the first pendulum is let go: 45 degrees to the left,
+# away from the others, which would be in its way on the right.
 THETA_INIT = -pi / 4
 
 # What may stand in the CSV's color column: every color of VPython by name, as VPython's vector of red, green and blue.

@@ -1,0 +1,34 @@
+"""The constants: complete, and fit for the cradle that they make together."""
+
+import os
+
+from cradles import row
+from vpython import color, mag, textures, vector
+
+from support import constants
+
+
+def names(namespace):
+    """Return the public names of a class's values, without its functions."""
+    return {name for name, value in vars(namespace).items() if name[0] != "_" and isinstance(value, (str, vector))}
+
+
+def test_every_color_of_vpython_has_its_name():
+    """The stand-in's colors are VPython's: test_headless_vpython.py."""
+    assert {name: getattr(color, name) for name in names(color)} == constants.COLOR_MAP
+
+
+def test_every_texture_of_vpython_has_its_name_and_so_has_none():
+    expected = {name: getattr(textures, name) for name in names(textures)}
+    assert {**expected, "none": None} == constants.TEXTURE_MAP
+
+
+def test_the_csv_is_found_from_any_folder():
+    assert os.path.isabs(constants.NC_FP)
+    assert os.path.isfile(constants.NC_FP)
+
+
+def test_bobs_at_rest_are_just_out_of_reach():
+    left, right = (pend_dict["objects"][1] for pend_dict in row(2))
+    reach, distance = 1.05 * (left.radius + right.radius), mag(right.pos - left.pos)
+    assert 0.999 * distance < reach < distance
