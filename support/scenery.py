@@ -1,17 +1,20 @@
 """What stands around the pendula: frame, base, light and camera. It is made once and does not move."""
 
-from vpython import box, cylinder, distant_light, scene, textures, vector
+import time
+
+from vpython import baseObj, box, cylinder, distant_light, scene, textures, vector
 
 STEEL = vector(0.75, 0.76, 0.78)
-BACKGROUND = vector(0.93, 0.945, 0.96)
+BACKGROUND = vector(241, 242, 244) / 255  # that of the page, so that the canvas has no edge
 CANVAS_WIDTH, CANVAS_HEIGHT = 960, 600  # pixels
 CAPTION = "Turn: drag with the right button, or Ctrl and the left. Zoom: the wheel. Closing this tab ends the program."
 
 
 def add_scenery(pend_list, r_param) -> None:
-    """Put the cradle into a frame on a wooden base, light it, and point the camera so that every swing is in view.
+    """Put the cradle into a frame on a wooden base, light it, and point the camera at all of it.
 
-    pend_list must have its objects; r_param is the cord length (m).
+    Every swing up to the horizontal is in view. pend_list must have its objects; r_param is the cord length (m).
+    Returns when the page has fetched all this, so that what moves next is seen from its start.
     """
     axles = [pend_dict["objects"][0] for pend_dict in pend_list]
     left, right = axles[0].pos.x - r_param / 4, axles[-1].pos.x + r_param / 4
@@ -20,15 +23,18 @@ def add_scenery(pend_list, r_param) -> None:
     set_scene()
 
     width = right - left + 1.7 * r_param  # the outer bobs, swung out to the side
-    height = top - bottom + 0.4 * r_param  # the frame, seen a little from above
+    height = top - bottom + 0.5 * r_param  # the frame, seen a little from above
     scene.center = vector((left + right) / 2, (top + bottom) / 2, 0)
     scene.range = max(height / 2, width / 2 * CANVAS_HEIGHT / CANVAS_WIDTH)
+    while not baseObj.empty():
+        time.sleep(0.02)
 
 
 def add_frame(left, right, top, bottom, depth, thickness) -> None:
     """Make two rails from left to right, four posts and the base; all in m."""
     for z in (-depth / 2, depth / 2):
-        cylinder(pos=vector(left, top, z), axis=vector(right - left, 0, 0), radius=thickness, color=STEEL, shininess=1)
+        start, length = left - thickness, right - left + 2 * thickness  # out over the posts
+        cylinder(pos=vector(start, top, z), axis=vector(length, 0, 0), radius=thickness, color=STEEL)
         for x in (left, right):
             cylinder(pos=vector(x, bottom, z), axis=vector(0, top - bottom, 0), radius=thickness, color=STEEL)
     size = vector(right - left + 10 * thickness, 5 * thickness, depth + 10 * thickness)
