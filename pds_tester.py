@@ -10,23 +10,25 @@ headless_vpython.install()  # nothing is shown here, so VPython itself is not ne
 
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
+from support.cradle_csv import cleaned
 
 
 def main() -> None:
     """Print df, bad_rep and pend_list; status 2 if the CSV cannot be read."""
     try:
-        pend_list = extract_and_convert(NC_FP)
+        df = pd.read_csv(cleaned(NC_FP))
     except ValueError as error:
         print(error, file=sys.stderr)
         sys.exit(2)
-    df = pd.read_csv(NC_FP)
-    bad_rep = df.to_dict(orient="index")
-
     print("df: the CSV as a pandas dataframe, a table with a row for each pendulum.")
     print(df)
+
+    bad_rep = df.to_dict(orient="index")
     print("\nbad_rep: a dictionary of dictionaries. Its keys only count the rows, which a list does without them.")
     for row, pendulum in bad_rep.items():
         print(f"  {row}: {pendulum}")
+
+    pend_list = extract_and_convert(NC_FP)
     print("\npend_list: what extract_and_convert returns, a list of dictionaries, one for each pendulum.")
     for pendulum in pend_list:
         print(f"  {pendulum}")

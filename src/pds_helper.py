@@ -1,5 +1,6 @@
 """Between the CSV and pend_list: one row of the file is one pendulum, a dictionary."""
 
+import errno
 import os
 import shutil
 from contextlib import suppress
@@ -8,7 +9,7 @@ from pathlib import Path
 import pandas as pd
 
 from support.constants import NC_FP
-from support.cradle_csv import read_cells
+from support.cradle_csv import cleaned
 from support.pendulum import PendulumEntry
 
 # pandas reads floats to the last bit from 3.1 on (and warns when asked to); older ones have to be asked.
@@ -20,9 +21,7 @@ def extract_and_convert(relative_filepath) -> list[PendulumEntry]:
 
     Spaces around names and values do not count. Raises a ValueError of one line if the file cannot be read.
     """
-    read_cells(relative_filepath)  # complains, in words for people, of what pandas would trip over
-    df = pd.read_csv(relative_filepath, skipinitialspace=True, **EXACT_FLOATS)
-    df = df.rename(columns=str.strip).map(lambda cell: cell.strip() if isinstance(cell, str) else cell)
+    df = pd.read_csv(cleaned(relative_filepath), **EXACT_FLOATS)
     bad_rep = df.to_dict(orient="index")
     return list(bad_rep.values())
 
@@ -33,11 +32,14 @@ def write_to_csv(pend_list, filepath=NC_FP) -> None:
     The file is replaced only once the new one is complete on the disk, so that after a crash, or on a full disk, the
     old one is still whole. Raises an OSError if filepath cannot be written.
     """
-    columns = list(pend_list[0]) if pend_list else list(PendulumEntry.__annotations__)
-    df = pd.DataFrame(pend_list, columns=[name for name in columns if name != "objects"], dtype=object)
+    columns = [name for pend_dict in pend_list or [PendulumEntry.__annotations__] for name in pend_dict]
+    columns = [name for name in dict.fromkeys(columns) if name != "objects"]  # each once, in their order
+    df = pd.DataFrame(pend_list, columns=columns, dtype=object)
     target = Path(filepath).resolve()  # behind a link: the link is to stay
     unfinished = target.with_name(f".{target.name}.{os.getpid()}.tmp")
     try:
+        if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):
+            raise OSError(errno.EACCES, "it is not a file, or is write-protected")
         with open(unfinished, "w", encoding="utf-8", newline="") as file:
             df.to_csv(file, index=False, lineterminator="\n")
             file.flush()

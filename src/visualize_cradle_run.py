@@ -47,7 +47,7 @@ def handle_two_bobs(pend1, pend2, r_param, approaching_only=False) -> None:
     omega1, omega2 = pend1["omega"], pend2["omega"]
     if mag(bob1.pos - bob2.pos) > 1.05 * (bob1.radius + bob2.radius):
         return
-    # Bobs that touch hang at nearly one angle, side by side: they approach as fast as x = r_param sin(theta) shrinks.
+    # Bobs that touch hang at nearly one angle, side by side: what counts is v along x, r_param omega cos(theta).
     if approaching_only and omega1 * cos(pend1["theta"]) <= omega2 * cos(pend2["theta"]):
         return
     pend1["omega"], pend2["omega"] = handle_collision(pend1["e"], omega1, omega2, m1, m2, r_param)

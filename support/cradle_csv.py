@@ -11,8 +11,8 @@ from support.constants import COLOR_MAP, TEXTURE_MAP
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV, the header first, each as (line number in the file, its cells as text).
 
-    Blank lines are left out, and spaces around a cell. Raises a ValueError that says what is wrong, and where, if the
-    file cannot be read, is not UTF-8 text, is empty, or has a row with more cells than the header.
+    Left out are blank lines, spaces around a cell and a byte-order mark. Raises a ValueError that says what is wrong,
+    and where, if the file cannot be read, is not UTF-8 text, is empty, or has a row with more cells than the header.
     """
     try:
         text = Path(filepath).read_bytes().decode("utf-8-sig")
@@ -20,16 +20,14 @@ def read_cells(filepath) -> list[tuple[int, list[str]]]:
         raise ValueError(f"{filepath}: cannot be read as a CSV file: {error.strerror}") from error
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
-        byte = error.object[error.start]
-        raise ValueError(
-            f"{filepath}, line {line}: found byte 0x{byte:02x}, allowed is text only, saved as UTF-8"
-        ) from error
+        found = f"found byte 0x{error.object[error.start]:02x}"
+        raise ValueError(f"{filepath}, line {line}: {found}, allowed is text only, saved as UTF-8") from error
     if "\0" in text:
         line = text.count("\n", 0, text.index("\0")) + 1
         raise ValueError(f"{filepath}, line {line}: found a zero byte, allowed is text only, saved as UTF-8")
 
     rows: list[tuple[int, list[str]]] = []
-    reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True, strict=True)
+    reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
     line = 1
     try:
         for cells in reader:
@@ -38,22 +36,31 @@ def read_cells(filepath) -> list[tuple[int, list[str]]]:
                 rows.append((line, cells))
             line = reader.line_num + 1
     except csv.Error as error:
-        raise ValueError(f"{filepath}, line {line}: {error} (is a quotation mark missing?)") from error
+        raise ValueError(f"{filepath}, line {line}: {error}") from error
 
     if not rows:
         raise ValueError(f"{filepath}: is empty, the first line must name the columns")
     width = len(rows[0][1])
+    comma_hint = "; a comma starts a new cell, also inside a number"
     for line, cells in rows:
         if len(cells) > width:
             found = f"found {len(cells)} cells, allowed are at most {width}, as in line {rows[0][0]}"
-            raise ValueError(f"{filepath}, line {line}: {found}{separator_hint(rows)}")
+            raise ValueError(f"{filepath}, line {line}: {found}{separator_hint(rows) or comma_hint}")
     return rows
 
 
+def cleaned(filepath) -> io.StringIO:
+    """Return the rows of read_cells as the text of a CSV, for pandas; raises what read_cells raises."""
+    text = io.StringIO()
+    csv.writer(text).writerows(cells for _, cells in read_cells(filepath))
+    text.seek(0)
+    return text
+
+
 def separator_hint(rows) -> str:
-    """Return advice on what separates cells, after the header of these rows, as read_cells gives them."""
+    """Return advice if something else than commas separates the names in these rows, as read_cells gives them."""
     used = "semicolons" if ";" in rows[0][1][0] else "tabs" if "\t" in rows[0][1][0] else ""
-    return f"; separate cells with commas, not {used}" if used else "; a comma starts a new cell, also inside a number"
+    return f"; separate cells with commas, not {used}" if used else ""
 
 
 def to_number(text: str) -> float:
@@ -83,9 +90,9 @@ def check_cradle(filepath) -> None:
     header_line, header = rows[0]
     for column, _, _ in RULES:
         if header.count(column) != 1:
-            found = f"found {', '.join(header)}"
+            found = f"found {', '.join(map(repr, header))}"
             allowed = f"a cradle needs one column of each of {', '.join(name for name, _, _ in RULES)}"
-            hint = separator_hint(rows) if len(header) == 1 else ""
+            hint = separator_hint(rows)
             raise ValueError(f"{filepath}, line {header_line}, column {column}: {found}; {allowed}{hint}")
     if len(rows) == 1:
         raise ValueError(f"{filepath}: names columns but has no pendulum, a cradle needs at least one row below them")

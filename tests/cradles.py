@@ -1,10 +1,18 @@
-"""Cradles for the suites: CSV text, and single pendula made by hand."""
+"""Cradles for the suites: CSV text, single pendula made by hand, and whole projects."""
+
+import shutil
+from pathlib import Path
 
 from vpython import color, vector
 
 from support.pendulum import make_pendulum
 
+ROOT = Path(__file__).parents[1]
+
 R = 0.4  # m, not the shipped cord length, so that a constant in place of the parameter shows
+
+# Five equal elastic pendula, as the shipped file has them until someone edits it.
+FIVE_CSV = "mass,e,theta,omega,color,texture\n" + "1.0,1.0,0.0,0.0,red,metal\n" * 5
 
 # No two pendula alike, no value a default, and none of theta and omega what make_newton_cradle is to set.
 MIXED_CSV = """\
@@ -30,6 +38,15 @@ def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R)
 def row(count, **values) -> list[dict]:
     """Return count pendula at rest, R / 4 apart, with these values (as for hang)."""
     return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]
+
+
+def copy_project(folder, csv) -> Path:
+    """Copy what the programs need, and this CSV, into a folder; return it."""
+    for name in ("src", "support"):
+        shutil.copytree(ROOT / name, folder / name)
+    shutil.copy(ROOT / "pds_tester.py", folder)
+    (folder / "newton_cradle_pends.csv").write_text(csv)
+    return folder
 
 
 def components(v) -> tuple[float, float, float]:

@@ -47,10 +47,7 @@ UNREADABLE = {
         HEADER.replace(",", ";") + "1,0;1,0;0;0;red;metal\n",
         ", line 2: found 3 cells, allowed are at most 1, as in line 1; separate cells with commas, not semicolons",
     ),
-    "open quotation": (
-        HEADER + '1,1,0,0,"red,metal\n',
-        ", line 2: unexpected end of data (is a quotation mark missing?)",
-    ),
+    "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit (131072)"),
 }
 
 NEEDS = "a cradle needs one column of each of mass, e, color, texture"
@@ -60,21 +57,26 @@ NO_CRADLE = {
     "header only": (HEADER, ": names columns but has no pendulum, a cradle needs at least one row below them"),
     "semicolons": (
         (HEADER + GOOD).replace(",", ";"),
-        f", line 1, column mass: found mass;e;theta;omega;color;texture; {NEEDS}; "
+        f", line 1, column mass: found 'mass;e;theta;omega;color;texture'; {NEEDS}; "
         "separate cells with commas, not semicolons",
     ),
     "tabs": (
         (HEADER + GOOD).replace(",", "\t"),
-        f", line 1, column mass: found mass\te\ttheta\tomega\tcolor\ttexture; {NEEDS}; "
+        f", line 1, column mass: found 'mass\\te\\ttheta\\tomega\\tcolor\\ttexture'; {NEEDS}; "
         "separate cells with commas, not tabs",
     ),
     "no column e": (
         "mass,theta,omega,color,texture\n1,0,0,red,none\n",
-        f", line 1, column e: found mass, theta, omega, color, texture; {NEEDS}",
+        f", line 1, column e: found 'mass', 'theta', 'omega', 'color', 'texture'; {NEEDS}",
+    ),
+    "open quotation": (HEADER + '1,1,0,0,"red,metal\n', f", line 2, column color: found 'red,metal', {COLORS}"),
+    "line break in a name": (
+        '"ma\nss",e,color,texture\n1,1,red,none\n',
+        f", line 1, column mass: found 'ma\\nss', 'e', 'color', 'texture'; {NEEDS}",
     ),
     "two columns color": (
         "mass,e,color,color,texture\n1,1,red,blue,none\n",
-        f", line 1, column color: found mass, e, color, color, texture; {NEEDS}",
+        f", line 1, column color: found 'mass', 'e', 'color', 'color', 'texture'; {NEEDS}",
     ),
     "mass is text": (cell("mass", "heavy"), f", line 3, column mass: found 'heavy', {MASS}"),
     "mass is empty": (cell("mass", ""), f", line 3, column mass: found nothing, {MASS}"),
@@ -177,9 +179,11 @@ TURNED = "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.spl
         MIXED_CSV.replace("\n", "\n\n"),
         PADDED,
         TURNED,
-        '"mass","e","theta","omega","color","texture"\n' + MIXED_CSV.partition("\n")[2].replace("red", '"red"'),
+        '"mass","e","theta","omega","color","texture"\n' + MIXED_CSV.partition("\n")[2].replace("red", ' "red" '),
+        MIXED_CSV.replace(",", "\u00a0,\u00a0"),
+        MIXED_CSV + '""\n\u00a0\n',
     ],
-    ids=["plain", "mark", "windows", "no end", "blank lines", "spaces", "order", "quotes"],
+    ids=["plain", "mark", "windows", "no end", "blank lines", "spaces", "order", "quotes", "hard spaces", "blanks"],
 )
 def test_accepted_silently(content, save):
     filepath = save(content)
@@ -188,9 +192,14 @@ def test_accepted_silently(content, save):
 
 
 def test_extra_columns_are_kept(save):
-    filepath = save("note,mass,e,color,texture,\nmine,1,1,red,none,\n")
+    filepath = save("note,mass,e,color,texture,note ,\nmine,1,1,red,none,too,\n")
     pend_dict = make_newton_cradle(filepath, R_PARAM, 0.5)[0]
     assert (pend_dict["note"], pend_dict["theta"], pend_dict["omega"]) == ("mine", 0.5, 0)
+
+
+@pytest.mark.parametrize(("column", "text", "value"), [("e", "0", 0), ("e", "1", 1), ("mass", "1e-9", 1e-9)])
+def test_what_is_just_allowed(column, text, value, save):
+    assert make_newton_cradle(save(cell(column, text)), R_PARAM, 0)[1][column] == value
 
 
 @pytest.mark.parametrize("count", [1, 1000])
@@ -243,11 +252,17 @@ def test_objects_are_not_written_and_pend_list_is_left_alone(tmp_path, save):
     )
 
 
-def test_the_shipped_file_is_what_write_to_csv_writes(tmp_path):
-    file = tmp_path / "written.csv"
-    write_to_csv(extract_and_convert(NC_FP), file)
-    with open(NC_FP, encoding="utf-8") as shipped:
-        assert file.read_text() == shipped.read()
+def test_every_key_is_a_column(tmp_path):
+    """Also one that not all pendula have, and text in any language."""
+    file = tmp_path / "cradle.csv"
+    write_to_csv([MIXED[0], {**MIXED[1], "note": "schön, \u03c9"}], file)
+    first, second = extract_and_convert(file)
+    assert second == {**MIXED[1], "note": "schön, \u03c9"}
+    assert {name: first[name] for name in MIXED[0]} == MIXED[0]
+
+
+def test_the_shipped_file_makes_a_cradle():
+    assert make_newton_cradle(NC_FP, R_PARAM, 0)
 
 
 def test_the_file_is_nc_fp_by_default():
@@ -298,6 +313,23 @@ def test_permissions_and_links_stay(tmp_path):
     assert link.is_symlink()
     assert extract_and_convert(file) == MIXED[:1]
     assert file.stat().st_mode & 0o777 == 0o640
+
+
+def test_only_a_file_is_replaced(tmp_path):
+    """Not a folder, and not a device such as /dev/full."""
+    with pytest.raises(OSError, match="cannot be written: it is not a file, or is write-protected"):
+        write_to_csv(MIXED, tmp_path)
+    with pytest.raises(OSError, match="cannot be written: it is not a file, or is write-protected"):
+        write_to_csv(MIXED, os.devnull)
+
+
+def test_a_write_protected_file_is_not_replaced(tmp_path, monkeypatch):
+    file = tmp_path / "cradle.csv"
+    file.write_text(MIXED_CSV)
+    monkeypatch.setattr("os.access", lambda path, mode: False)  # the administrator, for one, may write it all the same
+    with pytest.raises(OSError, match="write-protected"):
+        write_to_csv(MIXED[:1], file)
+    assert file.read_text() == MIXED_CSV
 
 
 def test_a_file_that_cannot_even_be_begun(tmp_path, monkeypatch):
