@@ -1,13 +1,13 @@
 """A stand-in for VPython that needs no VPython and no browser: its vector, box, sphere and cylinder, as numbers only.
 
-install() makes it what `import vpython` finds. It does what VPython 7.6.5 does with the attributes that a pendulum has
-(tests/test_headless_vpython.py holds the two together), and shows nothing. What it leaves out: `up` does not follow
-when `axis` turns, and there is no canvas.
+install() makes it what `import vpython` finds. It shows nothing, and does otherwise what VPython 7.6.5 does with what
+a pendulum is made of; tests/test_headless_vpython.py holds the two together. Of the shapes, `up` does not follow when
+`axis` turns; all that belongs to a page (canvas, lights, widgets, graphs) is left out.
 """
 
 import sys
 from math import *  # noqa: F403  VPython hands these on too
-from math import cos, ldexp, sin, sqrt
+from math import acos, cos, sin, sqrt
 
 
 def install() -> None:
@@ -19,8 +19,10 @@ def install() -> None:
 
 
 def number(value) -> float:
-    """Return value as a float; TypeError where it is no number (text included, which float() would take)."""
-    return ldexp(value, 0)
+    """Return value as a float; TypeError where it is no number, or is the text of one."""
+    if isinstance(value, str):
+        raise TypeError("must be real number, not str")
+    return float(value)
 
 
 class vector:
@@ -80,6 +82,11 @@ class vector:
     def mag(self):
         return sqrt(self.mag2)
 
+    @mag.setter
+    def mag(self, length):
+        self.value = self.hat * length
+        self.on_change()
+
     @property
     def hat(self):
         length = self.mag
@@ -97,6 +104,15 @@ class vector:
             self._z * other._x - self._x * other._z,
             self._x * other._y - self._y * other._x,
         )
+
+    def comp(self, other):
+        return self.dot(other.hat)
+
+    def proj(self, other):
+        return other.hat * self.comp(other)
+
+    def diff_angle(self, other):
+        return acos(max(-1, min(1, self.hat.dot(other.hat))))
 
     def rotate(self, angle=0.0, axis=None):
         """Return this vector turned by angle (rad) about axis, by default z (Rodrigues' rotation formula)."""
@@ -177,6 +193,22 @@ def dot(A, B):
 
 def cross(A, B):
     return checked(A).cross(checked(B))
+
+
+def comp(A, B):
+    return checked(A).comp(checked(B))
+
+
+def proj(A, B):
+    return checked(A).proj(checked(B))
+
+
+def diff_angle(A, B):
+    return checked(A).diff_angle(checked(B))
+
+
+def rotate(A, angle=0.0, axis=None):
+    return checked(A).rotate(angle, axis)
 
 
 # --- shapes ----------------------------------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 """The stand-in beside VPython itself: the same short programs on both give the same numbers and refuse the same things.
 
 VPython's vectors and shapes work without a browser once its record says that the page is there already; so each side
-runs all the programs in a process of its own, and no browser is needed here. What needs one, a scene that is drawn, is
-compared in test_browser.py: there the page's bobs are where VPython's objects have them.
+runs all the programs in a process of its own, and no browser is needed here. What needs one, the picture, is tested in
+test_browser.py, on VPython alone.
 """
 
 import json
@@ -12,6 +12,8 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 
 import pytest
+
+from support import headless_vpython
 
 # Statements, and at the end an expression, whose value is compared.
 VALUES = """
@@ -49,6 +51,15 @@ vector(1, 2, 3).cross(vector(-1, 0.5, 4))
 vector(1, 2, 3).equals(vector(1, 2, 3))
 vector(1, 2, 3).rotate(0.3)
 vector(1, 2, 3).rotate(angle=0.3, axis=vector(1, 1, 0))
+rotate(vector(1, 2, 3), angle=0.3, axis=vector(1, 1, 0))
+rotate(vector(1, 2, 3), 0.3)
+comp(vector(1, 2, 3), vector(-1, 0.5, 4))
+proj(vector(1, 2, 3), vector(-1, 0.5, 4))
+vector(1, 2, 3).proj(vector(-1, 0.5, 4))
+diff_angle(vector(1, 2, 3), vector(-1, 0.5, 4))
+diff_angle(vector(1, 2, 3), vector(-2, -4, -6))
+v = vector(1, 2, 3); v.mag = 7; v
+c = cylinder(axis=vector(3, 4, 0)); c.axis.mag = 10; [c.axis, c.size]
 v = vector(1, 2, 3); v.x = 5; v.y += 1; v
 sin(0.3) + cos(0.3) + sqrt(2) + pi
 b = box(); [b.pos, b.axis, b.up, b.size, b.length, b.height, b.width, b.color]
@@ -192,3 +203,9 @@ def test_the_same_refusals(program, both):
     headless, real = (outcomes[program] for outcomes in both)
     assert str(real).startswith("refused")
     assert headless == real
+
+
+def test_text_is_no_number():
+    """As for VPython's compiled vector; its slower one, for machines without a compiler, would take it."""
+    with pytest.raises(TypeError):
+        headless_vpython.vector("1", 2, 3)
