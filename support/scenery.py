@@ -25,7 +25,8 @@ def add_scenery(pend_list, r_param) -> None:
     width = right - left + 1.7 * r_param  # the outer bobs, swung out to the side
     height = top - bottom + 0.5 * r_param  # the frame, seen a little from above
     scene.center = vector((left + right) / 2, (top + bottom) / 2, 0)
-    scene.range = max(height / 2, width / 2 * CANVAS_HEIGHT / CANVAS_WIDTH)
+    # The range is half the height of the view; seen from the left, the near end of a long cradle looks 5 % larger.
+    scene.range = max(height / 2, 1.05 * width / 2 * CANVAS_HEIGHT / CANVAS_WIDTH)
     while not baseObj.empty():
         time.sleep(0.02)
 

@@ -3,10 +3,10 @@
 from math import pi
 
 import pytest
-from cradles import components, hang, R, row
+from cradles import components, FIVE_CSV, hang, R, row
+from vpython import mag
 
 from src import special_cradles, visualize_cradle_run
-from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
 
 
 def tick(pend_list, r_param=R, dt=1e-6, g=9.81):
@@ -25,12 +25,12 @@ def test_a_tick_swings_all_pendula():
     assert [pend_dict["theta"] for pend_dict in pend_list] == pytest.approx([pi / 6 + 0.1] * 3)
 
 
-def touching(*speeds, **values):
+def touching(*speeds, radius=R / 8):
     """Return pendula that hang straight down and touch, with these angular velocities (rad/s)."""
-    pend_list = row(len(speeds), **values)
+    pend_list = row(len(speeds))
     for pend_dict, omega in zip(pend_list, speeds, strict=True):
         pend_dict["omega"] = omega
-        pend_dict["objects"][1].radius = R / 8
+        pend_dict["objects"][1].radius = radius
     return pend_list
 
 
@@ -51,6 +51,13 @@ def test_each_pendulum_is_handled_with_the_one_after_it(before, after):
     pend_list = touching(*before)
     tick(pend_list)
     assert omegas(pend_list) == pytest.approx(after, abs=1e-4)
+
+
+def test_only_neighbours_are_pairs():
+    """Of that pendulum and the one after it: not of any two, even if the bobs are so big that all of them touch."""
+    pend_list = touching(1.0, 2.0, 3.0, radius=R / 3)
+    tick(pend_list)
+    assert omegas(pend_list) == pytest.approx([2.0, 3.0, 1.0], abs=1e-4)
 
 
 def test_the_pairs_use_masses_and_restitution():
@@ -80,15 +87,17 @@ def test_swings_come_before_collisions():
     assert pend_list[1]["theta"] == 0  # it was hit after its swing
 
 
-def test_the_cradle_of_the_csv_passes_the_swing_on():
+def test_a_cradle_passes_the_swing_on(tmp_path):
     """The simulation: the first bob falls, the last one rises to about the angle from which the first was let go."""
-    pend_list = special_cradles.make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)
+    file = tmp_path / "five.csv"
+    file.write_text(FIVE_CSV)
+    pend_list = special_cradles.make_newton_cradle(str(file), 0.2, -pi / 4)
     highest = 0.0
-    for _ in range(round(1.0 / DT)):
-        tick(pend_list, R_PARAM, DT, G)
+    for _ in range(10_000):  # a second, a bit more than it takes
+        tick(pend_list, 0.2, 1e-4, 9.81)
         highest = max(highest, pend_list[-1]["theta"])
-    assert highest == pytest.approx(-THETA_INIT, rel=0.02)
+    assert highest == pytest.approx(pi / 4, rel=0.02)
     for pend_dict in pend_list:
         axle, bob, _ = pend_dict["objects"]
-        assert (bob.pos - axle.pos).mag == pytest.approx(R_PARAM)
+        assert mag(bob.pos - axle.pos) == pytest.approx(0.2)
         assert components(bob.pos)[2] == 0

@@ -8,15 +8,19 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
+from collections import Counter
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
-from pathlib import Path
+from math import hypot
 
 import pytest
+from cradles import copy_project, FIVE_CSV, ROOT
 
+from support.constants import R_PARAM
 from support.page import is_worth_showing
 
-PROGRAM = Path(__file__).parents[1] / "src" / "visualize_cradle_run.py"
+PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 ARGUMENTS = [
     *("--no-sandbox", "--no-first-run", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
@@ -35,21 +39,32 @@ pytestmark = [
 
 
 @contextmanager
-def running(program=PROGRAM, **environment):
+def running(program=None, **environment):
     """Start the program as a user would, from another folder; yield the process, and end it in any case."""
+    environment = {**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment}
+    environment.pop("PYTHONUNBUFFERED", None)  # it must not wait for a full buffer with what it has to say
     process = subprocess.Popen(
-        [sys.executable, str(program)],
+        [sys.executable, str(program or PROGRAM)],
         cwd=os.sep,
-        env={**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment},
+        env=environment,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
     )
+    patience = threading.Timer(2 * SECONDS, process.kill)
+    patience.start()
     try:
         yield process
     finally:
+        patience.cancel()
         process.kill()
         process.communicate()
+
+
+@pytest.fixture
+def program(tmp_path):
+    """The program in a project of its own, with five equal bobs, whatever has become of the shipped CSV."""
+    return copy_project(tmp_path, FIVE_CSV) / "src" / PROGRAM.name
 
 
 def first_lines(process):
@@ -91,19 +106,30 @@ def open_cradle(page, address):
     page.evaluate("() => Object.assign(glowObjs[0], {width: 320, height: 200})")
 
 
-def test_the_cradle_swings_until_the_tab_is_closed(page):
-    with running() as process:
+def test_the_cradle_swings_until_the_tab_is_closed(page, program):
+    with running(program) as process:
         open_cradle(page, first_lines(process))
-        page.wait_for_function(f"() => ({BOBS})()[4][0] > 0.15")  # the last bob, at rest at 0.1, has been hit
+        rest = [-0.1 + R_PARAM / 4 * i for i in range(5)]
+        page.wait_for_function(f"() => ({BOBS})()[4][0] > {rest[4] + R_PARAM / 4}")  # the last bob has been hit
         bobs, picture = page.evaluate(BOBS), page.locator("canvas").first.screenshot()
-        page.wait_for_function(f"() => ({BOBS})()[0][0] < -0.15")  # and the first one, at rest at -0.1, in its turn
+        page.wait_for_function(f"() => ({BOBS})()[0][0] < {rest[0] - R_PARAM / 4}")  # and then the first one again
         later = page.locator("canvas").first.screenshot()
-        for i, (x, y) in enumerate(bobs):  # all on their cords, 0.2 m long, from axles 0.05 m apart
-            assert ((x + 0.1 - 0.05 * i) ** 2 + (y - 0.04) ** 2) ** 0.5 == pytest.approx(0.2, abs=1e-9)
+        for (x, y), axle in zip(bobs, rest, strict=True):
+            assert hypot(x - axle, y - R_PARAM / 5) == pytest.approx(R_PARAM, abs=1e-9)  # all are on their cords
         assert picture != later
         assert colors(page, picture) > 100  # a picture, not a plain area
         page.close()
         assert ends_quietly(process)
+
+
+def test_the_cradle_stands_in_its_frame(page, program):
+    """Rails, posts and base; light and camera as the scenery sets them; and the axles in the middle of the view."""
+    with running(program) as process:
+        open_cradle(page, first_lines(process))
+        kinds = Counter(page.evaluate("() => glowObjs.filter(o => o).map(o => o.constructor.name)"))
+        assert (kinds["box"], kinds["cylinder"], kinds["sphere"]) == (5 + 1, 5 + 6, 5)
+        scene = page.evaluate("() => (s => [s.fov, s.lights.length, s.center.x, s.background.x])(glowObjs[0])")
+        assert scene == pytest.approx([0.25, 2, -0.1 + R_PARAM / 4 * 2, 241 / 255])
 
 
 def colors(page, picture):
@@ -119,16 +145,16 @@ def colors(page, picture):
     )
 
 
-def test_the_page_loads_while_a_browser_holds_an_idle_connection(page):
+def test_the_page_loads_while_a_browser_holds_an_idle_connection(page, program):
     """Browsers open connections in advance; VPython's own server would answer no one else until it gets a request."""
-    with running() as process:
+    with running(program) as process:
         address = first_lines(process)
         with socket.create_connection(("localhost", int(address.rpartition(":")[2])), timeout=SECONDS):
             open_cradle(page, address)
 
 
-def test_ctrl_c_ends_it_while_the_page_is_open(page):
-    with running() as process:
+def test_ctrl_c_ends_it_while_the_page_is_open(page, program):
+    with running(program) as process:
         open_cradle(page, first_lines(process))
         process.send_signal(signal.SIGINT)
         assert ends_quietly(process)
@@ -200,21 +226,16 @@ def test_the_port_asked_for_is_used():
 
 
 def test_a_bad_csv_is_refused_before_a_browser_opens(tmp_path):
-    for folder in ("src", "support"):
-        shutil.copytree(PROGRAM.parents[1] / folder, tmp_path / folder)
-    (tmp_path / "newton_cradle_pends.csv").write_text("mass,e,color,texture\n-1,1,red,metal\n")
-    with running(tmp_path / "src" / PROGRAM.name) as process:
+    project = copy_project(tmp_path, "mass,e,color,texture\n-1,1,red,metal\n")
+    with running(project / "src" / PROGRAM.name) as process:
         assert "newton_cradle_pends.csv, line 2, column mass: found '-1'" in refusal(process)
 
 
-def test_a_students_mistake_ends_it_with_a_traceback(tmp_path, page):
+def test_a_students_mistake_ends_it_with_a_traceback(page, program):
     """VPython's threads would keep the process alive for ever."""
-    for folder in ("src", "support"):
-        shutil.copytree(PROGRAM.parents[1] / folder, tmp_path / folder)
-    shutil.copy(PROGRAM.parents[1] / "newton_cradle_pends.csv", tmp_path)
-    swinging = tmp_path / "src" / "swinging.py"
+    swinging = program.with_name("swinging.py")
     swinging.write_text(swinging.read_text().replace("omega_new = omega -", "omega_new = omegaa -"))
-    with running(tmp_path / "src" / PROGRAM.name) as process:
+    with running(program) as process:
         page.goto(first_lines(process))
         _, stderr = process.communicate(timeout=SECONDS)
         assert process.returncode == 1

@@ -2,7 +2,7 @@
 
 import pytest
 
-from support.real_time import FRAME, keep_real_time, MAX_BEHIND
+from support.real_time import FRAME, keep_real_time
 
 DT = 1e-4  # s a tick
 
@@ -75,4 +75,4 @@ def test_a_night_of_sleep_is_not_simulated():
     night = 8 * 3600.0
     wall = Wall(cost=10e-6, until=night + 60)
     wall.interruptions[600] = night
-    assert wall.run() == pytest.approx(60 + MAX_BEHIND, abs=2 * FRAME)
+    assert 60 <= wall.run() < 61
