@@ -63,7 +63,7 @@ def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> Non
 def main() -> None:
     """Show the cradle of newton_cradle_pends.csv until the tab is closed; status 2 if the file makes no cradle."""
     try:
-        check_cradle(NC_FP)
+        check_cradle(NC_FP)  # make_newton_cradle does so too, but by then a browser has been opened
         port = page_port()
     except ValueError as error:
         print(error, file=sys.stderr)

@@ -12,7 +12,8 @@ ROOT = Path(__file__).parents[1]
 R = 0.4  # m, not the shipped cord length, so that a constant in place of the parameter shows
 
 # Five equal elastic pendula, as the shipped file has them until someone edits it.
-FIVE_CSV = "mass,e,theta,omega,color,texture\n" + "1.0,1.0,0.0,0.0,red,metal\n" * 5
+HEADER, GOOD = "mass,e,theta,omega,color,texture\n", "1.0,1.0,0.0,0.0,red,metal\n"
+FIVE_CSV = HEADER + GOOD * 5
 
 # No two pendula alike, no value a default, and none of theta and omega what make_newton_cradle is to set.
 MIXED_CSV = """\

@@ -1,4 +1,4 @@
-"""A tests: the tick, and the cradle of newton_cradle_pends.csv running."""
+"""A tests: the tick, and a cradle that runs by it."""
 
 from math import pi
 

@@ -74,10 +74,13 @@ def first_lines(process):
     return address
 
 
-def ends_quietly(process):
-    """Whether the program ends by itself with status 0 and not a word on stderr."""
+def end(process):
+    """Wait until the program ends by itself; return its status, and what else it has printed on stdout and stderr."""
     stdout, stderr = process.communicate(timeout=SECONDS)
-    return (process.returncode, stdout, stderr) == (0, "", "")
+    return process.returncode, stdout, stderr
+
+
+QUIETLY = (0, "", "")
 
 
 @pytest.fixture(scope="module")
@@ -119,7 +122,7 @@ def test_the_cradle_swings_until_the_tab_is_closed(page, program):
         assert picture != later
         assert colors(page, picture) > 100  # a picture, not a plain area
         page.close()
-        assert ends_quietly(process)
+        assert end(process) == QUIETLY
 
 
 def test_the_cradle_stands_in_its_frame(page, program):
@@ -157,7 +160,7 @@ def test_ctrl_c_ends_it_while_the_page_is_open(page, program):
     with running(program) as process:
         open_cradle(page, first_lines(process))
         process.send_signal(signal.SIGINT)
-        assert ends_quietly(process)
+        assert end(process) == QUIETLY
 
 
 def test_what_a_browser_asks_for_in_vain_is_no_news():
@@ -169,7 +172,7 @@ def test_what_a_browser_asks_for_in_vain_is_no_news():
             while connection.recv(1000):
                 pass
         process.send_signal(signal.SIGINT)
-        assert ends_quietly(process)
+        assert end(process) == QUIETLY
 
 
 def test_only_talking_to_a_closing_tab_is_no_news():
@@ -190,13 +193,13 @@ def test_ctrl_c_ends_it_while_it_waits_for_a_browser():
     with running() as process:
         first_lines(process)
         process.send_signal(signal.SIGINT)
-        assert ends_quietly(process)
+        assert end(process) == QUIETLY
 
 
 def refusal(process):
     """Return the one line on stderr with which the program refuses to start."""
-    stdout, stderr = process.communicate(timeout=SECONDS)
-    assert (process.returncode, stdout) == (2, "")
+    status, stdout, stderr = end(process)
+    assert (status, stdout) == (2, "")
     assert stderr.count("\n") == 1
     return stderr
 
@@ -237,6 +240,6 @@ def test_a_students_mistake_ends_it_with_a_traceback(page, program):
     swinging.write_text(swinging.read_text().replace("omega_new = omega -", "omega_new = omegaa -"))
     with running(program) as process:
         page.goto(first_lines(process))
-        _, stderr = process.communicate(timeout=SECONDS)
-        assert process.returncode == 1
+        status, _, stderr = end(process)
+        assert status == 1
         assert stderr.splitlines()[-1].startswith("NameError: name 'omegaa' is not defined")

@@ -5,15 +5,13 @@ import random
 from pathlib import Path
 
 import pytest
-from cradles import MIXED, MIXED_CSV
+from cradles import GOOD, HEADER, MIXED, MIXED_CSV
 
 from src import visualize_cradle_run
 from src.pds_helper import extract_and_convert, write_to_csv
 from src.special_cradles import make_newton_cradle
 from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
 
-HEADER = "mass,e,theta,omega,color,texture\n"
-GOOD = "1.0,1.0,0.0,0.0,red,metal\n"
 COLORS, TEXTURES = f"allowed is one of {', '.join(COLOR_MAP)}", f"allowed is one of {', '.join(TEXTURE_MAP)}"
 MASS, E = "allowed is a number above 0 (kg)", "allowed is a number from 0 to 1"
 

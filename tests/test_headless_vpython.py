@@ -9,9 +9,9 @@ import json
 import subprocess
 import sys
 from importlib.machinery import PathFinder
-from pathlib import Path
 
 import pytest
+from cradles import ROOT
 
 from support import headless_vpython
 
@@ -164,8 +164,6 @@ def outcome(program):
 
 json.dump([outcome(program) for program in json.load(sys.stdin)], sys.stdout, default=repr)
 """
-
-ROOT = Path(__file__).parents[1]
 
 
 def outcomes(side):
