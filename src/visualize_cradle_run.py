@@ -1,5 +1,6 @@
 """Newton's cradle in the browser: collisions, the tick, and the program that shows newton_cradle_pends.csv."""
 
+import os
 import sys
 from itertools import pairwise
 from math import cos
@@ -15,9 +16,10 @@ from vpython import mag
 
 from src.special_cradles import make_newton_cradle
 from src.swinging import full_swing_update
+from support.closed_doors import page_sockets
 from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
 from support.cradle_csv import check_cradle
-from support.page import open_page, page_port
+from support.page import open_page
 from support.real_time import keep_real_time
 
 
@@ -64,11 +66,11 @@ def main() -> None:
     """Show the cradle of newton_cradle_pends.csv until the tab is closed; status 2 if the file makes no cradle."""
     try:
         check_cradle(NC_FP)  # make_newton_cradle does so too, but by then a browser has been opened
-        port = page_port()
+        sockets = page_sockets(int(os.environ.get("VPYTHON_HTTP_PORT", "0")))
     except ValueError as error:
         print(error, file=sys.stderr)
         sys.exit(2)
-    with open_page(port):
+    with open_page(sockets):
         from support.scenery import add_scenery  # needs VPython's canvas, which all of the above does without
 
         pend_list = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)

@@ -1,112 +1,19 @@
 """The program as a person meets it: VPython itself, a page in Chromium, Ctrl+C and closed tabs."""
 
 import logging
-import os
-import re
-import shutil
 import signal
 import socket
-import subprocess
-import sys
-import threading
 from collections import Counter
-from contextlib import contextmanager
-from importlib.machinery import PathFinder
 from math import hypot
 
 import pytest
-from cradles import copy_project, FIVE_CSV, ROOT
+from cradles import copy_project
+from programs import BOBS, end, first_lines, needs_vpython, open_cradle, PROGRAM, QUIETLY, refusal, running, SECONDS
 
 from support.constants import R_PARAM
 from support.page import is_worth_showing
 
-PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-ARGUMENTS = [
-    *("--no-sandbox", "--no-first-run", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
-    "--disable-gpu-compositing",  # without a graphics card it is what slows everything, thirty times
-    *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
-]
-SECONDS = 60  # after which something that is waited for counts as never coming
-
-# The bobs' positions, as the page has them.
-BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere').map(o => [o.pos.x, o.pos.y])"
-
-pytestmark = [
-    pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed"),
-    pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS"),
-]
-
-
-@contextmanager
-def running(program=None, **environment):
-    """Start the program as a user would, from another folder; yield the process, and end it in any case."""
-    environment = {**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment}
-    environment.pop("PYTHONUNBUFFERED", None)  # it must not wait for a full buffer with what it has to say
-    process = subprocess.Popen(
-        [sys.executable, str(program or PROGRAM)],
-        cwd=os.sep,
-        env=environment,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    patience = threading.Timer(2 * SECONDS, process.kill)
-    patience.start()
-    try:
-        yield process
-    finally:
-        patience.cancel()
-        process.kill()
-        process.communicate()
-
-
-@pytest.fixture
-def program(tmp_path):
-    """The program in a project of its own, with five equal bobs, whatever has become of the shipped CSV."""
-    return copy_project(tmp_path, FIVE_CSV) / "src" / PROGRAM.name
-
-
-def first_lines(process):
-    """Return the address of the page, from what the program prints before it waits for a browser."""
-    address = re.search(r"http://localhost:\d+", process.stdout.readline())[0]
-    assert "Ctrl+C" in process.stdout.readline()
-    return address
-
-
-def end(process):
-    """Wait until the program ends by itself; return its status, and what else it has printed on stdout and stderr."""
-    stdout, stderr = process.communicate(timeout=SECONDS)
-    return process.returncode, stdout, stderr
-
-
-QUIETLY = (0, "", "")
-
-
-@pytest.fixture(scope="module")
-def browser():
-    playwright = pytest.importorskip("playwright.sync_api")
-    if CHROMIUM is None:
-        pytest.skip("Chromium is not installed")
-    with playwright.sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
-        yield browser
-        browser.close()
-
-
-@pytest.fixture
-def page(browser):
-    page = browser.new_page(viewport={"width": 1000, "height": 700})
-    page.set_default_timeout(SECONDS * 1000)
-    yield page
-    page.close()
-
-
-def open_cradle(page, address):
-    """Open the page, wait until it has five bobs, and make its canvas small: it is drawn without a graphics card."""
-    page.goto(address)
-    page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === 5")
-    page.evaluate("() => Object.assign(glowObjs[0], {width: 320, height: 200})")
+pytestmark = needs_vpython
 
 
 def test_the_cradle_swings_until_the_tab_is_closed(page, program):
@@ -196,36 +103,9 @@ def test_ctrl_c_ends_it_while_it_waits_for_a_browser():
         assert end(process) == QUIETLY
 
 
-def refusal(process):
-    """Return the one line on stderr with which the program refuses to start."""
-    status, stdout, stderr = end(process)
-    assert (status, stdout) == (2, "")
-    assert stderr.count("\n") == 1
-    return stderr
-
-
-def test_a_taken_port_is_refused():
-    with socket.socket() as other:
-        other.bind(("", 0))
-        other.listen()
-        port = str(other.getsockname()[1])
-        with running(VPYTHON_HTTP_PORT=port) as process:
-            assert f"VPYTHON_HTTP_PORT: port {port} cannot be had: " in refusal(process)
-
-
-@pytest.mark.parametrize("port", ["web", "-1", "65536", ""])
-def test_what_is_no_port_is_refused(port):
-    with running(VPYTHON_HTTP_PORT=port) as process:
-        line = f"VPYTHON_HTTP_PORT: found {port!r}, allowed is a port number from 0 to 65535\n"
-        assert refusal(process) == line
-
-
-def test_the_port_asked_for_is_used():
-    with socket.socket() as probe:
-        probe.bind(("", 0))
-        port = probe.getsockname()[1]
-    with running(VPYTHON_HTTP_PORT=str(port)) as process:
-        assert first_lines(process) == f"http://localhost:{port}"
+def test_what_is_no_port_is_refused():
+    with running(VPYTHON_HTTP_PORT="web") as process:
+        assert "'web'" in refusal(process)
 
 
 def test_a_bad_csv_is_refused_before_a_browser_opens(tmp_path):

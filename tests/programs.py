@@ -1,0 +1,84 @@
+"""The program as a process: how the suites start it, what it says first, and how it ends."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import threading
+from contextlib import contextmanager
+from importlib.machinery import PathFinder
+
+import pytest
+from cradles import ROOT
+
+PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+ARGUMENTS = [
+    *("--no-sandbox", "--no-first-run", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
+    "--disable-gpu-compositing",  # without a graphics card it is what slows everything, thirty times
+    *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
+]
+SECONDS = 60  # after which something that is waited for counts as never coming
+
+# The bobs' positions, as the page has them.
+BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere').map(o => [o.pos.x, o.pos.y])"
+
+needs_vpython = [
+    pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed"),
+    pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS"),
+]
+
+
+@contextmanager
+def running(program=None, folder=os.sep, **environment):
+    """Start the program as a user would, from this folder; yield the process, and end it in any case."""
+    environment = {**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment}
+    environment.pop("PYTHONUNBUFFERED", None)  # it must not wait for a full buffer with what it has to say
+    process = subprocess.Popen(
+        [sys.executable, str(program or PROGRAM)],
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    patience = threading.Timer(2 * SECONDS, process.kill)
+    patience.start()
+    try:
+        yield process
+    finally:
+        patience.cancel()
+        process.kill()
+        process.communicate()
+
+
+def first_lines(process):
+    """Return the address of the page, from what the program prints before it waits for a browser."""
+    address = re.search(r"http://localhost:\d+", process.stdout.readline())[0]
+    assert "Ctrl+C" in process.stdout.readline()
+    return address
+
+
+def end(process):
+    """Wait until the program ends by itself; return its status, and what else it has printed on stdout and stderr."""
+    stdout, stderr = process.communicate(timeout=SECONDS)
+    return process.returncode, stdout, stderr
+
+
+QUIETLY = (0, "", "")
+
+
+def refusal(process):
+    """Return the one line on stderr with which the program refuses to start."""
+    status, stdout, stderr = end(process)
+    assert (status, stdout) == (2, "")
+    assert stderr.count("\n") == 1
+    return stderr
+
+
+def open_cradle(page, address):
+    """Open the page, wait until it has five bobs, and make its canvas small: it is drawn without a graphics card."""
+    page.goto(address)
+    page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === 5")
+    page.evaluate("() => Object.assign(glowObjs[0], {width: 320, height: 200})")
