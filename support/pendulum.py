@@ -5,6 +5,8 @@ from typing import TypedDict
 
 from vpython import box, cylinder, sphere, vector
 
+from support.shapes import make_shape
+
 
 class PendulumEntry(TypedDict, total=False):
     """One pendulum of a pend_list. extract_and_convert fills in what the CSV has, make_newton_cradle the rest."""
@@ -28,8 +30,10 @@ def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere
     # are just outside one another's reach; were they inside, their velocities would be swapped on every tick.
     radius = 0.9995 * r_param / 8 / 1.05
     arm = vector(r_param * sin(theta), -r_param * cos(theta), 0)
-    axle = box(pos=axle_pos, size=vector(r_param / 16, r_param / 32, r_param / 2), color=vector(0.3, 0.3, 0.32))
-    bob = sphere(pos=axle_pos + arm, radius=radius, color=color, texture=texture, shininess=1)
+    axle_size, axle_color = vector(r_param / 16, r_param / 32, r_param / 2), vector(0.3, 0.3, 0.32)
+    axle = make_shape(box, pos=axle_pos, size=axle_size, color=axle_color)
+    bob = make_shape(sphere, pos=axle_pos + arm, radius=radius, color=color, texture=texture, shininess=1)
     # up is square to the plane of swing: VPython then has no need to turn it whenever the axis is set, which is slow.
-    cord = cylinder(pos=axle_pos, axis=arm, up=vector(0, 0, 1), radius=r_param / 200, color=vector(0.15, 0.15, 0.17))
+    looks = {"up": vector(0, 0, 1), "radius": r_param / 200, "color": vector(0.15, 0.15, 0.17)}
+    cord = make_shape(cylinder, pos=axle_pos, axis=arm, **looks)
     return axle, bob, cord

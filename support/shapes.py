@@ -1,0 +1,26 @@
+"""Shapes that are used again: VPython keeps every shape for ever, so a new cradle is built of what the old one was."""
+
+from vpython import color
+
+# How VPython makes a shape unless it is told otherwise. A used shape is given all this before its new looks.
+PLAIN = {"color": color.white, "texture": None, "shininess": 0.6, "visible": True}
+
+discarded: list = []
+
+
+def make_shape(kind, **attributes):
+    """Return a box, sphere or cylinder (kind) with these attributes: a discarded one if there is one, or a new one."""
+    for shape in discarded:
+        if type(shape) is kind:
+            discarded.remove(shape)
+            for name, value in {**PLAIN, **attributes}.items():
+                setattr(shape, name, value)
+            return shape
+    return kind(**attributes)
+
+
+def discard(shapes) -> None:
+    """Hide these shapes, and let make_shape use them again."""
+    for shape in shapes:
+        shape.visible = False
+    discarded.extend(shapes)
