@@ -8,6 +8,29 @@ from pathlib import Path
 from support.constants import COLOR_MAP, TEXTURE_MAP
 
 
+class Snapshot:
+    """A file as it was at one moment, to be given in place of its path: all who read it find the same in it."""
+
+    def __init__(self, filepath):
+        self.filepath, self.data, self.error = filepath, b"", None
+        try:
+            self.data = Path(filepath).read_bytes()
+        except OSError as error:
+            self.error = error
+
+    def __str__(self) -> str:
+        return str(self.filepath)
+
+    def __eq__(self, other) -> bool:
+        return (self.data, str(self.error)) == (other.data, str(other.error))
+
+    def read_bytes(self) -> bytes:
+        """Return what was in the file; raises the OSError because of which it could not be read."""
+        if self.error:
+            raise self.error
+        return self.data
+
+
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV, the header first, each as (line number in the file, its cells as text).
 
@@ -15,7 +38,8 @@ def read_cells(filepath) -> list[tuple[int, list[str]]]:
     and where, if the file cannot be read, is not UTF-8 text, is empty, or has a row with more cells than the header.
     """
     try:
-        text = Path(filepath).read_bytes().decode("utf-8-sig")
+        file = filepath if isinstance(filepath, Snapshot) else Path(filepath)
+        text = file.read_bytes().decode("utf-8-sig")
     except OSError as error:
         raise ValueError(f"{filepath}: cannot be read as a CSV file: {error.strerror}") from error
     except UnicodeDecodeError as error:
@@ -71,14 +95,14 @@ def to_number(text: str) -> float:
         return nan
 
 
-# What a pendulum's cells must be: a column, a test of the cell's text, and how to say what is allowed. The columns
-# theta and omega are not here: where a cradle starts does not depend on them.
-RULES = (
-    ("mass", lambda text: 0 < to_number(text) < inf, "a number above 0 (kg)"),
-    ("e", lambda text: 0 <= to_number(text) <= 1, "a number from 0 to 1"),
-    ("color", COLOR_MAP.__contains__, f"one of {', '.join(COLOR_MAP)}"),
-    ("texture", TEXTURE_MAP.__contains__, f"one of {', '.join(TEXTURE_MAP)}"),
-)
+# What a pendulum's cells must be, for each column: a test of the cell's text, and how to say what is allowed. The
+# columns theta and omega are not here: where a cradle starts does not depend on them.
+RULES = {
+    "mass": (lambda text: 0 < to_number(text) < inf, "a number above 0 (kg)"),
+    "e": (lambda text: 0 <= to_number(text) <= 1, "a number from 0 to 1"),
+    "color": (COLOR_MAP.__contains__, f"one of {', '.join(COLOR_MAP)}"),
+    "texture": (TEXTURE_MAP.__contains__, f"one of {', '.join(TEXTURE_MAP)}"),
+}
 
 
 def check_cradle(filepath) -> None:
@@ -88,17 +112,17 @@ def check_cradle(filepath) -> None:
     """
     rows = read_cells(filepath)
     header_line, header = rows[0]
-    for column, _, _ in RULES:
+    for column in RULES:
         if header.count(column) != 1:
             found = f"found {', '.join(map(repr, header))}"
-            allowed = f"a cradle needs one column of each of {', '.join(name for name, _, _ in RULES)}"
+            allowed = f"a cradle needs one column of each of {', '.join(RULES)}"
             hint = separator_hint(rows)
             raise ValueError(f"{filepath}, line {header_line}, column {column}: {found}; {allowed}{hint}")
     if len(rows) == 1:
         raise ValueError(f"{filepath}: names columns but has no pendulum, a cradle needs at least one row below them")
     for line, cells in rows[1:]:
         pendulum = dict(zip(header, cells, strict=False))  # a short row lacks its last cells
-        for column, is_allowed, allowed in RULES:
+        for column, (is_allowed, allowed) in RULES.items():
             text = pendulum.get(column, "")
             if not is_allowed(text):
                 found = f"found {text!r}" if text else "found nothing"
