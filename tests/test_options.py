@@ -1,0 +1,105 @@
+"""The command line: what it takes, what it refuses and in which words."""
+
+import pytest
+
+from support.constants import NC_FP, THETA_INIT
+from support.options import PORT_VARIABLE, read_options
+
+
+def read(line):
+    return vars(read_options("A test.", line.split()))
+
+
+@pytest.fixture(autouse=True)
+def no_port_in_the_environment(monkeypatch):
+    monkeypatch.delenv(PORT_VARIABLE, raising=False)
+
+
+DEFAULTS = {
+    "csv": NC_FP,
+    "elastic": False,
+    "inelastic": False,
+    "e": None,
+    "mass": None,
+    "angle": pytest.approx(abs(THETA_INIT) * 57.29577951),
+    "lift": 1,
+    "port": 0,
+    "browser": True,
+}
+
+
+@pytest.mark.parametrize(
+    ("line", "changed"),
+    [
+        ("", {}),
+        ("my.csv", {"csv": "my.csv"}),
+        ("--elastic", {"elastic": True}),
+        ("--inelastic", {"inelastic": True}),
+        ("--e 0.5", {"e": 0.5}),
+        ("--e 0", {"e": 0.0}),
+        ("--mass 2.5 --angle 12.5 --lift 3", {"mass": 2.5, "angle": 12.5, "lift": 3}),
+        ("--lift 0 --angle 180", {"lift": 0, "angle": 180.0}),
+        ("--port 8000 --no-browser my.csv", {"port": 8000, "browser": False, "csv": "my.csv"}),
+    ],
+)
+def test_what_it_takes(line, changed):
+    assert read(line) == {**DEFAULTS, **changed}
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("--e 1.1", "argument --e: found '1.1', allowed is a number from 0 to 1"),
+        ("--e -0.1", "argument --e: found '-0.1', allowed is a number from 0 to 1"),
+        ("--e nan", "argument --e: found 'nan', allowed is a number from 0 to 1"),
+        ("--e", "argument --e: expected one argument"),
+        ("--mass 0", "argument --mass: found '0', allowed is a number above 0 (kg)"),
+        ("--mass inf", "argument --mass: found 'inf', allowed is a number above 0 (kg)"),
+        ("--mass 1kg", "argument --mass: found '1kg', allowed is a number above 0 (kg)"),
+        ("--angle -30", "argument --angle: found '-30', allowed is a number from 0 to 180 (degrees)"),
+        ("--angle 181", "argument --angle: found '181', allowed is a number from 0 to 180 (degrees)"),
+        ("--lift -1", "argument --lift: found '-1', allowed is a whole number, 0 or more"),
+        ("--lift 1.5", "argument --lift: found '1.5', allowed is a whole number, 0 or more"),
+        ("--port 65535", "argument --port: found '65535', allowed is a whole number from 0 to 65534"),
+        ("--port web", "argument --port: found 'web', allowed is a whole number from 0 to 65534"),
+        ("--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
+        ("--elast", "unrecognized arguments: --elast"),
+        ("a.csv b.csv", "unrecognized arguments: b.csv"),
+    ],
+)
+def test_what_it_refuses_in_one_line(line, message, capsys):
+    with pytest.raises(SystemExit) as refused:
+        read(line)
+    stdout, stderr = capsys.readouterr()
+    assert (refused.value.code, stdout) == (2, "")
+    assert stderr.endswith(f": error: {message} (--help shows all options)\n")
+    assert stderr.count("\n") == 1
+
+
+def test_the_port_may_come_from_vpythons_environment_variable(monkeypatch, capsys):
+    monkeypatch.setenv(PORT_VARIABLE, "8000")
+    assert read("")["port"] == 8000
+    assert read("--port 9000")["port"] == 9000
+    monkeypatch.setenv(PORT_VARIABLE, "web")
+    with pytest.raises(SystemExit):
+        read("")
+    assert "--port: found 'web'" in capsys.readouterr().err
+
+
+def test_help_has_each_option_with_its_unit_and_default(capsys):
+    with pytest.raises(SystemExit) as ended:
+        read("--help")
+    assert ended.value.code == 0
+    text = " ".join(capsys.readouterr().out.split())
+    for words in (
+        "CSV file of the cradle (default: newton_cradle_pends.csv)",
+        "--elastic e = 1",
+        "--inelastic e = 0",
+        "--e E one e, from 0 to 1, for all pendula (default: the CSV's)",
+        "--mass KG one mass, above 0 kg, for all pendula (default: the CSV's)",
+        "from 0 to 180 degrees (default: ",
+        "how many bobs are lifted (default: 1)",
+        "--port N",
+        "--no-browser",
+    ):
+        assert words in text
