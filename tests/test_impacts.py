@@ -1,0 +1,69 @@
+"""The contact strip: trains of impacts from single contacts."""
+
+import pytest
+
+from support.impacts import GAP, ImpactTrains
+
+TICK = 1e-4  # s
+
+
+def lines(contacts, rightwards=True, count=5):
+    """Return the strip after these contacts (the left bob's index), a tick apart, from t = 0.71 s on."""
+    trains = ImpactTrains(count)
+    for tick, left in enumerate(contacts):
+        trains.add(0.71 + tick * TICK, left, rightwards)
+    return trains.lines()
+
+
+@pytest.mark.parametrize(
+    ("contacts", "rightwards", "train"),
+    [
+        ([0], True, "1-2"),
+        ([0, 1, 2, 3], True, "1-2-3-4-5"),
+        ([3, 2, 1, 0], False, "5-4-3-2-1"),
+        ([1, 0, 2, 1, 3, 2], True, "2-3-4-5  1-2-3-4"),  # two bobs come in from the left, two go out
+        ([2, 3, 1, 2, 0, 1], False, "4-3-2-1  5-4-3-2"),
+        ([2, 1, 3, 0, 2, 1], True, "3-4-5  2-3-4  1-2-3"),
+        ([0, 3], True, "1-2  4-5"),
+        ([0, 0, 0, 0], True, "1-2"),  # two bobs that stay together
+        (range(12), True, "1-2-3-...-13"),
+        ([0, 1, 2, 3] * 1000, True, "1-2-3-4-5  1-2-3-4-5  ..."),
+    ],
+)
+def test_a_train_is_written_in_the_order_of_the_hits(contacts, rightwards, train):
+    assert lines(contacts, rightwards) == [f"t = 0.71 s  {train}"]
+
+
+def test_a_hit_that_runs_back_is_a_run_of_its_own():
+    trains = ImpactTrains(5)
+    for tick, (left, rightwards) in enumerate([(0, True), (1, True), (2, False), (1, False)]):
+        trains.add(tick * TICK, left, rightwards)
+    assert trains.lines() == ["t = 0.00 s  1-2-3  4-3-2"]
+
+
+def test_contacts_further_apart_are_trains_of_their_own_the_latest_first():
+    trains = ImpactTrains(2)
+    for number in range(4):
+        trains.add(number * 2 * GAP, number, True)
+    assert trains.lines() == ["t = 0.03 s  4-5", "t = 0.02 s  3-4"]
+
+
+def test_a_train_goes_on_as_long_as_its_contacts_follow_one_another():
+    trains = ImpactTrains(5)
+    for number in range(4):
+        trains.add(number * 0.9 * GAP, number, True)
+    assert trains.lines() == ["t = 0.00 s  1-2-3-4-5"]
+
+
+def test_clear_forgets_all():
+    trains = ImpactTrains(5)
+    trains.add(1.0, 0, True)
+    trains.clear()
+    assert trains.lines() == []
+
+
+def test_bobs_that_touch_for_ever_take_no_more_memory():
+    trains = ImpactTrains(5)
+    for tick in range(10_000):
+        trains.add(tick * TICK, tick % 4, True)
+    assert sum(len(run) for run in trains.trains[0][3]) < 100
