@@ -1,6 +1,5 @@
-"""Newton's cradle in the browser: collisions, the tick, and the program that shows newton_cradle_pends.csv."""
+"""Newton's cradle in the browser: collisions, the tick, and the program to play with."""
 
-import os
 import sys
 from itertools import pairwise
 from math import cos
@@ -14,13 +13,13 @@ if __name__ == "__main__":  # started as a file, from any folder: the project's 
 
 from vpython import mag
 
-from src.special_cradles import make_newton_cradle
+from src.live_cradle import LiveCradle
 from src.swinging import full_swing_update
 from support.closed_doors import page_sockets
-from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
 from support.cradle_csv import check_cradle
+from support.live_file import LiveFile
+from support.options import check_lift, read_options
 from support.page import open_page
-from support.real_time import keep_real_time
 
 
 def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
@@ -62,20 +61,39 @@ def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> Non
         handle_two_bobs(pend1, pend2, r_param, approaching_only)
 
 
+def advance_cradle(pend_list, r_param, dt, g, ticks, approaching_only=False) -> list[tuple[int, int]]:
+    """Do what so many calls of newton_cradle_tick do, and return the contacts as (tick, index of the left bob).
+
+    Ticks count from 0. A contact is told of where it changes the velocities.
+    """
+    contacts = []
+    for tick in range(ticks):
+        full_swing_update(pend_list, r_param, dt, g)
+        for left, (pend1, pend2) in enumerate(pairwise(pend_list)):
+            omega = pend1["omega"]
+            handle_two_bobs(pend1, pend2, r_param, approaching_only)
+            if pend1["omega"] != omega:
+                contacts.append((tick, left))
+    return contacts
+
+
 def main() -> None:
-    """Show the cradle of newton_cradle_pends.csv until the tab is closed; status 2 if the file makes no cradle."""
+    """Show a cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused."""
+    options = read_options(
+        "Newton's cradle in the browser, to play with. Save its CSV, and the page shows the new one."
+    )
+    file = LiveFile(options.csv)
     try:
-        check_cradle(NC_FP)  # make_newton_cradle does so too, but by then a browser has been opened
-        sockets = page_sockets(int(os.environ.get("VPYTHON_HTTP_PORT", "0")))
+        check_cradle(file.current)  # the viewer does so too, but by then a browser has been opened
+        check_lift(options.lift, file.current)
+        sockets = page_sockets(options.port)
     except ValueError as error:
         print(error, file=sys.stderr)
         sys.exit(2)
-    with open_page(sockets):
-        from support.scenery import add_scenery  # needs VPython's canvas, which all of the above does without
+    with open_page(sockets, options.browser):
+        from support.viewer import Viewer  # needs VPython's canvas and widgets, which all of the above does without
 
-        pend_list = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)
-        add_scenery(pend_list, R_PARAM)
-        keep_real_time(lambda: newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True), DT)
+        Viewer(LiveCradle(advance_cradle, options), file, options.angle, options.lift).run()
 
 
 if __name__ == "__main__":

@@ -2,12 +2,13 @@
 
 install() makes it what `import vpython` finds. It shows nothing, and does otherwise what VPython 7.6.5 does with what
 a pendulum is made of; tests/test_headless_vpython.py holds the two together. Of the shapes, `up` does not follow when
-`axis` turns; all that belongs to a page (canvas, lights, widgets, graphs) is left out.
+`axis` turns. Of the page (canvas, light, widgets, graph) there is what the viewer uses, and it only keeps what it is
+told.
 """
 
 import sys
 from math import *  # noqa: F403  VPython hands these on too
-from math import acos, cos, sin, sqrt
+from math import acos, cos, pi, sin, sqrt
 
 
 def install() -> None:
@@ -342,6 +343,80 @@ class cylinder(Shape):
     @radius.setter
     def radius(self, value):
         self.size = vector(self._size._x, 2 * value, 2 * value)
+
+
+# --- the page --------------------------------------------------------------------------------------------------------
+
+
+class baseObj:
+    """VPython's record of what the page has not fetched yet: nothing, here."""
+
+    @staticmethod
+    def empty():
+        return True
+
+
+class PageItem:
+    """What is on the page beside the shapes: its attributes, which a test can read and set."""
+
+    def __init__(self, **attributes):
+        vars(self).update(attributes)
+
+
+class wtext(PageItem):
+    text = ""
+
+
+class button(PageItem):
+    text, disabled = "", False
+
+
+class checkbox(PageItem):
+    text, checked, disabled = "", False, False
+
+
+class menu(PageItem):
+    selected, disabled = None, False
+
+
+class slider(PageItem):
+    min, max, disabled = 0, 1, False
+
+    def __init__(self, **attributes):
+        super().__init__(**{"value": attributes.get("min", self.min), **attributes})
+
+
+class graph(PageItem):
+    width, height = 640, 400
+
+
+class gcurve(PageItem):
+    data: list = []
+
+
+class distant_light(PageItem):
+    def __init__(self, **attributes):
+        super().__init__(**attributes)
+        scene.lights.append(self)
+
+
+class canvas(PageItem):
+    width, height, range, fov, caption = 640, 400, 1, pi / 3, ""
+
+    def __init__(self):
+        self.center, self.forward, self.up = vector(0, 0, 0), vector(0, 0, -1), vector(0, 1, 0)
+        self.mouse = PageItem(ray=vector(0, 0, -1))
+        self.lights: list = []
+        self.bound: dict = {}  # event -> function
+
+    def append_to_caption(self, text):
+        self.caption += text
+
+    def bind(self, events, function):
+        self.bound.update(dict.fromkeys(events.split(), function))
+
+
+scene = canvas()
 
 
 # --- names -----------------------------------------------------------------------------------------------------------

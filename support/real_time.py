@@ -1,4 +1,4 @@
-"""The loop that keeps a simulation in step with the clock on the wall."""
+"""The pace of a simulation, in step with the clock on the wall."""
 
 import time
 
@@ -12,18 +12,48 @@ BUSY = 0.75 * FRAME
 # machine, a laptop that slept) is dropped.
 MAX_BEHIND = 0.25
 
+# Over how long (s) it is measured how well the machine keeps up.
+SPAN = 1.0
 
-def keep_real_time(tick, dt, clock=time.perf_counter, sleep=time.sleep) -> None:
-    """Call tick() for ever, so often that a simulated second, of 1/dt ticks, lasts a second on the wall.
+
+class RealTime:
+    """Lets a simulated second, of 1/dt ticks, last a second on the wall, or 1/speed seconds.
 
     A machine too slow for that shows slow motion. VPython's rate() can do neither: it is off by a tenth and more, and
-    it waits by keeping a processor core busy. clock() and sleep(seconds) may be replaced by a test's.
+    it waits by keeping a processor core busy.
     """
-    simulated = clock()  # the moment on the wall clock that the simulation has reached
-    while True:
-        frame_start = clock()
-        simulated = max(simulated, frame_start - MAX_BEHIND)
-        while simulated + dt <= frame_start and clock() - frame_start < BUSY:
-            tick()
-            simulated += dt
-        sleep(max(0, frame_start + FRAME - clock()))
+
+    def __init__(self, dt, clock=time.perf_counter, sleep=time.sleep):
+        """Begin now; dt (s) is one tick. clock() and sleep(seconds) may be replaced by a test's."""
+        self.dt, self.clock, self.sleep = dt, clock, sleep
+        self.speed = 1.0
+        self.tick_cost = None  # what a tick took in the last frame (s)
+        self.restart()
+
+    def restart(self) -> None:
+        """Begin anew at this moment, owing no ticks."""
+        self.frame_start = self.span_start = self.clock()
+        self.owed = 0.0  # ticks, and the fraction of one
+        self.span_ticks = 0
+        self.kept_up = 1.0  # the part of the speed that the machine reached over the last SPAN
+
+    def frame(self, advance) -> None:
+        """Call advance(ticks) with the ticks that are due since the last frame, unless none is."""
+        now = self.clock()
+        per_second = self.speed / self.dt
+        self.owed = min(self.owed + (now - self.frame_start) * per_second, MAX_BEHIND * per_second)
+        self.frame_start = now
+        affordable = BUSY / self.tick_cost if self.tick_cost else 1
+        ticks = int(min(self.owed, max(1, affordable)))
+        if ticks:
+            advance(ticks)
+            self.tick_cost = max(self.clock() - now, 1e-9) / ticks
+            self.owed -= ticks
+            self.span_ticks += ticks
+        if now - self.span_start >= SPAN:
+            self.kept_up = self.span_ticks / ((now - self.span_start) * per_second)
+            self.span_start, self.span_ticks = now, 0
+
+    def rest(self) -> None:
+        """Sleep until the next frame is due."""
+        self.sleep(max(0, self.frame_start + FRAME - self.clock()))

@@ -1,54 +1,110 @@
-"""What stands around the pendula: frame, base, light and camera. It is made once and does not move."""
+"""What stands around the pendula: frame and base, light, and a camera that has the whole swing in view."""
 
-import time
+from math import tan
+from typing import NamedTuple
 
-from vpython import baseObj, box, cylinder, distant_light, scene, textures, vector
+from vpython import box, cross, cylinder, distant_light, dot, norm, scene, textures, vector
+
+from support.shapes import discard, make_shape
 
 STEEL = vector(0.75, 0.76, 0.78)
-BACKGROUND = vector(241, 242, 244) / 255  # that of the page, so that the canvas has no edge
-CANVAS_WIDTH, CANVAS_HEIGHT = 960, 600  # pixels
-CAPTION = "Turn: drag with the right button, or Ctrl and the left. Zoom: the wheel. Closing this tab ends the program."
+BACKGROUND = vector(241, 242, 244) / 255  # that of the page (support/panel.html), so that the canvas has no edge
+CANVAS_WIDTH, CANVAS_HEIGHT = 1000, 420  # pixels, as the page opens
+MARGIN = 1.04  # how much more than the cradle is in view
 
 
-def add_scenery(pend_list, r_param) -> None:
-    """Put the cradle into a frame on a wooden base, light it, and point the camera at all of it.
+class Room(NamedTuple):
+    """What a cradle takes up, all in m."""
 
-    Every swing up to the horizontal is in view. pend_list must have its objects; r_param is the cord length (m).
-    Returns when the page has fetched all this, so that what moves next is seen from its start.
+    left: float  # the first axle
+    right: float  # the last axle
+    top: float  # the axles
+    depth: float  # from rail to rail
+    reach: float  # from an axle to the centre of the lowest bob at rest
+    radius: float  # of the bobs
+
+
+class Scenery:
+    """The canvas with its light, and around a cradle the frame and the camera's view."""
+
+    def __init__(self):
+        """Set the canvas: a pale background, soft light, and a camera that looks a little from the left and above."""
+        scene.width, scene.height, scene.background = CANVAS_WIDTH, CANVAS_HEIGHT, BACKGROUND
+        scene.forward = vector(-0.25, -0.18, -1)
+        scene.fov = 0.25  # rad: a far camera, since a near one skews what is off the centre
+        scene.lights = []
+        scene.ambient = vector(0.45, 0.45, 0.45)
+        distant_light(direction=vector(0.3, 0.6, 0.9), color=vector(0.5, 0.5, 0.5))
+        distant_light(direction=vector(-0.6, 0.3, 0.4), color=vector(0.25, 0.25, 0.25))
+        self.frame: list = []
+        self.room = Room(0, 0, 0, 0, 0, 0)
+        self.whole_circles = False  # whether the view has room for bobs that swing above the frame
+
+    def surround(self, axles, bobs, reach) -> None:
+        """Put a frame around the cradle with these axles and bobs, from left to right, and point the camera at it.
+
+        reach is how far below its axle a pendulum hangs (m). The camera stays as it is if the cradle takes up as much
+        room as the one before: someone may have turned it.
+        """
+        first, last = axles[0], axles[-1]
+        room = Room(first.pos.x, last.pos.x, first.pos.y, first.width, reach, bobs[0].radius)
+        if room != self.room:
+            self.room, self.whole_circles = room, False
+            discard(self.frame)
+            self.frame = make_frame(room)
+            self.point_camera()
+
+    def keep_in_view(self, bobs) -> None:
+        """Take the camera further back once a bob swings up above the frame."""
+        if not self.whole_circles and any(bob.pos.y > self.room.top for bob in bobs):
+            self.whole_circles = True
+            self.point_camera()
+
+    def point_camera(self) -> None:
+        """Point the camera at the frame and at every swing up to the horizontal, or at all circles."""
+        room = self.room
+        swing = room.reach + room.radius
+        left, right, bottom = frame_corners(room)
+        top = room.top + (swing if self.whole_circles else room.radius)
+        depth, ground = room.depth / 2 + room.reach / 10, bottom - room.reach / 20  # the base stands out a little
+        corners = [vector(x, y, z) for x in (left, right) for y in (room.top, ground) for z in (-depth, depth)]
+        swings = [vector(x, y, 0) for x in (room.left - swing, room.right + swing) for y in (room.top, top)]
+        scene.center = vector((left + right) / 2, (top + bottom) / 2, 0)
+        scene.range = MARGIN * range_to_see([point - scene.center for point in corners + swings])
+
+
+def range_to_see(points) -> float:
+    """Return the scene.range (m) at which these points, given relative to scene.center, are all in the canvas.
+
+    scene.range is half of what the shorter side of the canvas shows of the plane through the centre. A point that is
+    x off the axis of view and z nearer to the camera than the centre shows up at x d / (d - z) there, where
+    d = range / tan(fov / 2) is the distance of the camera. So range * side / shorter side must not be below that.
     """
-    axles = [pend_dict["objects"][0] for pend_dict in pend_list]
-    left, right = axles[0].pos.x - r_param / 4, axles[-1].pos.x + r_param / 4
-    top, bottom = axles[0].pos.y, axles[0].pos.y - 1.35 * r_param
-    add_frame(left, right, top, bottom, depth=axles[0].width, thickness=r_param / 50)
-    set_scene()
-
-    width = right - left + 1.7 * r_param  # the outer bobs, swung out to the side
-    height = top - bottom + 0.5 * r_param  # the frame, seen a little from above
-    scene.center = vector((left + right) / 2, (top + bottom) / 2, 0)
-    # The range is half the height of the view; seen from the left, the near end of a long cradle looks 5 % larger.
-    scene.range = max(height / 2, 1.05 * width / 2 * CANVAS_HEIGHT / CANVAS_WIDTH)
-    while not baseObj.empty():
-        time.sleep(0.02)
+    forward = norm(scene.forward)
+    sideways = norm(cross(forward, scene.up))
+    directions = ((sideways, scene.width), (cross(sideways, forward), scene.height))
+    shorter = min(scene.width, scene.height)
+    return max(
+        abs(dot(point, direction)) * shorter / side - dot(point, forward) * tan(scene.fov / 2)
+        for point in points
+        for direction, side in directions
+    )
 
 
-def add_frame(left, right, top, bottom, depth, thickness) -> None:
-    """Make two rails from left to right, four posts and the base; all in m."""
-    for z in (-depth / 2, depth / 2):
-        start, length = left - thickness, right - left + 2 * thickness  # out over the posts
-        cylinder(pos=vector(start, top, z), axis=vector(length, 0, 0), radius=thickness, color=STEEL)
-        for x in (left, right):
-            cylinder(pos=vector(x, bottom, z), axis=vector(0, top - bottom, 0), radius=thickness, color=STEEL)
-    size = vector(right - left + 10 * thickness, 5 * thickness, depth + 10 * thickness)
-    box(pos=vector((left + right) / 2, bottom, 0), size=size, texture=textures.wood)
+def frame_corners(room) -> tuple[float, float, float]:
+    """Return the left and the right end of the frame, and its bottom (m)."""
+    return room.left - room.reach / 4, room.right + room.reach / 4, room.top - 1.35 * room.reach
 
 
-def set_scene() -> None:
-    """Set the canvas, a pale background, soft light, and a camera that looks a little from the left and above."""
-    scene.width, scene.height, scene.caption = CANVAS_WIDTH, CANVAS_HEIGHT, CAPTION
-    scene.background = BACKGROUND
-    scene.fov = 0.25  # rad: a far camera, since a near one skews what is off the centre
-    scene.forward = vector(-0.25, -0.18, -1)
-    scene.lights = []
-    scene.ambient = vector(0.45, 0.45, 0.45)
-    distant_light(direction=vector(0.3, 0.6, 0.9), color=vector(0.5, 0.5, 0.5))
-    distant_light(direction=vector(-0.6, 0.3, 0.4), color=vector(0.25, 0.25, 0.25))
+def make_frame(room) -> list:
+    """Return two rails from left to right, four posts and the base."""
+    left, right, bottom = frame_corners(room)
+    thickness = room.reach / 50
+    bars = []  # each a place and an axis
+    for z in (-room.depth / 2, room.depth / 2):
+        bars.append((vector(left - thickness, room.top, z), vector(right - left + 2 * thickness, 0, 0)))
+        bars += [(vector(x, bottom, z), vector(0, room.top - bottom, 0)) for x in (left, right)]
+    frame = [make_shape(cylinder, pos=pos, axis=axis, radius=thickness, color=STEEL) for pos, axis in bars]
+    size = vector(right - left + 10 * thickness, 5 * thickness, room.depth + 10 * thickness)
+    base = make_shape(box, pos=vector((left + right) / 2, bottom, 0), size=size, texture=textures.wood)
+    return [*frame, base]

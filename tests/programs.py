@@ -22,7 +22,7 @@ ARGUMENTS = [
 SECONDS = 60  # after which something that is waited for counts as never coming
 
 # The bobs' positions, as the page has them.
-BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere').map(o => [o.pos.x, o.pos.y])"
+BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).map(o => [o.pos.x, o.pos.y])"
 
 needs_vpython = [
     pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed"),
@@ -31,12 +31,12 @@ needs_vpython = [
 
 
 @contextmanager
-def running(program=None, folder=os.sep, **environment):
+def running(program=None, *arguments, folder=os.sep, **environment):
     """Start the program as a user would, from this folder; yield the process, and end it in any case."""
     environment = {**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment}
     environment.pop("PYTHONUNBUFFERED", None)  # it must not wait for a full buffer with what it has to say
     process = subprocess.Popen(
-        [sys.executable, str(program or PROGRAM)],
+        [sys.executable, str(program or PROGRAM), *arguments],
         cwd=folder,
         env=environment,
         stdout=subprocess.PIPE,
@@ -78,7 +78,8 @@ def refusal(process):
 
 
 def open_cradle(page, address):
-    """Open the page, wait until it has five bobs, and make its canvas small: it is drawn without a graphics card."""
+    """Open the page, wait for five bobs and their numbers, and make the canvas small: no graphics card draws it."""
     page.goto(address)
     page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === 5")
+    page.wait_for_function("() => $('.readout').length")
     page.evaluate("() => Object.assign(glowObjs[0], {width: 320, height: 200})")

@@ -35,7 +35,7 @@ def folder(tmp_path_factory):
 def port(folder):
     """The port of a program that runs for all tests here, started in that folder; its websocket is at port + 1."""
     project = copy_project(folder.parent, FIVE_CSV)
-    with running(project / "src" / PROGRAM.name, folder) as process:
+    with running(project / "src" / PROGRAM.name, folder=folder) as process:
         yield int(first_lines(process).rpartition(":")[2])
         assert process.poll() is None
 

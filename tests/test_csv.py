@@ -2,6 +2,7 @@
 
 import os
 import random
+import sys
 from pathlib import Path
 
 import pytest
@@ -127,7 +128,7 @@ def complaint(function, *arguments):
 
 def the_programs_complaint(monkeypatch, capsys, filepath):
     """Return what the program prints on stderr for this file; it must end with status 2, and print nothing else."""
-    monkeypatch.setattr(visualize_cradle_run, "NC_FP", filepath)
+    monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", filepath])
     monkeypatch.setattr(visualize_cradle_run, "open_page", lambda port: pytest.fail("a browser was to be opened"))
     with pytest.raises(SystemExit) as ended:
         visualize_cradle_run.main()

@@ -5,7 +5,7 @@ import subprocess
 import sys
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
-from types import SimpleNamespace
+from math import degrees
 
 import pytest
 from cradles import components, copy_project, MIXED, MIXED_CSV, ROOT
@@ -13,6 +13,7 @@ from cradles import components, copy_project, MIXED, MIXED_CSV, ROOT
 from src import visualize_cradle_run
 from src.special_cradles import make_newton_cradle
 from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.viewer import Viewer
 
 
 @pytest.fixture
@@ -51,25 +52,72 @@ def test_importing_the_viewer_starts_nothing():
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
-def test_main_ticks_the_cradle_of_the_csv_in_real_time(tmp_path, monkeypatch):
-    """It opens the page, builds the cradle, adds the scenery, and runs ticks in which only approaching bobs hit."""
-    steps = []
-    page, scenery = contextmanager(lambda port: iter([steps.append("page")])), lambda *given: steps.append(given)
-    csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
-    monkeypatch.setattr(visualize_cradle_run, "NC_FP", str(csv))
-    monkeypatch.setattr(visualize_cradle_run, "open_page", page)
-    monkeypatch.setattr(visualize_cradle_run, "keep_real_time", lambda *given: steps.append(given))
-    monkeypatch.setitem(sys.modules, "support.scenery", SimpleNamespace(add_scenery=scenery))
-    visualize_cradle_run.main()
+@pytest.fixture
+def main(monkeypatch):
+    """A function that calls main with a command line up to where the viewer would run, and returns the viewer."""
+    shown = []
 
-    opened, (pend_list, r_param), (tick, dt) = steps
-    assert (opened, r_param, dt) == ("page", R_PARAM, DT)
-    expected = make_newton_cradle(str(csv), R_PARAM, THETA_INIT)
-    for cradle in (pend_list, expected):  # so that the second pair touches, and parts
-        cradle[1]["objects"][1].radius, cradle[1]["omega"], cradle[2]["omega"] = R_PARAM, -1.0, 1.0
-    tick()
+    def run(viewer):
+        shown.append(viewer)
+        raise KeyboardInterrupt
+
+    @contextmanager
+    def open_page(*given):
+        yield shown.append(given)
+
+    monkeypatch.setattr(visualize_cradle_run, "open_page", open_page)
+    monkeypatch.setattr(visualize_cradle_run, "page_sockets", lambda port: f"sockets at {port}")
+    monkeypatch.setattr(Viewer, "run", run)
+
+    def main(*arguments):
+        monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", *map(str, arguments)])
+        with pytest.raises(KeyboardInterrupt):
+            visualize_cradle_run.main()
+        return shown
+
+    return main
+
+
+def test_main_shows_the_cradle_of_the_csv_in_which_only_approaching_bobs_hit(tmp_path, main):
+    csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
+    page, viewer = main(csv)
+    assert page == ("sockets at 0", True)
+    cradle, expected = viewer.cradle.pend_list, make_newton_cradle(str(csv), R_PARAM, THETA_INIT)
+    for pend_list in (cradle, expected):  # so that the second pair touches, and parts
+        pend_list[1]["objects"][1].radius = R_PARAM
+        pend_list[1]["omega"], pend_list[2]["omega"] = -1.0, 1.0
+    viewer.advance(1)
     visualize_cradle_run.newton_cradle_tick(expected, R_PARAM, DT, G, approaching_only=True)
-    for pend, as_expected in zip(pend_list, expected, strict=True):
+    for pend, as_expected in zip(cradle, expected, strict=True):
         assert (pend["theta"], pend["omega"]) == (as_expected["theta"], as_expected["omega"])
         assert components(pend["objects"][1].pos) == components(as_expected["objects"][1].pos)
-    assert pend_list[2]["omega"] > 0  # as it was: by the handout's rule it would have been reversed
+    assert cradle[2]["omega"] > 0  # as it was: by the handout's rule it would have been reversed
+
+
+def test_main_does_what_the_options_say(tmp_path, main):
+    csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
+    page, viewer = main(csv, "--inelastic", "--mass", 3, "--angle", 20, "--lift", 2, "--port", 8000, "--no-browser")
+    assert page == ("sockets at 8000", False)
+    assert [(pend["e"], pend["mass"]) for pend in viewer.cradle.pend_list] == [(0, 3.0)] * 3
+    assert [abs(degrees(pend["theta"])) for pend in viewer.cradle.pend_list] == pytest.approx([20, 20, 0])
+
+
+@pytest.mark.parametrize(
+    ("csv", "arguments", "line"),
+    [
+        (MIXED_CSV.replace("0.9", "9"), [], "{csv}, line 2, column e: found '9', allowed is a number from 0 to 1\n"),
+        (
+            MIXED_CSV,
+            ["--lift", "4"],
+            "argument --lift: found '4', allowed is at most 3, the number of pendula in {csv}\n",
+        ),
+    ],
+)
+def test_main_refuses_in_one_line_before_a_page_opens(tmp_path, monkeypatch, capsys, csv, arguments, line):
+    path = copy_project(tmp_path, csv) / "newton_cradle_pends.csv"
+    monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", str(path), *arguments])
+    monkeypatch.setattr(visualize_cradle_run, "open_page", lambda *given: pytest.fail("a page was opened"))
+    with pytest.raises(SystemExit) as refused:
+        visualize_cradle_run.main()
+    assert refused.value.code == 2
+    assert capsys.readouterr() == ("", line.format(csv=path))

@@ -1,46 +1,50 @@
-"""The loop that keeps real time, on a clock made for the test: time passes only in ticks and sleeps."""
+"""The pace of the simulation, on a clock made for the test: time passes only in ticks and sleeps."""
 
 import pytest
 
-from support.real_time import FRAME, keep_real_time
+from support.real_time import FRAME, RealTime
 
 DT = 1e-4  # s a tick
 
 
 class Wall:
-    """A wall clock for keep_real_time; it raises KeyboardInterrupt, as the closing of the tab does, at `until`."""
+    """A wall clock, on which a RealTime runs frame by frame until it shows `until`."""
 
     def __init__(self, cost, until):
         self.now, self.cost, self.until = 0.0, cost, until
         self.ticks, self.slept, self.frames = 0, 0.0, 0
         self.interruptions = {}  # frame -> seconds by which its sleep is longer than asked for
+        self.pace = RealTime(DT, self.clock, self.sleep)
 
     def clock(self):
         return self.now
 
-    def tick(self):
-        self.ticks += 1
-        self.now += self.cost
+    def advance(self, ticks):
+        assert ticks > 0
+        self.ticks += ticks
+        self.now += ticks * self.cost
 
     def sleep(self, seconds):
         assert seconds >= 0
         self.frames += 1
         self.slept += seconds
         self.now += seconds + self.interruptions.get(self.frames, 0)
-        if self.now >= self.until:
-            raise KeyboardInterrupt
 
     def run(self):
-        """Let the loop run until the end; return the simulated time (s)."""
-        with pytest.raises(KeyboardInterrupt):
-            keep_real_time(self.tick, DT, self.clock, self.sleep)
+        """Let the frames follow one another until the end; return the simulated time (s)."""
+        while self.now < self.until:
+            self.pace.frame(self.advance)
+            self.pace.rest()
         return self.ticks * DT
 
 
-@pytest.mark.parametrize("cost", [0, 10e-6, 50e-6])
-def test_a_simulated_second_lasts_a_second(cost):
+@pytest.mark.parametrize("speed", [0.1, 1, 2])
+@pytest.mark.parametrize("cost", [0, 10e-6, 30e-6])
+def test_a_simulated_second_lasts_a_second_at_speed_1(cost, speed):
     wall = Wall(cost, until=60)
-    assert wall.run() == pytest.approx(60, abs=2 * FRAME)
+    wall.pace.speed = speed
+    assert wall.run() == pytest.approx(60 * speed, abs=2 * FRAME * speed)
+    assert wall.pace.kept_up == pytest.approx(1, abs=0.02)
 
 
 def test_it_sleeps_when_there_is_nothing_to_do():
@@ -57,6 +61,7 @@ def test_a_slow_machine_shows_slow_motion(cost):
     assert wall.run() == pytest.approx(0.75 * 60 / cost * DT, rel=0.35)
     assert wall.frames == pytest.approx(60 / FRAME, rel=0.15)
     assert wall.slept > 5
+    assert wall.pace.kept_up == pytest.approx(wall.ticks * DT / 60, rel=0.1)
 
 
 def test_a_tick_longer_than_a_frame_ends_in_no_spiral():
@@ -76,3 +81,13 @@ def test_a_night_of_sleep_is_not_simulated():
     wall = Wall(cost=10e-6, until=night + 60)
     wall.interruptions[600] = night
     assert 60 <= wall.run() < 61
+
+
+def test_after_a_pause_nothing_is_owed():
+    wall = Wall(cost=10e-6, until=10)
+    wall.run()
+    ticks = wall.ticks
+    wall.now += 100
+    wall.pace.restart()
+    wall.pace.frame(wall.advance)
+    assert wall.ticks == ticks

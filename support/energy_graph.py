@@ -1,0 +1,52 @@
+"""The graph of the energies over the last ten seconds."""
+
+from collections import deque
+
+from vpython import gcurve, graph, vector, wtext
+
+SPAN = 10.0  # s that are shown
+INTERVAL = 0.03  # s from point to point
+
+# Three colors that a color-blind person can tell apart as well (of Okabe and Ito's palette).
+CURVES = {"kinetic": vector(213, 94, 0) / 255, "potential": vector(0, 114, 178) / 255, "total": vector(0, 0, 0)}
+
+HIDING = "<style>.glowscript-graph { display: none }</style>"
+
+
+class EnergyGraph:
+    """Kinetic, potential and total energy (J) over simulated time (s). Hidden, it neither takes nor sends points."""
+
+    def __init__(self, width):
+        """Make the graph, width pixels wide, without points."""
+        titles = {"xtitle": "t (s)", "ytitle": "energy (J)"}
+        self.graph = graph(width=width, height=180, xmin=0, xmax=SPAN, ymin=0, **titles)
+        self.curves = [gcurve(graph=self.graph, color=color, label=name) for name, color in CURVES.items()]
+        self.style = wtext()
+        self.shown = True
+        self.clear()
+
+    def show(self, shown) -> None:
+        """Show the graph, or hide it; it begins anew."""
+        self.shown = shown
+        self.style.text = "" if shown else HIDING
+        self.clear()
+
+    def clear(self) -> None:
+        """Begin anew, without points."""
+        self.points: deque[tuple] = deque()
+
+    def add(self, time, kinetic, potential) -> None:
+        """Add a point at time (s), with energies in J, unless the last one is hardly older."""
+        if self.shown and not (self.points and time < self.points[-1][0] + INTERVAL):
+            self.points.append((time, kinetic, potential, kinetic + potential))
+            while self.points[0][0] < time - SPAN:
+                self.points.popleft()
+
+    def draw(self) -> None:
+        """Send the points to the page, and move on to the last ten seconds."""
+        # VPython keeps what is plotted point by point for ever; the points set as a whole replace those before.
+        if self.shown and self.points:
+            for number, curve in enumerate(self.curves, start=1):
+                curve.data = [[point[0], point[number]] for point in self.points]
+            self.graph.xmax = max(SPAN, self.points[-1][0])
+            self.graph.xmin = self.graph.xmax - SPAN

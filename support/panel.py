@@ -1,0 +1,124 @@
+"""The control panel under the canvas: what a person can set there, and what the cradle does in numbers."""
+
+from html import escape
+from pathlib import Path
+
+from vpython import button, checkbox, menu, scene, slider, wtext
+
+from support.commands import Command
+
+# How the page looks, and what its keys and its mouse do beyond what VPython does.
+PAGE = Path(__file__).with_name("panel.html")
+
+KEYS_HINT = "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs. Drag a bob with the mouse."
+SEPARATING = "Separating bobs collide too, as in the handout."
+SEPARATING_HINT = "With e below 1, bobs that have just bounced are then turned back at once, and stick together."
+IMPACTS = 7  # lines of the contact strip
+
+
+class Panel:
+    """The widgets and texts. What is done to the widgets is given on as a command; show_... change what is to be seen.
+
+    The texts change only where something has changed, so that nothing flickers, and are as wide as before.
+    """
+
+    def __init__(self, give, cradle):
+        """Make the panel for this cradle. give(command, value) takes the commands; another thread calls it."""
+        scene.append_to_caption(PAGE.read_text(encoding="utf-8"))
+        self.error = wtext()
+
+        self.pause = button(text="Pause", bind=lambda: give(Command.PAUSE))
+        self.step = button(text="Step", bind=lambda: give(Command.STEP))
+        self.restart = button(text="Restart", bind=lambda: give(Command.RESTART))
+        add_hint(KEYS_HINT)
+
+        self.speed = Setting("Speed", 0.1, 2, 0.1, lambda speed: give(Command.SPEED, speed))
+        self.angles = [
+            Setting(name, 0, 180, 1, lambda angle, number=number: give(Command.ANGLE, (number, angle)))
+            for number, name in enumerate(cradle.angles)
+        ]
+        # The range of a VPython slider is fixed and the number of pendula is not, so this one goes from none to all.
+        self.count = 1
+        self.lifted = Setting("Bobs lifted", 0, 1, 0.001, lambda part: give(Command.LIFT, round(part * self.count)))
+
+        add_label("Collisions")
+        self.collisions = menu(
+            choices=list(cradle.collisions),
+            selected=cradle.collision,
+            bind=lambda menu: give(Command.COLLISIONS, menu.selected),
+        )
+        end_row()
+        self.separating = checkbox(text=SEPARATING, bind=lambda box: give(Command.SEPARATING, box.checked))
+        add_hint(SEPARATING_HINT)
+        self.readout, self.impacts = wtext(), wtext()
+        end_row()
+        self.graph = checkbox(text="Energy graph", checked=True, bind=lambda box: give(Command.GRAPH, box.checked))
+
+    def show_error(self, message) -> None:
+        """Show this message above everything else, until it is shown an empty one."""
+        set_text(self.error, f'<div class="error" role="alert">{escape(message)}</div>' if message else "")
+
+    def show_settings(self, running, speed, angles, lifted, count) -> None:
+        """Show whether the cradle runs, its speed (times real time), its release angles (degrees), and how many bobs
+        out of count are lifted.
+        """
+        self.count = count
+        self.pause.text = "Pause" if running else "Run"
+        self.step.disabled = running
+        self.speed.show(speed, f"{speed:.1f}x")
+        for setting, angle in zip(self.angles, angles, strict=True):
+            setting.show(angle, f"{angle:g}&deg;")
+        self.lifted.show(lifted / count, f"{lifted} of {count}")
+
+    def show_motion(self, time, kinetic, potential, start, momentum, kept_up) -> None:
+        """Show the time (s), the energies (J) in percent of the one at the start, the momentum (kg m/s), and, if the
+        machine does not keep up, which part of the speed it reaches.
+        """
+        percent = 100 / start if start else 0.0
+        energy = f"energy {(kinetic + potential) * percent:6.2f} %"
+        parts = f"kinetic {kinetic * percent:6.2f} %, potential {potential * percent:6.2f} %"
+        slow = f"   x{kept_up:.1f}" if kept_up < 0.95 else ""
+        text = f"t = {time:.2f} s".ljust(13) + f"{energy} ({parts})   momentum {momentum:+7.3f} kg m/s{slow}"
+        set_text(self.readout, f'<pre class="readout">{text}</pre>')
+
+    def show_impacts(self, lines) -> None:
+        """Show the last trains of impacts, a line for each."""
+        set_text(self.impacts, '<pre class="impacts">' + "\n".join(["Impacts", *lines]) + "</pre>")
+
+
+class Setting:
+    """A slider with its name before it and its value, with the unit, behind it."""
+
+    def __init__(self, name, lowest, highest, step, bind):
+        """Make the slider; bind(value) is called when it is moved."""
+        add_label(name)
+        self.slider = slider(min=lowest, max=highest, step=step, length=180, bind=lambda slider: bind(slider.value))
+        self.text = wtext()
+
+    def show(self, value, text) -> None:
+        """Move the slider to value, and show its text."""
+        if self.slider.value != value:
+            self.slider.value = value
+        set_text(self.text, f'<span class="value">{text}</span>')
+
+
+def add_label(text) -> None:
+    """Add the name of the widget that comes next."""
+    wtext(text=f'<span class="label">{text}</span>')
+
+
+def add_hint(text) -> None:
+    """Add a small explanation, which ends a row."""
+    wtext(text=f'<span class="hint">{text}</span>')
+    end_row()
+
+
+def end_row() -> None:
+    """Begin a new row of widgets."""
+    wtext(text='<i class="row"></i>')
+
+
+def set_text(text_on_page, text) -> None:
+    """Change a text on the page, if it is another: a person may be about to copy it."""
+    if text_on_page.text != text:
+        text_on_page.text = text

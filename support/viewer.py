@@ -1,0 +1,225 @@
+"""The viewer: shows a cradle in step with the clock, and does with it what the person in front of the page asks for."""
+
+import time
+from collections.abc import Sequence
+from math import inf
+from queue import SimpleQueue
+from typing import Any, Protocol
+
+from vpython import baseObj, cross, dot, mag, scene
+
+from support.commands import Command, KEYS
+from support.energy_graph import EnergyGraph
+from support.impacts import ImpactTrains
+from support.panel import IMPACTS, Panel
+from support.real_time import FRAME, RealTime
+from support.scenery import CANVAS_WIDTH, Scenery
+
+REFRESH = 0.1  # s between two changes of the numbers and the graph
+
+
+class Cradle(Protocol):
+    """What the viewer is told about a cradle and asks of it. What is inside a pendulum is none of its business."""
+
+    dt: float  # one tick (s)
+    reach: float  # how far below its axle a pendulum hangs (m)
+    angles: Sequence[str]  # the names of its release angles
+    collisions: dict[str, Any]  # the names of the ways in which it can collide are the keys
+    collision: str  # the present one of them
+
+    def load(self, csv) -> None: ...
+    def release(self, angles, lifted) -> None: ...
+    def collide(self, collision) -> None: ...
+    def advance(self, ticks, approaching_only) -> list[tuple[int, int]]: ...
+    def axles(self) -> list: ...
+    def bobs(self) -> list: ...
+    def hold(self, bob) -> None: ...
+    def drag(self, x, y) -> None: ...
+    def let_go(self) -> None: ...
+    def energies(self) -> tuple[float, float]: ...
+    def momentum(self) -> float: ...
+
+
+class Viewer:
+    """The page with a cradle, its panel and its graph, and the loop that keeps them going."""
+
+    def __init__(self, cradle: Cradle, file, angle, lifted):
+        """Show the cradle of this file (a LiveFile) with the first lifted bobs at angle (degrees).
+
+        Raises the ValueError of cradle.load. Returns when the page has all this, so that the release will be seen.
+        """
+        self.cradle, self.file = cradle, file
+        self.commands: SimpleQueue = SimpleQueue()
+        self.pace = RealTime(cradle.dt)
+        self.running, self.separating, self.holding = True, False, False
+        self.angles, self.lifted = [angle] * len(cradle.angles), lifted
+        self.trains = ImpactTrains(IMPACTS)
+        self.next_refresh = -inf
+
+        self.scenery = Scenery()
+        self.panel = Panel(self.give, cradle)
+        self.graph = EnergyGraph(CANVAS_WIDTH - 26)
+        self.load()
+        self.listen()
+        while not baseObj.empty():  # what the page has not fetched yet
+            time.sleep(FRAME)
+
+    def run(self) -> None:
+        """Keep the cradle going for ever."""
+        self.pace.restart()
+        while True:
+            self.frame()
+            self.pace.rest()
+
+    def frame(self) -> None:
+        """Do what is to be done for one picture."""
+        while not self.commands.empty():
+            command, value = self.commands.get()
+            self.carry_out(command, value)
+        if self.file.changed():
+            self.reload()
+        if self.running:
+            self.pace.frame(self.advance)
+        else:
+            self.pace.restart()
+        self.scenery.keep_in_view(self.cradle.bobs())
+        self.show_motion()
+
+    # --- commands ----------------------------------------------------------------------------------------------------
+
+    def give(self, command, value=None) -> None:
+        """Put a command into the queue, for the next frame; may be called from any thread."""
+        self.commands.put((command, value))
+
+    def listen(self) -> None:
+        """Turn the keys and the mouse into commands."""
+
+        def press(event):
+            if event.key in KEYS and not (event.ctrl or event.alt):
+                self.give(*KEYS[event.key])
+
+        def ray(event):  # to where the mouse points: a place on it, and its direction
+            return event.pos, scene.mouse.ray
+
+        scene.bind("keydown", press)
+        scene.bind("mousedown", lambda event: self.give(Command.GRAB, ray(event)))
+        scene.bind("mousemove", lambda event: self.give(Command.DRAG, ray(event)))
+        scene.bind("mouseup", lambda: self.give(Command.LET_GO))
+        scene.bind("resize", lambda: self.give(Command.RESIZE))
+
+    def carry_out(self, command, value) -> None:
+        """Do what a command says."""
+        match command:
+            case Command.PAUSE:
+                self.running = not self.running
+            case Command.STEP if not self.running:
+                self.advance(round(FRAME * self.pace.speed / self.cradle.dt))
+            case Command.RESTART:
+                self.restart()
+            case Command.SPEED:
+                self.pace.speed = value
+            case Command.ANGLE:
+                number, angle = value
+                self.angles[number] = angle
+                self.restart()
+            case Command.LIFT:
+                self.lifted = value
+                self.restart()
+            case Command.COLLISIONS:
+                self.cradle.collide(value)
+            case Command.SEPARATING:
+                self.separating = value
+            case Command.GRAPH:
+                self.graph.show(value)
+            case Command.GRAB:
+                self.grab(*value)
+            case Command.DRAG if self.holding:
+                self.drag(*value)
+            case Command.LET_GO if self.holding:
+                self.let_go()
+            case Command.RESIZE:
+                self.scenery.point_camera()
+        self.show_settings()
+
+    def restart(self) -> None:
+        """Lift the bobs as it is set, and let them go anew."""
+        self.let_go()
+        self.cradle.release(self.angles, self.lifted)
+        self.ticks = 0
+        self.trains.clear()
+        self.graph.clear()
+        self.set_start()
+
+    def set_start(self) -> None:
+        """Take the energy of this moment as the start, of which percentages are shown."""
+        self.start_energy = sum(self.cradle.energies())
+
+    # --- the mouse ---------------------------------------------------------------------------------------------------
+
+    def grab(self, place, direction) -> None:
+        """Hold the bob to which this ray points, the foremost if there are several, if there is one."""
+        hits = [
+            (dot(bob.pos - place, direction), number)
+            for number, bob in enumerate(self.cradle.bobs())
+            if mag(cross(bob.pos - place, direction)) <= bob.radius * mag(direction)
+        ]
+        if hits:
+            self.holding = True
+            self.cradle.hold(min(hits)[1])
+
+    def drag(self, place, direction) -> None:
+        """Drag the bob that is held to where this ray meets the plane of swing, z = 0."""
+        if abs(direction.z) > 0.01 * mag(direction):  # seen from the side, the plane is a line
+            point = place - direction * (place.z / direction.z)
+            self.cradle.drag(point.x, point.y)
+
+    def let_go(self) -> None:
+        """Let the bob that is held swing on from where it is."""
+        self.holding = False
+        self.cradle.let_go()
+        self.set_start()
+
+    # --- time, and the file ------------------------------------------------------------------------------------------
+
+    def advance(self, ticks) -> None:
+        """Move the cradle on by so many ticks."""
+        contacts = self.cradle.advance(ticks, approaching_only=not self.separating)
+        rightwards = self.cradle.momentum() > 0
+        for tick, left in contacts:
+            self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, rightwards)
+        self.ticks += ticks
+
+    def load(self) -> None:
+        """Build the cradle of the file as it is now, and let it go."""
+        self.cradle.load(self.file.current)
+        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach)
+        self.restart()
+        self.show_settings()
+
+    def reload(self) -> None:
+        """Build the cradle anew, or say why the file makes none; the old one then swings on."""
+        try:
+            self.load()
+        except ValueError as error:
+            self.panel.show_error(str(error))
+        else:
+            self.panel.show_error("")
+
+    # --- what is to be read ------------------------------------------------------------------------------------------
+
+    def show_settings(self) -> None:
+        """Show what is set."""
+        count = len(self.cradle.axles())
+        self.panel.show_settings(self.running, self.pace.speed, self.angles, min(self.lifted, count), count)
+
+    def show_motion(self) -> None:
+        """Show time, energy, momentum, impacts and graph, ten times a second."""
+        time_now = self.ticks * self.cradle.dt
+        kinetic, potential = self.cradle.energies()
+        self.graph.add(time_now, kinetic, potential)
+        if self.pace.clock() >= self.next_refresh:
+            self.next_refresh = self.pace.clock() + REFRESH
+            self.graph.draw()
+            self.panel.show_impacts(self.trains.lines())
+            momentum, kept_up = self.cradle.momentum(), self.pace.kept_up
+            self.panel.show_motion(time_now, kinetic, potential, self.start_energy, momentum, kept_up)

@@ -1,0 +1,368 @@
+"""The page to play with, in Chromium: what each control does, read from the readout and from where the bobs are."""
+
+import re
+import time
+from contextlib import ExitStack
+from math import atan2, cos, degrees, radians, sin
+
+import pytest
+from cradles import FIVE_CSV, GOOD, HEADER
+from programs import BOBS, end, first_lines, needs_vpython, open_cradle, QUIETLY, running, SECONDS
+
+from support.constants import R_PARAM
+from support.real_time import FRAME
+
+pytestmark = needs_vpython
+
+SPEED, ANGLE, LIFTED = range(3)  # the sliders, in their order
+SEPARATING, GRAPH = range(2)  # the checkboxes
+
+# Where a point of the plane of swing is seen: pixels in the window.
+PIXEL = """([x, y]) => {
+    const scene = glowObjs[0], forward = scene.forward.norm();
+    const sideways = forward.cross(scene.up).norm(), upwards = sideways.cross(forward);
+    const arm = vec(x, y, 0).sub(scene.center), distance = scene.range / Math.tan(scene.fov / 2);
+    const pixels = Math.min(scene.width, scene.height) / 2 / scene.range * distance / (distance + arm.dot(forward));
+    const canvas = document.querySelector("canvas").getBoundingClientRect();
+    return [canvas.x + scene.width / 2 + pixels * arm.dot(sideways),
+            canvas.y + scene.height / 2 - pixels * arm.dot(upwards)];
+}"""
+
+# How often the bobs are elsewhere than before, over half a second.
+MOVES = f"""async () => {{
+    const where = () => JSON.stringify(({BOBS})());
+    let before = where(), moves = 0;
+    for (const start = performance.now(); performance.now() - start < 500; before = where()) {{
+        await new Promise(requestAnimationFrame);
+        if (where() !== before) moves++;
+    }}
+    return moves;
+}}"""
+
+# Simulated and wall time (s) at the moments when the readout changes, for so many seconds.
+TIMES = """async seconds => {
+    const simulated = () => Number(document.querySelector(".readout").innerText.match(/t = ([0-9.]+) s/)[1]);
+    const times = [], start = performance.now();
+    for (let before = simulated(); performance.now() - start < 1000 * seconds;) {
+        await new Promise(requestAnimationFrame);
+        if (simulated() !== before) times.push([before = simulated(), performance.now() / 1000]);
+    }
+    return times;
+}"""
+
+
+@pytest.fixture
+def play(page, program):
+    """A function that starts the program with these arguments, and returns the process once the page shows it."""
+    with ExitStack() as stack:
+
+        def play(*arguments):
+            process = stack.enter_context(running(program, *arguments))
+            open_cradle(page, first_lines(process))
+            return process
+
+        yield play
+
+
+def csv_of(program):
+    """Return the CSV of the project to which this program belongs."""
+    return program.parents[1] / "newton_cradle_pends.csv"
+
+
+def readout(page, name):
+    """Return a number of the readout, by the word before it."""
+    return float(re.search(name + r"[ =]+([-+0-9.]+)", page.locator(".readout").inner_text())[1])
+
+
+def lifts(page):
+    """Return the angles of the bobs in degrees."""
+    return [
+        degrees(atan2(x - (-0.1 + R_PARAM / 4 * i), R_PARAM / 5 - y)) for i, (x, y) in enumerate(page.evaluate(BOBS))
+    ]
+
+
+def wait_until(condition):
+    """Wait until condition() holds."""
+    deadline = time.monotonic() + SECONDS
+    while not condition():
+        assert time.monotonic() < deadline, "it never came"
+        time.sleep(0.02)
+
+
+def wait_for_lifts(page, *expected):
+    wait_until(lambda: lifts(page) == pytest.approx(expected, abs=0.01))
+
+
+def press(page, name):
+    page.get_by_role("button", name=name, exact=True).click()
+
+
+def pause(page):
+    """Pause, and wait until nothing moves any more."""
+    press(page, "Pause")
+    page.get_by_role("button", name="Run").wait_for()
+    wait_until(lambda: page.evaluate(MOVES) == 0)
+
+
+def slide(page, slider, part):
+    """Click into a slider, this part of its length from the left."""
+    box = page.locator(".ui-slider").nth(slider).bounding_box()
+    page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)
+
+
+def from_start(page):
+    """Let the bobs go anew, and return when the time is counted from there."""
+    pause(page)
+    press(page, "Restart")
+    wait_until(lambda: readout(page, "t") == 0)
+    press(page, "Run")
+
+
+def values(page):
+    """Return what stands behind the sliders."""
+    return page.locator(".value").all_inner_texts()
+
+
+def pixel(page, bob, theta):
+    """Return where this bob's centre is seen if its cord is at theta (degrees)."""
+    x, y = -0.1 + R_PARAM / 4 * bob + R_PARAM * sin(radians(theta)), R_PARAM / 5 - R_PARAM * cos(radians(theta))
+    return page.evaluate(PIXEL, [x, y])
+
+
+# --- buttons and keys ------------------------------------------------------------------------------------------------
+
+
+def test_pause_stops_and_run_goes_on(page, play):
+    play()
+    pause(page)
+    paused = readout(page, "t")
+    press(page, "Run")
+    wait_until(lambda: readout(page, "t") > paused + 0.2)
+    assert page.evaluate(MOVES) > 3
+
+
+def test_step_moves_once_while_paused(page, play):
+    play()
+    assert page.get_by_role("button", name="Step").is_disabled()
+    pause(page)
+    t, bobs = readout(page, "t"), page.evaluate(BOBS)
+    press(page, "Step")
+    wait_until(lambda: page.evaluate(BOBS) != bobs and readout(page, "t") != t)
+    assert page.evaluate(MOVES) == 0
+    assert readout(page, "t") - t == pytest.approx(FRAME, abs=0.01)
+
+
+def test_restart_begins_anew(page, play):
+    play()
+    wait_until(lambda: readout(page, "t") > 0.3)
+    pause(page)
+    press(page, "Restart")
+    wait_for_lifts(page, -45, 0, 0, 0, 0)
+    wait_until(lambda: readout(page, "t") == 0)
+    assert page.locator(".impacts").inner_text().strip() == "Impacts"
+
+
+def test_keys(page, play):
+    """Also right after a slider or a button was used with the mouse; and they do not scroll the page."""
+    play()
+    page.set_viewport_size({"width": 1000, "height": 400})  # so that there would be something to scroll
+    slide(page, SPEED, 0.5)
+    page.keyboard.press("Space")
+    page.get_by_role("button", name="Run").wait_for()
+    page.keyboard.press("r")
+    wait_for_lifts(page, -45, 0, 0, 0, 0)
+    page.keyboard.press("3")
+    wait_for_lifts(page, -45, -45, -45, 0, 0)
+    page.keyboard.press("ArrowRight")
+    wait_until(lambda: readout(page, "t") > 0)
+    press(page, "Run")
+    page.keyboard.press("Space")
+    page.get_by_role("button", name="Run").wait_for()
+    assert page.evaluate("scrollY") == 0
+    assert page.evaluate("document.documentElement.scrollHeight > innerHeight + 100")
+
+
+def test_a_widget_reached_by_keyboard_keeps_its_keys(page, play):
+    play()
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.innerText") == "Pause"
+    page.keyboard.press("Space")  # once, not twice
+    page.get_by_role("button", name="Run").wait_for()
+    assert page.evaluate(MOVES) == 0
+
+
+# --- settings --------------------------------------------------------------------------------------------------------
+
+
+def test_angle_lift_and_their_values(page, play):
+    play()
+    pause(page)
+    assert values(page) == ["1.0x", "45°", "1 of 5"]
+    slide(page, ANGLE, 0.5)  # the first click that this slider gets, of which VPython says nothing by itself
+    wait_for_lifts(page, -90, 0, 0, 0, 0)
+    slide(page, LIFTED, 0.38)
+    wait_for_lifts(page, -90, -90, 0, 0, 0)
+    assert values(page) == ["1.0x", "90°", "2 of 5"]
+    assert page.evaluate("$('.ui-slider').eq(2).slider('value')") == pytest.approx(2 / 5)
+
+
+def test_collisions(page, play):
+    """Elastic, the first train leaves four of five bobs behind; inelastic, all five go on together."""
+    play()
+    from_start(page)
+    wait_until(lambda: lifts(page)[4] > 20)
+    pause(page)
+    assert max(map(abs, lifts(page)[:4])) < 2
+    press(page, "Run")
+    page.locator("select").select_option("inelastic, e = 0")
+    from_start(page)
+    wait_until(lambda: readout(page, "t") > 0.4)
+    together = lifts(page)
+    assert max(together) - min(together) < 2
+    assert readout(page, "energy") == pytest.approx(20, abs=0.5)  # five times the mass, a fifth of the speed
+
+
+def test_separating_bobs_collide_too(page, play):
+    """Of e = 0.9 little is left then: after two seconds 20 % of the energy instead of 30 %."""
+    play("--e", "0.9")
+    page.get_by_role("checkbox").nth(SEPARATING).check()
+    from_start(page)
+    wait_until(lambda: readout(page, "t") > 2)
+    assert readout(page, "energy") < 21
+    page.get_by_role("checkbox").nth(SEPARATING).uncheck()
+    from_start(page)
+    wait_until(lambda: 2 < readout(page, "t") < 2.5)
+    assert readout(page, "energy") > 25
+
+
+@pytest.mark.parametrize(("part", "speed"), [(0.01, 0.1), (0.475, 1.0), (0.99, 2.0)])
+def test_simulated_time_keeps_step_with_the_wall(page, play, part, speed):
+    """Within 0.5 % over twenty seconds; the slope of all readings, as each of them is rounded to 0.01 s."""
+    play()
+    slide(page, SPEED, part)
+    wait_until(lambda: values(page)[SPEED] == f"{speed:.1f}x")
+    times = page.evaluate(TIMES, 20)
+    assert times[-1][1] - times[0][1] > 19
+    simulated, wall = ([time[i] for time in times] for i in (0, 1))
+    middle, mean = sum(wall) / len(wall), sum(simulated) / len(simulated)
+    slope = sum((w - middle) * (s - mean) for w, s in zip(wall, simulated, strict=True))
+    slope /= sum((w - middle) ** 2 for w in wall)
+    assert slope == pytest.approx(speed, rel=0.005)
+    assert page.locator(".readout").inner_text().endswith("kg m/s")  # and no word of slow motion
+
+
+def test_the_readout_and_the_strip_are_there_to_be_read(page, play):
+    play()
+    wait_until(lambda: "1-2-3-4-5" in page.locator(".impacts").inner_text())
+    pause(page)
+    assert re.fullmatch(r"t = 0\.2\d s  1-2-3-4-5", page.locator(".impacts").inner_text().strip().splitlines()[-1])
+    both = readout(page, "kinetic") + readout(page, "potential")
+    assert both == pytest.approx(readout(page, "energy"), abs=0.011) == pytest.approx(100, abs=0.1)
+
+
+def test_the_graph_can_be_hidden(page, play):
+    play()
+    graph, box = page.locator(".glowscript-graph"), page.get_by_role("checkbox").nth(GRAPH)
+    graph.wait_for(state="visible")
+    assert graph.inner_text().split()[-3:] == ["kinetic", "potential", "total"]
+    box.uncheck()
+    graph.wait_for(state="hidden")
+    box.check()
+    graph.wait_for(state="visible")
+
+
+def test_the_options_are_where_the_controls_begin(page, play, program):
+    play("--e", "0.5", "--mass", "2", "--angle", "60", "--lift", "2")
+    pause(page)
+    press(page, "Restart")
+    wait_for_lifts(page, -60, -60, 0, 0, 0)
+    assert values(page) == ["1.0x", "60°", "2 of 5"]
+    assert page.locator("select").input_value() == "e = 0.5"
+    assert csv_of(program).read_text() == FIVE_CSV
+
+
+# --- mouse -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("paused", [True, False])
+def test_a_bob_is_dragged_along_its_arc_pushes_others_and_swings_on(page, play, paused):
+    play("--lift", "0")
+    if paused:
+        pause(page)
+    page.mouse.move(*pixel(page, 3, 0))
+    page.mouse.down()
+    page.mouse.move(*pixel(page, 3, 20), steps=3)
+    page.mouse.move(*pixel(page, 3, 40), steps=3)
+    wait_until(lambda: lifts(page)[3] == pytest.approx(40, abs=0.5))
+    assert lifts(page)[:3] == pytest.approx([0, 0, 0])
+    assert 38 < lifts(page)[4] < 50  # it was in the way
+    page.mouse.up()
+    if paused:
+        press(page, "Run")
+    wait_until(lambda: lifts(page)[3] < 30)
+    wait_until(lambda: "4-3-2-1" in page.locator(".impacts").inner_text())
+
+
+def test_a_bob_is_let_go_outside_of_the_canvas(page, play):
+    play("--lift", "0")
+    page.mouse.move(*pixel(page, 0, 0))
+    page.mouse.down()
+    page.mouse.move(*pixel(page, 0, -30), steps=3)
+    wait_until(lambda: lifts(page)[0] == pytest.approx(-30, abs=0.5))
+    page.mouse.move(500, 500, steps=3)  # on the panel
+    page.mouse.up()
+    wait_until(lambda: "1-2-3-4-5" in page.locator(".impacts").inner_text() or lifts(page)[0] > 1)
+
+
+def test_a_resized_canvas_shows_the_whole_swing(page, play):
+    play("--angle", "90")
+    box = page.locator(".ui-resizable-se").bounding_box()
+    page.mouse.move(box["x"] + 5, box["y"] + 5)
+    page.mouse.down()
+    page.mouse.move(box["x"] - 115, box["y"] - 15, steps=5)  # from wide to nearly square
+    page.mouse.up()
+    wait_until(lambda: page.evaluate("glowObjs[0].width") < 210)
+    canvas = page.locator("canvas").first.bounding_box()
+
+    def is_in_view():
+        ends = [pixel(page, 0, -90), pixel(page, 4, 90)]
+        return all(canvas["x"] < x < canvas["x"] + canvas["width"] for x, _ in ends)
+
+    wait_until(is_in_view)
+
+
+# --- live CSV --------------------------------------------------------------------------------------------------------
+
+
+def test_an_edited_csv_shows_up_and_its_objects_are_used_again(page, play, program):
+    play()
+    shapes = "glowObjs.filter(o => o && o.constructor.name.match(/box|sphere|cylinder/)).length"
+    seven = HEADER + GOOD * 5 + "3.0,1.0,0,0,white,wood\n" * 2
+    counts = set()
+    for _ in range(3):
+        csv_of(program).write_text(seven)
+        wait_until(lambda: len(page.evaluate(BOBS)) == 7)
+        assert values(page)[LIFTED] == "1 of 7"
+        counts.add(page.evaluate(shapes))
+        csv_of(program).write_text(FIVE_CSV)
+        wait_until(lambda: len(page.evaluate(BOBS)) == 5)
+        counts.add(page.evaluate(shapes))
+    assert len(counts) == 1
+    blue = FIVE_CSV.replace("red", "blue")
+    csv_of(program).write_text(blue)
+    color = "glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).every(o => o.color.z === 1)"
+    wait_until(lambda: page.evaluate(color))
+
+
+def test_a_broken_csv_shows_its_error_and_the_cradle_goes_on(page, play, program):
+    process = play()
+    csv_of(program).write_text(FIVE_CSV + GOOD.replace("1.0", "-1", 1))
+    error = page.locator(".error")
+    error.wait_for(state="visible")
+    line = f"{csv_of(program)}, line 7, column mass: found '-1', allowed is a number above 0 (kg)"
+    assert error.inner_text() == line
+    assert page.evaluate(MOVES) > 3
+    csv_of(program).write_text(FIVE_CSV)
+    error.wait_for(state="hidden")
+    page.close()
+    assert end(process) == QUIETLY

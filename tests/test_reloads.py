@@ -1,0 +1,54 @@
+"""A thousand reloads of the CSV, on VPython itself: they leave the number of its objects and its memory as they were.
+
+VPython works without a browser once its record says that the page is there; what the page would fetch is thrown away.
+"""
+
+import json
+import subprocess
+import sys
+from importlib.machinery import PathFinder
+
+import pytest
+from cradles import HEADER, ROOT
+
+PROGRAM = """
+import gc, json, sys, tracemalloc
+from types import SimpleNamespace
+import vpython
+
+vpython.baseObj._view_constructed = True
+
+from src.live_cradle import LiveCradle
+from src.visualize_cradle_run import advance_cradle
+from support.cradle_csv import Snapshot
+from support.live_file import LiveFile
+from support.viewer import Viewer
+
+options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
+vpython.baseObj.empty = lambda: True
+viewer = Viewer(LiveCradle(advance_cradle, options), LiveFile(sys.argv[1]), angle=45, lifted=1)
+tracemalloc.start()
+measured = {}
+for reload in range(1, 1001):
+    viewer.file.current = Snapshot(sys.argv[1 + reload % (len(sys.argv) - 1)])
+    viewer.reload()
+    viewer.show_motion()
+    vpython.baseObj.initialize()
+    if reload in (10, 1000):
+        gc.collect()
+        measured[reload] = len(vpython.baseObj.object_registry), tracemalloc.get_traced_memory()[0]
+json.dump(measured, sys.stdout)
+"""
+
+
+@pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
+def test_a_thousand_reloads_leave_nothing_behind(tmp_path):
+    files = []
+    for count, looks in [(5, "red,metal"), (7, "blue,wood"), (1, "white,none"), (6, "cyan,earth")]:
+        files.append(tmp_path / f"{count}.csv")
+        files[-1].write_text(HEADER + f"1,1,0,0,{looks}\n" * count)
+    command = [sys.executable, "-c", PROGRAM, *map(str, files)]
+    done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
+    (objects_early, bytes_early), (objects_late, bytes_late) = json.loads(done.stdout).values()
+    assert objects_late == objects_early
+    assert bytes_late - bytes_early < 50_000  # a single pendulum that is not used again takes as much as 5 reloads

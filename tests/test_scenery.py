@@ -1,0 +1,114 @@
+"""The frame, and the camera, of which a view is worked out here point by point."""
+
+from math import cos, pi, sin, tan
+
+import pytest
+from cradles import components, hang, R
+from vpython import box, cross, cylinder, dot, mag, norm, scene, vector
+
+from support.scenery import CANVAS_HEIGHT, CANVAS_WIDTH, Scenery
+
+
+def pendula(count):
+    """Return the axles and bobs of count pendula, as make_newton_cradle hangs them."""
+    pend_list = [hang(axle=(-0.1 + i * R / 4, R / 5, 0)) for i in range(count)]
+    return tuple([pend["objects"][i] for pend in pend_list] for i in (0, 1))
+
+
+def seen_at(point):
+    """Return where a point is seen: 0 is the middle of the canvas, +-1 its edges, to the right and upwards."""
+    forward, sideways = norm(scene.forward), norm(cross(scene.forward, scene.up))
+    camera = scene.center - forward * (scene.range / tan(scene.fov / 2))
+    arm = point - camera
+    shorter = min(scene.width, scene.height)
+    scale = shorter / (dot(arm, forward) * tan(scene.fov / 2))
+    return scale * dot(arm, sideways) / scene.width, scale * dot(arm, cross(sideways, forward)) / scene.height
+
+
+def outline(axle, bob, lowest, highest):
+    """Return points all round a bob on a swing from lowest to highest (rad), and back."""
+    thetas = [side * (lowest + (highest - lowest) * i / 20) for i in range(21) for side in (-1, 1)]
+    centres = [axle.pos + vector(R * sin(theta), -R * cos(theta), 0) for theta in thetas]
+    return [c + vector(cos(a), sin(a), 0) * bob.radius for c in centres for a in (0, pi / 2, pi, 3 * pi / 2)]
+
+
+def is_in_view(points):
+    return all(abs(part) <= 1 for point in points for part in seen_at(point))
+
+
+@pytest.mark.parametrize("count", [1, 2, 5, 13, 50])
+@pytest.mark.parametrize("size", [(CANVAS_WIDTH, CANVAS_HEIGHT), (300, 600), (1900, 300)])
+def test_every_swing_up_to_the_horizontal_is_in_view(count, size):
+    axles, bobs = pendula(count)
+    scenery = Scenery()
+    scene.width, scene.height = size
+    scenery.surround(axles, bobs, R)
+    swings = outline(axles[0], bobs[0], 0, pi / 2) + outline(axles[-1], bobs[-1], 0, pi / 2)
+    corners = [
+        shape.pos + vector(*(side * part / 2 for side, part in zip(sides, components(shape.size), strict=True)))
+        for shape in scenery.frame
+        if type(shape) is box
+        for sides in [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    ]
+    ends = [end for bar in scenery.frame if type(bar) is cylinder for end in (bar.pos, bar.pos + bar.axis)]
+    assert is_in_view(swings + corners + ends)
+    largest = max(abs(part) for point in swings + corners + ends for part in seen_at(point))
+    assert largest > 0.85  # and no smaller than need be
+
+
+@pytest.mark.parametrize("count", [1, 5, 50])
+def test_a_bob_above_the_frame_widens_the_view_once(count):
+    axles, bobs = pendula(count)
+    scenery = Scenery()
+    scenery.surround(axles, bobs, R)
+    near = scene.range
+    scenery.keep_in_view(bobs)
+    assert scene.range == near
+    bobs[0].pos.y = axles[0].pos.y + 0.9 * R
+    scenery.keep_in_view(bobs)
+    circles = outline(axles[0], bobs[0], 0, pi) + outline(axles[-1], bobs[-1], 0, pi)
+    assert is_in_view(circles)
+    scene.range = 7  # as a person zooms
+    scenery.keep_in_view(bobs)
+    assert scene.range == 7
+
+
+def test_a_turned_and_zoomed_view_is_kept_as_long_as_the_cradle_is_as_large():
+    scenery = Scenery()
+    scenery.surround(*pendula(5), R)
+    scene.range, scene.forward = 7, vector(0, 0, -1)
+    scenery.surround(*pendula(5), R)
+    assert scene.range == 7
+    scenery.surround(*pendula(6), R)
+    assert scene.range < 7
+    assert components(scene.forward) == (0, 0, -1)
+
+
+def test_the_frame_carries_the_axles():
+    """Rails lie from the first axle to the last and beyond, at the ends of the axles; posts stand on the base."""
+    axles, bobs = pendula(5)
+    scenery = Scenery()
+    scenery.surround(axles, bobs, R)
+    bars = [shape for shape in scenery.frame if type(shape) is cylinder]
+    rails = [bar for bar in bars if bar.axis.y == 0]
+    posts = [bar for bar in bars if bar.axis.y != 0]
+    (base,) = (shape for shape in scenery.frame if type(shape) is box)
+    assert (len(rails), len(posts)) == (2, 4)
+    assert sorted(rail.pos.z for rail in rails) == pytest.approx([-axles[0].width / 2, axles[0].width / 2])
+    for rail in rails:
+        assert rail.pos.x < axles[0].pos.x < axles[-1].pos.x < rail.pos.x + rail.axis.x
+        assert rail.pos.y == axles[0].pos.y
+    for post in posts:
+        assert post.pos.y + post.axis.y == pytest.approx(axles[0].pos.y)
+        assert mag(post.pos - base.pos) < mag(base.size) / 2
+    lowest_bob = min(bob.pos.y - bob.radius for bob in bobs)
+    assert base.pos.y + base.height / 2 < lowest_bob
+
+
+def test_an_outgrown_frame_is_used_again():
+    scenery = Scenery()
+    scenery.surround(*pendula(5), R)
+    small = scenery.frame
+    scenery.surround(*pendula(7), R)
+    assert {id(shape) for shape in scenery.frame} == {id(shape) for shape in small}
+    assert all(shape.visible for shape in scenery.frame)
