@@ -60,6 +60,12 @@ class Scenery:
             self.whole_circles = True
             self.point_camera()
 
+    def come_closer(self) -> None:
+        """Take the camera back to where it was before a bob swung up above the frame."""
+        if self.whole_circles:
+            self.whole_circles = False
+            self.point_camera()
+
     def point_camera(self) -> None:
         """Point the camera at the frame and at every swing up to the horizontal, or at all circles."""
         room = self.room

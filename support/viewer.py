@@ -27,17 +27,38 @@ class Cradle(Protocol):
     collisions: dict[str, Any]  # the names of the ways in which it can collide are the keys
     collision: str  # the present one of them
 
-    def load(self, csv) -> None: ...
-    def release(self, angles, lifted) -> None: ...
-    def collide(self, collision) -> None: ...
-    def advance(self, ticks, approaching_only) -> list[tuple[int, int]]: ...
-    def axles(self) -> list: ...
-    def bobs(self) -> list: ...
-    def hold(self, bob) -> None: ...
-    def drag(self, x, y) -> None: ...
-    def let_go(self) -> None: ...
-    def energies(self) -> tuple[float, float]: ...
-    def momentum(self) -> float: ...
+    def load(self, csv) -> None:
+        """Build the cradle anew from a Snapshot, or raise a ValueError and stay as it was."""
+
+    def release(self, angles, lifted) -> None:
+        """Lift the first pendula to these angles (degrees), let the others hang, all at rest."""
+
+    def collide(self, collision) -> None:
+        """Collide from now on in this way, one of collisions."""
+
+    def advance(self, ticks, approaching_only) -> list[tuple[int, int]]:
+        """Move on by so many ticks; return the contacts as (tick, index of the left pendulum)."""
+
+    def axles(self) -> list:
+        """Return the axles, from left to right."""
+
+    def bobs(self) -> list:
+        """Return all bobs that can be dragged."""
+
+    def hold(self, bob) -> None:
+        """Hold this bob, an index into bobs, where it is."""
+
+    def drag(self, x, y) -> None:
+        """Drag the bob that is held as near as it can come to x, y (m) in the plane of swing."""
+
+    def let_go(self) -> None:
+        """Let go of the bob that is held, if there is one."""
+
+    def energies(self) -> tuple[float, float]:
+        """Return the kinetic and the potential energy (J)."""
+
+    def momentum(self) -> float:
+        """Return the momentum to the right (kg m/s)."""
 
 
 class Viewer:
@@ -145,6 +166,7 @@ class Viewer:
         """Lift the bobs as it is set, and let them go anew."""
         self.let_go()
         self.cradle.release(self.angles, self.lifted)
+        self.scenery.come_closer()
         self.ticks = 0
         self.trains.clear()
         self.graph.clear()

@@ -103,6 +103,22 @@ def test_ctrl_c_ends_it_while_it_waits_for_a_browser():
         assert end(process) == QUIETLY
 
 
+@pytest.mark.parametrize(("options", "opened"), [([], True), (["--no-browser"], False)])
+def test_a_browser_is_opened_unless_it_is_not_to_be(tmp_path, options, opened):
+    """The browser here is a script that writes down where it was sent."""
+    browser, visited = tmp_path / "browser", tmp_path / "visited"
+    browser.write_text(f'#!/bin/sh\necho "$1" > {visited}.new && mv {visited}.new {visited}\n')
+    browser.chmod(0o755)
+    with running(None, *options, VPYTHON_NO_LAUNCH_BROWSER="", BROWSER=str(browser)) as process:
+        address = first_lines(process)
+        port = int(address.rpartition(":")[2])
+        with socket.create_connection(("localhost", port), timeout=SECONDS) as connection:
+            connection.sendall(b"GET / HTTP/1.0\r\n\r\n")
+            assert connection.recv(1000)  # the page is served only after the browser was sent there
+        assert visited.exists() == opened
+        assert not opened or visited.read_text().strip() == address
+
+
 def test_what_is_no_port_is_refused():
     with running(VPYTHON_HTTP_PORT="web") as process:
         assert "'web'" in refusal(process)

@@ -97,6 +97,22 @@ c = cylinder(axis=vector(0, -1, 0)); c.rotate(angle=0.3, axis=vector(0, 0, 1)); 
 color.gray(0.5)
 {name: value.value for name, value in vars(color).items() if isinstance(value, vector)}
 {name: value for name, value in vars(textures).items() if name[0] != "_"}
+b = button(bind=print, text="Pause"); b.disabled = True; [b.text, b.disabled]
+c = checkbox(bind=print, text="Graph"); [c.text, c.checked]
+c = checkbox(bind=print, checked=True); c.checked
+m = menu(bind=print, choices=["a", "b"], selected="b"); [m.choices, m.selected]
+s = slider(bind=print, min=0.1, max=2); [s.min, s.max, s.value, s.disabled]
+s = slider(bind=print, max=2, step=0.5, value=1, length=180); s.value = 1.5; [s.min, s.max, s.step, s.value, s.length]
+s = slider(bind=print); s.bind is print
+wtext().text
+w = wtext(text="old"); w.text = "new"; w.text
+g = graph(xmin=0, xmax=10, xtitle="t (s)"); g.xmax = 12; [g.width, g.height, g.xmin, g.xmax, g.xtitle]
+c = gcurve(graph=graph(), label="total", color=color.red); c.data = [[0, 1]]; [c.data, c.label, c.color]
+[scene.width, scene.height, scene.range, scene.fov, scene.center, scene.forward, scene.up, scene.caption]
+scene.width = 300; scene.range = 2; scene.forward = vector(1, 2, 3); [scene.width, scene.range, scene.forward]
+scene.append_to_caption("a"); scene.append_to_caption("b"); scene.caption
+scene.lights = []; distant_light(direction=vector(0, 0, 1)); len(scene.lights)
+scene.mouse.ray
 """.strip().splitlines()
 
 # Expressions and statements that VPython refuses; the kind of error is compared.

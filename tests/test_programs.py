@@ -1,5 +1,6 @@
 """The programs, as far as they need no browser: pds_tester.py, importing the viewer, and what its main does."""
 
+import ast
 import os
 import subprocess
 import sys
@@ -50,6 +51,16 @@ def test_importing_the_viewer_starts_nothing():
     program = "import sys, src.visualize_cradle_run; sys.exit('vpython.no_notebook' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_support_knows_nothing_of_src():
+    """Whatever the viewer shows is handed to it: the same one is to show other cradles."""
+    for file in (ROOT / "support").glob("*.py"):
+        imports = [
+            node for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, (ast.Import, ast.ImportFrom))
+        ]
+        modules = {getattr(node, "module", None) or node.names[0].name for node in imports}
+        assert not {module for module in modules if module.split(".")[0] == "src"}, file.name
 
 
 @pytest.fixture

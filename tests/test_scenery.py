@@ -57,7 +57,7 @@ def test_every_swing_up_to_the_horizontal_is_in_view(count, size):
 
 
 @pytest.mark.parametrize("count", [1, 5, 50])
-def test_a_bob_above_the_frame_widens_the_view_once(count):
+def test_a_bob_above_the_frame_widens_the_view_until_it_starts_anew(count):
     axles, bobs = pendula(count)
     scenery = Scenery()
     scenery.surround(axles, bobs, R)
@@ -68,9 +68,23 @@ def test_a_bob_above_the_frame_widens_the_view_once(count):
     scenery.keep_in_view(bobs)
     circles = outline(axles[0], bobs[0], 0, pi) + outline(axles[-1], bobs[-1], 0, pi)
     assert is_in_view(circles)
+    scenery.come_closer()
+    assert scene.range == near
     scene.range = 7  # as a person zooms
-    scenery.keep_in_view(bobs)
+    scenery.come_closer()
     assert scene.range == 7
+
+
+def test_the_view_is_widened_once():
+    """Someone may have zoomed in since."""
+    axles, bobs = pendula(5)
+    scenery = Scenery()
+    scenery.surround(axles, bobs, R)
+    bobs[0].pos.y = axles[0].pos.y + 0.9 * R
+    scenery.keep_in_view(bobs)
+    scene.range = 0.1 * R
+    scenery.keep_in_view(bobs)
+    assert scene.range == 0.1 * R
 
 
 def test_a_turned_and_zoomed_view_is_kept_as_long_as_the_cradle_is_as_large():
