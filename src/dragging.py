@@ -1,6 +1,6 @@
 """Dragging a bob by hand: it pushes its neighbours aside, and they push theirs."""
 
-from math import acos, atan2, ceil, hypot, pi
+from math import acos, atan2, ceil, copysign, hypot, pi, sin
 
 from vpython import mag
 
@@ -19,23 +19,22 @@ def drag_pendulum(pend_list, held, theta, r_param) -> None:
     steps = ceil(abs(turn) / STEP)
     for _ in range(steps):
         move(pend, pend["theta"] + turn / steps, r_param)
-        push_neighbours(pend_list, held, r_param)
+        push_others(pend_list, held, r_param)
 
 
-def push_neighbours(pend_list, held, r_param) -> None:
-    """On both sides of the held pendulum, turn those away whose bobs reach into the one before them."""
-    for side in (-1, 1):  # to the left, to the right
-        pusher = held
-        while 0 <= pusher + side < len(pend_list):
-            theta = touching_theta(pend_list[pusher], pend_list[pusher + side], side, r_param)
-            if theta is None:
-                break
-            pusher += side
-            move(pend_list[pusher], theta, r_param)
+def push_others(pend_list, held, r_param) -> None:
+    """Turn away whoever's bob reaches into that of the held pendulum, and whoever is then in the way of those."""
+    pushers = [held]
+    for pusher in pushers:  # those that are pushed are added meanwhile
+        for other, pend in enumerate(pend_list):
+            theta = None if other in (held, pusher) else touching_theta(pend_list[pusher], pend, r_param)
+            if theta is not None and len(pushers) < 4 * len(pend_list):
+                move(pend, theta, r_param)
+                pushers.append(other)
 
 
-def touching_theta(pusher, pend, side, r_param) -> float | None:
-    """Return the theta (rad) at which pend's bob just touches the pusher's, on its right (side 1) or left (side -1).
+def touching_theta(pusher, pend, r_param) -> float | None:
+    """Return the theta (rad) at which pend's bob just touches the pusher's, on the side on which it is now.
 
     None if it does not reach into the pusher's as it is. With D the distance at which bobs collide, L the distance and
     psi the direction of the pusher's bob as seen from pend's axle, and R the cord, the law of cosines says
@@ -49,7 +48,8 @@ def touching_theta(pusher, pend, side, r_param) -> float | None:
     x, down = other.pos.x - axle.pos.x, axle.pos.y - other.pos.y
     distance, psi = hypot(x, down), atan2(x, down)
     touching *= 1 + 1e-9  # just outside, as a hit counts up to there
-    return psi + side * acos((r_param**2 + distance**2 - touching**2) / (2 * r_param * distance))
+    delta = acos((r_param**2 + distance**2 - touching**2) / (2 * r_param * distance))
+    return psi + copysign(delta, sin(pend["theta"] - psi))
 
 
 def move(pend, theta, r_param) -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from functools import partial
-from math import atan2, copysign, radians
+from math import atan2, copysign, cos, radians
 
 from src.dragging import drag_pendulum
 from src.pds_helper import extract_and_convert
@@ -42,7 +42,7 @@ class LiveCradle:
             self.collision = f"e = {options.e:g}"
             self.collisions[self.collision] = partial(uniform_e_newton_cradle, e_val=options.e)
         self.pend_list: list = []
-        self.held: int | None = None  # the index of the pendulum that is held
+        self.held: int | None = None  # the index of the bob that is held
 
     def load(self, csv) -> None:
         """Build the cradle anew from a CSV (a Snapshot). If it makes none, raise a ValueError and stay as it was."""
@@ -103,11 +103,10 @@ class LiveCradle:
         self.held = bob
         self.pend_list[bob]["omega"] = 0.0
 
-    def drag(self, x, y) -> None:
-        """Turn the pendulum that is held until its bob is nearest to the point x, y (m) in the plane of swing."""
-        if self.held is not None:
-            axle = self.pend_list[self.held]["objects"][0].pos
-            drag_pendulum(self.pend_list, self.held, atan2(x - axle.x, axle.y - y), R_PARAM)
+    def drag(self, bob, x, y) -> None:
+        """Turn the pendulum of this bob until the bob is nearest to the point x, y (m) in the plane of swing."""
+        axle = self.pend_list[bob]["objects"][0].pos
+        drag_pendulum(self.pend_list, bob, atan2(x - axle.x, axle.y - y), R_PARAM)
 
     def let_go(self) -> None:
         """Let the bob that is held swing from where it is."""
@@ -116,6 +115,10 @@ class LiveCradle:
     def energies(self) -> tuple[float, float]:
         """Return the kinetic and the potential energy (J)."""
         return kinetic_energy(self.pend_list, R_PARAM), potential_energy(self.pend_list, R_PARAM, G)
+
+    def velocities(self) -> list[float]:
+        """Return the velocities of the bobs to the right (m/s)."""
+        return [R_PARAM * pend["omega"] * cos(pend["theta"]) for pend in self.pend_list]
 
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""

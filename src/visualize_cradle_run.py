@@ -93,7 +93,7 @@ def main() -> None:
     with open_page(sockets, options.browser):
         from support.viewer import Viewer  # needs VPython's canvas and widgets, which all of the above does without
 
-        Viewer(LiveCradle(advance_cradle, options), file, options.angle, options.lift).run()
+        Viewer(LiveCradle(advance_cradle, options), file, [options.angle], options.lift).run()
 
 
 if __name__ == "__main__":

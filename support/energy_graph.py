@@ -19,7 +19,7 @@ class EnergyGraph:
     def __init__(self, width):
         """Make the graph, width pixels wide, without points."""
         titles = {"xtitle": "t (s)", "ytitle": "energy (J)"}
-        self.graph = graph(width=width, height=180, xmin=0, xmax=SPAN, ymin=0, **titles)
+        self.graph = graph(width=width, height=160, xmin=0, xmax=SPAN, ymin=0, **titles)
         self.curves = [gcurve(graph=self.graph, color=color, label=name) for name, color in CURVES.items()]
         self.style = wtext()
         self.shown = True
@@ -37,7 +37,7 @@ class EnergyGraph:
 
     def add(self, time, kinetic, potential) -> None:
         """Add a point at time (s), with energies in J, unless the last one is hardly older."""
-        if self.shown and not (self.points and time < self.points[-1][0] + INTERVAL):
+        if self.shown and not (self.points and time - self.points[-1][0] < 0.99 * INTERVAL):
             self.points.append((time, kinetic, potential, kinetic + potential))
             while self.points[0][0] < time - SPAN:
                 self.points.popleft()

@@ -4,7 +4,7 @@ from collections import deque
 
 GAP = 0.005  # s: contacts that follow one another within this time belong to one train
 MOST = 12  # runs in a train: bobs that stay together go on touching for ever
-LONGEST = 22  # characters of a train
+LONGEST = 36  # characters of a line
 WHOLE = 9  # bobs: of a longer run only its ends are written
 
 
@@ -26,29 +26,34 @@ class ImpactTrains:
     def add(self, time, left, rightwards) -> None:
         """Add the contact, at time (s), of the bob with this index (from 0) with its neighbour to the right.
 
-        rightwards tells which one hits the other: whether the cradle's momentum is to the right.
+        A run that has come to one of the two goes on to the other. Where none has, a new run begins, to the right or to
+        the left as the two were moving before.
         """
         if not self.trains or time - self.trains[-1][1] > GAP:
             self.trains.append([time, time, None, []])
         train = self.trains[-1]
-        runs, hit = train[3], [left + 1, left + 2] if rightwards else [left + 2, left + 1]
         if train[2] != left:  # two bobs that touch tick after tick are one impact
-            for run in runs:
-                if run[-1] == hit[0] and run[-2] != hit[1]:
-                    run.append(hit[1])
-                    break
-            else:
-                if len(runs) < MOST:
-                    runs.append(hit)
+            pass_on(train[3], left + 1, left + 2, rightwards)
         train[1:3] = time, left
 
     def lines(self) -> list[str]:
         """Return a line for each train, the latest first: t = 0.71 s  1-2-3-4-5."""
-        return [f"t = {start:.2f} s  {written(runs)}" for start, _, _, runs in reversed(self.trains)]
+        lines = [f"t = {start:.2f} s  {'  '.join(map(written, runs))}" for start, _, _, runs in reversed(self.trains)]
+        return [line if len(line) <= LONGEST else line[: LONGEST - 3] + "..." for line in lines]
 
 
-def written(runs) -> str:
-    """Return these runs of bobs' numbers as text, cut off where it gets too long."""
-    numbers = [list(map(str, run)) for run in runs]
-    text = "  ".join("-".join(run if len(run) <= WHOLE else [*run[:3], "...", run[-1]]) for run in numbers)
-    return text if len(text) <= LONGEST else text[:LONGEST] + "..."
+def written(run) -> str:
+    """Return a run of bobs' numbers as text."""
+    numbers = list(map(str, run))
+    return "-".join(numbers if len(run) <= WHOLE else [*numbers[:3], "...", numbers[-1]])
+
+
+def pass_on(runs, left, right, rightwards) -> None:
+    """Pass a hit between the bobs with these numbers on: in each direction the first run that has come to them."""
+    directions = (left, right), (right, left)
+    ends = [next((run for run in runs if run[-1] == a and run[-2] != b), None) for a, b in directions]
+    for run, (_, b) in zip(ends, directions, strict=True):
+        if run:
+            run.append(b)
+    if not any(ends) and len(runs) < MOST:
+        runs.append([left, right] if rightwards else [right, left])

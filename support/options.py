@@ -62,4 +62,4 @@ def check_lift(lift, csv) -> None:
     """Raise a ValueError of one line if the cradle of this CSV has fewer bobs than are to be lifted."""
     count = len(read_cells(csv)) - 1  # without the header
     if lift > count:
-        raise ValueError(f"argument --lift: found '{lift}', allowed is at most {count}, the number of pendula in {csv}")
+        raise ValueError(f"--lift: found '{lift}', allowed is at most {count}, the number of pendula in {csv}")

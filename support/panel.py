@@ -11,8 +11,8 @@ from support.commands import Command
 PAGE = Path(__file__).with_name("panel.html")
 
 KEYS_HINT = "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs. Drag a bob with the mouse."
-SEPARATING = "Separating bobs collide too, as in the handout."
-SEPARATING_HINT = "With e below 1, bobs that have just bounced are then turned back at once, and stick together."
+SEPARATING = "Separating bobs collide too"
+SEPARATING_HINT = "as in the handout: with e below 1 they then stick together"
 IMPACTS = 7  # lines of the contact strip
 
 
@@ -74,12 +74,11 @@ class Panel:
         """Show the time (s), the energies (J) in percent of the one at the start, the momentum (kg m/s), and, if the
         machine does not keep up, which part of the speed it reaches.
         """
-        percent = 100 / start if start else 0.0
-        energy = f"energy {(kinetic + potential) * percent:6.2f} %"
-        parts = f"kinetic {kinetic * percent:6.2f} %, potential {potential * percent:6.2f} %"
+        total, kinetic, potential = (in_percent(energy, start) for energy in (kinetic + potential, kinetic, potential))
+        moving = f"{momentum:+9.3f}" if abs(momentum) < 1e4 else f"{momentum:+9.2e}"
         slow = f"   x{kept_up:.1f}" if kept_up < 0.95 else ""
-        text = f"t = {time:.2f} s".ljust(13) + f"{energy} ({parts})   momentum {momentum:+7.3f} kg m/s{slow}"
-        set_text(self.readout, f'<pre class="readout">{text}</pre>')
+        text = f"t = {time:.2f} s".ljust(16) + f"energy {total} (kinetic {kinetic}, potential {potential})"
+        set_text(self.readout, f'<pre class="readout">{text}   momentum {moving} kg m/s{slow}</pre>')
 
     def show_impacts(self, lines) -> None:
         """Show the last trains of impacts, a line for each."""
@@ -92,7 +91,7 @@ class Setting:
     def __init__(self, name, lowest, highest, step, bind):
         """Make the slider; bind(value) is called when it is moved."""
         add_label(name)
-        self.slider = slider(min=lowest, max=highest, step=step, length=180, bind=lambda slider: bind(slider.value))
+        self.slider = slider(min=lowest, max=highest, step=step, length=170, bind=lambda slider: bind(slider.value))
         self.text = wtext()
 
     def show(self, value, text) -> None:
@@ -100,6 +99,12 @@ class Setting:
         if self.slider.value != value:
             self.slider.value = value
         set_text(self.text, f'<span class="value">{text}</span>')
+
+
+def in_percent(energy, start) -> str:
+    """Return an energy in percent of the one at the start, as text that is always equally wide."""
+    percent = 100 * energy / start if start else 0.0
+    return f"{percent:6.2f} %" if percent < 1000 else " > 999 %"
 
 
 def add_label(text) -> None:

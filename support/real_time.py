@@ -12,6 +12,10 @@ BUSY = 0.75 * FRAME
 # machine, a laptop that slept) is dropped.
 MAX_BEHIND = 0.25
 
+# A tick may seem to be this much slower than in the frame before, and no more: a frame in which the machine was busy
+# with something else says little about the next one.
+SLOWER = 1.25
+
 # Over how long (s) it is measured how well the machine keeps up.
 SPAN = 1.0
 
@@ -27,32 +31,35 @@ class RealTime:
         """Begin now; dt (s) is one tick. clock() and sleep(seconds) may be replaced by a test's."""
         self.dt, self.clock, self.sleep = dt, clock, sleep
         self.speed = 1.0
-        self.tick_cost = None  # what a tick took in the last frame (s)
+        self.tick_cost = 0.0  # s, 0 as long as it is not known
         self.restart()
 
     def restart(self) -> None:
         """Begin anew at this moment, owing no ticks."""
         self.frame_start = self.span_start = self.clock()
         self.owed = 0.0  # ticks, and the fraction of one
-        self.span_ticks = 0
-        self.kept_up = 1.0  # the part of the speed that the machine reached over the last SPAN
+        self.span_due = self.span_done = 0.0  # ticks
+        self.kept_up = 1.0  # the part of the ticks due that the machine did over the last SPAN
 
     def frame(self, advance) -> None:
         """Call advance(ticks) with the ticks that are due since the last frame, unless none is."""
         now = self.clock()
         per_second = self.speed / self.dt
-        self.owed = min(self.owed + (now - self.frame_start) * per_second, MAX_BEHIND * per_second)
+        due = (now - self.frame_start) * per_second
         self.frame_start = now
-        affordable = BUSY / self.tick_cost if self.tick_cost else 1
-        ticks = int(min(self.owed, max(1, affordable)))
+        self.owed = min(self.owed + due, MAX_BEHIND * per_second)
+        ticks = int(min(self.owed, max(1, BUSY / self.tick_cost) if self.tick_cost else 1))
         if ticks:
             advance(ticks)
-            self.tick_cost = max(self.clock() - now, 1e-9) / ticks
+            cost = max(self.clock() - now, 1e-9) / ticks
+            self.tick_cost = min(cost, SLOWER * self.tick_cost) if self.tick_cost else cost
             self.owed -= ticks
-            self.span_ticks += ticks
+        self.span_due += due
+        self.span_done += ticks
         if now - self.span_start >= SPAN:
-            self.kept_up = self.span_ticks / ((now - self.span_start) * per_second)
-            self.span_start, self.span_ticks = now, 0
+            self.kept_up = self.span_done / self.span_due
+            self.span_start = now
+            self.span_due = self.span_done = 0.0
 
     def rest(self) -> None:
         """Sleep until the next frame is due."""

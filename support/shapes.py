@@ -1,26 +1,27 @@
 """Shapes that are used again: VPython keeps every shape for ever, so a new cradle is built of what the old one was."""
 
+from collections import defaultdict
+
 from vpython import color
 
 # How VPython makes a shape unless it is told otherwise. A used shape is given all this before its new looks.
 PLAIN = {"color": color.white, "texture": None, "shininess": 0.6, "visible": True}
 
-discarded: list = []
+discarded: defaultdict[type, list] = defaultdict(list)  # kind -> shapes
 
 
 def make_shape(kind, **attributes):
     """Return a box, sphere or cylinder (kind) with these attributes: a discarded one if there is one, or a new one."""
-    for shape in discarded:
-        if type(shape) is kind:
-            discarded.remove(shape)
-            for name, value in {**PLAIN, **attributes}.items():
-                setattr(shape, name, value)
-            return shape
-    return kind(**attributes)
+    if not discarded[kind]:
+        return kind(**attributes)
+    shape = discarded[kind].pop()
+    for name, value in {**PLAIN, **attributes}.items():
+        setattr(shape, name, value)
+    return shape
 
 
 def discard(shapes) -> None:
     """Hide these shapes, and let make_shape use them again."""
     for shape in shapes:
         shape.visible = False
-    discarded.extend(shapes)
+        discarded[type(shape)].append(shape)

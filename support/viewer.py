@@ -9,7 +9,7 @@ from typing import Any, Protocol
 from vpython import baseObj, cross, dot, mag, scene
 
 from support.commands import Command, KEYS
-from support.energy_graph import EnergyGraph
+from support.energy_graph import EnergyGraph, INTERVAL
 from support.impacts import ImpactTrains
 from support.panel import IMPACTS, Panel
 from support.real_time import FRAME, RealTime
@@ -26,6 +26,7 @@ class Cradle(Protocol):
     angles: Sequence[str]  # the names of its release angles
     collisions: dict[str, Any]  # the names of the ways in which it can collide are the keys
     collision: str  # the present one of them
+    held: int | None  # which of its bobs is held
 
     def load(self, csv) -> None:
         """Build the cradle anew from a Snapshot, or raise a ValueError and stay as it was."""
@@ -48,14 +49,17 @@ class Cradle(Protocol):
     def hold(self, bob) -> None:
         """Hold this bob, an index into bobs, where it is."""
 
-    def drag(self, x, y) -> None:
-        """Drag the bob that is held as near as it can come to x, y (m) in the plane of swing."""
+    def drag(self, bob, x, y) -> None:
+        """Drag this bob, which is held, as near as it can come to x, y (m) in the plane of swing."""
 
     def let_go(self) -> None:
         """Let go of the bob that is held, if there is one."""
 
     def energies(self) -> tuple[float, float]:
         """Return the kinetic and the potential energy (J)."""
+
+    def velocities(self) -> list[float]:
+        """Return the velocities of the pendula's bobs to the right (m/s)."""
 
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""
@@ -64,22 +68,22 @@ class Cradle(Protocol):
 class Viewer:
     """The page with a cradle, its panel and its graph, and the loop that keeps them going."""
 
-    def __init__(self, cradle: Cradle, file, angle, lifted):
-        """Show the cradle of this file (a LiveFile) with the first lifted bobs at angle (degrees).
+    def __init__(self, cradle: Cradle, file, angles, lifted):
+        """Show the cradle of this file (a LiveFile) with the first lifted pendula at these angles (degrees).
 
         Raises the ValueError of cradle.load. Returns when the page has all this, so that the release will be seen.
         """
         self.cradle, self.file = cradle, file
         self.commands: SimpleQueue = SimpleQueue()
         self.pace = RealTime(cradle.dt)
-        self.running, self.separating, self.holding = True, False, False
-        self.angles, self.lifted = [angle] * len(cradle.angles), lifted
+        self.running, self.separating = True, False
+        self.angles, self.lifted = list(angles), lifted
         self.trains = ImpactTrains(IMPACTS)
         self.next_refresh = -inf
 
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle)
-        self.graph = EnergyGraph(CANVAS_WIDTH - 26)
+        self.graph = EnergyGraph(CANVAS_WIDTH - 26)  # its borders, in panel.html
         self.load()
         self.listen()
         while not baseObj.empty():  # what the page has not fetched yet
@@ -103,6 +107,8 @@ class Viewer:
             self.pace.frame(self.advance)
         else:
             self.pace.restart()
+        if self.cradle.held is not None:
+            self.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
         self.show_motion()
 
@@ -154,26 +160,28 @@ class Viewer:
                 self.graph.show(value)
             case Command.GRAB:
                 self.grab(*value)
-            case Command.DRAG if self.holding:
+            case Command.DRAG if self.cradle.held is not None:
                 self.drag(*value)
-            case Command.LET_GO if self.holding:
-                self.let_go()
+            case Command.LET_GO if self.cradle.held is not None:
+                self.cradle.let_go()
+                self.set_start()
             case Command.RESIZE:
                 self.scenery.point_camera()
         self.show_settings()
 
     def restart(self) -> None:
         """Lift the bobs as it is set, and let them go anew."""
-        self.let_go()
+        self.cradle.let_go()
         self.cradle.release(self.angles, self.lifted)
         self.scenery.come_closer()
         self.ticks = 0
         self.trains.clear()
-        self.graph.clear()
         self.set_start()
+        self.graph.clear()
+        self.graph.add(0.0, *self.cradle.energies())
 
     def set_start(self) -> None:
-        """Take the energy of this moment as the start, of which percentages are shown."""
+        """Take the energy of this moment as that of the start, which is 100 %."""
         self.start_energy = sum(self.cradle.energies())
 
     # --- the mouse ---------------------------------------------------------------------------------------------------
@@ -186,30 +194,31 @@ class Viewer:
             if mag(cross(bob.pos - place, direction)) <= bob.radius * mag(direction)
         ]
         if hits:
-            self.holding = True
             self.cradle.hold(min(hits)[1])
 
     def drag(self, place, direction) -> None:
         """Drag the bob that is held to where this ray meets the plane of swing, z = 0."""
         if abs(direction.z) > 0.01 * mag(direction):  # seen from the side, the plane is a line
             point = place - direction * (place.z / direction.z)
-            self.cradle.drag(point.x, point.y)
-
-    def let_go(self) -> None:
-        """Let the bob that is held swing on from where it is."""
-        self.holding = False
-        self.cradle.let_go()
-        self.set_start()
+            self.cradle.drag(self.cradle.held, point.x, point.y)
 
     # --- time, and the file ------------------------------------------------------------------------------------------
 
+    def time(self) -> float:
+        """Return the simulated time since the bobs were let go (s)."""
+        return self.ticks * self.cradle.dt
+
     def advance(self, ticks) -> None:
-        """Move the cradle on by so many ticks."""
-        contacts = self.cradle.advance(ticks, approaching_only=not self.separating)
-        rightwards = self.cradle.momentum() > 0
-        for tick, left in contacts:
-            self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, rightwards)
-        self.ticks += ticks
+        """Move the cradle on by so many ticks, in parts that are short enough for the graph to be smooth."""
+        longest = round(INTERVAL / self.cradle.dt)
+        while ticks > 0:
+            part, velocities = min(ticks, longest), self.cradle.velocities()
+            for tick, left in self.cradle.advance(part, not self.separating):
+                rightwards = velocities[left] + velocities[left + 1] > 0
+                self.trains.add(self.time() + (tick + 1) * self.cradle.dt, left, rightwards)
+            self.ticks += part
+            ticks -= part
+            self.graph.add(self.time(), *self.cradle.energies())
 
     def load(self) -> None:
         """Build the cradle of the file as it is now, and let it go."""
@@ -236,12 +245,11 @@ class Viewer:
 
     def show_motion(self) -> None:
         """Show time, energy, momentum, impacts and graph, ten times a second."""
-        time_now = self.ticks * self.cradle.dt
+        if self.pace.clock() < self.next_refresh:
+            return
+        self.next_refresh = self.pace.clock() + REFRESH
         kinetic, potential = self.cradle.energies()
-        self.graph.add(time_now, kinetic, potential)
-        if self.pace.clock() >= self.next_refresh:
-            self.next_refresh = self.pace.clock() + REFRESH
-            self.graph.draw()
-            self.panel.show_impacts(self.trains.lines())
-            momentum, kept_up = self.cradle.momentum(), self.pace.kept_up
-            self.panel.show_motion(time_now, kinetic, potential, self.start_energy, momentum, kept_up)
+        momentum, kept_up = self.cradle.momentum(), self.pace.kept_up
+        self.panel.show_motion(self.time(), kinetic, potential, self.start_energy, momentum, kept_up)
+        self.panel.show_impacts(self.trains.lines())
+        self.graph.draw()

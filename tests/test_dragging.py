@@ -1,6 +1,6 @@
 """A bob that is dragged pushes its neighbours aside, and they theirs."""
 
-from itertools import pairwise
+from itertools import combinations, pairwise
 from math import cos, pi, sin
 
 import pytest
@@ -79,3 +79,19 @@ def test_there_and_back_leaves_the_pushed_where_they_were_pushed_to():
     pend_list = row(2)
     there = drag(pend_list, 0, 0.6)
     assert drag(pend_list, 0, 0.0) == pytest.approx([0.0, there[1]])
+
+
+def test_a_bob_that_comes_round_over_the_top_pushes_the_others_from_their_other_side():
+    """The first one, dragged up on the left, over its axle and down on the right, meets the last one first."""
+    pend_list = row(3)
+    for theta in (-2.0, -3.1, 2.2, 1.0, 0.5):
+        before = [pend["theta"] for pend in pend_list]
+        after = drag(pend_list, 0, theta)
+        assert all(gap > 1 for gap in gaps_of_all(pend_list))
+        assert all(abs(new - old) < 1 for new, old in zip(after[1:], before[1:], strict=True))
+    assert after[1] < 0  # pushed on to the left
+
+
+def gaps_of_all(pend_list):
+    """Return how far each two bobs are apart, 1 being where they begin to collide."""
+    return [gaps(list(pair))[0] for pair in combinations(pend_list, 2)]

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from support.cradle_csv import read_cells
+from support.cradle_csv import read_cells, Snapshot
 from support.live_file import LiveFile, POLL
 
 
@@ -91,7 +91,26 @@ def test_a_file_that_goes_and_comes_back_as_it_was_is_news_both_times(live):
     assert read_cells(file.current) == [(1, ["old"])]
 
 
-def test_the_file_is_not_read_more_often_than_need_be(live, monkeypatch):
+def test_the_file_is_read_once_a_poll(tmp_path, monkeypatch):
+    """Not once a frame."""
+    reads, clock = [], Clock()
+    monkeypatch.setattr("support.live_file.Snapshot", lambda path: reads.append(path) or "always the same")
+    file = LiveFile(tmp_path / "cradle.csv", clock)
+    for _ in range(60):
+        clock.now += 1 / 60
+        file.changed()
+    assert 4 <= len(reads) <= 1 + 1 / POLL
+
+
+def test_a_snapshot_stays_as_it_was_whatever_becomes_of_the_file(live):
     path, file, _ = live
-    monkeypatch.setattr("support.live_file.Snapshot", lambda path: pytest.fail("it was read"))
-    assert not file.changed()
+    for change in (lambda: path.write_text("new\n"), path.unlink):
+        change()
+        assert read_cells(file.current) == [(1, ["old"])]
+
+
+def test_an_empty_file_is_not_the_same_as_none(tmp_path):
+    path = tmp_path / "cradle.csv"
+    none = Snapshot(path)
+    path.touch()
+    assert Snapshot(path) == Snapshot(path) != none

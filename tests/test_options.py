@@ -1,9 +1,10 @@
 """The command line: what it takes, what it refuses and in which words."""
 
 import pytest
+from cradles import FIVE_CSV
 
 from support.constants import NC_FP, THETA_INIT
-from support.options import PORT_VARIABLE, read_options
+from support.options import check_lift, PORT_VARIABLE, read_options
 
 
 def read(line):
@@ -60,6 +61,7 @@ def test_what_it_takes(line, changed):
         ("--angle 181", "argument --angle: found '181', allowed is a number from 0 to 180 (degrees)"),
         ("--lift -1", "argument --lift: found '-1', allowed is a whole number, 0 or more"),
         ("--lift 1.5", "argument --lift: found '1.5', allowed is a whole number, 0 or more"),
+        ("--lift ²", "argument --lift: found '²', allowed is a whole number, 0 or more"),
         ("--port 65535", "argument --port: found '65535', allowed is a whole number from 0 to 65534"),
         ("--port web", "argument --port: found 'web', allowed is a whole number from 0 to 65534"),
         ("--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
@@ -103,3 +105,11 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
         "--no-browser",
     ):
         assert words in text
+
+
+def test_as_many_bobs_as_there_are_may_be_lifted(tmp_path):
+    csv = tmp_path / "cradle.csv"
+    csv.write_text(FIVE_CSV)
+    check_lift(5, csv)
+    with pytest.raises(ValueError, match="^--lift: found '6', allowed is at most 5, the number of pendula in "):
+        check_lift(6, csv)

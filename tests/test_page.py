@@ -3,6 +3,7 @@
 import re
 import time
 from contextlib import ExitStack
+from itertools import pairwise
 from math import atan2, cos, degrees, radians, sin
 
 import pytest
@@ -138,7 +139,7 @@ def test_pause_stops_and_run_goes_on(page, play):
     paused = readout(page, "t")
     press(page, "Run")
     wait_until(lambda: readout(page, "t") > paused + 0.2)
-    assert page.evaluate(MOVES) > 3
+    assert page.evaluate(MOVES) > 0
 
 
 def test_step_moves_once_while_paused(page, play):
@@ -189,6 +190,12 @@ def test_a_widget_reached_by_keyboard_keeps_its_keys(page, play):
     page.keyboard.press("Space")  # once, not twice
     page.get_by_role("button", name="Run").wait_for()
     assert page.evaluate(MOVES) == 0
+    while "ui-slider-handle" not in page.evaluate("document.activeElement.className"):
+        page.keyboard.press("Tab")
+    page.keyboard.press("ArrowRight")
+    wait_until(lambda: values(page)[SPEED] == "1.1x")
+    page.keyboard.press("ArrowRight")
+    wait_until(lambda: values(page)[SPEED] == "1.2x")
 
 
 # --- settings --------------------------------------------------------------------------------------------------------
@@ -206,14 +213,37 @@ def test_angle_lift_and_their_values(page, play):
     assert page.evaluate("$('.ui-slider').eq(2).slider('value')") == pytest.approx(2 / 5)
 
 
+def test_a_slider_can_be_put_back_to_where_it_was_before_a_key_was_pressed(page, play):
+    """VPython would say nothing of it, as it said the same the last time."""
+    play()
+    for _ in range(2):
+        slide(page, LIFTED, 0.99)
+        wait_until(lambda: values(page)[LIFTED] == "5 of 5")
+        page.keyboard.press("1")
+        wait_until(lambda: values(page)[LIFTED] == "1 of 5")
+
+
+def test_the_view_is_turned_and_zoomed_with_the_mouse(page, play):
+    play()
+    view = "[glowObjs[0].forward.x, glowObjs[0].range]"
+    turned, zoomed = page.evaluate(view)
+    page.mouse.move(50, 50)
+    page.mouse.down(button="right")
+    page.mouse.move(120, 60, steps=5)
+    page.mouse.up(button="right")
+    wait_until(lambda: page.evaluate(view)[0] != turned)
+    page.mouse.wheel(0, -300)
+    wait_until(lambda: page.evaluate(view)[1] < 0.97 * zoomed)
+
+
 def test_collisions(page, play):
     """Elastic, the first train leaves four of five bobs behind; inelastic, all five go on together."""
     play()
+    slide(page, SPEED, 0.01)  # so that there is time to look
     from_start(page)
     wait_until(lambda: lifts(page)[4] > 20)
-    pause(page)
     assert max(map(abs, lifts(page)[:4])) < 2
-    press(page, "Run")
+    slide(page, SPEED, 0.99)
     page.locator("select").select_option("inelastic, e = 0")
     from_start(page)
     wait_until(lambda: readout(page, "t") > 0.4)
@@ -223,16 +253,27 @@ def test_collisions(page, play):
 
 
 def test_separating_bobs_collide_too(page, play):
-    """Of e = 0.9 little is left then: after two seconds 20 % of the energy instead of 30 %."""
+    """Of e = 0.9 little is left then: after a second 24 % of the energy instead of 48 %."""
     play("--e", "0.9")
     page.get_by_role("checkbox").nth(SEPARATING).check()
     from_start(page)
-    wait_until(lambda: readout(page, "t") > 2)
-    assert readout(page, "energy") < 21
+    assert energy_after(page, 1) < 26
     page.get_by_role("checkbox").nth(SEPARATING).uncheck()
     from_start(page)
-    wait_until(lambda: 2 < readout(page, "t") < 2.5)
-    assert readout(page, "energy") > 25
+    assert energy_after(page, 1) > 29
+
+
+def energy_after(page, seconds):
+    """Return the energy (%) at the first reading after this simulated time."""
+    readings = []
+
+    def take():
+        text = page.locator(".readout").inner_text()
+        readings.append([float(number) for number in re.findall(r"(?:t =|energy) +([0-9.]+)", text)])
+        return readings[-1][0] > seconds
+
+    wait_until(take)
+    return readings[-1][1]
 
 
 @pytest.mark.parametrize(("part", "speed"), [(0.01, 0.1), (0.475, 1.0), (0.99, 2.0)])
@@ -253,9 +294,11 @@ def test_simulated_time_keeps_step_with_the_wall(page, play, part, speed):
 
 def test_the_readout_and_the_strip_are_there_to_be_read(page, play):
     play()
-    wait_until(lambda: "1-2-3-4-5" in page.locator(".impacts").inner_text())
+    slide(page, SPEED, 0.01)  # so that there is time to look
+    from_start(page)
+    wait_until(lambda: "s  " in page.locator(".impacts").inner_text())
+    assert re.search(r"^t = 0\.2\d s  1-2", page.locator(".impacts").inner_text(), re.MULTILINE)
     pause(page)
-    assert re.fullmatch(r"t = 0\.2\d s  1-2-3-4-5", page.locator(".impacts").inner_text().strip().splitlines()[-1])
     both = readout(page, "kinetic") + readout(page, "potential")
     assert both == pytest.approx(readout(page, "energy"), abs=0.011) == pytest.approx(100, abs=0.1)
 
@@ -264,7 +307,11 @@ def test_the_graph_can_be_hidden(page, play):
     play()
     graph, box = page.locator(".glowscript-graph"), page.get_by_role("checkbox").nth(GRAPH)
     graph.wait_for(state="visible")
-    assert graph.inner_text().split()[-3:] == ["kinetic", "potential", "total"]
+    assert graph.locator(".legend").inner_text().split() == ["kinetic", "potential", "total"]
+    wait_until(lambda: graph.locator(".yAxis .tickLabel").count() > 2)
+    ticks = [float(tick) for tick in graph.locator(".yAxis .tickLabel").all_inner_texts()]
+    steps = [b - a for a, b in pairwise(sorted(ticks))]
+    assert steps == pytest.approx([steps[0]] * len(steps))  # which VPython's own, rounded ones are not always
     box.uncheck()
     graph.wait_for(state="hidden")
     box.check()
@@ -309,9 +356,10 @@ def test_a_bob_is_let_go_outside_of_the_canvas(page, play):
     page.mouse.down()
     page.mouse.move(*pixel(page, 0, -30), steps=3)
     wait_until(lambda: lifts(page)[0] == pytest.approx(-30, abs=0.5))
-    page.mouse.move(500, 500, steps=3)  # on the panel
+    page.mouse.move(20, 230, steps=3)  # on the panel
+    wait_until(lambda: -28 < lifts(page)[0] < -20)
     page.mouse.up()
-    wait_until(lambda: "1-2-3-4-5" in page.locator(".impacts").inner_text() or lifts(page)[0] > 1)
+    wait_until(lambda: "1-2-3-4-5" in page.locator(".impacts").inner_text())
 
 
 def test_a_resized_canvas_shows_the_whole_swing(page, play):
@@ -348,10 +396,10 @@ def test_an_edited_csv_shows_up_and_its_objects_are_used_again(page, play, progr
         wait_until(lambda: len(page.evaluate(BOBS)) == 5)
         counts.add(page.evaluate(shapes))
     assert len(counts) == 1
-    blue = FIVE_CSV.replace("red", "blue")
+    blue = FIVE_CSV.replace("red", "blue")  # on shapes that were another color before
     csv_of(program).write_text(blue)
-    color = "glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).every(o => o.color.z === 1)"
-    wait_until(lambda: page.evaluate(color))
+    colors = "glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).map(o => [o.color.x, o.color.y, o.color.z])"
+    wait_until(lambda: page.evaluate(colors) == [[0, 0, 1]] * 5)
 
 
 def test_a_broken_csv_shows_its_error_and_the_cradle_goes_on(page, play, program):
@@ -361,7 +409,7 @@ def test_a_broken_csv_shows_its_error_and_the_cradle_goes_on(page, play, program
     error.wait_for(state="visible")
     line = f"{csv_of(program)}, line 7, column mass: found '-1', allowed is a number above 0 (kg)"
     assert error.inner_text() == line
-    assert page.evaluate(MOVES) > 3
+    assert page.evaluate(MOVES) > 0
     csv_of(program).write_text(FIVE_CSV)
     error.wait_for(state="hidden")
     page.close()

@@ -120,7 +120,7 @@ def test_main_does_what_the_options_say(tmp_path, main):
         (
             MIXED_CSV,
             ["--lift", "4"],
-            "argument --lift: found '4', allowed is at most 3, the number of pendula in {csv}\n",
+            "--lift: found '4', allowed is at most 3, the number of pendula in {csv}\n",
         ),
     ],
 )

@@ -2,7 +2,7 @@
 
 import pytest
 
-from support.real_time import FRAME, RealTime
+from support.real_time import FRAME, MAX_BEHIND, RealTime
 
 DT = 1e-4  # s a tick
 
@@ -76,6 +76,30 @@ def test_a_hiccup_is_made_up_for():
     assert wall.run() == pytest.approx(60, abs=2 * FRAME)
 
 
+def test_a_machine_that_is_busy_now_and_then_keeps_up():
+    """A tick that took long because another program ran says nothing about the next one."""
+    wall = Wall(cost=10e-6, until=60)
+    advance = wall.advance
+
+    def sometimes_interrupted(ticks):
+        advance(ticks)
+        if wall.frames % 10 == 0:
+            wall.now += 0.06
+
+    wall.advance = sometimes_interrupted
+    assert wall.run() == pytest.approx(60, abs=0.1)
+
+
+@pytest.mark.parametrize(("before", "after"), [(1, 2), (0.1, 2), (2, 0.1)])
+def test_another_speed_is_no_slow_motion(before, after):
+    wall = Wall(cost=10e-6, until=10.5)
+    wall.pace.speed = before
+    wall.run()
+    wall.pace.speed, wall.until = after, 11.6
+    wall.run()
+    assert wall.pace.kept_up == pytest.approx(1, abs=0.03)
+
+
 def test_a_night_of_sleep_is_not_simulated():
     night = 8 * 3600.0
     wall = Wall(cost=10e-6, until=night + 60)
@@ -83,11 +107,25 @@ def test_a_night_of_sleep_is_not_simulated():
     assert 60 <= wall.run() < 61
 
 
-def test_after_a_pause_nothing_is_owed():
-    wall = Wall(cost=10e-6, until=10)
+def test_after_a_pause_nothing_is_owed_and_a_slow_past_forgotten():
+    wall = Wall(cost=1e-3, until=10)
     wall.run()
+    assert wall.pace.kept_up < 0.5
     ticks = wall.ticks
     wall.now += 100
     wall.pace.restart()
+    assert wall.pace.kept_up == 1
     wall.pace.frame(wall.advance)
     assert wall.ticks == ticks
+    wall.cost, wall.until = 10e-6, wall.now + 3.1
+    wall.run()
+    assert wall.pace.kept_up == pytest.approx(1, abs=0.02)
+
+
+@pytest.mark.parametrize("speed", [0.1, 2])
+@pytest.mark.parametrize(("hiccup", "made_up"), [(0.2, 0.2), (5, MAX_BEHIND)])
+def test_at_any_speed_the_same_hiccup_is_made_up_for(speed, hiccup, made_up):
+    wall = Wall(cost=1e-6, until=10)
+    wall.pace.speed = speed
+    wall.interruptions[60] = hiccup
+    assert wall.run() == pytest.approx((10 - hiccup + made_up) * speed, abs=3 * FRAME * speed)

@@ -26,7 +26,7 @@ from support.viewer import Viewer
 
 options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
 vpython.baseObj.empty = lambda: True
-viewer = Viewer(LiveCradle(advance_cradle, options), LiveFile(sys.argv[1]), angle=45, lifted=1)
+viewer = Viewer(LiveCradle(advance_cradle, options), LiveFile(sys.argv[1]), angles=[45], lifted=1)
 tracemalloc.start()
 measured = {}
 for reload in range(1, 1001):

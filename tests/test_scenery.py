@@ -98,6 +98,18 @@ def test_a_turned_and_zoomed_view_is_kept_as_long_as_the_cradle_is_as_large():
     assert components(scene.forward) == (0, 0, -1)
 
 
+def test_another_cradle_is_looked_at_from_nearby_again():
+    scenery = Scenery()
+    scenery.surround(*pendula(5), R)
+    near = scene.range
+    axles, bobs = pendula(6)
+    bobs[0].pos.y = axles[0].pos.y + R
+    scenery.surround(axles, bobs, R)
+    scenery.keep_in_view(bobs)
+    scenery.surround(*pendula(5), R)
+    assert scene.range == near
+
+
 def test_the_frame_carries_the_axles():
     """Rails lie from the first axle to the last and beyond, at the ends of the axles; posts stand on the base."""
     axles, bobs = pendula(5)

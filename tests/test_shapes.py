@@ -1,5 +1,7 @@
 """Shapes that are discarded and used again."""
 
+from collections import defaultdict
+
 import pytest
 from cradles import components
 from vpython import box, color, cylinder, sphere, textures, vector
@@ -10,7 +12,7 @@ from support.shapes import discard, make_shape
 
 @pytest.fixture(autouse=True)
 def nothing_discarded(monkeypatch):
-    monkeypatch.setattr(shapes, "discarded", [])
+    monkeypatch.setattr(shapes, "discarded", defaultdict(list))
 
 
 def test_a_discarded_shape_is_hidden_and_used_again():
@@ -33,3 +35,10 @@ def test_nothing_is_left_of_the_former_looks():
     make_shape(sphere, pos=vector(1, 2, 3))
     assert (components(ball.pos), components(ball.color)) == ((1, 2, 3), (1, 1, 1))
     assert (ball.texture, ball.shininess) == (None, sphere().shininess)
+
+
+def test_it_has_its_new_looks():
+    ball = make_shape(sphere, color=color.red)
+    discard([ball])
+    make_shape(sphere, color=color.blue, texture=textures.wood, shininess=1)
+    assert (components(ball.color), ball.texture, ball.shininess) == ((0, 0, 1), textures.wood, 1)
