@@ -75,12 +75,11 @@ class Scenery:
         depth, ground = room.depth / 2 + room.reach / 10, bottom - room.reach / 20  # the base stands out a little
         corners = [vector(x, y, z) for x in (left, right) for y in (room.top, ground) for z in (-depth, depth)]
         swings = [vector(x, y, 0) for x in (room.left - swing, room.right + swing) for y in (room.top, top)]
-        scene.center = vector((left + right) / 2, (top + bottom) / 2, 0)
-        scene.range = MARGIN * range_to_see([point - scene.center for point in corners + swings])
+        view(corners + swings)
 
 
-def range_to_see(points) -> float:
-    """Return the scene.range (m) at which these points, given relative to scene.center, are all in the canvas.
+def view(points) -> None:
+    """Point the camera at the middle of these points, from as far as it takes to have them all in the canvas.
 
     scene.range is half of what the shorter side of the canvas shows of the plane through the centre. A point that is
     x off the axis of view and z nearer to the camera than the centre shows up at x d / (d - z) there, where
@@ -88,12 +87,17 @@ def range_to_see(points) -> float:
     """
     forward = norm(scene.forward)
     sideways = norm(cross(forward, scene.up))
-    directions = ((sideways, scene.width), (cross(sideways, forward), scene.height))
+    upwards = cross(sideways, forward)
+    scene.center = vector(0, 0, 0)
+    for direction in (forward, sideways, upwards):
+        places = [dot(point, direction) for point in points]
+        scene.center += direction * (min(places) + max(places)) / 2
     shorter = min(scene.width, scene.height)
-    return max(
-        abs(dot(point, direction)) * shorter / side - dot(point, forward) * tan(scene.fov / 2)
+    scene.range = MARGIN * max(
+        abs(dot(point - scene.center, direction)) * shorter / side
+        - dot(point - scene.center, forward) * tan(scene.fov / 2)
         for point in points
-        for direction, side in directions
+        for direction, side in ((sideways, scene.width), (upwards, scene.height))
     )
 
 

@@ -398,7 +398,8 @@ def test_an_edited_csv_shows_up_and_its_objects_are_used_again(page, play, progr
     assert len(counts) == 1
     blue = FIVE_CSV.replace("red", "blue")  # on shapes that were another color before
     csv_of(program).write_text(blue)
-    colors = "glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).map(o => [o.color.x, o.color.y, o.color.z])"
+    spheres = "glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible)"
+    colors = f"{spheres}.map(o => [o.color.x, o.color.y, o.color.z])"
     wait_until(lambda: page.evaluate(colors) == [[0, 0, 1]] * 5)
 
 
