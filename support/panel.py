@@ -63,8 +63,9 @@ class Panel:
         out of count are lifted.
         """
         self.count = count
-        self.pause.text = "Pause" if running else "Run"
-        self.step.disabled = running
+        set_text(self.pause, "Pause" if running else "Run")
+        if self.step.disabled != running:
+            self.step.disabled = running
         self.speed.show(speed, f"{speed:.1f}x")
         for setting, angle in zip(self.angles, angles, strict=True):
             setting.show(angle, f"{angle:g}&deg;")
@@ -123,7 +124,7 @@ def end_row() -> None:
     wtext(text='<i class="row"></i>')
 
 
-def set_text(text_on_page, text) -> None:
-    """Change a text on the page, if it is another: a person may be about to copy it."""
-    if text_on_page.text != text:
-        text_on_page.text = text
+def set_text(widget, text) -> None:
+    """Change the text of something on the page, if it is another: a person may be about to copy it."""
+    if widget.text != text:
+        widget.text = text

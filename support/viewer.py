@@ -204,7 +204,7 @@ class Viewer:
 
     # --- time, and the file ------------------------------------------------------------------------------------------
 
-    def time(self) -> float:
+    def elapsed(self) -> float:
         """Return the simulated time since the bobs were let go (s)."""
         return self.ticks * self.cradle.dt
 
@@ -215,10 +215,10 @@ class Viewer:
             part, velocities = min(ticks, longest), self.cradle.velocities()
             for tick, left in self.cradle.advance(part, not self.separating):
                 rightwards = velocities[left] + velocities[left + 1] > 0
-                self.trains.add(self.time() + (tick + 1) * self.cradle.dt, left, rightwards)
+                self.trains.add(self.elapsed() + (tick + 1) * self.cradle.dt, left, rightwards)
             self.ticks += part
             ticks -= part
-            self.graph.add(self.time(), *self.cradle.energies())
+            self.graph.add(self.elapsed(), *self.cradle.energies())
 
     def load(self) -> None:
         """Build the cradle of the file as it is now, and let it go."""
@@ -250,6 +250,6 @@ class Viewer:
         self.next_refresh = self.pace.clock() + REFRESH
         kinetic, potential = self.cradle.energies()
         momentum, kept_up = self.cradle.momentum(), self.pace.kept_up
-        self.panel.show_motion(self.time(), kinetic, potential, self.start_energy, momentum, kept_up)
+        self.panel.show_motion(self.elapsed(), kinetic, potential, self.start_energy, momentum, kept_up)
         self.panel.show_impacts(self.trains.lines())
         self.graph.draw()

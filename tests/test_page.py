@@ -209,8 +209,8 @@ def test_angle_lift_and_their_values(page, play):
     wait_for_lifts(page, -90, 0, 0, 0, 0)
     slide(page, LIFTED, 0.38)
     wait_for_lifts(page, -90, -90, 0, 0, 0)
-    assert values(page) == ["1.0x", "90°", "2 of 5"]
-    assert page.evaluate("$('.ui-slider').eq(2).slider('value')") == pytest.approx(2 / 5)
+    wait_until(lambda: values(page) == ["1.0x", "90°", "2 of 5"])
+    wait_until(lambda: page.evaluate("$('.ui-slider').eq(2).slider('value')") == pytest.approx(2 / 5))
 
 
 def test_a_slider_can_be_put_back_to_where_it_was_before_a_key_was_pressed(page, play):
@@ -389,8 +389,7 @@ def test_an_edited_csv_shows_up_and_its_objects_are_used_again(page, play, progr
     counts = set()
     for _ in range(3):
         csv_of(program).write_text(seven)
-        wait_until(lambda: len(page.evaluate(BOBS)) == 7)
-        assert values(page)[LIFTED] == "1 of 7"
+        wait_until(lambda: len(page.evaluate(BOBS)) == 7 and values(page)[LIFTED] == "1 of 7")
         counts.add(page.evaluate(shapes))
         csv_of(program).write_text(FIVE_CSV)
         wait_until(lambda: len(page.evaluate(BOBS)) == 5)
