@@ -2,7 +2,7 @@
 
 import csv
 import io
-from math import inf, nan
+from math import nan
 from pathlib import Path
 
 from support.constants import COLOR_MAP, TEXTURE_MAP
@@ -98,7 +98,7 @@ def to_number(text: str) -> float:
 # What a pendulum's cells must be, for each column: a test of the cell's text, and how to say what is allowed. The
 # columns theta and omega are not here: where a cradle starts does not depend on them.
 RULES = {
-    "mass": (lambda text: 0 < to_number(text) < inf, "a number above 0 (kg)"),
+    "mass": (lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (kg)"),
     "e": (lambda text: 0 <= to_number(text) <= 1, "a number from 0 to 1"),
     "color": (COLOR_MAP.__contains__, f"one of {', '.join(COLOR_MAP)}"),
     "texture": (TEXTURE_MAP.__contains__, f"one of {', '.join(TEXTURE_MAP)}"),

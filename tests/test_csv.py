@@ -14,7 +14,7 @@ from src.special_cradles import make_newton_cradle
 from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
 
 COLORS, TEXTURES = f"allowed is one of {', '.join(COLOR_MAP)}", f"allowed is one of {', '.join(TEXTURE_MAP)}"
-MASS, E = "allowed is a number above 0 (kg)", "allowed is a number from 0 to 1"
+MASS, E = "allowed is a number above 0 and up to 1e6 (kg)", "allowed is a number from 0 to 1"
 
 
 def cell(column, text):
@@ -80,6 +80,7 @@ NO_CRADLE = {
     "mass is text": (cell("mass", "heavy"), f", line 3, column mass: found 'heavy', {MASS}"),
     "mass is empty": (cell("mass", ""), f", line 3, column mass: found nothing, {MASS}"),
     "mass is nan": (cell("mass", "nan"), f", line 3, column mass: found 'nan', {MASS}"),
+    "mass is beyond reckoning": (cell("mass", "1e7"), f", line 3, column mass: found '1e7', {MASS}"),
     "mass is infinite": (cell("mass", "inf"), f", line 3, column mass: found 'inf', {MASS}"),
     "mass overflows": (cell("mass", "1e400"), f", line 3, column mass: found '1e400', {MASS}"),
     "mass is zero": (cell("mass", "0"), f", line 3, column mass: found '0', {MASS}"),
