@@ -20,6 +20,7 @@ from support.cradle_csv import check_cradle
 from support.shapes import discard
 
 HAND = 1e9  # kg: a bob that is held throws others back like a wall
+GRIP = 10  # ticks after which it is put back to where it is held; until then it falls by a thousandth of a degree
 
 
 class LiveCradle:
@@ -83,8 +84,8 @@ class LiveCradle:
         pend = self.pend_list[self.held]
         theta, mass = pend["theta"], pend["mass"]
         pend["mass"] = HAND
-        for _ in range(ticks):
-            self.advance_cradle(self.pend_list, R_PARAM, DT, G, 1, approaching_only)
+        for start in range(0, ticks, GRIP):
+            self.advance_cradle(self.pend_list, R_PARAM, DT, G, min(GRIP, ticks - start), approaching_only)
             pend["theta"], pend["omega"] = theta, 0.0
         pend["mass"] = mass
         self.show()
