@@ -68,7 +68,7 @@ class Panel:
             self.step.disabled = running
         self.speed.show(speed, f"{speed:.1f}x")
         for setting, angle in zip(self.angles, angles, strict=True):
-            setting.show(angle, f"{angle:g}&deg;")
+            setting.show(angle, f"{angle:.4g}&deg;")
         self.lifted.show(lifted / count, f"{lifted} of {count}")
 
     def show_motion(self, time, kinetic, potential, start, momentum, kept_up) -> None:

@@ -1,15 +1,20 @@
 """Cradles for the suites: CSV text, single pendula made by hand, and whole projects."""
 
 import shutil
+from math import pi, sqrt
 from pathlib import Path
 
 from vpython import color, vector
 
+from support.constants import G, R_PARAM
 from support.pendulum import make_pendulum
 
 ROOT = Path(__file__).parents[1]
 
 R = 0.4  # m, not the shipped cord length, so that a constant in place of the parameter shows
+
+# Of a small swing at the shipped constants (s), so that tests wait as long as it takes after someone has edited them.
+PERIOD = 2 * pi * sqrt(R_PARAM / G)
 
 # Five equal elastic pendula, as the shipped file has them until someone edits it.
 HEADER, GOOD = "mass,e,theta,omega,color,texture\n", "1.0,1.0,0.0,0.0,red,metal\n"
