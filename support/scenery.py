@@ -88,15 +88,15 @@ def view(points) -> None:
     forward = norm(scene.forward)
     sideways = norm(cross(forward, scene.up))
     upwards = cross(sideways, forward)
-    scene.center = vector(0, 0, 0)
+    center = vector(0, 0, 0)
     for direction in (forward, sideways, upwards):
         places = [dot(point, direction) for point in points]
-        scene.center += direction * (min(places) + max(places)) / 2
+        center += direction * (min(places) + max(places)) / 2
     shorter = min(scene.width, scene.height)
+    scene.center = center  # once, as each setting goes to the page
     scene.range = MARGIN * max(
-        abs(dot(point - scene.center, direction)) * shorter / side
-        - dot(point - scene.center, forward) * tan(scene.fov / 2)
-        for point in points
+        abs(dot(arm, direction)) * shorter / side - dot(arm, forward) * tan(scene.fov / 2)
+        for arm in [point - center for point in points]
         for direction, side in ((sideways, scene.width), (upwards, scene.height))
     )
 
