@@ -5,6 +5,7 @@ from math import acos, atan2, ceil, copysign, hypot, pi, sin
 from vpython import mag
 
 from src.swinging import swing_update
+from support.constants import BUFFER
 
 STEP = 0.02  # rad: a bob is dragged no further than this before it pushes, or it could get past its neighbour
 
@@ -42,7 +43,7 @@ def touching_theta(pusher, pend, r_param) -> float | None:
     """
     axle, bob, _ = pend["objects"]
     other = pusher["objects"][1]
-    touching = 1.05 * (bob.radius + other.radius)
+    touching = BUFFER * (bob.radius + other.radius)
     if mag(bob.pos - other.pos) > touching:
         return None
     x, down = other.pos.x - axle.pos.x, axle.pos.y - other.pos.y

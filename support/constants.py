@@ -21,6 +21,9 @@ DT = 0.0001
 # away from the others, which would be in its way on the right.
 THETA_INIT = -pi / 4
 
+# Two bobs collide where their centres are within this many times the sum of their radii: the handout's little buffer.
+BUFFER = 1.05
+
 # What may stand in the CSV's color column: every color of VPython by name, as VPython's vector of red, green and blue.
 COLOR_MAP = {
     "black": color.black,

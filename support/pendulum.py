@@ -5,6 +5,7 @@ from typing import TypedDict
 
 from vpython import box, cylinder, sphere, vector
 
+from support.constants import BUFFER
 from support.shapes import make_shape
 
 
@@ -26,9 +27,9 @@ def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere
     axle_pos is a vector (m), r_param the cord length (m), theta the angle (rad), color a VPython color (a vector),
     and texture a VPython texture or None.
     """
-    # A hit counts at 1.05 x the sum of the radii, and axles are r_param/4 apart. At this radius bobs that hang at rest
-    # are just outside one another's reach; were they inside, their velocities would be swapped on every tick.
-    radius = 0.9995 * r_param / 8 / 1.05
+    # A hit counts at BUFFER x the sum of the radii, and axles are r_param/4 apart. At this radius bobs that hang at
+    # rest are just outside one another's reach; were they inside, their velocities would be swapped on every tick.
+    radius = 0.9995 * r_param / 8 / BUFFER
     arm = vector(r_param * sin(theta), -r_param * cos(theta), 0)
     axle_size, axle_color = vector(r_param / 16, r_param / 32, r_param / 2), vector(0.3, 0.3, 0.32)
     axle = make_shape(box, pos=axle_pos, size=axle_size, color=axle_color)

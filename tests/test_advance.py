@@ -5,25 +5,37 @@ import random
 import subprocess
 import sys
 from importlib.machinery import PathFinder
+from math import cos, pi, sin
 
 import pytest
 from cradles import components, FIVE_CSV, hang, R, ROOT, row
 
-from src.visualize_cradle_run import advance_cradle, newton_cradle_tick
+from src.swinging import angle_update
+from src.visualize_cradle_run import advance_cradle, free_ticks, newton_cradle_tick
 
+SEEDS = 40
 DT, G = 1e-4, 9.81  # s, m/s^2: what comes when, below, is to stay so whatever becomes of the shipped ones
 
 
 def random_cradle(seed):
-    """Return pendula of any mass, e, angle, radius and place, in a row of 1 to 12, and the number of ticks."""
+    """Return pendula of any mass, e, angle, radius and place, in a row of 1 to 12, and what they are advanced by.
+
+    In every second cradle each pendulum swings almost like the one before it, as bobs do that were lifted together.
+    """
     dice = random.Random(seed)
     pend_list = []
     for i in range(dice.randint(1, 12)):
-        values = {"theta": dice.uniform(-1, 1), "omega": dice.uniform(-5, 5), "e": dice.choice([0, 1, dice.random()])}
+        theta, omega = dice.uniform(-1, 1), dice.choice([1, 1, 20]) * dice.uniform(-5, 5)
+        if seed % 2 and i:
+            before, spread = pend_list[-1], dice.choice([0, 1e-6, 1e-3])
+            theta, omega = (before[key] + dice.uniform(-spread, spread) for key in ("theta", "omega"))
+        values = {"theta": theta, "omega": omega, "e": dice.choice([0, 1, dice.random()])}
         axle = (i * R / 4, dice.choice([0, 0.01]), dice.choice([0, 0.01]))
         pend_list.append(hang(**values, mass=10 ** dice.uniform(-2, 2), axle=axle))
-        pend_list[-1]["objects"][1].radius *= dice.uniform(0.5, 1.1)
-    return pend_list, dice.choice([1, 10, 500, 2000])
+        pend_list[-1]["objects"][1].radius *= dice.choice([1, dice.uniform(0.5, 1.1)])
+    ticks = dice.choice([1, 10, 500, 2000, 5000])
+    dt, g = dice.choice([(DT, G), (DT, G), (10 * DT, G), (1000 * DT, G), (DT, 0), (0, G), (DT, 1000)])
+    return pend_list, {"r_param": R, "dt": dt, "g": g, "ticks": ticks}
 
 
 def state(pend_list):
@@ -33,13 +45,13 @@ def state(pend_list):
 
 
 @pytest.mark.parametrize("approaching_only", [False, True])
-@pytest.mark.parametrize("seed", range(25))
+@pytest.mark.parametrize("seed", range(SEEDS))
 def test_it_does_to_the_last_bit_what_so_many_ticks_do(seed, approaching_only):
-    at_once, ticks = random_cradle(seed)
-    one_by_one, _ = random_cradle(seed)
-    told = advance_cradle(at_once, R, DT, G, ticks, approaching_only)
-    for _ in range(ticks):
-        newton_cradle_tick(one_by_one, R, DT, G, approaching_only)
+    at_once, by = random_cradle(seed)
+    told = advance_cradle(at_once, **by, approaching_only=approaching_only)
+    one_by_one, by = random_cradle(seed)
+    for _ in range(by.pop("ticks")):
+        newton_cradle_tick(one_by_one, **by, approaching_only=approaching_only)
     assert state(at_once) == state(one_by_one)
     assert told == sorted(told)
     assert {left for _, left in told} <= set(range(len(at_once) - 1))
@@ -48,11 +60,11 @@ def test_it_does_to_the_last_bit_what_so_many_ticks_do(seed, approaching_only):
 def test_the_random_cradles_are_worth_it():
     """In many of them bobs hit, and in some of them two that part do, so that the two rules differ."""
     hits = differ = 0
-    for seed in range(25):
+    for seed in range(SEEDS):
         ends = []
         for approaching_only in (False, True):
-            pend_list, ticks = random_cradle(seed)
-            hits += bool(advance_cradle(pend_list, R, DT, G, ticks, approaching_only))
+            pend_list, by = random_cradle(seed)
+            hits += bool(advance_cradle(pend_list, **by, approaching_only=approaching_only))
             ends.append(state(pend_list))
         differ += ends[0] != ends[1]
     assert hits > 20
@@ -82,6 +94,40 @@ def test_it_tells_of_contacts_in_their_order():
 def test_bobs_that_touch_without_a_change_are_no_contact():
     pair = hang(omega=1.0), hang(omega=1.0, axle=(R / 8, 0, 0))
     assert advance_cradle(list(pair), R, DT, 0, 10) == []
+
+
+def test_a_contact_that_only_the_right_bob_notices_is_told():
+    pair = [hang(omega=1.0, mass=1e20), hang(axle=(R / 8, 0, 0))]
+    assert advance_cradle(pair, R, DT, 0, 1, approaching_only=True) == [(0, 0)]
+    assert [pend["omega"] for pend in pair] == [1, pytest.approx(2)]
+
+
+@pytest.mark.parametrize("g", [0, G])
+@pytest.mark.parametrize(("angle", "velocity"), [(1e-6, 1e-6), (0.1, 0.1), (3, 0.001), (1, 5), (0.01, 5), (3, 50)])
+def test_no_two_bobs_touch_while_they_are_said_to_be_free(angle, velocity, g):
+    """Bobs that fly straight at each other, and come closer by so much in so many ticks, are free for fewer ticks.
+
+    Slow ones without gravity, side by side, are free for one tick fewer: there is no time to be lost.
+    """
+    dice = random.Random(1)
+    for _ in range(50):
+        theta1, theta2 = (dice.choice([0, pi / 2, pi]) + angle * dice.uniform(-1, 1) for _ in range(2))
+        omega1, omega2 = (velocity * dice.choice([0, 1, dice.uniform(-1, 1)]) for _ in range(2))
+        state = theta1, theta2, omega1, omega2
+        before = arm(theta2) - arm(theta1)
+        for tick in range(1, 150):
+            omega1, theta1 = angle_update(omega1, theta1, R, DT, g)
+            omega2, theta2 = angle_update(omega2, theta2, R, DT, g)
+            closer = abs(arm(theta2) - arm(theta1) - before)
+            free = free_ticks(closer, *state, R, DT, g)
+            assert free < tick, (tick, state)
+            if velocity == 1e-6 and g == 0 and abs(theta1 - theta2) < 0.1 and closer > 1e-11:
+                assert free == tick - 1
+
+
+def arm(theta):
+    """Return where a bob is, as seen from its axle (m), as a complex number."""
+    return R * (sin(theta) - 1j * cos(theta))
 
 
 PROGRAM = """
