@@ -77,8 +77,8 @@ def advance_cradle(pend_list, r_param, dt, g, ticks, approaching_only=False) -> 
     axle_places = [(axle.pos.x, axle.pos.y, axle.pos.z) for axle in axles]
     reaches = [BUFFER * (bob1.radius + bob2.radius) for bob1, bob2 in pairwise(bobs)]
     swung = [0] * len(pend_list)  # how many ticks each pendulum has swung
-    looks = [(0, left) for left in range(len(reaches))]  # a heap: in which tick to look at which pair, and ...
-    due = [0] * len(reaches)  # ... which of its entries for a pair counts
+    looks = [(0, left) for left in range(len(reaches))]  # a heap: in which tick to look at which pair (its left one)
+    due = [0] * len(pend_list)  # which of the entries for a pair counts; the last pendulum, or -1, has no pair
     contacts = []
 
     def swing(i, until):
@@ -99,24 +99,21 @@ def advance_cradle(pend_list, r_param, dt, g, ticks, approaching_only=False) -> 
         tick, left = heappop(looks)
         if tick != due[left]:
             continue
-        right = left + 1
+        right, free = left + 1, 0
         (x1, y1, z1), (x2, y2, z2) = swing(left, tick + 1), swing(right, tick + 1)
         distance = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2)
         theta1, theta2, omega1, omega2 = thetas[left], thetas[right], omegas[left], omegas[right]
         if distance > reaches[left]:
             free = free_ticks(distance - reaches[left], theta1, theta2, omega1, omega2, r_param, dt, g)
-            plan(left, tick + 1 + free)
-            continue
-        plan(left, tick + 1)
-        if approaching_only and omega1 * cos(theta1) <= omega2 * cos(theta2):
-            continue
-        e, m1, m2 = pend_list[left]["e"], pend_list[left]["mass"], pend_list[right]["mass"]
-        omegas[left], omegas[right] = handle_collision(e, omega1, omega2, m1, m2, r_param)
-        if (omegas[left], omegas[right]) != (omega1, omega2):
-            contacts.append((tick, left))
-            for neighbour in (left - 1, right):  # the pairs for which the plan was made with other velocities
-                if 0 <= neighbour < len(due) and due[neighbour] > tick + 1:
-                    plan(neighbour, tick + 1)
+        elif not approaching_only or omega1 * cos(theta1) > omega2 * cos(theta2):
+            e, m1, m2 = pend_list[left]["e"], pend_list[left]["mass"], pend_list[right]["mass"]
+            omegas[left], omegas[right] = handle_collision(e, omega1, omega2, m1, m2, r_param)
+            if (omegas[left], omegas[right]) != (omega1, omega2):
+                contacts.append((tick, left))
+                for neighbour in (left - 1, right):  # the plan for these two was made with other velocities
+                    if due[neighbour] > tick + 1:
+                        plan(neighbour, tick + 1)
+        plan(left, tick + 1 + free)
 
     if ticks:
         for i, pend_dict in enumerate(pend_list):

@@ -1,6 +1,6 @@
-"""What the laws of motion say about a cradle: its energy and its momentum, from theta, omega and the masses."""
+"""What the laws of motion say about a cradle: its energy and momentum, and exact figures to hold a tick against."""
 
-from math import cos
+from math import cos, pi, sqrt
 
 
 def kinetic_energy(pend_list, r_param) -> float:
@@ -19,3 +19,25 @@ def potential_energy(pend_list, r_param, g) -> float:
 def momentum(pend_list, r_param) -> float:
     """Return the sum of m v cos(theta) (kg m/s) over the bobs: the momentum to the right, with v = r_param omega."""
     return sum(pend["mass"] * r_param * pend["omega"] * cos(pend["theta"]) for pend in pend_list)
+
+
+def exact_period(theta_max, r_param, g) -> float:
+    """Return the time (s) in which a pendulum that is let go at theta_max (rad) comes back, at any theta_max below pi.
+
+    It is 4 sqrt(R / g) K(sin(theta_max / 2)), K being the complete elliptic integral of the first kind, and
+    K(k) = pi / (2 M(1, sqrt(1 - k^2))), M being the arithmetic-geometric mean: https://dlmf.nist.gov/19.8.E5.
+    r_param (m) is the cord length R, g (m/s^2) the gravitational acceleration.
+    """
+    arithmetic, geometric = 1.0, cos(theta_max / 2)
+    while arithmetic - geometric > 1e-15:
+        arithmetic, geometric = (arithmetic + geometric) / 2, sqrt(arithmetic * geometric)
+    return 2 * pi * sqrt(r_param / g) / arithmetic
+
+
+def energy_left(e, hits) -> float:
+    """Return which part of the energy two equal bobs have after so many hits, if one comes down on the other at rest.
+
+    Half of it is in their common motion, which a hit does not change; of the other half each hit leaves e squared, as
+    it makes them part at e times the speed at which they met: 1/2 + e^(2 hits) / 2.
+    """
+    return 1 / 2 + e ** (2 * hits) / 2

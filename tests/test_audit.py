@@ -1,11 +1,11 @@
-"""Energy and momentum, against figures worked out by hand for masses, angles and velocities that differ."""
+"""Energy, momentum and exact figures, against what is worked out by hand, or known."""
 
-from math import pi
+from math import pi, radians, sqrt
 
 import pytest
 from cradles import hang
 
-from support.audit import kinetic_energy, momentum, potential_energy
+from support.audit import energy_left, exact_period, kinetic_energy, momentum, potential_energy
 
 LENGTH, G = 0.5, 10.0  # m, m/s^2
 PENDULA = [hang(theta=pi / 3, omega=4.0, mass=3.0), hang(theta=pi / 2, omega=-2.0, mass=1.0), hang(mass=5.0)]
@@ -24,3 +24,26 @@ def test_potential_energy():
 def test_momentum():
     """To the right: half of the first bob's velocity, and nothing of the second one's, which moves straight down."""
     assert momentum(PENDULA, LENGTH) == pytest.approx(3 * 2 * 0.5)
+
+
+def test_the_period_of_a_small_swing():
+    assert exact_period(1e-9, LENGTH, G) == pytest.approx(2 * pi * sqrt(LENGTH / G), rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("degrees", "k"),
+    [
+        (60, 1.685750354812596),  # K(sin 30 degrees), and so on: Abramowitz and Stegun, table 17.2
+        (90, 1.854074677301372),
+        (170, 3.831741999784),
+    ],
+)
+def test_the_period_of_a_large_swing(degrees, k):
+    assert exact_period(radians(degrees), LENGTH, G) == pytest.approx(4 * sqrt(LENGTH / G) * k, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("e", "hits", "left"), [(0.5, 0, 1), (1, 9, 1), (0, 1, 0.5), (0.5, 1, 0.625), (0.5, 2, 0.53125)]
+)
+def test_the_energy_that_two_equal_bobs_have_left(e, hits, left):
+    assert energy_left(e, hits) == left
