@@ -1,16 +1,11 @@
 """Between the CSV and pend_list: one row of the file is one pendulum, a dictionary."""
 
-import errno
-import os
-import shutil
-from contextlib import suppress
-from pathlib import Path
-
 import pandas as pd
 
 from support.constants import NC_FP
 from support.cradle_csv import cleaned
 from support.pendulum import PendulumEntry
+from support.whole_file import whole_file
 
 # pandas reads floats to the last bit from 3.1 on (and warns when asked to); older ones have to be asked.
 EXACT_FLOATS = {} if tuple(map(int, pd.__version__.split(".")[:2])) >= (3, 1) else {"float_precision": "round_trip"}
@@ -35,20 +30,5 @@ def write_to_csv(pend_list, filepath=NC_FP) -> None:
     columns = [name for pend_dict in pend_list or [PendulumEntry.__annotations__] for name in pend_dict]
     columns = [name for name in dict.fromkeys(columns) if name != "objects"]  # each once, in their order
     df = pd.DataFrame(pend_list, columns=columns, dtype=object)
-    target = Path(filepath).resolve()  # behind a link: the link is to stay
-    unfinished = target.with_name(f".{target.name}.{os.getpid()}.tmp")
-    try:
-        if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):
-            raise OSError(errno.EACCES, "it is not a file, or is write-protected")
-        with open(unfinished, "w", encoding="utf-8", newline="") as file:
-            df.to_csv(file, index=False, lineterminator="\n")
-            file.flush()
-            os.fsync(file.fileno())
-        if target.exists():
-            shutil.copymode(target, unfinished)
-        os.replace(unfinished, target)
-    except OSError as error:
-        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(filepath)) from error
-    finally:
-        with suppress(OSError):  # it has its final name by now, or was never there
-            unfinished.unlink()
+    with whole_file(filepath) as file:
+        df.to_csv(file, index=False, lineterminator="\n")

@@ -1,0 +1,33 @@
+"""Files that are written whole, or not at all."""
+
+import errno
+import os
+import shutil
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+
+@contextmanager
+def whole_file(filepath):
+    """Yield a text file to write to, which takes filepath's place once it is complete on the disk.
+
+    After a crash, on a full disk, or if the body of the with statement ends early, what was there before still is.
+    Raises an OSError if filepath cannot be written.
+    """
+    target = Path(filepath).resolve()  # behind a link: the link is to stay
+    unfinished = target.with_name(f".{target.name}.{os.getpid()}.tmp")
+    try:
+        if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):
+            raise OSError(errno.EACCES, "it is not a file, or is write-protected")
+        with open(unfinished, "w", encoding="utf-8", newline="") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        if target.exists():
+            shutil.copymode(target, unfinished)
+        os.replace(unfinished, target)
+    except OSError as error:
+        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(filepath)) from error
+    finally:
+        with suppress(OSError):  # it has its final name by now, or was never there
+            unfinished.unlink()
