@@ -24,7 +24,7 @@ GRIP = 10  # ticks after which it is put back to where it is held; until then it
 
 
 class LiveCradle:
-    """A cradle of single pendula with the shipped constants, as support/viewer.py wants a cradle to be."""
+    """A cradle of single pendula with the shipped constants, as support/cradle.py wants a cradle to be."""
 
     dt = DT
     reach = R_PARAM
@@ -99,6 +99,10 @@ class LiveCradle:
         """Return the bobs, from left to right."""
         return [pend["objects"][1] for pend in self.pend_list]
 
+    def cords(self) -> list:
+        """Return the cords, from left to right."""
+        return [pend["objects"][2] for pend in self.pend_list]
+
     def hold(self, bob) -> None:
         """Hold this bob (an index into bobs) where it is, until let_go."""
         self.held = bob
@@ -124,3 +128,8 @@ class LiveCradle:
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""
         return momentum(self.pend_list, R_PARAM)
+
+    def coordinates(self) -> dict[str, float]:
+        """Return theta_1, theta_2, ... (rad) and omega_1, omega_2, ... (rad/s), from left to right."""
+        named = [(key, i, pend[key]) for key in ("theta", "omega") for i, pend in enumerate(self.pend_list, start=1)]
+        return {f"{key}_{i}": value for key, i, value in named}

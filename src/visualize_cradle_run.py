@@ -20,7 +20,7 @@ from support.closed_doors import page_sockets
 from support.constants import BUFFER
 from support.cradle_csv import check_cradle
 from support.live_file import LiveFile
-from support.options import check_lift, read_options
+from support.options import check_lift, read_page_options
 from support.page import open_page
 
 LONGEST = 1000  # ticks for which advance_cradle looks ahead, at most
@@ -144,9 +144,7 @@ def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
 
 def main() -> None:
     """Show a cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused."""
-    options = read_options(
-        "Newton's cradle in the browser, to play with. Save its CSV, and the page shows the new one."
-    )
+    options = read_page_options()
     file = LiveFile(options.csv)
     try:
         check_cradle(file.current)  # the viewer does so too, but by then a browser has been opened

@@ -19,6 +19,7 @@ class Command(Enum):
     COLLISIONS = auto()  # the name of one of the cradle's kinds of collisions
     SEPARATING = auto()  # whether separating bobs collide too
     GRAPH = auto()  # whether the graph is shown
+    SAVE = auto()  # the data since the last restart, to a file
     GRAB = auto()  # the bob under the mouse; the ray to it, as (a point on it, its direction)
     DRAG = auto()  # the bob that is held, to the ray
     LET_GO = auto()  # of the bob that is held

@@ -4,7 +4,7 @@ from collections import deque
 
 GAP = 0.005  # s: contacts that follow one another within this time belong to one train
 MOST = 12  # runs in a train: bobs that stay together go on touching for ever
-LONGEST = 36  # characters of a line
+LONGEST = 36  # characters of a line, beside the panel
 WHOLE = 9  # bobs: of a longer run only its ends are written
 
 
@@ -36,10 +36,19 @@ class ImpactTrains:
             pass_on(train[3], left + 1, left + 2, rightwards)
         train[1:3] = time, left
 
-    def lines(self) -> list[str]:
-        """Return a line for each train, the latest first: t = 0.71 s  1-2-3-4-5."""
-        lines = [f"t = {start:.2f} s  {'  '.join(map(written, runs))}" for start, _, _, runs in reversed(self.trains)]
-        return [line if len(line) <= LONGEST else line[: LONGEST - 3] + "..." for line in lines]
+    def lines(self, longest=LONGEST) -> list[str]:
+        """Return a line for each train, the latest first, of so many characters at most: t = 0.71 s  1-2-3-4-5."""
+        times = [f"t = {train[0]:.2f} s  " for train in reversed(self.trains)]
+        return [shortened(time + runs, longest) for time, runs in zip(times, self.runs(), strict=True)]
+
+    def runs(self) -> list[str]:
+        """Return the same without the times: 1-2-3-4-5."""
+        return ["  ".join(map(written, train[3])) for train in reversed(self.trains)]
+
+
+def shortened(line, longest) -> str:
+    """Return the line, or as much of it as may stand in so many characters."""
+    return line if len(line) <= longest else line[: longest - 3] + "..."
 
 
 def written(run) -> str:

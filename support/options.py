@@ -3,10 +3,11 @@
 import argparse
 import os
 import sys
-from math import degrees
+from math import degrees, inf
 
-from support.constants import NC_FP, THETA_INIT
+from support.constants import DT, NC_FP, THETA_INIT
 from support.cradle_csv import read_cells, RULES, to_number
+from support.recording import EVERY
 
 # What VPython takes the page's port from; --port comes before it.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
@@ -31,14 +32,11 @@ def allowed(kind, is_allowed, words):
     return convert
 
 
-def read_options(description, arguments=None) -> argparse.Namespace:
-    """Return the options on the command line (or in arguments): csv, elastic, inelastic, e, mass, angle (degrees),
-    lift, port and browser; e and mass are None where the CSV's are to be kept.
-    """
+def cradle_options(description) -> OneLineParser:
+    """Return a parser of what says which cradle it is, for each program to add its own options."""
     e, mass = (allowed(float, *RULES[column]) for column in ("e", "mass"))
     angle = allowed(float, lambda text: 0 <= to_number(text) <= 180, "a number from 0 to 180 (degrees)")
     lift = allowed(int, str.isdecimal, "a whole number, 0 or more")
-    port = allowed(int, lambda text: text.isdecimal() and int(text) <= 65534, "a whole number from 0 to 65534")
 
     parser = OneLineParser(description=description, allow_abbrev=False)
     add = parser.add_argument
@@ -51,11 +49,45 @@ def read_options(description, arguments=None) -> argparse.Namespace:
     text = "how far the first bobs are lifted, from 0 to 180 degrees (default: %(default)g)"
     add("--angle", type=angle, metavar="DEGREES", default=abs(degrees(THETA_INIT)), help=text)
     add("--lift", type=lift, metavar="K", default=1, help="how many bobs are lifted (default: %(default)d)")
+    return parser
+
+
+def read_page_options(arguments=None) -> argparse.Namespace:
+    """Return the options of the viewer, on the command line or in arguments: csv, elastic, inelastic, e, mass, angle
+    (degrees), lift, port and browser; e and mass are None where the CSV's are to be kept.
+    """
+    port = allowed(int, lambda text: text.isdecimal() and int(text) <= 65534, "a whole number from 0 to 65534")
+    parser = cradle_options(
+        "Newton's cradle in the browser, to play with. Save its CSV, and the page shows the new one."
+    )
+    add = parser.add_argument
     text = "port of the page on this machine; N + 1 is taken as well (default: any two that are free)"
     add("--port", type=port, metavar="N", default=os.environ.get(PORT_VARIABLE, "0"), help=text)
     text = "open no browser, only say where the page is"
     add("--no-browser", action="store_false", dest="browser", help=text)
     return parser.parse_args(arguments)
+
+
+def read_text_options(arguments=None) -> argparse.Namespace:
+    """Return the options of the cradle in the terminal: those of the cradle, seconds (inf without), record (a path, or
+    None) and every (s).
+    """
+    seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
+    every = allowed(float, lambda text: DT <= to_number(text) <= 1e6, f"a number from {DT:g} (one tick) to 1e6 (s)")
+    parser = cradle_options("Newton's cradle as moving text, in real time; or, with --record, its data in a file.")
+    add = parser.add_argument
+    add("--seconds", type=seconds, metavar="S", default=inf, help="end after S seconds (default: with Ctrl+C)")
+    text = "write a CSV with the S seconds of --seconds to FILE, as fast as the machine can, and show nothing"
+    add("--record", metavar="FILE", help=text)
+    text = f"with --record: a row for every S seconds (default: {EVERY:g})"
+    add("--every", type=every, metavar="S", help=text)
+    options = parser.parse_args(arguments)
+    if options.record and options.seconds == inf:
+        parser.error("argument --record: needs --seconds, to say how long")
+    if options.every and not options.record:
+        parser.error("argument --every: needs --record")
+    options.every = options.every or EVERY
+    return options
 
 
 def check_lift(lift, csv) -> None:

@@ -53,6 +53,8 @@ class Panel:
         self.readout, self.impacts = wtext(), wtext()
         end_row()
         self.graph = checkbox(text="Energy graph", checked=True, bind=lambda box: give(Command.GRAPH, box.checked))
+        self.save = button(text="Save data", bind=lambda: give(Command.SAVE))
+        self.saved = wtext()
 
     def show_error(self, message) -> None:
         """Show this message above everything else, until it is shown an empty one."""
@@ -71,15 +73,15 @@ class Panel:
             setting.show(angle, f"{angle:.4g}&deg;")
         self.lifted.show(lifted / count, f"{lifted} of {count}")
 
-    def show_motion(self, time, kinetic, potential, start, momentum, kept_up) -> None:
-        """Show the time (s), the energies (J) in percent of the one at the start, the momentum (kg m/s), and, if the
-        machine does not keep up, which part of the speed it reaches.
-        """
-        total, kinetic, potential = (in_percent(energy, start) for energy in (kinetic + potential, kinetic, potential))
+    def show_motion(self, reading, momentum, remark) -> None:
+        """Show the time and the energy, as Motion reads them, the momentum (kg m/s), and a remark about the speed."""
         moving = f"{momentum:+9.3f}" if abs(momentum) < 1e4 else f"{momentum:+9.2e}"
-        slow = f"   x{kept_up:.1f}" if kept_up < 0.95 else ""
-        text = f"t = {time:.2f} s".ljust(16) + f"energy {total} (kinetic {kinetic}, potential {potential})"
-        set_text(self.readout, f'<pre class="readout">{text}   momentum {moving} kg m/s{slow}</pre>')
+        text = f"{reading}   momentum {moving} kg m/s   {remark}".rstrip()
+        set_text(self.readout, f'<pre class="readout">{text}</pre>')
+
+    def show_saved(self, message) -> None:
+        """Show what has been saved, and where."""
+        set_text(self.saved, f'<span class="hint">{escape(message)}</span>')
 
     def show_impacts(self, lines) -> None:
         """Show the last trains of impacts, a line for each."""
@@ -100,12 +102,6 @@ class Setting:
         if self.slider.value != value:
             self.slider.value = value
         set_text(self.text, f'<span class="value">{text}</span>')
-
-
-def in_percent(energy, start) -> str:
-    """Return an energy in percent of the one at the start, as text that is always equally wide."""
-    percent = 100 * energy / start if start else 0.0
-    return f"{percent:6.2f} %" if percent < 1000 else " > 999 %"
 
 
 def add_label(text) -> None:

@@ -64,3 +64,7 @@ class RealTime:
     def rest(self) -> None:
         """Sleep until the next frame is due."""
         self.sleep(max(0, self.frame_start + FRAME - self.clock()))
+
+    def remark(self) -> str:
+        """Return which part of the speed the machine reaches, as in x0.6, or nothing where it keeps up."""
+        return f"x{self.kept_up:.1f}" if self.kept_up < 0.95 else ""

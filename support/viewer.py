@@ -1,68 +1,22 @@
 """The viewer: shows a cradle in step with the clock, and does with it what the person in front of the page asks for."""
 
 import time
-from collections.abc import Sequence
 from math import inf
+from pathlib import Path
 from queue import SimpleQueue
-from typing import Any, Protocol
 
 from vpython import baseObj, cross, dot, mag, scene
 
 from support.commands import Command, KEYS
-from support.energy_graph import EnergyGraph, INTERVAL
-from support.impacts import ImpactTrains
+from support.cradle import Cradle
+from support.energy_graph import EnergyGraph
+from support.motion import Motion
 from support.panel import IMPACTS, Panel
 from support.real_time import FRAME, RealTime
+from support.recording import EVERY, Recording
 from support.scenery import CANVAS_WIDTH, Scenery
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
-
-
-class Cradle(Protocol):
-    """What the viewer is told about a cradle and asks of it. What is inside a pendulum is none of its business."""
-
-    dt: float  # one tick (s)
-    reach: float  # how far below its axle a pendulum hangs (m)
-    angles: Sequence[str]  # the names of its release angles
-    collisions: dict[str, Any]  # the names of the ways in which it can collide are the keys
-    collision: str  # the present one of them
-    held: int | None  # which of its bobs is held
-
-    def load(self, csv) -> None:
-        """Build the cradle anew from a Snapshot, or raise a ValueError and stay as it was."""
-
-    def release(self, angles, lifted) -> None:
-        """Lift the first pendula to these angles (degrees), let the others hang, all at rest."""
-
-    def collide(self, collision) -> None:
-        """Collide from now on in this way, one of collisions."""
-
-    def advance(self, ticks, approaching_only) -> list[tuple[int, int]]:
-        """Move on by so many ticks; return the contacts as (tick, index of the left pendulum)."""
-
-    def axles(self) -> list:
-        """Return the axles, from left to right."""
-
-    def bobs(self) -> list:
-        """Return all bobs that can be dragged."""
-
-    def hold(self, bob) -> None:
-        """Hold this bob, an index into bobs, where it is."""
-
-    def drag(self, bob, x, y) -> None:
-        """Drag this bob, which is held, as near as it can come to x, y (m) in the plane of swing."""
-
-    def let_go(self) -> None:
-        """Let go of the bob that is held, if there is one."""
-
-    def energies(self) -> tuple[float, float]:
-        """Return the kinetic and the potential energy (J)."""
-
-    def velocities(self) -> list[float]:
-        """Return the velocities of the pendula's bobs to the right (m/s)."""
-
-    def momentum(self) -> float:
-        """Return the momentum to the right (kg m/s)."""
 
 
 class Viewer:
@@ -78,12 +32,13 @@ class Viewer:
         self.pace = RealTime(cradle.dt)
         self.running, self.separating = True, False
         self.angles, self.lifted = list(angles), lifted
-        self.trains = ImpactTrains(IMPACTS)
+        self.recording = Recording()
         self.next_refresh = -inf
 
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle)
         self.graph = EnergyGraph(CANVAS_WIDTH - 26)  # its borders, in panel.html
+        self.motion = Motion(cradle, IMPACTS)
         self.load()
         self.listen()
         while not baseObj.empty():  # what the page has not fetched yet
@@ -108,7 +63,7 @@ class Viewer:
         else:
             self.pace.restart()
         if self.cradle.held is not None:
-            self.set_start()
+            self.motion.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
         self.show_motion()
 
@@ -164,7 +119,9 @@ class Viewer:
                 self.drag(*value)
             case Command.LET_GO if self.cradle.held is not None:
                 self.cradle.let_go()
-                self.set_start()
+                self.motion.set_start()
+            case Command.SAVE:
+                self.save()
             case Command.RESIZE:
                 self.scenery.point_camera()
         self.show_settings()
@@ -174,15 +131,19 @@ class Viewer:
         self.cradle.let_go()
         self.cradle.release(self.angles, self.lifted)
         self.scenery.come_closer()
-        self.ticks = 0
-        self.trains.clear()
-        self.set_start()
+        self.motion.restart()
+        self.recording.clear()
         self.graph.clear()
-        self.graph.add(0.0, *self.cradle.energies())
+        self.note()
 
-    def set_start(self) -> None:
-        """Take the energy of this moment as that of the start, which is 100 %."""
-        self.start_energy = sum(self.cradle.energies())
+    def save(self) -> None:
+        """Write what has happened since the last restart to a file in the folder where the program was started."""
+        try:
+            path = self.recording.save(Path.cwd())
+            self.panel.show_saved(f"{len(self.recording.rows)} samples are in {path}")
+        except OSError as error:
+            self.panel.show_saved(f"{error.filename}: {error.strerror}")
+        self.pace.restart()  # a long file takes a second, which is not made up for
 
     # --- the mouse ---------------------------------------------------------------------------------------------------
 
@@ -204,21 +165,20 @@ class Viewer:
 
     # --- time, and the file ------------------------------------------------------------------------------------------
 
-    def elapsed(self) -> float:
-        """Return the simulated time since the bobs were let go (s)."""
-        return self.ticks * self.cradle.dt
-
     def advance(self, ticks) -> None:
-        """Move the cradle on by so many ticks, in parts that are short enough for the graph to be smooth."""
-        longest = round(INTERVAL / self.cradle.dt)
+        """Move the cradle on by so many ticks, from sample to sample."""
+        from_sample_to_sample = max(1, round(EVERY / self.cradle.dt))
         while ticks > 0:
-            part, velocities = min(ticks, longest), self.cradle.velocities()
-            for tick, left in self.cradle.advance(part, not self.separating):
-                rightwards = velocities[left] + velocities[left + 1] > 0
-                self.trains.add(self.elapsed() + (tick + 1) * self.cradle.dt, left, rightwards)
-            self.ticks += part
+            part = min(ticks, from_sample_to_sample - self.motion.ticks % from_sample_to_sample)
+            self.motion.advance(part, not self.separating)
             ticks -= part
-            self.graph.add(self.elapsed(), *self.cradle.energies())
+            if self.motion.ticks % from_sample_to_sample == 0:
+                self.note()
+
+    def note(self) -> None:
+        """Add this moment to the recording and to the graph."""
+        self.recording.add(self.motion.sample())
+        self.graph.add(self.motion.time(), *self.cradle.energies())
 
     def load(self) -> None:
         """Build the cradle of the file as it is now, and let it go."""
@@ -248,8 +208,6 @@ class Viewer:
         if self.pace.clock() < self.next_refresh:
             return
         self.next_refresh = self.pace.clock() + REFRESH
-        kinetic, potential = self.cradle.energies()
-        momentum, kept_up = self.cradle.momentum(), self.pace.kept_up
-        self.panel.show_motion(self.elapsed(), kinetic, potential, self.start_energy, momentum, kept_up)
-        self.panel.show_impacts(self.trains.lines())
+        self.panel.show_motion(self.motion.reading(), self.cradle.momentum(), self.pace.remark())
+        self.panel.show_impacts(self.motion.trains.lines())
         self.graph.draw()

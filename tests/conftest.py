@@ -1,5 +1,9 @@
 """What all suites share: they run on the headless stand-in for VPython, and meet VPython itself in other processes."""
 
+import os
+import subprocess
+import sys
+
 import pytest
 
 from support import headless_vpython
@@ -14,6 +18,18 @@ from programs import ARGUMENTS, CHROMIUM, PROGRAM, SECONDS
 def program(tmp_path):
     """The program in a project of its own, with five equal bobs, whatever has become of the shipped CSV."""
     return copy_project(tmp_path, FIVE_CSV) / "src" / PROGRAM.name
+
+
+@pytest.fixture
+def run(tmp_path):
+    """A function that runs Python in another folder, with no VPython to be found."""
+    (tmp_path / "vpython.py").write_text("raise ModuleNotFoundError('VPython is not installed')\n")
+
+    def run(*arguments):
+        environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+        return subprocess.run([sys.executable, *arguments], cwd=os.sep, env=environment, capture_output=True, text=True)
+
+    return run
 
 
 @pytest.fixture(scope="session")

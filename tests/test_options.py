@@ -1,14 +1,16 @@
 """The command line: what it takes, what it refuses and in which words."""
 
+from math import inf
+
 import pytest
 from cradles import FIVE_CSV
 
-from support.constants import NC_FP, THETA_INIT
-from support.options import check_lift, PORT_VARIABLE, read_options
+from support.constants import DT, NC_FP, THETA_INIT
+from support.options import check_lift, PORT_VARIABLE, read_page_options, read_text_options
 
 
 def read(line):
-    return vars(read_options("A test.", line.split()))
+    return vars(read_page_options(line.split()))
 
 
 @pytest.fixture(autouse=True)
@@ -45,6 +47,55 @@ DEFAULTS = {
 )
 def test_what_it_takes(line, changed):
     assert read(line) == {**DEFAULTS, **changed}
+
+
+TEXT_DEFAULTS = {
+    **{name: value for name, value in DEFAULTS.items() if name not in ("port", "browser")},
+    "seconds": inf,
+    "record": None,
+    "every": 0.01,
+}
+
+
+@pytest.mark.parametrize(
+    ("line", "changed"),
+    [
+        ("", {}),
+        (
+            "--inelastic --mass 2 --angle 5 --lift 2 my.csv",
+            {"inelastic": True, "mass": 2.0, "angle": 5.0, "lift": 2, "csv": "my.csv"},
+        ),
+        ("--seconds 2.5", {"seconds": 2.5}),
+        ("--seconds 60 --record data.csv", {"seconds": 60.0, "record": "data.csv"}),
+        ("--seconds 60 --record data.csv --every 0.5", {"seconds": 60.0, "record": "data.csv", "every": 0.5}),
+    ],
+)
+def test_what_the_cradle_in_the_terminal_takes(line, changed):
+    assert vars(read_text_options(line.split())) == {**TEXT_DEFAULTS, **changed}
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("--seconds 0", "argument --seconds: found '0', allowed is a number above 0 and up to 1e6 (s)"),
+        ("--seconds inf", "argument --seconds: found 'inf', allowed is a number above 0 and up to 1e6 (s)"),
+        ("--record data.csv", "argument --record: needs --seconds, to say how long"),
+        ("--every 0.1", "argument --every: needs --record"),
+        ("--every 0.1 --seconds 5", "argument --every: needs --record"),
+        (
+            f"--record data.csv --seconds 5 --every {DT / 2}",
+            f"argument --every: found '{DT / 2}', allowed is a number from {DT:g} (one tick) to 1e6 (s)",
+        ),
+        ("--no-browser", "unrecognized arguments: --no-browser"),
+    ],
+)
+def test_what_the_cradle_in_the_terminal_refuses_in_one_line(line, message, capsys):
+    with pytest.raises(SystemExit) as refused:
+        read_text_options(line.split())
+    stdout, stderr = capsys.readouterr()
+    assert (refused.value.code, stdout) == (2, "")
+    assert stderr.endswith(f": error: {message} (--help shows all options)\n")
+    assert stderr.count("\n") == 1
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,6 @@
 """The programs, as far as they need no browser: pds_tester.py, importing the viewer, and what its main does."""
 
 import ast
-import os
 import subprocess
 import sys
 from contextlib import contextmanager
@@ -15,18 +14,6 @@ from src import visualize_cradle_run
 from src.special_cradles import make_newton_cradle
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.viewer import Viewer
-
-
-@pytest.fixture
-def run(tmp_path):
-    """A function that runs Python in another folder, with no VPython to be found."""
-    (tmp_path / "vpython.py").write_text("raise ModuleNotFoundError('VPython is not installed')\n")
-
-    def run(*arguments):
-        environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
-        return subprocess.run([sys.executable, *arguments], cwd=os.sep, env=environment, capture_output=True, text=True)
-
-    return run
 
 
 def test_pds_tester_shows_each_step_without_vpython(run, tmp_path):

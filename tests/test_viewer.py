@@ -3,23 +3,27 @@
 The wall clock is the test's, so that time passes only when a test lets it.
 """
 
+import os
 import re
 from itertools import pairwise
-from math import pi
+from math import copysign, pi
 from types import SimpleNamespace
 
+import pandas as pd
 import pytest
 from cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD
 from vpython import cylinder, scene, vector, wtext
 
 from src.live_cradle import LiveCradle
+from src.special_cradles import make_newton_cradle
 from src.visualize_cradle_run import advance_cradle
 from support.commands import Command
-from support.constants import G, R_PARAM
+from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.energy_graph import HIDING, INTERVAL, SPAN
 from support.live_file import LiveFile, POLL
 from support.panel import PAGE
 from support.real_time import FRAME, RealTime
+from support.recording import EVERY
 from support.scenery import CANVAS_WIDTH
 from support.viewer import Viewer
 
@@ -119,25 +123,25 @@ def test_step_moves_by_one_frame_while_paused(wall, speed):
     set_slider(wall.panel.speed, speed)
     wall.panel.pause.bind()
     wall.wait()
-    ticks = wall.viewer.ticks
+    ticks = wall.viewer.motion.ticks
     wall.panel.step.bind()
     wall.wait(1)
-    assert wall.viewer.ticks - ticks == round(speed * FRAME / wall.viewer.cradle.dt)
+    assert wall.viewer.motion.ticks - ticks == round(speed * FRAME / wall.viewer.cradle.dt)
 
 
 def test_step_does_nothing_while_running(wall):
     wall.panel.step.bind()
     wall.wait()
-    assert wall.viewer.ticks == 0
+    assert wall.viewer.motion.ticks == 0
 
 
 def test_restart(wall):
     at_start = wall.thetas()
     wall.wait(PERIOD)
-    assert wall.viewer.trains.lines()
+    assert wall.viewer.motion.trains.lines()
     wall.panel.restart.bind()
     wall.wait()
-    assert (wall.thetas(), wall.time(), wall.viewer.trains.lines()) == (at_start, 0, [])
+    assert (wall.thetas(), wall.time(), wall.viewer.motion.trains.lines()) == (at_start, 0, [])
 
 
 @pytest.mark.parametrize("speed", [0.1, 2])
@@ -263,7 +267,7 @@ def test_what_passed_before_it_ran_is_not_owed(wall, monkeypatch):
     monkeypatch.setattr(wall.viewer.pace, "rest", rest)
     with pytest.raises(KeyboardInterrupt):
         wall.viewer.run()
-    assert wall.viewer.ticks == 0
+    assert wall.viewer.motion.ticks == 0
 
 
 # --- dragging --------------------------------------------------------------------------------------------------------
@@ -336,12 +340,12 @@ def test_a_click_beside_the_bobs_begins_no_new_hundred_percent(wall, dragged):
     if dragged:
         wall.mouse("mousedown", bob)
         wall.mouse("mouseup", bob)
-    start = wall.viewer.start_energy
+    start = wall.viewer.motion.start_energy
     wall.viewer.cradle.collide("inelastic, e = 0")
     wall.wait(1)
     wall.mouse("mousedown", bob + vector(1, 0, 0))
     wall.mouse("mouseup", bob + vector(1, 0, 0))
-    assert wall.viewer.start_energy == start
+    assert wall.viewer.motion.start_energy == start
 
 
 def test_restart_lets_go_of_the_bob(wall):
@@ -399,6 +403,65 @@ def test_a_cradle_that_is_made_anew_lets_go_of_the_bob(wall, csv):
     assert wall.viewer.cradle.held is None
 
 
+# --- data to take away -----------------------------------------------------------------------------------------------
+
+
+def saved(wall):
+    """Press the button, and return the data of the file of which the page then says that it holds them."""
+    wall.panel.save.bind()
+    wall.wait()
+    count, path = re.fullmatch(r'<span class="hint">(\d+) samples are in (.*)</span>', wall.panel.saved.text).groups()
+    data = pd.read_csv(path)
+    assert len(data) == int(count)
+    return data
+
+
+def test_what_has_been_seen_is_saved_where_the_program_was_started(wall, csv, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    wall.wait(2)
+    data = saved(wall)
+    assert sorted(os.listdir(tmp_path)) == ["cradle.csv", "cradle_data_1.csv"]
+    assert data["t"].to_list() == pytest.approx([EVERY * i for i in range(len(data))])
+    assert data["t"].iloc[-1] == pytest.approx(2, abs=3 * FRAME)
+    pend_list = make_newton_cradle(csv, R_PARAM, copysign(pi / 6, THETA_INIT))
+    advance_cradle(pend_list, R_PARAM, DT, G, round(EVERY / DT) * 70, approaching_only=True)
+    for i, pend in enumerate(pend_list, start=1):
+        assert data.loc[70, [f"theta_{i}", f"omega_{i}"]].to_list() == pytest.approx([pend["theta"], pend["omega"]])
+
+
+def test_saving_begins_at_the_last_restart_and_never_takes_an_older_file(wall, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    wall.wait(2)
+    longer = saved(wall)
+    wall.press("r")
+    wall.wait(1)
+    shorter = saved(wall)
+    assert shorter["t"].iloc[[0, -1]].to_list() == [0, pytest.approx(1, abs=4 * FRAME)]
+    assert len(pd.read_csv("cradle_data_1.csv")) == len(longer)
+    assert wall.panel.saved.text.endswith("cradle_data_2.csv</span>")
+
+
+def test_saving_again_after_another_cradle_has_its_columns(wall, csv, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    csv.write_text(HEADER + GOOD * 2)
+    wall.wait(3 * POLL)
+    assert [name for name in saved(wall).columns if name.startswith("theta")] == ["theta_1", "theta_2"]
+
+
+def test_a_folder_that_cannot_be_written_to_is_named_on_the_page(wall, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("os.fsync", lambda descriptor: (_ for _ in ()).throw(OSError(28, "No space left on device")))
+    wall.wait(1)
+    wall.panel.save.bind()
+    wall.wait()
+    file = tmp_path / "cradle_data_1.csv"
+    assert wall.panel.saved.text == f'<span class="hint">{file}: cannot be written: No space left on device</span>'
+    assert os.listdir(tmp_path) == ["cradle.csv"]
+    time = wall.time()
+    wall.wait(1)
+    assert wall.time() > time  # and the cradle swings on
+
+
 # --- what is to be read ----------------------------------------------------------------------------------------------
 
 
@@ -430,7 +493,9 @@ def test_the_readout_is_steady(single):
 def test_the_readout_is_steady_for_hours(wall):
     widths = set()
     for time in (0.0, 9.99, 10.0, 99.99, 100.0, 999.99, 1000.0, 99999.99):
-        wall.panel.show_motion(time, 0.1, 0.2, 0.3, -0.1, 1.0)
+        wall.viewer.motion.ticks = round(time / wall.viewer.cradle.dt)
+        wall.viewer.next_refresh = 0
+        wall.viewer.show_motion()
         widths.add(len(wall.panel.readout.text))
         assert f"t = {time:.2f} s " in wall.panel.readout.text
     assert len(widths) == 1
@@ -443,7 +508,7 @@ def test_the_readout_is_steady_however_large_the_numbers(csv, mass):
     for _ in range(20):
         wall.wait(0.1)
         widths.add(len(wall.panel.readout.text))
-    wall.viewer.start_energy = 1e-6 * wall.viewer.start_energy
+    wall.viewer.motion.start_energy = 1e-6 * wall.viewer.motion.start_energy
     wall.wait(0.1)
     widths.add(len(wall.panel.readout.text))
     assert " > 999 % (kinetic  > 999 %" in wall.panel.readout.text
@@ -476,8 +541,8 @@ def test_the_contact_strip(wall):
     lines = re.sub("<.*?>", "", wall.panel.impacts.text).splitlines()
     assert lines[0] == "Impacts"
     assert re.fullmatch(r"t = \d\.\d\d s  5-4-3-2-1", lines[1])
-    assert lines[-1] == f"t = {wall.viewer.trains.trains[0][0]:.2f} s  1-2-3-4-5"
-    assert wall.viewer.trains.trains[0][0] == pytest.approx(PERIOD / 4, rel=0.05)
+    assert lines[-1] == f"t = {wall.viewer.motion.trains.trains[0][0]:.2f} s  1-2-3-4-5"
+    assert wall.viewer.motion.trains.trains[0][0] == pytest.approx(PERIOD / 4, rel=0.05)
 
 
 def test_the_contact_strip_where_hits_come_from_both_sides(wall):
@@ -554,7 +619,7 @@ def test_the_graph_can_be_switched_off_and_then_takes_and_sends_nothing(wall):
     box.bind(box)
     wall.wait(1)
     assert graph.style.text == ""
-    assert graph.curves[0].data[0][0] > 2
+    assert graph.curves[0].data[0][0] >= 2
 
 
 def test_the_graph_is_as_wide_as_the_canvas_with_its_borders(wall):

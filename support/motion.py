@@ -1,0 +1,61 @@
+"""A cradle in motion: how long it has swung since it was let go, its impacts, its energy, and all that as data."""
+
+from support.cradle import Cradle
+from support.impacts import ImpactTrains
+
+ONE_WAY = 0.03  # s: so short that a bob hardly turns back meanwhile, so that hits go where it went at the beginning
+
+
+class Motion:
+    """Advances a cradle, and keeps account of what happens."""
+
+    def __init__(self, cradle: Cradle, impacts):
+        """Begin at time 0; the last trains of impacts, as many as impacts says, are remembered."""
+        self.cradle, self.trains = cradle, ImpactTrains(impacts)
+        self.restart()
+
+    def restart(self) -> None:
+        """Begin anew at time 0, with the energy of this moment as 100 %."""
+        self.ticks = 0
+        self.trains.clear()
+        self.set_start()
+
+    def set_start(self) -> None:
+        """Take the energy of this moment as that of the start, which is 100 %."""
+        self.start_energy = sum(self.cradle.energies())
+
+    def time(self) -> float:
+        """Return the simulated time since the start (s)."""
+        return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004
+
+    def advance(self, ticks, approaching_only=True) -> None:
+        """Move on by so many ticks."""
+        most = max(1, round(ONE_WAY / self.cradle.dt))
+        while ticks > 0:
+            part, velocities = min(ticks, most), self.cradle.velocities()
+            for tick, left in self.cradle.advance(part, approaching_only):
+                rightwards = velocities[left] + velocities[left + 1] > 0
+                self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, rightwards)
+            self.ticks += part
+            ticks -= part
+
+    def reading(self) -> str:
+        """Return time and energy as text that is always equally wide."""
+        kinetic, potential = self.cradle.energies()
+        parts = f"kinetic {self.in_percent(kinetic)}, potential {self.in_percent(potential)}"
+        return f"t = {self.time():.2f} s".ljust(16) + f"energy {self.in_percent(kinetic + potential)} ({parts})"
+
+    def in_percent(self, energy) -> str:
+        """Return an energy (J) in percent of the one at the start."""
+        percent = 100 * energy / self.start_energy if self.start_energy else 0.0
+        return f"{percent:6.2f} %" if percent < 1000 else " > 999 %"
+
+    def sample(self) -> dict[str, float]:
+        """Return what the cradle does at this moment, by the names that are the columns of a data file.
+
+        They are t (s), the cradle's coordinates (rad, rad/s), kinetic, potential and total energy (J), and the momentum
+        to the right (kg m/s).
+        """
+        kinetic, potential = self.cradle.energies()
+        energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
+        return {"t": self.time(), **self.cradle.coordinates(), **energies, "momentum": self.cradle.momentum()}

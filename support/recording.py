@@ -1,0 +1,56 @@
+"""Data to take away: what a cradle has done, as a CSV with a row for each sample."""
+
+import csv
+from array import array
+from collections import deque
+from itertools import count
+from pathlib import Path
+
+from support.whole_file import whole_file
+
+EVERY = 0.01  # s from sample to sample
+SPAN = 600.0  # s that the viewer remembers
+
+
+def check_record(filepath) -> None:
+    """Raise a ValueError of one line if this file is there already, and no data of a cradle that may be replaced."""
+    path = Path(filepath)
+    if path.exists() and not (path.is_file() and path.read_bytes().startswith(b"t,")):
+        allowed = "a new file, or one with the data of a cradle, which is replaced"
+        raise ValueError(f"--record: found '{filepath}', which holds something else; allowed is {allowed}")
+
+
+def write_data(filepath, columns, rows) -> None:
+    """Write a CSV with these names of columns and these rows, which may be made meanwhile; whole, or not at all.
+
+    Raises an OSError if filepath cannot be written.
+    """
+    with whole_file(filepath) as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(rows)
+
+
+class Recording:
+    """The samples of the last ten minutes."""
+
+    def __init__(self):
+        """Begin without samples."""
+        self.columns: list[str] = []
+        self.rows: deque[array] = deque(maxlen=round(SPAN / EVERY))
+
+    def clear(self) -> None:
+        """Forget all samples."""
+        self.rows.clear()
+
+    def add(self, sample) -> None:
+        """Add a sample, as Motion makes it; all of them have the same names."""
+        self.columns = list(sample)
+        self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
+
+    def save(self, folder) -> Path:
+        """Write all samples to a new file in this folder, and return its path; raises an OSError if that fails."""
+        names = (Path(folder, f"cradle_data_{number}.csv") for number in count(1))
+        path = next(path for path in names if not path.exists())
+        write_data(path, self.columns, self.rows)
+        return path

@@ -1,0 +1,286 @@
+"""The cradle in the terminal: what it shows and says, how it keeps time, and what it writes."""
+
+import csv
+import os
+import re
+import select
+import signal
+import struct
+import sys
+import time
+from io import StringIO
+from types import SimpleNamespace
+
+import pytest
+from cradles import copy_project, FIVE_CSV, GOOD, HEADER, MIXED_CSV, PERIOD, ROOT
+from programs import end, QUIETLY, refusal, running, SECONDS
+
+from src import text_cradle_run
+from src.special_cradles import make_newton_cradle
+from src.visualize_cradle_run import newton_cradle_tick
+from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.real_time import RealTime
+
+PROGRAM = ROOT / "src" / "text_cradle_run.py"
+posix = pytest.mark.skipif(os.name != "posix", reason="terminals and signals as on Linux and macOS")
+
+
+@pytest.fixture
+def five(tmp_path):
+    """The path of a CSV with five equal bobs."""
+    file = tmp_path / "five.csv"
+    file.write_text(FIVE_CSV)
+    return str(file)
+
+
+# --- keeping time ----------------------------------------------------------------------------------------------------
+
+
+class Wall:
+    """A clock on the wall on which time passes only by sleeping, and a motion that only counts."""
+
+    def __init__(self):
+        self.now, self.ticks, self.cradle = 50.0, 0, SimpleNamespace(dt=1e-4)
+        self.pace = RealTime(self.cradle.dt, lambda: self.now, self.sleep)
+        self.shown = []  # (s on the wall, s simulated)
+
+    def sleep(self, seconds):
+        self.now += max(seconds, 1e-4)
+
+    def advance(self, ticks):
+        self.ticks += ticks
+
+    def show(self):
+        self.shown.append((self.now - 50, self.ticks * self.cradle.dt))
+
+
+@pytest.mark.parametrize(("seconds", "step", "times"), [(10, 0.05, 201), (10, 0.5, 21), (0.72, 0.5, 3)])
+def test_it_keeps_time_and_shows_each_step(seconds, step, times):
+    wall = Wall()
+    text_cradle_run.play(wall, wall.pace, seconds, step, wall.show)
+    assert [simulated for _, simulated in wall.shown[:-1]] == pytest.approx([step * i for i in range(times - 1)])
+    assert wall.shown[-1][1] == pytest.approx(seconds)
+    assert len(wall.shown) == times
+    for on_the_wall, simulated in wall.shown:
+        assert simulated == pytest.approx(on_the_wall, abs=2 / 60)
+
+
+# --- without a terminal ----------------------------------------------------------------------------------------------
+
+
+def test_into_a_pipe_it_says_a_line_each_half_second_without_vpython(run, five):
+    seconds = 0.7 + PERIOD / 2  # so that the hits have gone through the row and come back
+    done = run(str(PROGRAM), five, "--seconds", str(seconds), "--angle", "30", "--elastic")
+    assert (done.returncode, done.stderr) == (0, "")
+    times = [*(f"{0.5 * i:.2f}" for i in range(int(2 * seconds) + 1)), f"{seconds:.2f}"]
+    for line, at in zip(done.stdout.splitlines(), times, strict=True):
+        state = r"energy (99.9\d|100.\d\d) %, pendulum (1 at \d+ degrees left|5 at \d+ degrees right)"
+        assert re.fullmatch(rf"t = {at} s, {state}(, impacts [\d ,-]+\.*)?", line)
+    assert done.stdout.startswith("t = 0.00 s, energy 100.00 %, pendulum 1 at 30 degrees left\n")
+    assert done.stdout.index("impacts 1-2-3-4-5") < done.stdout.index("5-4-3")
+
+
+def test_lines_are_at_most_80_columns_long(run, tmp_path):
+    (tmp_path / "20.csv").write_text(HEADER + GOOD * 20)
+    done = run(str(PROGRAM), str(tmp_path / "20.csv"), "--seconds", str(PERIOD / 3), "--lift", "4")
+    assert max(map(len, done.stdout.splitlines())) == 80
+    assert done.stdout.endswith("...\n")
+
+
+@posix
+def test_it_ends_quietly_when_nobody_reads_on(five):
+    with running(PROGRAM, five) as process:
+        assert process.stdout.readline().startswith("t = 0.00 s")
+        process.stdout.close()
+        assert process.wait(SECONDS) == 0
+        assert process.stderr.read() == ""
+
+
+@posix
+def test_ctrl_c_ends_the_lines_quietly(five):
+    with running(PROGRAM, five) as process:
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        status, _, stderr = end(process)
+    assert (status, stderr) == (0, "")
+
+
+# --- on a terminal ---------------------------------------------------------------------------------------------------
+
+
+class Terminal:
+    """A program on a terminal of its own."""
+
+    def __init__(self, *arguments, lines=24, columns=80, term="xterm"):
+        import fcntl
+        import pty
+        import termios
+
+        self.process, self.terminal = pty.fork()
+        if self.process == 0:
+            try:
+                fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", lines, columns, 0, 0))
+                sizes = {"LINES", "COLUMNS"}  # which would hide that of the terminal
+                environment = {name: value for name, value in os.environ.items() if name not in sizes}
+                os.execve(sys.executable, [sys.executable, str(PROGRAM), *arguments], {**environment, "TERM": term})
+            finally:
+                os._exit(127)
+        self.said = ""
+
+    def read_until(self, condition):
+        """Read on until condition(what has been said) holds, or the program ends; return whether it holds."""
+        while not condition(self.said):
+            assert select.select([self.terminal], [], [], SECONDS)[0], self.said
+            try:
+                self.said += os.read(self.terminal, 65536).decode()
+            except OSError:  # it has ended
+                return condition(self.said)
+        return True
+
+    def end(self, keys=b""):
+        """Press these keys, wait until the program has ended, and return its status and its last words."""
+        os.write(self.terminal, keys)
+        self.read_until(lambda said: False)
+        os.close(self.terminal)
+        return os.waitstatus_to_exitcode(os.waitpid(self.process, 0)[1]), self.said.rpartition(RESTORED)[2]
+
+
+HOME, RESTORED = "\x1b[H", "\x1b[?25h\x1b[?1049l"
+
+
+@posix
+def test_on_a_terminal_a_picture_moves_until_ctrl_c(five):
+    terminal = Terminal(five, "--angle", "40")
+    assert terminal.read_until(lambda said: said.count(HOME) > 8 and "1-2-3-4-5" in said)
+    status, last_words = terminal.end(b"\x03")
+    assert status == 0
+    pictures = [re.sub(r"\x1b\[[KJ]", "", picture).splitlines() for picture in terminal.said.split(HOME)[1:]]
+    times = [re.match(r"t = (\d+\.\d\d) s +energy", picture[0])[1] for picture in pictures]
+    assert times[:8] == ["0.00", "0.05", "0.10", "0.15", "0.20", "0.25", "0.30", "0.35"]
+    assert {len(picture) for picture in pictures[:-1]} == {len(pictures[0])}
+    assert len({picture[8] for picture in pictures}) > 2  # in which the bobs are that swing
+    assert max(map(len, pictures[0])) <= 80
+    assert pictures[0][-1] == "Ctrl+C ends it."
+    assert last_words.replace("\r", "").splitlines()[:3] == pictures[-1][:3]
+    assert last_words.isascii()
+
+
+@posix
+def test_a_small_terminal_has_a_small_picture(five):
+    terminal = Terminal(five, "--seconds", "0.1", lines=14, columns=40)
+    status, _ = terminal.end()
+    assert status == 0
+    for picture in terminal.said.partition(RESTORED)[0].split(HOME)[1:]:
+        lines = re.sub(r"\x1b\[[KJ]", "", picture).splitlines()
+        assert len(lines) <= 14
+        assert max(map(len, lines)) <= 40
+
+
+@posix
+def test_a_terminal_that_cannot_move_its_cursor_gets_lines(five):
+    terminal = Terminal(five, "--seconds", "0.1", term="dumb")
+    assert terminal.end()[0] == 0
+    assert "\x1b" not in terminal.said
+    assert terminal.said.startswith("t = 0.00 s, energy")
+
+
+# --- data ------------------------------------------------------------------------------------------------------------
+
+
+def test_what_is_recorded_is_what_so_many_ticks_do(run, tmp_path):
+    (tmp_path / "mixed.csv").write_text(MIXED_CSV)
+    data = tmp_path / "data.csv"
+    done = run(str(PROGRAM), str(tmp_path / "mixed.csv"), "--record", str(data), "--seconds", "0.5", "--every", "0.05")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == f"11 rows, from t = 0 to 0.5 s, are in {data}\n"
+    header, *rows = csv.reader(StringIO(data.read_text()))
+    assert header[:8] == ["t", "theta_1", "theta_2", "theta_3", "omega_1", "omega_2", "omega_3", "kinetic"]
+    assert [row[0] for row in rows] == ["0.0", *(f"{0.05 * i:.2f}".rstrip("0") for i in range(1, 11))]
+    pend_list = make_newton_cradle(str(tmp_path / "mixed.csv"), R_PARAM, THETA_INIT)
+    for row in rows:
+        assert list(map(float, row[1:7])) == [pend[key] for key in ("theta", "omega") for pend in pend_list]
+        for _ in range(round(0.05 / DT)):
+            newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
+
+
+def test_a_row_is_for_a_hundredth_of_a_second(run, five, tmp_path):
+    data = tmp_path / "data.csv"
+    run(str(PROGRAM), five, "--record", str(data), "--seconds", "0.1")
+    assert [line.partition(",")[0] for line in data.read_text().splitlines()[1:4]] == ["0.0", "0.01", "0.02"]
+    assert len(data.read_text().splitlines()) == 12
+
+
+@posix
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
+def test_what_is_ended_early_is_not_written(name, five, tmp_path):
+    data = tmp_path / "data.csv"
+    data.write_text("t,old\n")
+    with running(PROGRAM, five, "--record", str(data), "--seconds", "100000") as process:
+        give_up = time.monotonic() + SECONDS
+        while len(os.listdir(tmp_path)) == 2:
+            assert time.monotonic() < give_up
+        process.send_signal(getattr(signal, name))
+        assert end(process) == (1, "", f"Ended before it was complete: {data} is not written.\n")
+    assert sorted(os.listdir(tmp_path)) == ["data.csv", "five.csv"]
+    assert data.read_text() == "t,old\n"
+
+
+class Screen(StringIO):
+    def isatty(self):
+        return True
+
+
+@pytest.mark.parametrize(("seconds", "shown"), [(1.9, False), (40, True)])
+def test_a_progress_bar_is_shown_when_it_takes_more_than_two_seconds(monkeypatch, seconds, shown):
+    monkeypatch.setattr(sys, "stderr", Screen())
+    now = 0.0
+
+    def rows():
+        nonlocal now
+        for number in range(100):
+            now += seconds / 100
+            yield number
+
+    assert list(text_cradle_run.with_progress(rows(), 100, lambda: now)) == list(range(100))
+    said = sys.stderr.getvalue()
+    assert bool(said) == shown
+    if shown:
+        bars = re.findall(r"\r\[(#*) *\] +(\d+)%, (\d+) s left", said)
+        assert len(bars) > 50
+        for bar, percent, left in bars:
+            assert len(bar) == int(percent) * 40 // 100
+            assert int(left) == pytest.approx(seconds * (100 - int(percent)) / 100, abs=1.5)
+        assert said.endswith("\r\x1b[K")
+
+
+# --- what is refused -------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        (["{folder}/none.csv"], "{folder}/none.csv: cannot be read as a CSV file: No such file or directory\n"),
+        (["--lift", "9"], "--lift: found '9', allowed is at most 5, the number of pendula in {five}\n"),
+        (
+            ["--record", "{five}", "--seconds", "1"],
+            "--record: found '{five}', which holds something else; allowed is a new file, or one with the data of a "
+            "cradle, which is replaced\n",
+        ),
+        (
+            ["--record", "{folder}/none/data.csv", "--seconds", "1"],
+            "{folder}/none/data.csv: cannot be written: No such file or directory\n",
+        ),
+    ],
+)
+def test_what_it_refuses_in_one_line(arguments, line, five, tmp_path):
+    names = {"folder": tmp_path, "five": five}
+    arguments = [argument.format(**names) for argument in arguments]
+    with running(PROGRAM, *([] if arguments[0].endswith("none.csv") else [five]), *arguments) as process:
+        assert refusal(process) == line.format(**names)
+
+
+def test_it_runs_on_the_shipped_cradle(tmp_path):
+    program = copy_project(tmp_path, FIVE_CSV) / "src" / PROGRAM.name
+    with running(program, "--record", str(tmp_path / "data.csv"), "--seconds", "0.01") as process:
+        assert end(process)[0] == QUIETLY[0]
+    assert (tmp_path / "data.csv").exists()
