@@ -13,6 +13,7 @@ PAGE = Path(__file__).with_name("panel.html")
 KEYS_HINT = "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs. Drag a bob with the mouse."
 SEPARATING = "Separating bobs collide too"
 SEPARATING_HINT = "as in the handout: with e below 1 they then stick together"
+SAVING = "a CSV of what has been seen since the last restart, ten minutes at most"
 IMPACTS = 7  # lines of the contact strip
 
 
@@ -55,6 +56,7 @@ class Panel:
         self.graph = checkbox(text="Energy graph", checked=True, bind=lambda box: give(Command.GRAPH, box.checked))
         self.save = button(text="Save data", bind=lambda: give(Command.SAVE))
         self.saved = wtext()
+        self.show_saved(SAVING)
 
     def show_error(self, message) -> None:
         """Show this message above everything else, until it is shown an empty one."""
@@ -81,7 +83,7 @@ class Panel:
 
     def show_saved(self, message) -> None:
         """Show what has been saved, and where."""
-        set_text(self.saved, f'<span class="hint">{escape(message)}</span>')
+        set_text(self.saved, f'<span class="hint saved">{escape(message)}</span>')
 
     def show_impacts(self, lines) -> None:
         """Show the last trains of impacts, a line for each."""

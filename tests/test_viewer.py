@@ -410,7 +410,9 @@ def saved(wall):
     """Press the button, and return the data of the file of which the page then says that it holds them."""
     wall.panel.save.bind()
     wall.wait()
-    count, path = re.fullmatch(r'<span class="hint">(\d+) samples are in (.*)</span>', wall.panel.saved.text).groups()
+    count, path = re.fullmatch(
+        r'<span class="hint saved">(\d+) samples are in (.*)</span>', wall.panel.saved.text
+    ).groups()
     data = pd.read_csv(path)
     assert len(data) == int(count)
     return data
@@ -455,7 +457,9 @@ def test_a_folder_that_cannot_be_written_to_is_named_on_the_page(wall, tmp_path,
     wall.panel.save.bind()
     wall.wait()
     file = tmp_path / "cradle_data_1.csv"
-    assert wall.panel.saved.text == f'<span class="hint">{file}: cannot be written: No space left on device</span>'
+    assert (
+        wall.panel.saved.text == f'<span class="hint saved">{file}: cannot be written: No space left on device</span>'
+    )
     assert os.listdir(tmp_path) == ["cradle.csv"]
     time = wall.time()
     wall.wait(1)

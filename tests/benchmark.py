@@ -1,0 +1,265 @@
+"""How fast the cradle is, and how true, also beside pymunk, a physics engine for games. Takes a few minutes.
+
+Run by hand, `.venv/bin/python tests/benchmark.py`, and not by pytest: what counts are the ratios within one run.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from itertools import product
+from math import cos, inf, sin
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+import numpy as np
+
+from support import headless_vpython
+
+if "vpython" not in sys.argv:
+    headless_vpython.install()
+
+from src.special_cradles import make_newton_cradle
+from src.visualize_cradle_run import advance_cradle, newton_cradle_tick
+from support.audit import kinetic_energy, potential_energy
+from support.constants import DT, G, R_PARAM, THETA_INIT
+
+COUNTS = 5, 50, 500  # pendula
+MINUTE = 60.0  # s, simulated
+SAMPLE = 0.01  # s between two looks at the energy
+TICKS = [DT * times for times in (1, 2, 4, 8, 16)]  # s
+STEPS = [1 / 100, 1 / 200, 1 / 500, 1 / 1000, 1 / 2000, 1 / 5000]  # s, of pymunk
+
+
+def csv_of(count) -> str:
+    """Return the CSV of so many equal elastic pendula."""
+    return "mass,e,color,texture\n" + "1,1,red,metal\n" * count
+
+
+def cradle_of(count):
+    """Return the pend_list of so many equal elastic pendula, the first of them lifted."""
+    with tempfile.TemporaryDirectory() as folder:
+        csv = Path(folder, "cradle.csv")
+        csv.write_text(csv_of(count))
+        return make_newton_cradle(csv, R_PARAM, THETA_INIT)
+
+
+def cpu_time(make, run) -> float:
+    """Return the processor time (s) of run(make()), the least of three, without that of make()."""
+    times = []
+    for _ in range(3):
+        made, start = make(), time.process_time()
+        run(made)
+        times.append(time.process_time() - start)
+    return min(times)
+
+
+def energy_error(energy, advance) -> float:
+    """Return by how much the energy is off at most, as a part of that at the start, at any SAMPLE of a MINUTE.
+
+    energy() returns it, and advance() goes on by one SAMPLE.
+    """
+    start, error = energy(), 0.0
+    for _ in range(round(MINUTE / SAMPLE)):
+        advance()
+        error = max(error, abs(energy() / start - 1))
+    return error
+
+
+def show_table(*rows) -> None:
+    """Print these rows, of which the first is the head, as a table in Markdown."""
+    head, *others = ([str(cell) for cell in row] for row in rows)
+    for row in (head, ["---"] * len(head), *others):
+        print(f"| {' | '.join(row)} |")
+    print(flush=True)
+
+
+# --- ticks a second --------------------------------------------------------------------------------------------------
+
+
+def tick_costs() -> list[tuple[float, float]]:
+    """Return the costs (s) of a tick by newton_cradle_tick and by advance_cradle, for each of COUNTS."""
+    costs = []
+    for count in COUNTS:
+        ticks, more_ticks = 20_000 // count, 1_000_000 // count
+
+        def one_by_one(pend_list, ticks=ticks):
+            for _ in range(ticks):
+                newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
+
+        def at_once(pend_list, ticks=more_ticks):
+            advance_cradle(pend_list, R_PARAM, DT, G, ticks, approaching_only=True)
+
+        def make(count=count):
+            return cradle_of(count)
+
+        costs.append((cpu_time(make, one_by_one) / ticks, cpu_time(make, at_once) / more_ticks))
+    return costs
+
+
+def tick_costs_on_vpython() -> list[tuple[float, float]]:
+    """Return the same on VPython's own objects, by this program in another process."""
+    done = subprocess.run([sys.executable, __file__, "vpython"], stdout=subprocess.PIPE, check=True)
+    return json.loads(done.stdout)
+
+
+def show_ticks() -> None:
+    """Print how many ticks a second can be done."""
+    rows = [("pendula", "single ticks", "on the stand-in", "advance_cradle", "times", "us a pendulum and tick")]
+    for count, (single, at_once), (stub, _) in zip(COUNTS, tick_costs_on_vpython(), tick_costs(), strict=True):
+        speeds = (f"{1 / cost:,.0f}" for cost in (single, stub, at_once))
+        rows.append((count, *speeds, f"{single / at_once:.1f}", f"{1e6 * at_once / count:.3f}"))
+    print("Ticks a second on VPython's objects; times: advance_cradle against single ticks.\n")
+    show_table(*rows)
+
+
+# --- a minute of five pendula, and the same in pymunk ----------------------------------------------------------------
+
+
+def our_minute(dt) -> tuple[float, float]:
+    """Return the processor time (s) and the energy error of a minute in ticks of dt (s)."""
+
+    def advance(pend_list, seconds=MINUTE):
+        advance_cradle(pend_list, R_PARAM, dt, G, round(seconds / dt), approaching_only=True)
+
+    pend_list = cradle_of(5)
+    error = energy_error(
+        lambda: kinetic_energy(pend_list, R_PARAM) + potential_energy(pend_list, R_PARAM, G),
+        lambda: advance(pend_list, max(SAMPLE, dt)),
+    )
+    return cpu_time(lambda: cradle_of(5), advance), error
+
+
+class PymunkCradle:
+    """The same five pendula of pymunk's circles and pin joints."""
+
+    def __init__(self, iterations=10, gap=0.0005, stiff=False, collision_bias=None):
+        """Set what can be set: how often each step is refined, the gap between bobs at rest (a part of their diameter),
+        whether joints are corrected at once, and how slowly bobs that overlap are pushed apart (None: pymunk's own).
+        """
+        import pymunk
+
+        self.space = pymunk.Space()
+        self.space.gravity = 0, -G
+        self.space.iterations, self.space.collision_slop = iterations, 0
+        if collision_bias is not None:
+            self.space.collision_bias = collision_bias
+        for i in range(5):
+            theta, x = THETA_INIT if i == 0 else 0, i * R_PARAM / 4
+            body = pymunk.Body(mass=1, moment=inf)
+            body.position = x + R_PARAM * sin(theta), -R_PARAM * cos(theta)
+            bob = pymunk.Circle(body, (1 - gap) * R_PARAM / 8)
+            bob.elasticity = 1
+            cord = pymunk.PinJoint(self.space.static_body, body, (x, 0))
+            if stiff:
+                cord.error_bias = 0
+            self.space.add(body, bob, cord)
+
+    def energy(self) -> float:
+        """Return the kinetic and potential energy (J)."""
+        return sum(body.velocity.length**2 / 2 + G * (body.position.y + R_PARAM) for body in self.space.bodies)
+
+    def advance(self, dt, seconds) -> None:
+        """Go on by so many seconds in steps of dt (s)."""
+        for _ in range(round(seconds / dt)):
+            self.space.step(dt)
+
+
+def pymunk_minute(dt, **settings) -> tuple[float, float]:
+    """Return the processor time (s) and the energy error of a minute in steps of dt (s)."""
+    cradle = PymunkCradle(**settings)
+    error = energy_error(cradle.energy, lambda: cradle.advance(dt, SAMPLE))
+    return cpu_time(lambda: PymunkCradle(**settings), lambda cradle: cradle.advance(dt, MINUTE)), error
+
+
+def best_settings(dt) -> dict:
+    """Return the settings of pymunk with the least energy error at this step (s)."""
+    tried = [
+        {"iterations": iterations, "gap": gap, "stiff": stiff, "collision_bias": bias}
+        for iterations, gap, stiff, bias in product((2, 5, 10, 30), (0.0005, 0.002, 0.01), (False, True), (None, 1.0))
+    ]
+
+    def error(settings):
+        cradle = PymunkCradle(**settings)
+        return energy_error(cradle.energy, lambda: cradle.advance(dt, SAMPLE))
+
+    return min(tried, key=error)
+
+
+def show_minutes() -> None:
+    """Print processor time and energy error of a minute, ours and pymunk's, and how they compare."""
+    ours = [our_minute(dt) for dt in TICKS]
+    rows = [("advance_cradle, tick", "processor time", "energy error")]
+    rows += [(f"{1000 * dt:g} ms", *shown(*minute)) for dt, minute in zip(TICKS, ours, strict=True)]
+    print(f"{MINUTE:g} simulated seconds of five pendula. Energy error: the largest at any {SAMPLE:g} s.\n")
+    show_table(*rows)
+
+    times, errors = np.log(sorted(ours)).T
+    rows = [("pymunk, step", "settings", "processor time", "energy error", "ours in that time", "times less")]
+    for dt in STEPS:
+        for name, settings in ("its own", {}), ("the best", best_settings(dt)):
+            cpu, error = pymunk_minute(dt, **settings)
+            our_error = np.exp(np.interp(np.log(cpu), times, errors, left=np.nan))  # a longer time is of no use to ours
+            compared = ("-", "-") if np.isnan(our_error) else (f"{our_error:.2g}", f"{error / our_error:.1f}")
+            rows.append((f"{1000 * dt:g} ms", name, *shown(cpu, error), *compared))
+    show_table(*rows)
+
+
+def shown(cpu, error) -> tuple[str, str]:
+    """Return a processor time and an energy error as text."""
+    return f"{cpu:.3f} s", f"{error:.2g}"
+
+
+# --- the viewer ------------------------------------------------------------------------------------------------------
+
+
+def viewer_load(count, seconds=20) -> tuple[float, float]:
+    """Return which part of a processor core the program takes with so many pendula, and how many simulated seconds pass
+    in one, with Chromium drawing its page on the same machine.
+    """
+    from playwright.sync_api import sync_playwright
+    from programs import ARGUMENTS, CHROMIUM, first_lines, running
+
+    def measure():  # processor time, simulated time, time (s)
+        user, system = Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[11:13]
+        simulated = page.locator(".readout").inner_text().split()[2]
+        return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK"), float(simulated), time.monotonic()
+
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
+        Path(folder, "cradle.csv").write_text(csv_of(count))
+        with running(None, str(Path(folder, "cradle.csv"))) as process:
+            browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+            page = browser.new_page(viewport={"width": 1000, "height": 840})
+            page.goto(first_lines(process))
+            page.wait_for_function("() => $('.readout').length")
+            time.sleep(seconds / 2)  # until it runs evenly
+            before = measure()
+            time.sleep(seconds)
+            cpu, simulated, passed = (end - start for end, start in zip(measure(), before, strict=True))
+            browser.close()
+    return cpu / passed, simulated / passed
+
+
+def show_viewer() -> None:
+    """Print what the viewer takes."""
+    rows = [("pendula", "of a core", "simulated seconds in one")]
+    for count in (5, 50, 100):
+        load, pace = viewer_load(count)
+        rows.append((count, f"{load:.1%}", f"{pace:.2f}"))
+    print("The viewer, VPython's serving included, in Chromium.\n")
+    show_table(*rows)
+
+
+if __name__ == "__main__":
+    if "vpython" in sys.argv:
+        import vpython
+
+        vpython.baseObj._view_constructed = True  # the page is there, as it were: no server, no browser
+        print(json.dumps(tick_costs()))
+    else:
+        show_ticks()
+        show_minutes()
+        show_viewer()
