@@ -48,9 +48,9 @@ def cradle_of(count):
 
 
 def cpu_time(make, run) -> float:
-    """Return the processor time (s) of run(make()), the least of three, without that of make()."""
+    """Return the processor time (s) of run(make()), the least of five, without that of make()."""
     times = []
-    for _ in range(3):
+    for _ in range(5):
         made, start = make(), time.process_time()
         run(made)
         times.append(time.process_time() - start)
