@@ -129,6 +129,10 @@ class LiveCradle:
         """Return the momentum to the right (kg m/s)."""
         return momentum(self.pend_list, R_PARAM)
 
+    def thetas(self) -> list[float]:
+        """Return the angles of the pendula (rad), from left to right."""
+        return [pend["theta"] for pend in self.pend_list]
+
     def coordinates(self) -> dict[str, float]:
         """Return theta_1, theta_2, ... (rad) and omega_1, omega_2, ... (rad/s), from left to right."""
         named = [(key, i, pend[key]) for key in ("theta", "omega") for i, pend in enumerate(self.pend_list, start=1)]

@@ -5,15 +5,16 @@ import shutil
 import signal
 import sys
 import time
-from contextlib import contextmanager
-from math import degrees, inf
+from contextlib import contextmanager, suppress
+from math import degrees, inf, pi, remainder
 from pathlib import Path
 
 if __name__ == "__main__":  # started as a file, from any folder: the project's own modules are one folder up
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-    from support.page import end_on_interrupt
+    from support.interrupt import end_on_interrupt
 
-    end_on_interrupt()  # the imports below take a moment, in which Ctrl+C would print a traceback
+    # The imports below take a moment, in which Ctrl+C would print a traceback.
+    end_on_interrupt(status=1 if "--record" in " ".join(sys.argv) else 0)
 
 from support import headless_vpython
 
@@ -22,7 +23,6 @@ headless_vpython.install()  # nothing is shown in a browser, so VPython itself i
 from src.live_cradle import LiveCradle
 from src.visualize_cradle_run import advance_cradle
 from support.cradle_csv import Snapshot
-from support.impacts import shortened
 from support.motion import Motion
 from support.options import check_lift, read_text_options
 from support.real_time import RealTime
@@ -33,6 +33,7 @@ PICTURE = 1 / 20  # s from picture to picture
 LINE = 0.5  # s from line to line
 WIDTH = 80  # columns that are used, where there are as many
 IMPACTS = 4  # lines of the contact strip
+LOW = 18  # lines, and with fewer a terminal has room for the cradle only
 PATIENCE = 2.0  # s, after which a bar shows the progress
 
 
@@ -43,30 +44,29 @@ def main() -> None:
     try:
         cradle.load(Snapshot(options.csv))
         check_lift(options.lift, cradle.csv)
-        if options.record:
+        if options.record is not None:
             check_record(options.record)
     except ValueError as error:
         refuse(error)
     cradle.release([options.angle], options.lift)
     motion = Motion(cradle, IMPACTS)
 
-    for name in {"SIGINT", "SIGTERM", "SIGHUP"} & set(dir(signal)):  # not every system has all of them
-        signal.signal(getattr(signal, name), signal.default_int_handler)
+    stop_on_signals()
     try:
-        if options.record:
+        if options.record is not None:
             record(motion, options)
         elif sys.stdout.isatty() and os.environ.get("TERM") != "dumb":
             show_pictures(motion, options.seconds)
         else:
             tell_lines(motion, options.seconds)
     except KeyboardInterrupt:
-        if options.record:
+        if options.record is not None:
             print(f"Ended before it was complete: {options.record} is not written.", file=sys.stderr)
             sys.exit(1)
     except BrokenPipeError:  # nobody reads on, as after `| head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except OSError as error:
-        refuse(f"{error.filename}: {error.strerror}")
+        refuse(f"{error.filename or 'The output'}: {error.strerror}")
 
 
 def refuse(message) -> None:
@@ -75,19 +75,35 @@ def refuse(message) -> None:
     sys.exit(2)
 
 
+def stop_on_signals() -> None:
+    """Let Ctrl+C, a closed terminal and kill raise a KeyboardInterrupt, once: cleaning up is not interrupted again.
+
+    A signal that was to be ignored from the start, as with nohup, still is.
+    """
+    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    numbers = [number for number in numbers if signal.getsignal(number) != signal.SIG_IGN]
+
+    def stop(*_):
+        for number in numbers:
+            signal.signal(number, signal.SIG_IGN)
+        raise KeyboardInterrupt
+
+    for number in numbers:
+        signal.signal(number, stop)
+
+
 def play(motion, pace, seconds, step, show) -> None:
-    """Let a cradle swing in step with the clock of pace (a RealTime), and call show() at the start, after each step (s)
-    of simulated time, and at the end, after so many seconds.
+    """Let a cradle swing for so many seconds in step with the clock of pace (a RealTime).
+
+    show() is called at the start, after each step (s) of simulated time, and at the end.
     """
     last = seconds if seconds == inf else round(seconds / motion.cradle.dt)  # tick
-    ticks_to_show = max(1, round(step / motion.cradle.dt))
+    step_ticks = max(1, round(step / motion.cradle.dt))
 
     def advance(ticks):
-        while ticks > 0 and motion.ticks < last:
-            part = min(ticks, ticks_to_show - motion.ticks % ticks_to_show, last - motion.ticks)
+        for part in motion.parts(min(ticks, last - motion.ticks), step_ticks):
             motion.advance(part)
-            ticks -= part
-            if motion.ticks % ticks_to_show == 0 or motion.ticks == last:
+            if motion.ticks % step_ticks == 0 or motion.ticks == last:
                 show()
 
     show()
@@ -103,18 +119,20 @@ def play(motion, pace, seconds, step, show) -> None:
 def show_pictures(motion, seconds) -> None:
     """Show the cradle as a picture that moves, and leave the last one on the screen."""
     picture, pace = TextPicture(), RealTime(motion.cradle.dt)
-    lines: list[str] = []
+    seen: list[str] = []
 
     def show():
-        lines[:] = page(motion, picture, pace.remark())
-        # To the top left corner; after each line clear what is left of it, and below the last one everything.
-        print("\x1b[H" + "\x1b[K\n".join([*lines, "", "Ctrl+C ends it."]) + "\x1b[J", end="", flush=True)
+        lines = screen(motion, picture, pace.remark())
+        # To the top left corner; clear each line, and in the end what is below.
+        text = "\n".join("\x1b[K" + line for line in lines)
+        print(f"\x1b[H{text}\x1b[J", end="", flush=True)
+        seen[:] = lines
 
     try:
         with own_screen():
             play(motion, pace, seconds, PICTURE, show)
     finally:
-        print("\n".join(lines))
+        print("\n".join(seen))
 
 
 @contextmanager
@@ -129,22 +147,18 @@ def own_screen():
         print("\x1b[?25h\x1b[?1049l", end="", flush=True)
 
 
-def page(motion, picture, remark) -> list[str]:
+def screen(motion, picture, remark) -> list[str]:
     """Return what is to be seen, line by line, for the terminal as large as it is at this moment."""
     size = shutil.get_terminal_size()
     columns = min(WIDTH, size.columns)
-    rows = max(3, size.lines - IMPACTS - 6)  # what is left for the picture
-    impacts = motion.trains.lines(columns)
-    lines = [
-        f"{motion.reading()}   {remark}",
-        "",
-        *picture.lines(motion.cradle, columns, rows),
-        "",
-        "Impacts",
-        *impacts,
-        *[""] * (IMPACTS - len(impacts)),
-    ]
-    return [line[:columns].rstrip() for line in lines]
+    lines = [f"{motion.reading()}   {remark}", ""]
+    if size.lines < LOW:
+        lines += picture.lines(motion.cradle, columns, size.lines - 2)
+    else:
+        impacts = motion.trains.lines(columns)
+        lines += picture.lines(motion.cradle, columns, size.lines - IMPACTS - 6)
+        lines += ["", "Impacts", *impacts, *[""] * (IMPACTS - len(impacts)), "", "Ctrl+C ends it."]
+    return [line[:columns].rstrip() for line in lines[: size.lines]]
 
 
 # --- without one -----------------------------------------------------------------------------------------------------
@@ -161,14 +175,14 @@ def tell_lines(motion, seconds) -> None:
 
 
 def summary(motion) -> str:
-    """Return a line: the time, the energy, how far the highest pendulum is to which side, and the latest impacts."""
-    thetas = [theta for name, theta in motion.cradle.coordinates().items() if name.startswith("theta")]
-    number, theta = max(enumerate(thetas, start=1), key=lambda numbered: abs(numbered[1]))
+    """Return a line: the time, the energy, how far the highest pendulum is to which side, and the latest hits."""
+    number, theta = max(enumerate(motion.cradle.thetas(), start=1), key=lambda numbered: abs(numbered[1]))
     total = motion.in_percent(sum(motion.cradle.energies())).strip()
-    side = "left" if theta < 0 else "right"
-    line = f"t = {motion.time():.2f} s, energy {total}, pendulum {number} at {abs(degrees(theta)):.0f} degrees {side}"
-    runs = motion.trains.runs()
-    return shortened(f"{line}, impacts {', '.join(reversed(runs))}" if runs else line, WIDTH)
+    angle = degrees(remainder(theta, 2 * pi))
+    side = "left" if angle < 0 else "right"
+    line = f"t = {motion.time():.2f} s, energy {total}, pendulum {number} at {abs(angle):.0f} degrees {side}"
+    impacts = f", hits {', '.join(reversed(motion.trains.runs()))}" if motion.trains.runs() else ""
+    return line + (impacts if len(line + impacts) <= WIDTH else ", many hits")
 
 
 # --- into a file -----------------------------------------------------------------------------------------------------
@@ -177,33 +191,49 @@ def summary(motion) -> str:
 def record(motion, options) -> None:
     """Write the data of the next seconds to a file, as fast as the machine can."""
     count = int(options.seconds / options.every + 1e-9) + 1
-    columns = list(motion.sample())
-    write_data(options.record, columns, with_progress(samples(motion, options.every, count), count))
+    with progress_bar() as progress:
+        write_data(options.record, list(motion.sample()), rows(motion, options.every, count, progress))
     print(f"{count} rows, from t = 0 to {motion.time():g} s, are in {options.record}")
 
 
-def samples(motion, every, count):
-    """Yield so many rows of data, the first at once, then one after each so many seconds of simulated time."""
+def rows(motion, every, count, progress):
+    """Yield so many rows of data, the first at once, then one after each so many seconds of simulated time.
+
+    progress(part) is told again and again how much is done.
+    """
+    between = round(every / motion.cradle.dt)  # ticks
     for number in range(count):
-        motion.advance(round(number * every / motion.cradle.dt) - motion.ticks)
+        for part in motion.parts(number * between - motion.ticks, 1000):
+            motion.advance(part)
+            progress(motion.ticks / between / (count - 1))
         yield motion.sample().values()
 
 
-def with_progress(rows, count, clock=time.monotonic):
-    """Yield these rows, so many; if that takes long, show on a terminal how far it is."""
+@contextmanager
+def progress_bar(clock=time.monotonic):
+    """Yield a function to be told how much is done, from 0 to 1; if it takes long, a terminal shows that."""
     begin = clock()
     next_look = begin + PATIENCE
+
+    def progress(part):
+        nonlocal next_look
+        if clock() > next_look and sys.stderr.isatty():
+            next_look = clock() + PICTURE
+            left = (clock() - begin) * (1 - part) / part
+            width = min(40, shutil.get_terminal_size().columns - 25)
+            show_progress(f"\r[{'#' * int(part * width):<{width}}] {part:4.0%}, {left:.0f} s left ")
+
     try:
-        for done, row in enumerate(rows, start=1):
-            yield row
-            if sys.stderr.isatty() and clock() > next_look:
-                next_look = clock() + PICTURE
-                left = (clock() - begin) * (count - done) / done
-                bar = f"\r[{'#' * (40 * done // count):<40}] {done / count:4.0%}, {left:.0f} s left "
-                print(bar, end="", file=sys.stderr, flush=True)
+        yield progress
     finally:
         if next_look > begin + PATIENCE:
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+            show_progress("\r\x1b[K")
+
+
+def show_progress(text) -> None:
+    """Write this to the terminal, if it is still there: the file does not depend on it."""
+    with suppress(OSError):
+        print(text, end="", file=sys.stderr, flush=True)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ from pathlib import Path
 
 if __name__ == "__main__":  # started as a file, from any folder: the project's own modules are one folder up
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-    from support.page import end_on_interrupt
+    from support.interrupt import end_on_interrupt
 
     end_on_interrupt()  # the imports below take a moment, in which Ctrl+C would print a traceback
 
@@ -68,52 +68,63 @@ def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> Non
 def advance_cradle(pend_list, r_param, dt, g, ticks, approaching_only=False) -> list[tuple[int, int]]:
     """Do what so many calls of newton_cradle_tick do, and return the contacts as (tick, index of the left bob).
 
-    Ticks count from 0, and a contact is told of where it changes the velocities. This is twenty times faster: on plain
-    numbers, each pendulum swings by itself for as long as its bob cannot touch another (free_ticks), and the objects
-    are set once, at the end. tests/test_advance.py holds the two ways together, to the last bit.
+    Ticks count from 0, and a contact is told of where it changes the velocities. This is some fifteen times faster, as
+    long as bobs do not cling together: on plain numbers, each pendulum swings by itself for as long as its bob cannot
+    touch another (free_ticks), and the objects are set once, at the end. tests/test_advance.py holds the two ways
+    together, to the last bit.
     """
     thetas, omegas = ([pend_dict[key] for pend_dict in pend_list] for key in ("theta", "omega"))
     axles, bobs = ([pend_dict["objects"][part] for pend_dict in pend_list] for part in (0, 1))
     axle_places = [(axle.pos.x, axle.pos.y, axle.pos.z) for axle in axles]
+    bob_places = list(axle_places)  # as of the first swing
     reaches = [BUFFER * (bob1.radius + bob2.radius) for bob1, bob2 in pairwise(bobs)]
     swung = [0] * len(pend_list)  # how many ticks each pendulum has swung
-    looks = [(0, left) for left in range(len(reaches))]  # a heap: in which tick to look at which pair (its left one)
-    due = [0] * len(pend_list)  # which of the entries for a pair counts; the last pendulum, or -1, has no pair
+    looks = {0: list(range(len(reaches)))}  # tick -> which pairs, named by their left pendulum, to look at in it
+    look_ticks = [0]  # the keys of looks, as a heap
+    due = [0] * len(pend_list)  # the tick in which a pair is to be looked at; the last pendulum, or -1, has no pair
     contacts = []
 
     def swing(i, until):
-        """Let a pendulum swing until it has done so many ticks, and return where its bob is then (m)."""
+        """Let a pendulum swing until it has done so many ticks."""
         omega, theta = omegas[i], thetas[i]
         for _ in range(until - swung[i]):
             omega, theta = angle_update(omega, theta, r_param, dt, g)
         omegas[i], thetas[i], swung[i] = omega, theta, until
         x, y, z = axle_places[i]
-        return x + r_param * sin(theta), y - r_param * cos(theta), z
+        bob_places[i] = x + r_param * sin(theta), y - r_param * cos(theta), z
 
     def plan(left, tick):
-        """Look at this pair in this tick."""
+        """Look at this pair in this tick, and not in the one that was planned before."""
         due[left] = tick
-        heappush(looks, (tick, left))
+        if tick not in looks:
+            looks[tick] = []
+            heappush(look_ticks, tick)
+        looks[tick].append(left)
 
-    while looks and looks[0][0] < ticks:
-        tick, left = heappop(looks)
-        if tick != due[left]:
-            continue
-        right, free = left + 1, 0
-        (x1, y1, z1), (x2, y2, z2) = swing(left, tick + 1), swing(right, tick + 1)
-        distance = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2)
-        theta1, theta2, omega1, omega2 = thetas[left], thetas[right], omegas[left], omegas[right]
-        if distance > reaches[left]:
-            free = free_ticks(distance - reaches[left], theta1, theta2, omega1, omega2, r_param, dt, g)
-        elif not approaching_only or omega1 * cos(theta1) > omega2 * cos(theta2):
-            e, m1, m2 = pend_list[left]["e"], pend_list[left]["mass"], pend_list[right]["mass"]
-            omegas[left], omegas[right] = handle_collision(e, omega1, omega2, m1, m2, r_param)
-            if (omegas[left], omegas[right]) != (omega1, omega2):
-                contacts.append((tick, left))
-                for neighbour in (left - 1, right):  # the plan for these two was made with other velocities
-                    if due[neighbour] > tick + 1:
-                        plan(neighbour, tick + 1)
-        plan(left, tick + 1 + free)
+    while look_ticks and look_ticks[0] < ticks:
+        tick = heappop(look_ticks)
+        for left in sorted(looks.pop(tick)):
+            if due[left] != tick:
+                continue
+            right, free = left + 1, 0
+            if swung[left] <= tick:
+                swing(left, tick + 1)
+            if swung[right] <= tick:
+                swing(right, tick + 1)
+            (x1, y1, z1), (x2, y2, z2) = bob_places[left], bob_places[right]
+            distance = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2)
+            theta1, theta2, omega1, omega2 = thetas[left], thetas[right], omegas[left], omegas[right]
+            if distance > reaches[left]:
+                free = free_ticks(distance - reaches[left], theta1, theta2, omega1, omega2, r_param, dt, g)
+            elif not approaching_only or omega1 * cos(theta1) > omega2 * cos(theta2):
+                e, m1, m2 = pend_list[left]["e"], pend_list[left]["mass"], pend_list[right]["mass"]
+                omegas[left], omegas[right] = handle_collision(e, omega1, omega2, m1, m2, r_param)
+                if (omegas[left], omegas[right]) != (omega1, omega2):
+                    contacts.append((tick, left))
+                    for neighbour in (left - 1, right):  # the plan for these two was made with other velocities
+                        if due[neighbour] > tick + 1:
+                            plan(neighbour, tick + 1)
+            plan(left, tick + 1 + free)
 
     if ticks:
         for i, pend_dict in enumerate(pend_list):
@@ -138,8 +149,11 @@ def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
     d_omega = (abs(omega1 - omega2) + k * span * abs(theta1 - theta2)) / (1 - k * span**2)
     d_theta = abs(theta1 - theta2) + d_omega * span
     speed = d_omega + (min(abs(omega1), abs(omega2)) + k * span) * d_theta
-    closer = r_param * (speed * span + 1e-12)  # m, after the whole span; the last is for rounding errors
-    return most if closer <= gap else int(most * gap / closer)
+    closer = abs(r_param) * speed * span  # m, after the whole span
+    sure = gap - 1e-9 * abs(r_param)  # m, whatever rounding errors do
+    if sure <= 0:
+        return 0
+    return most if closer <= sure else int(most * sure / closer)
 
 
 def main() -> None:

@@ -30,10 +30,13 @@ class Cradle(Protocol):
         """Return the axles, from left to right."""
 
     def bobs(self) -> list:
-        """Return all bobs that can be dragged."""
+        """Return all bobs, which can be dragged, from left to right."""
 
     def cords(self) -> list:
         """Return all cords."""
+
+    def thetas(self) -> list[float]:
+        """Return the angles of the pendula (rad), from left to right."""
 
     def hold(self, bob) -> None:
         """Hold this bob, an index into bobs, where it is."""

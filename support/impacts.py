@@ -39,16 +39,12 @@ class ImpactTrains:
     def lines(self, longest=LONGEST) -> list[str]:
         """Return a line for each train, the latest first, of so many characters at most: t = 0.71 s  1-2-3-4-5."""
         times = [f"t = {train[0]:.2f} s  " for train in reversed(self.trains)]
-        return [shortened(time + runs, longest) for time, runs in zip(times, self.runs(), strict=True)]
+        lines = [time + runs for time, runs in zip(times, self.runs(), strict=True)]
+        return [line if len(line) <= longest else line[: longest - 3] + "..." for line in lines]
 
     def runs(self) -> list[str]:
         """Return the same without the times: 1-2-3-4-5."""
         return ["  ".join(map(written, train[3])) for train in reversed(self.trains)]
-
-
-def shortened(line, longest) -> str:
-    """Return the line, or as much of it as may stand in so many characters."""
-    return line if len(line) <= longest else line[: longest - 3] + "..."
 
 
 def written(run) -> str:

@@ -39,6 +39,16 @@ class Motion:
             self.ticks += part
             ticks -= part
 
+    def parts(self, ticks, step):
+        """Yield so many ticks in parts, each of which ends at a multiple of step ticks since the start, or at the last.
+
+        The caller is to advance by each part before it takes the next one.
+        """
+        while ticks > 0:
+            part = min(ticks, step - self.ticks % step)
+            yield part
+            ticks -= part
+
     def reading(self) -> str:
         """Return time and energy as text that is always equally wide."""
         kinetic, potential = self.cradle.energies()

@@ -73,21 +73,28 @@ def read_text_options(arguments=None) -> argparse.Namespace:
     None) and every (s).
     """
     seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
-    every = allowed(float, lambda text: DT <= to_number(text) <= 1e6, f"a number from {DT:g} (one tick) to 1e6 (s)")
+    every = allowed(float, is_in_ticks, f"a multiple of {DT:g} (s), one tick, up to 1e6")
     parser = cradle_options("Newton's cradle as moving text, in real time; or, with --record, its data in a file.")
     add = parser.add_argument
     add("--seconds", type=seconds, metavar="S", default=inf, help="end after S seconds (default: with Ctrl+C)")
     text = "write a CSV with the S seconds of --seconds to FILE, as fast as the machine can, and show nothing"
-    add("--record", metavar="FILE", help=text)
+    add("--record", type=allowed(str, bool, "the name of a file"), metavar="FILE", help=text)
     text = f"with --record: a row for every S seconds (default: {EVERY:g})"
     add("--every", type=every, metavar="S", help=text)
     options = parser.parse_args(arguments)
-    if options.record and options.seconds == inf:
+    if options.record is not None and options.seconds == inf:
         parser.error("argument --record: needs --seconds, to say how long")
-    if options.every and not options.record:
+    if options.every is not None and options.record is None:
         parser.error("argument --every: needs --record")
-    options.every = options.every or EVERY
+    if options.every is None:
+        options.every = EVERY
     return options
+
+
+def is_in_ticks(text) -> bool:
+    """Return whether the text is a time (s) in which there is a whole number of ticks, at least one."""
+    ticks = to_number(text) / DT
+    return 0.5 < ticks <= 1e6 / DT and abs(ticks - round(ticks)) < 1e-6
 
 
 def check_lift(lift, csv) -> None:

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from functools import partial
 
 from support.closed_doors import page_websocket, PageServer, port_of
+from support.interrupt import end_on_interrupt
 
 
 @contextmanager
@@ -36,15 +37,6 @@ def open_page(sockets, launch_browser=True):
     except BaseException:
         traceback.print_exc()
         os._exit(1)
-
-
-def end_on_interrupt() -> None:
-    """Let Ctrl+C end the process at once, with status 0 and no traceback.
-
-    VPython interrupts its own process when the tab is closed. Its handler for that, and for Ctrl+C, waits for its
-    servers, which may be waiting for a browser.
-    """
-    signal.signal(signal.SIGINT, lambda *_: os._exit(0))
 
 
 def is_worth_showing(record) -> bool:

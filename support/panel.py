@@ -81,9 +81,9 @@ class Panel:
         text = f"{reading}   momentum {moving} kg m/s   {remark}".rstrip()
         set_text(self.readout, f'<pre class="readout">{text}</pre>')
 
-    def show_saved(self, message) -> None:
-        """Show what has been saved, and where."""
-        set_text(self.saved, f'<span class="hint saved">{escape(message)}</span>')
+    def show_saved(self, message, failed=False) -> None:
+        """Show what has been saved, and where, or why it failed."""
+        set_text(self.saved, f'<span class="{"failed" if failed else "hint"} saved">{escape(message)}</span>')
 
     def show_impacts(self, lines) -> None:
         """Show the last trains of impacts, a line for each."""

@@ -14,8 +14,14 @@ SPAN = 600.0  # s that the viewer remembers
 
 def check_record(filepath) -> None:
     """Raise a ValueError of one line if this file is there already, and no data of a cradle that may be replaced."""
-    path = Path(filepath)
-    if path.exists() and not (path.is_file() and path.read_bytes().startswith(b"t,")):
+    try:
+        if not Path(filepath).is_file():
+            return  # write_data will say what is wrong with it
+        with open(filepath, "rb") as file:
+            columns = file.readline().strip()
+    except OSError as error:
+        raise ValueError(f"--record: {filepath}: {error.strerror}") from error
+    if columns and not (columns.startswith(b"t,theta_1,") and columns.endswith(b",momentum")):
         allowed = "a new file, or one with the data of a cradle, which is replaced"
         raise ValueError(f"--record: found '{filepath}', which holds something else; allowed is {allowed}")
 

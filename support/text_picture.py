@@ -23,6 +23,9 @@ class TextPicture:
         top, height = axles[0].y + self.above, cradle.reach + self.above
         # Columns for a metre. Three columns and a row are left for what is rounded up, and for the brackets of a bob.
         scale = min(CORD / cradle.reach, (columns - 3) / width, 2 * (rows - 1) / height)
+        apart = (axles[-1].x - axles[0].x) / max(1, len(axles) - 1)
+        if apart * scale >= 1:  # whole columns from bob to bob: others look like groups of bobs
+            scale = int(apart * scale + 1e-9) / apart
         grid = [[" "] * columns for _ in range(ceil(height * scale / 2) + 1)]
 
         def cell(place):
@@ -41,9 +44,9 @@ class TextPicture:
         for axle in axles:
             grid[bar][cell(axle)[1]] = "+"
 
-        apart = (last - first) / (len(axles) - 1) if len(axles) > 1 else columns
         names = [f"({number})" for number in range(1, len(bobs) + 1)]
-        for bob, name in zip(bobs, names if len(names[-1]) <= apart else "O" * len(bobs), strict=True):
+        there_is_room = len(axles) == 1 or len(names[-1]) <= apart * scale + 1e-9
+        for bob, name in zip(bobs, names if there_is_room else "O" * len(bobs), strict=True):
             row, column = cell(bob)
             start = max(0, column - len(name) // 2)
             grid[row][start : start + len(name)] = name

@@ -140,10 +140,10 @@ class Viewer:
         """Write what has happened since the last restart to a file in the folder where the program was started."""
         try:
             path = self.recording.save(Path.cwd())
-            self.panel.show_saved(f"{len(self.recording.rows)} samples are in {path}")
+            self.panel.show_saved(f"{len(self.recording.rows)} rows are in {path}")
         except OSError as error:
-            self.panel.show_saved(f"{error.filename}: {error.strerror}")
-        self.pace.restart()  # a long file takes a second, which is not made up for
+            self.panel.show_saved(f"{error.filename or 'The present folder'}: {error.strerror}", failed=True)
+        self.pace.restart()  # what this took (ten minutes of a hundred pendula: ten seconds) is not made up for
 
     # --- the mouse ---------------------------------------------------------------------------------------------------
 
@@ -167,18 +167,17 @@ class Viewer:
 
     def advance(self, ticks) -> None:
         """Move the cradle on by so many ticks, from sample to sample."""
-        from_sample_to_sample = max(1, round(EVERY / self.cradle.dt))
-        while ticks > 0:
-            part = min(ticks, from_sample_to_sample - self.motion.ticks % from_sample_to_sample)
+        step = max(1, round(EVERY / self.cradle.dt))
+        for part in self.motion.parts(ticks, step):
             self.motion.advance(part, not self.separating)
-            ticks -= part
-            if self.motion.ticks % from_sample_to_sample == 0:
+            if self.motion.ticks % step == 0:
                 self.note()
 
     def note(self) -> None:
         """Add this moment to the recording and to the graph."""
-        self.recording.add(self.motion.sample())
-        self.graph.add(self.motion.time(), *self.cradle.energies())
+        sample = self.motion.sample()
+        self.recording.add(sample)
+        self.graph.add(sample["t"], sample["kinetic"], sample["potential"])
 
     def load(self) -> None:
         """Build the cradle of the file as it is now, and let it go."""

@@ -216,7 +216,7 @@ def shown(cpu, error) -> tuple[str, str]:
 # --- the viewer ------------------------------------------------------------------------------------------------------
 
 
-def viewer_load(count, seconds=20) -> tuple[float, float]:
+def viewer_load(count, seconds=40) -> tuple[float, float]:
     """Return which part of a processor core the program takes with so many pendula, and how many simulated seconds pass
     in one, with Chromium drawing its page on the same machine.
     """
@@ -235,7 +235,7 @@ def viewer_load(count, seconds=20) -> tuple[float, float]:
             page = browser.new_page(viewport={"width": 1000, "height": 840})
             page.goto(first_lines(process))
             page.wait_for_function("() => $('.readout').length")
-            time.sleep(seconds / 2)  # until it runs evenly
+            time.sleep(10)  # until it runs evenly
             before = measure()
             time.sleep(seconds)
             cpu, simulated, passed = (end - start for end, start in zip(measure(), before, strict=True))

@@ -27,7 +27,8 @@ def run(tmp_path):
 
     def run(*arguments):
         environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
-        return subprocess.run([sys.executable, *arguments], cwd=os.sep, env=environment, capture_output=True, text=True)
+        command = [sys.executable, *arguments]
+        return subprocess.run(command, cwd=os.sep, env=environment, capture_output=True, text=True, timeout=2 * SECONDS)
 
     return run
 

@@ -80,11 +80,20 @@ def test_what_the_cradle_in_the_terminal_takes(line, changed):
         ("--seconds 0", "argument --seconds: found '0', allowed is a number above 0 and up to 1e6 (s)"),
         ("--seconds inf", "argument --seconds: found 'inf', allowed is a number above 0 and up to 1e6 (s)"),
         ("--record data.csv", "argument --record: needs --seconds, to say how long"),
+        ("--record=", "argument --record: found '', allowed is the name of a file"),
         ("--every 0.1", "argument --every: needs --record"),
         ("--every 0.1 --seconds 5", "argument --every: needs --record"),
         (
             f"--record data.csv --seconds 5 --every {DT / 2}",
-            f"argument --every: found '{DT / 2}', allowed is a number from {DT:g} (one tick) to 1e6 (s)",
+            f"argument --every: found '{DT / 2}', allowed is a multiple of {DT:g} (s), one tick, up to 1e6",
+        ),
+        (
+            f"--record data.csv --seconds 5 --every {DT * 1.5}",
+            f"argument --every: found '{DT * 1.5}', allowed is a multiple of {DT:g} (s), one tick, up to 1e6",
+        ),
+        (
+            "--record data.csv --seconds 5 --every nan",
+            f"argument --every: found 'nan', allowed is a multiple of {DT:g} (s), one tick, up to 1e6",
         ),
         ("--no-browser", "unrecognized arguments: --no-browser"),
     ],

@@ -401,9 +401,9 @@ def test_the_data_are_saved_and_the_page_says_where(page, program):
         open_cradle(page, first_lines(process))
         wait_until(lambda: readout(page, "t") > 1)
         press(page, "Save data")
-        saved = page.locator(".saved", has_text="samples are in")
+        saved = page.locator(".saved", has_text="rows are in")
         saved.wait_for()
-        assert saved.inner_text().endswith(f" samples are in {folder / 'cradle_data_1.csv'}")
+        assert saved.inner_text().endswith(f" rows are in {folder / 'cradle_data_1.csv'}")
     times = [float(line.partition(",")[0]) for line in (folder / "cradle_data_1.csv").read_text().splitlines()[1:]]
     assert times == pytest.approx([0.01 * i for i in range(len(times))])
     assert times[-1] > 1

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pandas as pd
 import pytest
-from cradles import MIXED_CSV
+from cradles import FIVE_CSV, MIXED_CSV, PERIOD
 
 from src.live_cradle import LiveCradle
 from src.pds_helper import EXACT_FLOATS
@@ -43,6 +43,27 @@ def test_a_sample_has_all_figures_of_the_moment_by_their_names(motion):
     found = [sample[name] for name in ("kinetic", "potential", "total", "momentum")]
     assert found == pytest.approx([kinetic, potential, kinetic + potential, momentum])
     assert kinetic > 0 < potential
+
+
+def test_hits_are_told_in_their_direction_however_long_the_time(tmp_path):
+    csv = tmp_path / "five.csv"
+    csv.write_text(FIVE_CSV)
+    cradle = LiveCradle(advance_cradle, SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None))
+    cradle.load(Snapshot(csv))
+    cradle.release([30], 1)
+    motion = Motion(cradle, impacts=9)
+    motion.advance(round(0.95 * PERIOD / DT))
+    assert motion.trains.runs()[-1] == "1-2-3-4-5"
+    assert "5-4-3-2-1" in motion.trains.runs()
+
+
+@pytest.mark.parametrize(("ticks", "parts"), [(0, []), (3, [3]), (5, [5]), (12, [5, 7]), (28, [5, 10, 10, 3])])
+def test_parts_end_at_multiples_and_at_the_last_tick(motion, ticks, parts):
+    motion.ticks, found = 105, []
+    for part in motion.parts(ticks, 10):
+        found.append(part)
+        motion.ticks += part
+    assert found == parts
 
 
 @pytest.mark.parametrize("ticks", [1, 3, 7, 12345, 999999])
@@ -94,9 +115,13 @@ def test_half_of_a_file_is_none(tmp_path):
 def test_data_may_be_replaced_by_data_and_nothing_else(tmp_path):
     file = tmp_path / "data.csv"
     check_record(file)
-    write_data(file, ["t", "theta_1"], [[0.0, 1.0]])
+    file.touch()
     check_record(file)
-    for other in (file, tmp_path):
-        file.write_text(MIXED_CSV)
-        with pytest.raises(ValueError, match=f"^--record: found '{other}', which holds something else; allowed is "):
-            check_record(other)
+    write_data(file, ["t", "theta_1", "momentum"], [[0.0, 1.0, 2.0]])
+    check_record(file)
+    for other in (MIXED_CSV, "t,theta_1,mine\n", "t,mine,momentum\n"):
+        file.write_text(other)
+        with pytest.raises(ValueError, match=f"^--record: found '{file}', which holds something else; allowed is "):
+            check_record(file)
+    with pytest.raises(ValueError, match=f"^--record: {tmp_path}/n+: File name too long$"):
+        check_record(tmp_path / ("n" * 300))

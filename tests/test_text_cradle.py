@@ -6,8 +6,10 @@ import re
 import select
 import signal
 import struct
+import subprocess
 import sys
 import time
+from contextlib import suppress
 from io import StringIO
 from types import SimpleNamespace
 
@@ -19,6 +21,7 @@ from src import text_cradle_run
 from src.special_cradles import make_newton_cradle
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.motion import Motion
 from support.real_time import RealTime
 
 PROGRAM = ROOT / "src" / "text_cradle_run.py"
@@ -50,6 +53,12 @@ class Wall:
     def advance(self, ticks):
         self.ticks += ticks
 
+    def parts(self, ticks, step):
+        return Motion.parts(self, ticks, step)
+
+    def sample(self):
+        return {}
+
     def show(self):
         self.shown.append((self.now - 50, self.ticks * self.cradle.dt))
 
@@ -75,16 +84,16 @@ def test_into_a_pipe_it_says_a_line_each_half_second_without_vpython(run, five):
     times = [*(f"{0.5 * i:.2f}" for i in range(int(2 * seconds) + 1)), f"{seconds:.2f}"]
     for line, at in zip(done.stdout.splitlines(), times, strict=True):
         state = r"energy (99.9\d|100.\d\d) %, pendulum (1 at \d+ degrees left|5 at \d+ degrees right)"
-        assert re.fullmatch(rf"t = {at} s, {state}(, impacts [\d ,-]+\.*)?", line)
+        assert re.fullmatch(rf"t = {at} s, {state}(, hits [\d ,-]+|, many hits)?", line)
     assert done.stdout.startswith("t = 0.00 s, energy 100.00 %, pendulum 1 at 30 degrees left\n")
-    assert done.stdout.index("impacts 1-2-3-4-5") < done.stdout.index("5-4-3")
+    assert done.stdout.index("hits 1-2-3-4-5") < done.stdout.index("5-4-3")
 
 
 def test_lines_are_at_most_80_columns_long(run, tmp_path):
     (tmp_path / "20.csv").write_text(HEADER + GOOD * 20)
     done = run(str(PROGRAM), str(tmp_path / "20.csv"), "--seconds", str(PERIOD / 3), "--lift", "4")
-    assert max(map(len, done.stdout.splitlines())) == 80
-    assert done.stdout.endswith("...\n")
+    assert max(map(len, done.stdout.splitlines())) <= 80
+    assert done.stdout.endswith(", many hits\n")
 
 
 @posix
@@ -109,13 +118,14 @@ def test_ctrl_c_ends_the_lines_quietly(five):
 
 
 class Terminal:
-    """A program on a terminal of its own."""
+    """A program on a terminal of its own, for the body of a with statement."""
 
     def __init__(self, *arguments, lines=24, columns=80, term="xterm"):
         import fcntl
         import pty
         import termios
 
+        self.said, self.deadline = "", time.monotonic() + SECONDS
         self.process, self.terminal = pty.fork()
         if self.process == 0:
             try:
@@ -125,24 +135,37 @@ class Terminal:
                 os.execve(sys.executable, [sys.executable, str(PROGRAM), *arguments], {**environment, "TERM": term})
             finally:
                 os._exit(127)
-        self.said = ""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        os.close(self.terminal)
+        with suppress(ProcessLookupError, ChildProcessError):
+            os.kill(self.process, signal.SIGKILL)
+            os.waitpid(self.process, 0)
 
     def read_until(self, condition):
         """Read on until condition(what has been said) holds, or the program ends; return whether it holds."""
         while not condition(self.said):
-            assert select.select([self.terminal], [], [], SECONDS)[0], self.said
-            try:
-                self.said += os.read(self.terminal, 65536).decode()
-            except OSError:  # it has ended
-                return condition(self.said)
+            assert time.monotonic() < self.deadline, self.said
+            if select.select([self.terminal], [], [], 1)[0]:
+                try:
+                    self.said += os.read(self.terminal, 65536).decode()
+                except OSError:  # it has ended
+                    return condition(self.said)
         return True
 
     def end(self, keys=b""):
         """Press these keys, wait until the program has ended, and return its status and its last words."""
         os.write(self.terminal, keys)
         self.read_until(lambda said: False)
-        os.close(self.terminal)
         return os.waitstatus_to_exitcode(os.waitpid(self.process, 0)[1]), self.said.rpartition(RESTORED)[2]
+
+
+def pictures(said):
+    """Return all complete pictures, each as its lines."""
+    return [re.sub(r"\x1b\[K", "", text).splitlines() for text in re.findall(r"\x1b\[H(.*?)\x1b\[J", said, re.DOTALL)]
 
 
 HOME, RESTORED = "\x1b[H", "\x1b[?25h\x1b[?1049l"
@@ -150,38 +173,47 @@ HOME, RESTORED = "\x1b[H", "\x1b[?25h\x1b[?1049l"
 
 @posix
 def test_on_a_terminal_a_picture_moves_until_ctrl_c(five):
-    terminal = Terminal(five, "--angle", "40")
-    assert terminal.read_until(lambda said: said.count(HOME) > 8 and "1-2-3-4-5" in said)
-    status, last_words = terminal.end(b"\x03")
+    with Terminal(five, "--angle", "40") as terminal:
+        assert terminal.read_until(lambda said: said.count(HOME) > 8 and "1-2-3-4-5" in said)
+        status, last_words = terminal.end(b"\x03")
     assert status == 0
-    pictures = [re.sub(r"\x1b\[[KJ]", "", picture).splitlines() for picture in terminal.said.split(HOME)[1:]]
-    times = [re.match(r"t = (\d+\.\d\d) s +energy", picture[0])[1] for picture in pictures]
+    seen = pictures(terminal.said)
+    times = [re.match(r"t = (\d+\.\d\d) s +energy", picture[0])[1] for picture in seen]
     assert times[:8] == ["0.00", "0.05", "0.10", "0.15", "0.20", "0.25", "0.30", "0.35"]
-    assert {len(picture) for picture in pictures[:-1]} == {len(pictures[0])}
-    assert len({picture[8] for picture in pictures}) > 2  # in which the bobs are that swing
-    assert max(map(len, pictures[0])) <= 80
-    assert pictures[0][-1] == "Ctrl+C ends it."
-    assert last_words.replace("\r", "").splitlines()[:3] == pictures[-1][:3]
+    assert {len(picture) for picture in seen} == {len(seen[0])}
+    assert len({picture[8] for picture in seen}) > 2  # in which the bobs are that swing
+    assert max(map(len, seen[0])) <= 80
+    assert seen[0][-1] == "Ctrl+C ends it."
+    assert last_words.replace("\r", "").splitlines() == seen[-1]
     assert last_words.isascii()
 
 
 @posix
-def test_a_small_terminal_has_a_small_picture(five):
-    terminal = Terminal(five, "--seconds", "0.1", lines=14, columns=40)
-    status, _ = terminal.end()
-    assert status == 0
-    for picture in terminal.said.partition(RESTORED)[0].split(HOME)[1:]:
-        lines = re.sub(r"\x1b\[[KJ]", "", picture).splitlines()
-        assert len(lines) <= 14
-        assert max(map(len, lines)) <= 40
+@pytest.mark.parametrize(("lines", "columns"), [(24, 80), (18, 40), (17, 80), (10, 60), (5, 20)])
+def test_the_picture_is_as_large_as_the_terminal_allows(five, lines, columns):
+    with Terminal(five, "--seconds", "0.1", lines=lines, columns=columns) as terminal:
+        assert terminal.end()[0] == 0
+    for picture in pictures(terminal.said):
+        assert len(picture) <= lines
+        assert max(map(len, picture)) <= columns
+        assert any(re.search(r"=(\+=*){5}$", line) for line in picture)
+        assert picture[0].startswith("t = 0.")
 
 
 @posix
 def test_a_terminal_that_cannot_move_its_cursor_gets_lines(five):
-    terminal = Terminal(five, "--seconds", "0.1", term="dumb")
-    assert terminal.end()[0] == 0
+    with Terminal(five, "--seconds", "0.1", term="dumb") as terminal:
+        assert terminal.end()[0] == 0
     assert "\x1b" not in terminal.said
     assert terminal.said.startswith("t = 0.00 s, energy")
+
+
+@posix
+def test_however_often_ctrl_c_is_pressed_the_terminal_is_restored(five):
+    with Terminal(five) as terminal:
+        assert terminal.read_until(lambda said: HOME in said)
+        status, last_words = terminal.end(b"\x03\x03\x03\x03")
+    assert (status, last_words[:4]) == (0, "t = ")
 
 
 # --- data ------------------------------------------------------------------------------------------------------------
@@ -214,7 +246,7 @@ def test_a_row_is_for_a_hundredth_of_a_second(run, five, tmp_path):
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM", "SIGHUP"])
 def test_what_is_ended_early_is_not_written(name, five, tmp_path):
     data = tmp_path / "data.csv"
-    data.write_text("t,old\n")
+    data.write_text("t,theta_1,momentum\n")
     with running(PROGRAM, five, "--record", str(data), "--seconds", "100000") as process:
         give_up = time.monotonic() + SECONDS
         while len(os.listdir(tmp_path)) == 2:
@@ -222,7 +254,20 @@ def test_what_is_ended_early_is_not_written(name, five, tmp_path):
         process.send_signal(getattr(signal, name))
         assert end(process) == (1, "", f"Ended before it was complete: {data} is not written.\n")
     assert sorted(os.listdir(tmp_path)) == ["data.csv", "five.csv"]
-    assert data.read_text() == "t,old\n"
+    assert data.read_text() == "t,theta_1,momentum\n"
+
+
+@posix
+def test_a_recording_outlives_the_terminal_with_nohup(five, tmp_path):
+    data = tmp_path / "data.csv"
+    shell = f"trap '' HUP; exec {sys.executable} {PROGRAM} {five} --record {data} --seconds 20"
+    with subprocess.Popen(["sh", "-c", shell], stdout=subprocess.PIPE, text=True) as process:
+        give_up = time.monotonic() + SECONDS
+        while len(os.listdir(tmp_path)) == 1:
+            assert time.monotonic() < give_up
+        process.send_signal(signal.SIGHUP)
+        assert process.communicate(timeout=SECONDS)[0].startswith("2001 rows")
+        assert process.returncode == 0
 
 
 class Screen(StringIO):
@@ -231,26 +276,32 @@ class Screen(StringIO):
 
 
 @pytest.mark.parametrize(("seconds", "shown"), [(1.9, False), (40, True)])
-def test_a_progress_bar_is_shown_when_it_takes_more_than_two_seconds(monkeypatch, seconds, shown):
+@pytest.mark.parametrize("columns", [80, 50])
+def test_a_progress_bar_is_shown_when_it_takes_more_than_two_seconds(monkeypatch, seconds, shown, columns):
     monkeypatch.setattr(sys, "stderr", Screen())
+    monkeypatch.setenv("COLUMNS", str(columns))
     now = 0.0
-
-    def rows():
-        nonlocal now
-        for number in range(100):
+    with text_cradle_run.progress_bar(lambda: now) as progress:
+        for number in range(1, 101):
             now += seconds / 100
-            yield number
-
-    assert list(text_cradle_run.with_progress(rows(), 100, lambda: now)) == list(range(100))
+            progress(number / 100)
     said = sys.stderr.getvalue()
     assert bool(said) == shown
     if shown:
-        bars = re.findall(r"\r\[(#*) *\] +(\d+)%, (\d+) s left", said)
+        bars = re.findall(r"\r\[(#* *)\] +(\d+)%, (\d+) s left", said)
         assert len(bars) > 50
         for bar, percent, left in bars:
-            assert len(bar) == int(percent) * 40 // 100
+            assert len(bar) == min(40, columns - 25)
+            assert bar.count("#") == len(bar) * int(percent) // 100
             assert int(left) == pytest.approx(seconds * (100 - int(percent)) / 100, abs=1.5)
+        assert max(map(len, said.split("\r"))) < columns
         assert said.endswith("\r\x1b[K")
+
+
+def test_the_progress_is_told_however_rare_the_rows_are():
+    wall, parts = Wall(), []
+    assert len(list(text_cradle_run.rows(wall, 5, 3, parts.append))) == 3
+    assert parts == pytest.approx([number / 100 for number in range(1, 101)])
 
 
 # --- what is refused -------------------------------------------------------------------------------------------------
