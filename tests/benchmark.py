@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from functools import partial
 from itertools import product
 from math import cos, inf, sin
 from pathlib import Path
@@ -27,24 +28,28 @@ from src.visualize_cradle_run import advance_cradle, newton_cradle_tick
 from support.audit import kinetic_energy, potential_energy
 from support.constants import DT, G, R_PARAM, THETA_INIT
 
-COUNTS = 5, 50, 500  # pendula
+CRADLES = (5, 1), (50, 1), (500, 1), (50, 0)  # how many pendula, and their e
+CLING = 3.0  # s after which bobs of e = 0 cling together
 MINUTE = 60.0  # s, simulated
 SAMPLE = 0.01  # s between two looks at the energy
-TICKS = [DT * times for times in (1, 2, 4, 8, 16)]  # s
+TICKS = [DT * times for times in (1, 2, 5, 10, 20)]  # s
 STEPS = [1 / 100, 1 / 200, 1 / 500, 1 / 1000, 1 / 2000, 1 / 5000]  # s, of pymunk
 
 
-def csv_of(count) -> str:
-    """Return the CSV of so many equal elastic pendula."""
-    return "mass,e,color,texture\n" + "1,1,red,metal\n" * count
+def csv_of(count, e=1) -> str:
+    """Return the CSV of so many equal pendula."""
+    return "mass,e,color,texture\n" + f"1,{e},red,metal\n" * count
 
 
-def cradle_of(count):
-    """Return the pend_list of so many equal elastic pendula, the first of them lifted."""
+def cradle_of(count, e=1):
+    """Return the pend_list of so many equal pendula, the first of them lifted; of bobs of e = 0, when they cling."""
     with tempfile.TemporaryDirectory() as folder:
         csv = Path(folder, "cradle.csv")
-        csv.write_text(csv_of(count))
-        return make_newton_cradle(csv, R_PARAM, THETA_INIT)
+        csv.write_text(csv_of(count, e))
+        pend_list = make_newton_cradle(csv, R_PARAM, THETA_INIT)
+    if e == 0:
+        advance_cradle(pend_list, R_PARAM, DT, G, round(CLING / DT), approaching_only=True)
+    return pend_list
 
 
 def cpu_time(make, run) -> float:
@@ -81,9 +86,9 @@ def show_table(*rows) -> None:
 
 
 def tick_costs() -> list[tuple[float, float]]:
-    """Return the costs (s) of a tick by newton_cradle_tick and by advance_cradle, for each of COUNTS."""
+    """Return the costs (s) of a tick by newton_cradle_tick and by advance_cradle, for each of CRADLES."""
     costs = []
-    for count in COUNTS:
+    for count, e in CRADLES:
         ticks, more_ticks = 20_000 // count, 1_000_000 // count
 
         def one_by_one(pend_list, ticks=ticks):
@@ -93,9 +98,7 @@ def tick_costs() -> list[tuple[float, float]]:
         def at_once(pend_list, ticks=more_ticks):
             advance_cradle(pend_list, R_PARAM, DT, G, ticks, approaching_only=True)
 
-        def make(count=count):
-            return cradle_of(count)
-
+        make = partial(cradle_of, count, e)
         costs.append((cpu_time(make, one_by_one) / ticks, cpu_time(make, at_once) / more_ticks))
     return costs
 
@@ -108,10 +111,11 @@ def tick_costs_on_vpython() -> list[tuple[float, float]]:
 
 def show_ticks() -> None:
     """Print how many ticks a second can be done."""
-    rows = [("pendula", "single ticks", "on the stand-in", "advance_cradle", "times", "us a pendulum and tick")]
-    for count, (single, at_once), (stub, _) in zip(COUNTS, tick_costs_on_vpython(), tick_costs(), strict=True):
+    rows = [("pendula", "newton_cradle_tick", "without VPython", "advance_cradle", "times", "us a pendulum and tick")]
+    for (count, e), (single, at_once), (stub, _) in zip(CRADLES, tick_costs_on_vpython(), tick_costs(), strict=True):
         speeds = (f"{1 / cost:,.0f}" for cost in (single, stub, at_once))
-        rows.append((count, *speeds, f"{single / at_once:.1f}", f"{1e6 * at_once / count:.3f}"))
+        name = count if e else f"{count}, clinging (e = {e})"
+        rows.append((name, *speeds, f"{single / at_once:.1f}", f"{1e6 * at_once / count:.3f}"))
     print("Ticks a second on VPython's objects; times: advance_cradle against single ticks.\n")
     show_table(*rows)
 
@@ -128,7 +132,7 @@ def our_minute(dt) -> tuple[float, float]:
     pend_list = cradle_of(5)
     error = energy_error(
         lambda: kinetic_energy(pend_list, R_PARAM) + potential_energy(pend_list, R_PARAM, G),
-        lambda: advance(pend_list, max(SAMPLE, dt)),
+        lambda: advance(pend_list, SAMPLE),
     )
     return cpu_time(lambda: cradle_of(5), advance), error
 
@@ -202,7 +206,8 @@ def show_minutes() -> None:
     for dt in STEPS:
         for name, settings in ("its own", {}), ("the best", best_settings(dt)):
             cpu, error = pymunk_minute(dt, **settings)
-            our_error = np.exp(np.interp(np.log(cpu), times, errors, left=np.nan))  # a longer time is of no use to ours
+            # Between two of our ticks, as of a straight line of the logarithms; for a longer time that of the smallest.
+            our_error = np.exp(np.interp(np.log(cpu), times, errors, left=np.nan))
             compared = ("-", "-") if np.isnan(our_error) else (f"{our_error:.2g}", f"{error / our_error:.1f}")
             rows.append((f"{1000 * dt:g} ms", name, *shown(cpu, error), *compared))
     show_table(*rows)
