@@ -1,6 +1,6 @@
 """The cradle as a picture of plain ASCII characters, each of them twice as high as it is wide."""
 
-from math import atan2, ceil, pi
+from math import atan2, pi
 
 from support.cradle import Cradle
 
@@ -26,7 +26,7 @@ class TextPicture:
         apart = (axles[-1].x - axles[0].x) / max(1, len(axles) - 1)
         if apart * scale >= 1:  # whole columns from bob to bob: others look like groups of bobs
             scale = int(apart * scale + 1e-9) / apart
-        grid = [[" "] * columns for _ in range(ceil(height * scale / 2) + 1)]
+        grid = [[" "] * columns for _ in range(round(height * scale / 2) + 1)]
 
         def cell(place):
             return round((top - place.y) * scale / 2), round((place.x - left) * scale) + 1

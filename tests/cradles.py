@@ -3,10 +3,15 @@
 import shutil
 from math import pi, sqrt
 from pathlib import Path
+from types import SimpleNamespace
 
 from vpython import color, vector
 
+from src.live_cradle import LiveCradle
+from src.visualize_cradle_run import advance_cradle
 from support.constants import G, R_PARAM
+from support.cradle_csv import Snapshot
+from support.motion import Motion
 from support.pendulum import make_pendulum
 
 ROOT = Path(__file__).parents[1]
@@ -44,6 +49,17 @@ def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R)
 def row(count, **values) -> list[dict]:
     """Return count pendula at rest, R / 4 apart, with these values (as for hang)."""
     return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]
+
+
+def make_motion(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4) -> Motion:
+    """Return the motion of the cradle of this CSV (written to the folder), just let go from this angle (degrees)."""
+    file = folder / "cradle.csv"
+    file.write_text(csv)
+    options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
+    cradle = LiveCradle(advance_cradle, options)
+    cradle.load(Snapshot(file))
+    cradle.release([angle], lift)
+    return Motion(cradle, impacts)
 
 
 def copy_project(folder, csv) -> Path:

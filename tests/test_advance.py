@@ -129,6 +129,12 @@ def test_bobs_that_touch_without_a_change_are_no_contact():
     assert advance_cradle(list(pair), R, DT, 0, 10) == []
 
 
+def test_bobs_that_move_together_have_no_contacts_from_rounding():
+    for masses in ((0.1, 0.7), (0.3, 0.1)):
+        pair = [hang(0.3, 0.1, mass=mass, axle=(i * R / 8, 0, 0)) for i, mass in enumerate(masses)]
+        assert advance_cradle(pair, R, DT, G, 300, approaching_only=True) == []
+
+
 def test_a_contact_that_only_the_right_bob_notices_is_told():
     pair = [hang(omega=1.0, mass=1e20), hang(axle=(R / 8, 0, 0))]
     assert advance_cradle(pair, R, DT, 0, 1, approaching_only=True) == [(0, 0)]

@@ -160,6 +160,20 @@ def test_a_bob_that_is_held_has_no_speed(csv):
     assert cradle.pend_list[0]["omega"] == 0
 
 
+def test_velocities_and_momentum_are_those_to_the_right(csv):
+    """At 60 degrees half of what goes along the arc, and below 0 to the left."""
+    cradle = live(csv(FIVE_CSV))
+    cradle.pend_list[0].update(theta=radians(60), omega=-2.0)
+    assert cradle.velocities() == pytest.approx([-R_PARAM, 0, 0, 0, 0])
+    assert cradle.momentum() == pytest.approx(-R_PARAM)
+
+
+def test_thetas_and_cords_are_those_from_left_to_right(csv):
+    cradle = live(csv(FIVE_CSV))
+    assert cradle.thetas() == values(cradle, "theta")
+    assert cradle.cords() == [pend["objects"][2] for pend in cradle.pend_list]
+
+
 def test_a_bob_that_is_let_go_swings_from_where_it_is_with_no_speed(csv):
     cradle = live(csv(FIVE_CSV))
     cradle.release([0], 0)

@@ -65,7 +65,9 @@ TEXT_DEFAULTS = {
             "--inelastic --mass 2 --angle 5 --lift 2 my.csv",
             {"inelastic": True, "mass": 2.0, "angle": 5.0, "lift": 2, "csv": "my.csv"},
         ),
-        ("--seconds 2.5", {"seconds": 2.5}),
+        ("--seconds 2.5 --angle 0", {"seconds": 2.5, "angle": 0.0}),
+        ("--seconds 1e6", {"seconds": 1e6}),
+        (f"--seconds 1 --record data.csv --every {DT}", {"seconds": 1.0, "record": "data.csv", "every": DT}),
         ("--seconds 60 --record data.csv", {"seconds": 60.0, "record": "data.csv"}),
         ("--seconds 60 --record data.csv --every 0.5", {"seconds": 60.0, "record": "data.csv", "every": 0.5}),
     ],
@@ -90,6 +92,10 @@ def test_what_the_cradle_in_the_terminal_takes(line, changed):
         (
             f"--record data.csv --seconds 5 --every {DT * 1.5}",
             f"argument --every: found '{DT * 1.5}', allowed is a multiple of {DT:g} (s), one tick, up to 1e6",
+        ),
+        (
+            "--record data.csv --seconds 5 --every 1e7",
+            f"argument --every: found '1e7', allowed is a multiple of {DT:g} (s), one tick, up to 1e6",
         ),
         (
             "--record data.csv --seconds 5 --every nan",
@@ -163,6 +169,20 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
         "how many bobs are lifted (default: 1)",
         "--port N",
         "--no-browser",
+    ):
+        assert words in text
+
+
+def test_so_has_the_help_of_the_cradle_in_the_terminal(capsys):
+    with pytest.raises(SystemExit) as ended:
+        read_text_options(["--help"])
+    assert ended.value.code == 0
+    text = " ".join(capsys.readouterr().out.split())
+    for words in (
+        "how many bobs are lifted (default: 1)",
+        "--seconds S end after S seconds (default: with Ctrl+C)",
+        "--record FILE write a CSV with the S seconds of --seconds to FILE",
+        "--every S with --record: a row for every S seconds (default: 0.01)",
     ):
         assert words in text
 

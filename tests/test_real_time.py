@@ -129,3 +129,10 @@ def test_at_any_speed_the_same_hiccup_is_made_up_for(speed, hiccup, made_up):
     wall.pace.speed = speed
     wall.interruptions[60] = hiccup
     assert wall.run() == pytest.approx((10 - hiccup + made_up) * speed, abs=3 * FRAME * speed)
+
+
+@pytest.mark.parametrize(("kept_up", "remark"), [(1.0, ""), (0.96, ""), (0.9, "x0.9"), (0.4, "x0.4")])
+def test_slow_motion_is_remarked_on(kept_up, remark):
+    pace = RealTime(DT)
+    pace.speed, pace.kept_up = 2.0, kept_up
+    assert pace.remark() == remark

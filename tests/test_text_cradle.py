@@ -11,10 +11,12 @@ import sys
 import time
 from contextlib import suppress
 from io import StringIO
+from math import radians
 from types import SimpleNamespace
 
+import pandas as pd
 import pytest
-from cradles import copy_project, FIVE_CSV, GOOD, HEADER, MIXED_CSV, PERIOD, ROOT
+from cradles import copy_project, FIVE_CSV, GOOD, HEADER, make_motion, MIXED_CSV, PERIOD, ROOT
 from programs import end, QUIETLY, refusal, running, SECONDS
 
 from src import text_cradle_run
@@ -23,6 +25,7 @@ from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.motion import Motion
 from support.real_time import RealTime
+from support.text_picture import TextPicture
 
 PROGRAM = ROOT / "src" / "text_cradle_run.py"
 posix = pytest.mark.skipif(os.name != "posix", reason="terminals and signals as on Linux and macOS")
@@ -49,6 +52,7 @@ class Wall:
 
     def sleep(self, seconds):
         self.now += max(seconds, 1e-4)
+        assert self.now < 200, "it never ends"
 
     def advance(self, ticks):
         self.ticks += ticks
@@ -74,6 +78,20 @@ def test_it_keeps_time_and_shows_each_step(seconds, step, times):
         assert simulated == pytest.approx(on_the_wall, abs=2 / 60)
 
 
+def test_time_before_the_start_does_not_count():
+    wall = Wall()
+    wall.now += 5
+    text_cradle_run.play(wall, wall.pace, 1, 0.5, wall.show)
+    assert wall.shown[-1][0] == pytest.approx(6, abs=2 / 60)
+
+
+@pytest.mark.parametrize("show", [text_cradle_run.tell_lines, text_cradle_run.show_pictures])
+def test_a_second_is_no_less_than_one_on_the_wall(tmp_path, show):
+    begin = time.monotonic()
+    show(make_motion(tmp_path), 1.0)
+    assert time.monotonic() - begin > 0.9
+
+
 # --- without a terminal ----------------------------------------------------------------------------------------------
 
 
@@ -94,6 +112,19 @@ def test_lines_are_at_most_80_columns_long(run, tmp_path):
     done = run(str(PROGRAM), str(tmp_path / "20.csv"), "--seconds", str(PERIOD / 3), "--lift", "4")
     assert max(map(len, done.stdout.splitlines())) <= 80
     assert done.stdout.endswith(", many hits\n")
+
+
+def test_the_latest_hits_are_told_in_their_order(tmp_path):
+    motion = make_motion(tmp_path)
+    motion.trains.add(0.1, 0, True)
+    motion.trains.add(0.3, 3, False)
+    assert text_cradle_run.summary(motion).endswith(" left, hits 1-2, 5-4")
+
+
+def test_a_bob_that_has_gone_round_is_told_of_where_it_is(tmp_path):
+    motion = make_motion(tmp_path)
+    motion.cradle.pend_list[1]["theta"] = radians(360 * 3 + 20)
+    assert "pendulum 2 at 20 degrees right" in text_cradle_run.summary(motion)
 
 
 @posix
@@ -200,6 +231,32 @@ def test_the_picture_is_as_large_as_the_terminal_allows(five, lines, columns):
         assert picture[0].startswith("t = 0.")
 
 
+def test_a_screen_of_its_own_is_cleared_line_by_line_and_given_back(tmp_path, capsys):
+    text_cradle_run.show_pictures(make_motion(tmp_path), 0.1)
+    said, _, last_words = capsys.readouterr().out.partition(RESTORED)
+    assert said.startswith("\x1b[?1049h\x1b[?25l\x1b[H")
+    assert said.count("\x1b[H") == said.count("\x1b[J") == 3
+    assert said.count("\n\x1b[K") == said.count("\n")
+    assert last_words.splitlines() == pictures(said)[-1]
+
+
+def test_what_is_to_be_seen(tmp_path, monkeypatch):
+    monkeypatch.setattr("shutil.get_terminal_size", lambda: os.terminal_size((200, 24)))
+    motion = make_motion(tmp_path, HEADER + GOOD * 20, angle=180, lift=3)
+    motion.cradle.advance(1, True)
+    for left in [*range(19), *range(18, -1, -1)]:
+        motion.trains.add(1.0, left, True)
+    motion.trains.add(2.0, 0, True)
+    lines = text_cradle_run.screen(motion, TextPicture(), "x0.6")
+    assert lines[0].endswith(" %)   x0.6")
+    impacts = lines.index("Impacts")
+    assert lines[impacts + 1] == "t = 2.00 s  1-2"
+    assert lines[impacts + 2].startswith("t = 1.00 s  1-2-3-...-20  ")
+    assert len(lines[impacts + 2]) == 80
+    assert lines[impacts + 3 :] == ["", "", "", "Ctrl+C ends it."]
+    assert len(text_cradle_run.screen(make_motion(tmp_path, angle=180), TextPicture(), "")) in (23, 24)
+
+
 @posix
 def test_a_terminal_that_cannot_move_its_cursor_gets_lines(five):
     with Terminal(five, "--seconds", "0.1", term="dumb") as terminal:
@@ -235,6 +292,32 @@ def test_what_is_recorded_is_what_so_many_ticks_do(run, tmp_path):
             newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
 
 
+def test_the_options_of_the_cradle_count(run, tmp_path):
+    csv_file, data = tmp_path / "lossy.csv", tmp_path / "data.csv"
+    csv_file.write_text(HEADER + GOOD.replace("1.0,1.0", "1.0,0.5") * 3)
+
+    def record(*options):
+        done = run(str(PROGRAM), str(csv_file), "--record", str(data), "--seconds", str(PERIOD / 2), *options)
+        assert (done.returncode, done.stderr) == (0, "")
+        return pd.read_csv(data)
+
+    plain, elastic, heavy, lifted = record(), record("--elastic"), record("--mass", "2"), record("--lift", "2")
+    assert plain["total"].iloc[-1] < 0.9 * plain["total"][0]
+    assert elastic["total"].iloc[-1] > 0.99 * elastic["total"][0]
+    assert heavy["total"].to_numpy() == pytest.approx(2 * plain["total"].to_numpy())
+    assert lifted.loc[0, ["theta_1", "theta_2", "theta_3"]].to_list() == [THETA_INIT, THETA_INIT, 0]
+
+
+@pytest.mark.parametrize(
+    ("seconds", "every", "count", "last"), [(0.3, 0.1, 4, 0.3), (0.35, 0.1, 4, 0.3), (0.02, 0.0007, 29, 0.0196)]
+)
+def test_rows_are_where_they_should_be(tmp_path, capsys, seconds, every, count, last):
+    data = tmp_path / "data.csv"
+    text_cradle_run.record(make_motion(tmp_path), SimpleNamespace(seconds=seconds, every=every, record=str(data)))
+    assert capsys.readouterr().out == f"{count} rows, from t = 0 to {last:g} s, are in {data}\n"
+    assert pd.read_csv(data)["t"].to_list() == pytest.approx([every * i for i in range(count)])
+
+
 def test_a_row_is_for_a_hundredth_of_a_second(run, five, tmp_path):
     data = tmp_path / "data.csv"
     run(str(PROGRAM), five, "--record", str(data), "--seconds", "0.1")
@@ -268,6 +351,25 @@ def test_a_recording_outlives_the_terminal_with_nohup(five, tmp_path):
         process.send_signal(signal.SIGHUP)
         assert process.communicate(timeout=SECONDS)[0].startswith("2001 rows")
         assert process.returncode == 0
+
+
+def test_no_progress_bar_gets_into_a_log(monkeypatch):
+    monkeypatch.setattr(sys, "stderr", StringIO())
+    times = iter(range(10**6))
+    with text_cradle_run.progress_bar(lambda: next(times)) as progress:
+        progress(0.5)
+        progress(1.0)
+    assert sys.stderr.getvalue() == ""
+
+
+def test_the_progress_bar_is_redrawn_twenty_times_a_second(monkeypatch):
+    monkeypatch.setattr(sys, "stderr", Screen())
+    now = 0.0
+    with text_cradle_run.progress_bar(lambda: now) as progress:
+        for number in range(1, 10_001):
+            now += 1e-3
+            progress(number / 10_000)
+    assert sys.stderr.getvalue().count("[#") == pytest.approx(8 * 20, abs=5)
 
 
 class Screen(StringIO):

@@ -1,5 +1,6 @@
 """The cradle as ASCII characters: it fits, and each bob is where it belongs."""
 
+from itertools import pairwise
 from math import radians
 from types import SimpleNamespace
 
@@ -69,6 +70,19 @@ def test_it_fits_and_is_ascii(count, columns, rows, theta):
     assert len(lines) <= rows
     assert max(map(len, lines)) <= columns
     assert "".join(lines).isascii()
+
+
+@pytest.mark.parametrize("count", [3, 7, 13, 20])
+def test_bobs_that_hang_are_evenly_apart_and_under_their_cords(count):
+    for columns in range(20, 90):
+        *_, above, bottom = draw(*[0] * count, columns=columns, rows=40)
+        cords = [column for column, character in enumerate(above) if character == "|"]
+        apart = {right - left for left, right in pairwise(cords)}
+        assert len(apart) <= 1 or apart <= {0, 1}
+        if "O" in bottom and cords:
+            assert [column for column, character in enumerate(bottom) if character == "O"] == cords
+        elif "(" in bottom:
+            assert bottom.count("(") == bottom.count(")") == count
 
 
 @pytest.mark.parametrize(("count", "name"), [(1, "(1)"), (12, "(12)"), (13, "O"), (20, "O")])

@@ -444,6 +444,37 @@ def test_saving_begins_at_the_last_restart_and_never_takes_an_older_file(wall, t
     assert wall.panel.saved.text.endswith("cradle_data_2.csv</span>")
 
 
+def test_saving_works_while_paused_and_in_another_folder(wall, tmp_path, monkeypatch):
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    wall.wait(1)
+    wall.press(" ")
+    assert len(saved(wall)) > 0.8 / EVERY
+    assert os.listdir() == ["cradle_data_1.csv"]
+
+
+def test_the_time_that_saving_takes_is_not_made_up_for(wall, tmp_path, monkeypatch):
+    def slow(folder):
+        wall.now += 0.2
+        return tmp_path / "data.csv"
+
+    monkeypatch.setattr(wall.viewer.recording, "save", slow)
+    wall.wait(1)
+    before = wall.time()
+    wall.panel.save.bind()
+    wall.wait(2 * FRAME)
+    assert wall.time() - before < 0.1
+
+
+def test_the_name_of_a_folder_is_shown_as_text(wall):
+    wall.panel.show_saved("in <b>x & y")
+    assert "in &lt;b&gt;x &amp; y</span>" in wall.panel.saved.text
+
+
+def test_what_the_button_saves_is_told_beforehand(wall):
+    assert "since the last restart, ten minutes at most" in wall.panel.saved.text
+
+
 def test_saving_again_after_another_cradle_has_its_columns(wall, csv, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     csv.write_text(HEADER + GOOD * 2)

@@ -1,0 +1,84 @@
+"""A cradle in motion: its time, its impacts, its energy, and its samples."""
+
+from math import cos
+
+import pytest
+from cradles import make_motion, MIXED_CSV, PERIOD
+
+from support.constants import DT, G, R_PARAM
+
+
+@pytest.fixture
+def motion(tmp_path):
+    """Three unequal pendula, let go from 30 degrees."""
+    return make_motion(tmp_path, MIXED_CSV)
+
+
+def test_a_sample_has_all_figures_of_the_moment_by_their_names(motion):
+    motion.advance(round(0.4 / DT))
+    sample = motion.sample()
+    names = "t theta_1 theta_2 theta_3 omega_1 omega_2 omega_3 kinetic potential total momentum"
+    assert list(sample) == names.split()
+    assert sample["t"] == 0.4
+    pend_list = motion.cradle.pend_list
+    for i, pend in enumerate(pend_list, start=1):
+        assert (sample[f"theta_{i}"], sample[f"omega_{i}"]) == (pend["theta"], pend["omega"])
+    kinetic = sum(pend["mass"] * (R_PARAM * pend["omega"]) ** 2 / 2 for pend in pend_list)
+    potential = sum(pend["mass"] * G * R_PARAM * (1 - cos(pend["theta"])) for pend in pend_list)
+    momentum = sum(pend["mass"] * R_PARAM * pend["omega"] * cos(pend["theta"]) for pend in pend_list)
+    found = [sample[name] for name in ("kinetic", "potential", "total", "momentum")]
+    assert found == pytest.approx([kinetic, potential, kinetic + potential, momentum])
+    assert kinetic > 0 < potential
+
+
+@pytest.mark.parametrize(("ticks", "parts"), [(0, []), (3, [3]), (5, [5]), (12, [5, 7]), (28, [5, 10, 10, 3])])
+def test_parts_end_at_multiples_and_at_the_last_tick(motion, ticks, parts):
+    motion.ticks, found = 105, []
+    for part in motion.parts(ticks, 10):
+        found.append(part)
+        motion.ticks += part
+    assert found == parts
+
+
+@pytest.mark.parametrize("ticks", [1, 3, 7, 12345, 999999])
+def test_times_are_no_longer_than_they_need_be(motion, ticks):
+    motion.ticks = ticks
+    assert len(str(motion.sample()["t"])) <= len(f"{ticks * DT:.4f}")
+    assert motion.sample()["t"] == pytest.approx(ticks * DT, rel=1e-12)
+
+
+def test_only_approaching_bobs_collide_unless_told_otherwise(tmp_path):
+    motion = make_motion(tmp_path, lift=0)
+    pend1, pend2 = motion.cradle.pend_list[:2]
+    pend1["objects"][1].radius *= 1.5
+    pend1["omega"], pend2["omega"] = -1.0, 1.0
+    motion.advance(1)
+    assert pend1["omega"] < 0 < pend2["omega"]
+    motion.advance(1, approaching_only=False)
+    assert pend1["omega"] > 0
+
+
+def test_impacts_are_those_of_single_ticks_however_many_are_done_at_once(tmp_path):
+    """Their times, and in which direction they run."""
+    at_once, one_by_one = make_motion(tmp_path, impacts=99), make_motion(tmp_path, impacts=99)
+    ticks = round(1.3 * PERIOD / DT)
+    at_once.advance(ticks)
+    for _ in range(ticks):
+        one_by_one.advance(1)
+        if len(one_by_one.trains.trains) == 1 and one_by_one.trains.trains[0][2] == 0:
+            first = one_by_one.time()
+    assert at_once.trains.lines() == one_by_one.trains.lines()
+    assert at_once.trains.trains[0][0] == pytest.approx(first, abs=DT / 2)
+    assert {"1-2-3-4-5", "5-4-3-2-1"} <= set(at_once.trains.runs())
+
+
+def test_the_energy_of_the_start_is_100_percent(tmp_path):
+    """Be it kinetic or potential; ten times that is not told exactly, and nothing is no part of nothing."""
+    motion = make_motion(tmp_path)
+    motion.cradle.pend_list[0]["omega"] = 2.0
+    motion.set_start()
+    assert "energy 100.00 % (kinetic" in motion.reading()
+    motion.start_energy /= 10.1
+    assert "energy  > 999 %" in motion.reading()
+    still = make_motion(tmp_path, lift=0)
+    assert "energy   0.00 % (kinetic   0.00 %, potential   0.00 %)" in still.reading()

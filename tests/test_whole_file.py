@@ -1,0 +1,45 @@
+"""What replaces a file only when complete. That write_to_csv goes by it, and how it fails: tests/test_csv.py."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+from cradles import ROOT
+
+from support.whole_file import whole_file
+
+
+def test_it_is_made_beside_its_target_under_a_hidden_name_of_its_own(tmp_path, monkeypatch):
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    leftover = tmp_path / f".data.csv.{os.getpid()}.tmp"
+    leftover.write_text("of a crash")
+    with whole_file(tmp_path / "data.csv") as file:
+        file.write("new")
+        assert sorted(os.listdir(tmp_path)) == [leftover.name, "elsewhere"]
+    assert sorted(os.listdir(tmp_path)) == ["data.csv", "elsewhere"]
+    assert (tmp_path / "data.csv").read_text() == "new"
+
+
+def test_all_of_it_is_on_the_disk_before_it_has_its_name(tmp_path, monkeypatch):
+    sizes = []
+    monkeypatch.setattr("os.fsync", lambda descriptor: sizes.append(os.fstat(descriptor).st_size))
+    with whole_file(tmp_path / "data.csv") as file:
+        file.write("abc")
+    assert sizes == [3]
+
+
+def test_an_error_has_its_number_and_the_name_that_was_given(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(FileNotFoundError, match="cannot be written") as caught, whole_file("gone/data.csv"):
+        pass
+    assert caught.value.filename == "gone/data.csv"
+
+
+def test_it_is_utf_8_whatever_the_locale(tmp_path):
+    imports = "import sys; from support.whole_file import whole_file"
+    program = f"{imports}\nwith whole_file(sys.argv[1]) as file: file.write(chr(0x3c9))"
+    environment = {**os.environ, "LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
+    subprocess.run([sys.executable, "-c", program, str(tmp_path / "data.csv")], cwd=ROOT, env=environment, check=True)
+    assert (tmp_path / "data.csv").read_bytes() == chr(0x3C9).encode()
