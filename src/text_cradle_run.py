@@ -51,8 +51,8 @@ def main() -> None:
     cradle.release([options.angle], options.lift)
     motion = Motion(cradle, IMPACTS)
 
-    stop_on_signals()
     try:
+        stop_on_signals()
         if options.record is not None:
             record(motion, options)
         elif sys.stdout.isatty() and os.environ.get("TERM") != "dumb":
@@ -176,9 +176,9 @@ def tell_lines(motion, seconds) -> None:
 
 def summary(motion) -> str:
     """Return a line: the time, the energy, how far the highest pendulum is to which side, and the latest hits."""
-    number, theta = max(enumerate(motion.cradle.thetas(), start=1), key=lambda numbered: abs(numbered[1]))
+    angles = [degrees(remainder(theta, 2 * pi)) for theta in motion.cradle.thetas()]
+    number, angle = max(enumerate(angles, start=1), key=lambda numbered: abs(numbered[1]))
     total = motion.in_percent(sum(motion.cradle.energies())).strip()
-    angle = degrees(remainder(theta, 2 * pi))
     side = "left" if angle < 0 else "right"
     line = f"t = {motion.time():.2f} s, energy {total}, pendulum {number} at {abs(angle):.0f} degrees {side}"
     impacts = f", hits {', '.join(reversed(motion.trains.runs()))}" if motion.trains.runs() else ""
@@ -220,7 +220,7 @@ def progress_bar(clock=time.monotonic):
         if clock() > next_look and sys.stderr.isatty():
             next_look = clock() + PICTURE
             left = (clock() - begin) * (1 - part) / part
-            width = min(40, shutil.get_terminal_size().columns - 25)
+            width = max(1, min(40, shutil.get_terminal_size().columns - 25))
             show_progress(f"\r[{'#' * int(part * width):<{width}}] {part:4.0%}, {left:.0f} s left ")
 
     try:

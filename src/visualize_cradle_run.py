@@ -121,9 +121,10 @@ def advance_cradle(pend_list, r_param, dt, g, ticks, approaching_only=False) -> 
                 omegas[left], omegas[right] = handle_collision(e, omega1, omega2, m1, m2, r_param)
                 if (omegas[left], omegas[right]) != (omega1, omega2):
                     contacts.append((tick, left))
-                    for neighbour in (left - 1, right):  # the plan for these two was made with other velocities
-                        if due[neighbour] > tick + 1:
-                            plan(neighbour, tick + 1)
+                    if due[left - 1] > tick + 1:  # the plan was made with another velocity
+                        plan(left - 1, tick + 1)
+                    if due[right] > tick + 1:
+                        plan(right, tick + 1)
             plan(left, tick + 1 + free)
 
     if ticks:

@@ -14,7 +14,7 @@ def whole_file(filepath):
     After a crash, on a full disk, or if the body of the with statement ends early, what was there before still is.
     Raises an OSError if filepath cannot be written.
     """
-    target = Path(filepath).resolve()  # behind a link: the link is to stay
+    target = Path(os.path.realpath(filepath))  # behind a link: the link is to stay
     unfinished = target.with_name(f".{target.name}.{os.getpid()}.tmp")
     try:
         if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):

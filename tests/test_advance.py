@@ -14,7 +14,7 @@ from src import visualize_cradle_run
 from src.swinging import angle_update
 from src.visualize_cradle_run import advance_cradle, free_ticks, newton_cradle_tick
 
-SEEDS = 40
+SEEDS = 30
 DT, G = 1e-4, 9.81  # s, m/s^2: what comes when, below, is to stay so whatever becomes of the shipped ones
 
 

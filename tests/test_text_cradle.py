@@ -86,10 +86,10 @@ def test_time_before_the_start_does_not_count():
 
 
 @pytest.mark.parametrize("show", [text_cradle_run.tell_lines, text_cradle_run.show_pictures])
-def test_a_second_is_no_less_than_one_on_the_wall(tmp_path, show):
+def test_half_a_second_is_no_less_on_the_wall(tmp_path, show):
     begin = time.monotonic()
-    show(make_motion(tmp_path), 1.0)
-    assert time.monotonic() - begin > 0.9
+    show(make_motion(tmp_path), 0.5)
+    assert time.monotonic() - begin > 0.45
 
 
 # --- without a terminal ----------------------------------------------------------------------------------------------
@@ -122,7 +122,7 @@ def test_the_latest_hits_are_told_in_their_order(tmp_path):
 
 
 def test_a_bob_that_has_gone_round_is_told_of_where_it_is(tmp_path):
-    motion = make_motion(tmp_path)
+    motion = make_motion(tmp_path, lift=0)
     motion.cradle.pend_list[1]["theta"] = radians(360 * 3 + 20)
     assert "pendulum 2 at 20 degrees right" in text_cradle_run.summary(motion)
 
@@ -220,7 +220,7 @@ def test_on_a_terminal_a_picture_moves_until_ctrl_c(five):
 
 
 @posix
-@pytest.mark.parametrize(("lines", "columns"), [(24, 80), (18, 40), (17, 80), (10, 60), (5, 20)])
+@pytest.mark.parametrize(("lines", "columns"), [(18, 40), (17, 80), (5, 20)])
 def test_the_picture_is_as_large_as_the_terminal_allows(five, lines, columns):
     with Terminal(five, "--seconds", "0.1", lines=lines, columns=columns) as terminal:
         assert terminal.end()[0] == 0
@@ -378,7 +378,7 @@ class Screen(StringIO):
 
 
 @pytest.mark.parametrize(("seconds", "shown"), [(1.9, False), (40, True)])
-@pytest.mark.parametrize("columns", [80, 50])
+@pytest.mark.parametrize("columns", [80, 50, 26])
 def test_a_progress_bar_is_shown_when_it_takes_more_than_two_seconds(monkeypatch, seconds, shown, columns):
     monkeypatch.setattr(sys, "stderr", Screen())
     monkeypatch.setenv("COLUMNS", str(columns))
