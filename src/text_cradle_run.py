@@ -125,8 +125,8 @@ def show_pictures(motion, seconds) -> None:
         lines = screen(motion, picture, pace.remark())
         # To the top left corner; clear each line, and in the end what is below.
         text = "\n".join("\x1b[K" + line for line in lines)
+        seen[:] = lines  # before it is shown: Ctrl+C is often pressed just when it is
         print(f"\x1b[H{text}\x1b[J", end="", flush=True)
-        seen[:] = lines
 
     try:
         with own_screen():

@@ -30,14 +30,12 @@ class Motion:
 
     def advance(self, ticks, approaching_only=True) -> None:
         """Move on by so many ticks."""
-        most = max(1, round(ONE_WAY / self.cradle.dt))
-        while ticks > 0:
-            part, velocities = min(ticks, most), self.cradle.velocities()
+        for part in self.parts(ticks, max(1, round(ONE_WAY / self.cradle.dt))):
+            velocities = self.cradle.velocities()
             for tick, left in self.cradle.advance(part, approaching_only):
                 rightwards = velocities[left] + velocities[left + 1] > 0
                 self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, rightwards)
             self.ticks += part
-            ticks -= part
 
     def parts(self, ticks, step):
         """Yield so many ticks in parts, each of which ends at a multiple of step ticks since the start, or at the last.

@@ -154,11 +154,16 @@ def test_the_port_may_come_from_vpythons_environment_variable(monkeypatch, capsy
     assert "--port: found 'web'" in capsys.readouterr().err
 
 
-def test_help_has_each_option_with_its_unit_and_default(capsys):
+def help_of(read_options, capsys):
+    """Return what --help says, on one line."""
     with pytest.raises(SystemExit) as ended:
-        read("--help")
+        read_options(["--help"])
     assert ended.value.code == 0
-    text = " ".join(capsys.readouterr().out.split())
+    return " ".join(capsys.readouterr().out.split())
+
+
+def test_help_has_each_option_with_its_unit_and_default(capsys):
+    text = help_of(read_page_options, capsys)
     for words in (
         "CSV file of the cradle (default: newton_cradle_pends.csv)",
         "--elastic e = 1",
@@ -174,10 +179,7 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
 
 
 def test_so_has_the_help_of_the_cradle_in_the_terminal(capsys):
-    with pytest.raises(SystemExit) as ended:
-        read_text_options(["--help"])
-    assert ended.value.code == 0
-    text = " ".join(capsys.readouterr().out.split())
+    text = help_of(read_text_options, capsys)
     for words in (
         "how many bobs are lifted (default: 1)",
         "--seconds S end after S seconds (default: with Ctrl+C)",
