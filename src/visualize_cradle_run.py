@@ -16,12 +16,9 @@ from vpython import mag
 
 from src.live_cradle import LiveCradle
 from src.swinging import angle_update, full_swing_update
-from support.closed_doors import page_sockets
 from support.constants import BUFFER
-from support.cradle_csv import check_cradle
-from support.live_file import LiveFile
-from support.options import check_lift, read_page_options
-from support.page import open_page
+from support.options import read_page_options
+from support.page import show_cradle
 
 LONGEST = 1000  # ticks for which advance_cradle looks ahead, at most
 
@@ -160,18 +157,7 @@ def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
 def main() -> None:
     """Show a cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused."""
     options = read_page_options()
-    file = LiveFile(options.csv)
-    try:
-        check_cradle(file.current)  # the viewer does so too, but by then a browser has been opened
-        check_lift(options.lift, file.current)
-        sockets = page_sockets(options.port)
-    except ValueError as error:
-        print(error, file=sys.stderr)
-        sys.exit(2)
-    with open_page(sockets, options.browser):
-        from support.viewer import Viewer  # needs VPython's canvas and widgets, which all of the above does without
-
-        Viewer(LiveCradle(advance_cradle, options), file, [options.angle], options.lift).run()
+    show_cradle(LiveCradle(advance_cradle, options), options, [options.angle])
 
 
 if __name__ == "__main__":

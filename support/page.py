@@ -6,12 +6,35 @@ import importlib
 import logging
 import os
 import signal
+import sys
 import traceback
 from contextlib import contextmanager
 from functools import partial
 
-from support.closed_doors import page_websocket, PageServer, port_of
+from support.closed_doors import page_sockets, page_websocket, PageServer, port_of
+from support.cradle_csv import check_cradle
 from support.interrupt import end_on_interrupt
+from support.live_file import LiveFile
+from support.options import check_lift
+
+
+def show_cradle(cradle, options, angles) -> None:
+    """Show a cradle with these release angles (degrees) until the tab is closed; status 2 if its CSV is refused.
+
+    cradle is as support/cradle.py says, still without pendula; options are the viewer's, from support/options.py.
+    """
+    file = LiveFile(options.csv)
+    try:
+        check_cradle(file.current)  # the viewer does so too, but by then a browser has been opened
+        check_lift(options.lift, file.current)
+        sockets = page_sockets(options.port)
+    except ValueError as error:
+        print(error, file=sys.stderr)
+        sys.exit(2)
+    with open_page(sockets, options.browser):
+        from support.viewer import Viewer  # needs VPython's canvas and widgets, which all of the above does without
+
+        Viewer(cradle, file, angles, options.lift).run()
 
 
 @contextmanager

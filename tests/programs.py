@@ -1,4 +1,4 @@
-"""The program as a process: how the suites start it, what it says first, and how it ends."""
+"""The programs as processes: how the suites start them, what they say first, what their page shows, how they end."""
 
 import os
 import re
@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import threading
+import time
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
 
@@ -23,6 +24,17 @@ SECONDS = 60  # after which something that is waited for counts as never coming
 
 # The bobs' positions, as the page has them.
 BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).map(o => [o.pos.x, o.pos.y])"
+
+# How often the bobs are elsewhere than before, over half a second.
+MOVES = f"""async () => {{
+    const where = () => JSON.stringify(({BOBS})());
+    let before = where(), moves = 0;
+    for (const start = performance.now(); performance.now() - start < 500; before = where()) {{
+        await new Promise(requestAnimationFrame);
+        if (where() !== before) moves++;
+    }}
+    return moves;
+}}"""
 
 needs_vpython = [
     pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed"),
@@ -77,9 +89,33 @@ def refusal(process):
     return stderr
 
 
-def open_cradle(page, address):
-    """Open the page, wait for five bobs and their numbers, and make the canvas small: no graphics card draws it."""
+def open_cradle(page, address, bobs=5):
+    """Open the page, wait for its bobs and their numbers, and make the canvas small: no graphics card draws it."""
     page.goto(address)
-    page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === 5")
+    page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === {bobs}")
     page.wait_for_function("() => $('.readout').length")
     page.evaluate("() => Object.assign(glowObjs[0], {width: 320, height: 200})")
+
+
+def readout(page, name):
+    """Return a number of the readout, by the word before it."""
+    return float(re.search(name + r"[ =]+([-+0-9.]+)", page.locator(".readout").inner_text())[1])
+
+
+def wait_until(condition):
+    """Wait until condition() holds."""
+    deadline = time.monotonic() + SECONDS
+    while not condition():
+        assert time.monotonic() < deadline, "it never came"
+        time.sleep(0.02)
+
+
+def press(page, name):
+    page.get_by_role("button", name=name, exact=True).click()
+
+
+def pause(page):
+    """Pause, and wait until nothing moves any more."""
+    press(page, "Pause")
+    page.get_by_role("button", name="Run").wait_for()
+    wait_until(lambda: page.evaluate(MOVES) == 0)

@@ -130,7 +130,7 @@ def complaint(function, *arguments):
 def the_programs_complaint(monkeypatch, capsys, filepath):
     """Return what the program prints on stderr for this file; it must end with status 2, and print nothing else."""
     monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", filepath])
-    monkeypatch.setattr(visualize_cradle_run, "open_page", lambda port: pytest.fail("a browser was to be opened"))
+    monkeypatch.setattr("support.page.open_page", lambda *_: pytest.fail("a browser was to be opened"))
     with pytest.raises(SystemExit) as ended:
         visualize_cradle_run.main()
     printed = capsys.readouterr()

@@ -1,14 +1,26 @@
 """The page to play with, in Chromium: what each control does, read from the readout and from where the bobs are."""
 
 import re
-import time
 from contextlib import ExitStack
 from itertools import pairwise
 from math import atan2, cos, degrees, radians, sin
 
 import pytest
 from cradles import FIVE_CSV, GOOD, HEADER, PERIOD
-from programs import BOBS, end, first_lines, needs_vpython, open_cradle, QUIETLY, running, SECONDS
+from programs import (
+    BOBS,
+    end,
+    first_lines,
+    MOVES,
+    needs_vpython,
+    open_cradle,
+    pause,
+    press,
+    QUIETLY,
+    readout,
+    running,
+    wait_until,
+)
 
 from support.constants import R_PARAM
 from support.real_time import FRAME
@@ -28,17 +40,6 @@ PIXEL = """([x, y]) => {
     return [canvas.x + scene.width / 2 + pixels * arm.dot(sideways),
             canvas.y + scene.height / 2 - pixels * arm.dot(upwards)];
 }"""
-
-# How often the bobs are elsewhere than before, over half a second.
-MOVES = f"""async () => {{
-    const where = () => JSON.stringify(({BOBS})());
-    let before = where(), moves = 0;
-    for (const start = performance.now(); performance.now() - start < 500; before = where()) {{
-        await new Promise(requestAnimationFrame);
-        if (where() !== before) moves++;
-    }}
-    return moves;
-}}"""
 
 # Simulated and wall time (s) at the moments when the readout changes, for so many seconds.
 TIMES = """async seconds => {
@@ -71,11 +72,6 @@ def csv_of(program):
     return program.parents[1] / "newton_cradle_pends.csv"
 
 
-def readout(page, name):
-    """Return a number of the readout, by the word before it."""
-    return float(re.search(name + r"[ =]+([-+0-9.]+)", page.locator(".readout").inner_text())[1])
-
-
 def lifts(page):
     """Return the angles of the bobs in degrees."""
     return [
@@ -83,27 +79,8 @@ def lifts(page):
     ]
 
 
-def wait_until(condition):
-    """Wait until condition() holds."""
-    deadline = time.monotonic() + SECONDS
-    while not condition():
-        assert time.monotonic() < deadline, "it never came"
-        time.sleep(0.02)
-
-
 def wait_for_lifts(page, *expected):
     wait_until(lambda: lifts(page) == pytest.approx(expected, abs=0.01))
-
-
-def press(page, name):
-    page.get_by_role("button", name=name, exact=True).click()
-
-
-def pause(page):
-    """Pause, and wait until nothing moves any more."""
-    press(page, "Pause")
-    page.get_by_role("button", name="Run").wait_for()
-    wait_until(lambda: page.evaluate(MOVES) == 0)
 
 
 def slide(page, slider, part):

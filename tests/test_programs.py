@@ -63,8 +63,8 @@ def main(monkeypatch):
     def open_page(*given):
         yield shown.append(given)
 
-    monkeypatch.setattr(visualize_cradle_run, "open_page", open_page)
-    monkeypatch.setattr(visualize_cradle_run, "page_sockets", lambda port: f"sockets at {port}")
+    monkeypatch.setattr("support.page.open_page", open_page)
+    monkeypatch.setattr("support.page.page_sockets", lambda port: f"sockets at {port}")
     monkeypatch.setattr(Viewer, "run", run)
 
     def main(*arguments):
@@ -114,7 +114,7 @@ def test_main_does_what_the_options_say(tmp_path, main):
 def test_main_refuses_in_one_line_before_a_page_opens(tmp_path, monkeypatch, capsys, csv, arguments, line):
     path = copy_project(tmp_path, csv) / "newton_cradle_pends.csv"
     monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", str(path), *arguments])
-    monkeypatch.setattr(visualize_cradle_run, "open_page", lambda *given: pytest.fail("a page was opened"))
+    monkeypatch.setattr("support.page.open_page", lambda *given: pytest.fail("a page was opened"))
     with pytest.raises(SystemExit) as refused:
         visualize_cradle_run.main()
     assert refused.value.code == 2
