@@ -1,25 +1,49 @@
-"""Dragging a bob by hand: it pushes its neighbours aside, and they push theirs."""
+"""Dragging a bob by hand: it pushes its neighbours aside, and they push theirs.
 
-from math import acos, atan2, ceil, copysign, hypot, pi, sin
+A pendulum has one cord or, if it is a double one, two. The angles of a pendulum are those of its cords from straight
+down (rad), the upper one first.
+"""
+
+from math import acos, atan2, ceil, copysign, hypot, pi, remainder, sin
 
 from vpython import mag
 
+from src.double_cradle import show_double_pendulum
 from src.swinging import swing_update
 from support.constants import BUFFER
 
-STEP = 0.02  # rad: a bob is dragged no further than this before it pushes, or it could get past its neighbour
+STEP = 0.02  # rad: a cord is turned no further than this before its bob pushes, or it could get past its neighbour
 
 
-def drag_pendulum(pend_list, held, theta, r_param) -> None:
-    """Turn the held pendulum (an index) to theta (rad) the short way round; whoever is in its way is pushed along.
+def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
+    """Turn the cords of the held pendulum (an index) until its bob (0, or 1 for a lower one) is nearest to (x, y).
 
-    r_param is the cord length (m). Whoever was moved is at rest afterwards.
+    x and y (m) are in the plane of swing, r_param (m) is the length of a cord. A lower bob that is dragged takes the
+    upper one along; an upper one leaves the direction of the lower cord as it is.
+    """
+    axle, angles = pend_list[held]["objects"][0].pos, cord_angles(pend_list[held])
+    x, down = x - axle.x, axle.y - y
+    direction = atan2(x, down)
+    if bob == 0:
+        angles[0] = direction
+    else:
+        # With the line from the axle to the bob, the two cords make a triangle with two equal sides.
+        bend = copysign(acos(min(1, hypot(x, down) / (2 * r_param))), remainder(angles[1] - angles[0], 2 * pi))
+        angles = [direction - bend, direction + bend]
+    drag_pendulum(pend_list, held, angles, r_param)
+
+
+def drag_pendulum(pend_list, held, angles, r_param) -> None:
+    """Turn the held pendulum (an index) to these angles the short way round; whoever is in its way is pushed along.
+
+    r_param is the length of a cord (m). Whoever was moved is at rest afterwards.
     """
     pend = pend_list[held]
-    turn = (theta - pend["theta"] + pi) % (2 * pi) - pi
-    steps = ceil(abs(turn) / STEP)
-    for _ in range(steps):
-        move(pend, pend["theta"] + turn / steps, r_param)
+    before = cord_angles(pend)
+    turns = [remainder(angle - old, 2 * pi) for angle, old in zip(angles, before, strict=True)]
+    steps = ceil(max(map(abs, turns)) / STEP)
+    for step in range(1, steps + 1):
+        move(pend, [old + turn * step / steps for old, turn in zip(before, turns, strict=True)], r_param)
         push_others(pend_list, held, r_param)
 
 
@@ -28,32 +52,53 @@ def push_others(pend_list, held, r_param) -> None:
     pushers = [held]
     for pusher in pushers:  # those that are pushed are added meanwhile
         for other, pend in enumerate(pend_list):
-            theta = None if other in (held, pusher) else touching_theta(pend_list[pusher], pend, r_param)
-            if theta is not None and len(pushers) < 4 * len(pend_list):
-                move(pend, theta, r_param)
-                pushers.append(other)
+            if other not in (held, pusher) and len(pushers) < 4 * len(pend_list):
+                pushers += [other] * give_way(pend, pend_list[pusher], r_param)
 
 
-def touching_theta(pusher, pend, r_param) -> float | None:
-    """Return the theta (rad) at which pend's bob just touches the pusher's, on the side on which it is now.
+def give_way(pend, pusher, r_param) -> bool:
+    """Turn those cords of pend whose bobs reach into one of the pusher's; return whether there are any."""
+    moved = False
+    for cord in range(len(cord_angles(pend))):
+        for bob in pusher["objects"][1::2]:
+            angle = touching_angle(pend, cord, bob, r_param)
+            if angle is not None:
+                angles = cord_angles(pend)
+                angles[cord] = angle
+                move(pend, angles, r_param)
+                moved = True
+    return moved
 
-    None if it does not reach into the pusher's as it is. With D the distance at which bobs collide, L the distance and
-    psi the direction of the pusher's bob as seen from pend's axle, and R the cord, the law of cosines says
-        D^2 = R^2 + L^2 - 2 R L cos(theta - psi)
+
+def touching_angle(pend, cord, other, r_param) -> float | None:
+    """Return the angle at which the bob of this cord just touches the other bob, on the side on which it is now.
+
+    None if it does not reach into the other one as it is. With D the distance at which bobs collide, L the distance and
+    psi the direction of the other bob as seen from where the cord hangs, and R the cord, the law of cosines says
+        D^2 = R^2 + L^2 - 2 R L cos(angle - psi)
     """
-    axle, bob, _ = pend["objects"]
-    other = pusher["objects"][1]
+    pivot, bob = pend["objects"][cord], pend["objects"][1 + 2 * cord]  # a lower cord hangs from the upper bob
     touching = BUFFER * (bob.radius + other.radius)
     if mag(bob.pos - other.pos) > touching:
         return None
-    x, down = other.pos.x - axle.pos.x, axle.pos.y - other.pos.y
+    x, down = other.pos.x - pivot.pos.x, pivot.pos.y - other.pos.y
     distance, psi = hypot(x, down), atan2(x, down)
     touching *= 1 + 1e-9  # just outside, as a hit counts up to there
     delta = acos((r_param**2 + distance**2 - touching**2) / (2 * r_param * distance))
-    return psi + copysign(delta, sin(pend["theta"] - psi))
+    return psi + copysign(delta, sin(cord_angles(pend)[cord] - psi))
 
 
-def move(pend, theta, r_param) -> None:
-    """Put a pendulum, at rest, where theta is (rad)."""
-    pend["theta"], pend["omega"] = theta, 0.0
-    swing_update(pend, r_param, 0, 0)  # no time passes, but the bob is shown there
+def cord_angles(pend) -> list[float]:
+    """Return the angles of a pendulum."""
+    theta = pend["theta"]
+    return [theta] if len(pend["objects"]) == 3 else [theta, theta + pend["phi"]]
+
+
+def move(pend, angles, r_param) -> None:
+    """Put a pendulum, at rest, where its angles are these."""
+    pend["theta"], pend["omega"] = angles[0], 0.0
+    if len(angles) == 1:
+        swing_update(pend, r_param, 0, 0)  # no time passes, but the bob is shown there
+    else:
+        pend["phi"], pend["phi_omega"] = angles[1] - angles[0], 0.0
+        show_double_pendulum(pend, r_param)

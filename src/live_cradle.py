@@ -1,10 +1,11 @@
 """The cradle as the viewer plays with it: built from a CSV, let go, advanced, dragged by a bob, and weighed."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
-from math import atan2, copysign, cos, radians
+from itertools import accumulate
+from math import copysign, cos, radians
 
-from src.dragging import drag_pendulum
+from src.dragging import cord_angles, drag_bob, move
 from src.pds_helper import extract_and_convert
 from src.special_cradles import (
     elastic_newton_cradle,
@@ -13,7 +14,6 @@ from src.special_cradles import (
     uniform_e_newton_cradle,
     uniform_mass_newton_cradle,
 )
-from src.swinging import full_swing_update
 from support.audit import kinetic_energy, momentum, potential_energy
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.cradle_csv import check_cradle
@@ -28,11 +28,12 @@ class LiveCradle:
 
     dt = DT
     reach = R_PARAM
-    angles: Sequence[str] = ("Release angle",)
+    angles: Mapping[str, tuple[float, float]] = {"Release angle": (0, 180)}
+    coordinate_keys: Sequence[str] = ("theta", "omega")
 
     def __init__(self, advance, options):
         """advance is advance_cradle; options has elastic, inelastic, e and mass, as support/options.py reads them."""
-        self.advance_cradle, self.mass = advance, options.mass
+        self.advance_pendula, self.mass = advance, options.mass
         self.collisions = {
             "as in the CSV": extract_and_convert,
             "elastic, e = 1": elastic_newton_cradle,
@@ -51,10 +52,14 @@ class LiveCradle:
         for pend in self.pend_list:
             discard(pend["objects"])
         self.csv, self.held = csv, None
-        self.pend_list = make_newton_cradle(csv, R_PARAM, THETA_INIT)
+        self.pend_list = self.make(csv)
         if self.mass is not None:
             self.adopt("mass", uniform_mass_newton_cradle(csv, self.mass))
         self.collide(self.collision)
+
+    def make(self, csv) -> list:
+        """Return the pend_list of a CSV."""
+        return make_newton_cradle(csv, R_PARAM, THETA_INIT)
 
     def adopt(self, key, others) -> None:
         """Give each pendulum the value that its counterpart in others has for key."""
@@ -67,28 +72,26 @@ class LiveCradle:
         self.adopt("e", self.collisions[collision](self.csv))
 
     def release(self, angles, lifted) -> None:
-        """Lift the first pendula to these angles (one, in degrees, outwards), let the others hang, all at rest."""
-        theta_init = copysign(radians(angles[0]), THETA_INIT)
-        for i, pend in enumerate(self.pend_list):
-            pend["theta"], pend["omega"] = theta_init if i < lifted else 0.0, 0.0
-        self.show()
+        """Lift the first pendula to these angles (degrees, outwards), let the others hang, all at rest.
 
-    def show(self) -> None:
-        """Show all bobs where they are."""
-        full_swing_update(self.pend_list, R_PARAM, 0, G)  # no time passes
+        There is one angle for each cord of a pendulum, that of a lower one from the direction of the upper one.
+        """
+        outwards = copysign(1, THETA_INIT)
+        lifted_angles = list(accumulate(outwards * radians(angle) for angle in angles))
+        for i, pend in enumerate(self.pend_list):
+            move(pend, lifted_angles if i < lifted else [0.0] * len(angles), R_PARAM)
 
     def advance(self, ticks, approaching_only) -> list[tuple[int, int]]:
         """Move on by so many ticks; return the contacts as (tick, index of the left bob), none while a bob is held."""
         if self.held is None:
-            return self.advance_cradle(self.pend_list, R_PARAM, DT, G, ticks, approaching_only)
-        pend = self.pend_list[self.held]
-        theta, mass = pend["theta"], pend["mass"]
+            return self.advance_pendula(self.pend_list, R_PARAM, self.dt, G, ticks, approaching_only)
+        pend = self.pend_list[self.whose(self.held)[0]]
+        mass, angles = pend["mass"], cord_angles(pend)
         pend["mass"] = HAND
         for start in range(0, ticks, GRIP):
-            self.advance_cradle(self.pend_list, R_PARAM, DT, G, min(GRIP, ticks - start), approaching_only)
-            pend["theta"], pend["omega"] = theta, 0.0
+            self.advance_pendula(self.pend_list, R_PARAM, self.dt, G, min(GRIP, ticks - start), approaching_only)
+            move(pend, angles, R_PARAM)
         pend["mass"] = mass
-        self.show()
         return []
 
     def axles(self) -> list:
@@ -97,21 +100,26 @@ class LiveCradle:
 
     def bobs(self) -> list:
         """Return the bobs, from left to right."""
-        return [pend["objects"][1] for pend in self.pend_list]
+        return [bob for pend in self.pend_list for bob in pend["objects"][1::2]]
 
     def cords(self) -> list:
         """Return the cords, from left to right."""
-        return [pend["objects"][2] for pend in self.pend_list]
+        return [cord for pend in self.pend_list for cord in pend["objects"][2::2]]
 
     def hold(self, bob) -> None:
-        """Hold this bob (an index into bobs) where it is, until let_go."""
+        """Hold this bob (an index into bobs), and its pendulum with it, where it is, until let_go."""
         self.held = bob
-        self.pend_list[bob]["omega"] = 0.0
+        pend = self.pend_list[self.whose(bob)[0]]
+        move(pend, cord_angles(pend), R_PARAM)
+
+    def whose(self, bob) -> tuple[int, int]:
+        """Return the index of this bob's pendulum, and which of its bobs it is, counted from above."""
+        return divmod(bob, len(self.angles))
 
     def drag(self, bob, x, y) -> None:
         """Turn the pendulum of this bob until the bob is nearest to the point x, y (m) in the plane of swing."""
-        axle = self.pend_list[bob]["objects"][0].pos
-        drag_pendulum(self.pend_list, bob, atan2(x - axle.x, axle.y - y), R_PARAM)
+        pendulum, number = self.whose(bob)
+        drag_bob(self.pend_list, pendulum, number, x, y, R_PARAM)
 
     def let_go(self) -> None:
         """Let the bob that is held swing from where it is."""
@@ -135,5 +143,5 @@ class LiveCradle:
 
     def coordinates(self) -> dict[str, float]:
         """Return theta_1, theta_2, ... (rad) and omega_1, omega_2, ... (rad/s), from left to right."""
-        named = [(key, i, pend[key]) for key in ("theta", "omega") for i, pend in enumerate(self.pend_list, start=1)]
-        return {f"{key}_{i}": value for key, i, value in named}
+        numbered = list(enumerate(self.pend_list, start=1))
+        return {f"{key}_{i}": pend[key] for key in self.coordinate_keys for i, pend in numbered}

@@ -21,6 +21,38 @@ def momentum(pend_list, r_param) -> float:
     return sum(pend["mass"] * r_param * pend["omega"] * cos(pend["theta"]) for pend in pend_list)
 
 
+def double_kinetic_energy(pend_list, r_param) -> float:
+    """Return the kinetic energy (J) of double pendula, the bobs of each having one mass.
+
+    With the rates a and b of the two cords' angles from straight down, m v^2 / 2 is m r_param^2 a^2 / 2 for the upper
+    bob, and m r_param^2 (a^2 + b^2 + 2 a b cos(phi)) / 2 for the lower one; r_param (m) is the length of each cord.
+    """
+    total = 0.0
+    for pend in pend_list:
+        a, b = pend["omega"], pend["omega"] + pend["phi_omega"]
+        total += pend["mass"] * r_param**2 * (2 * a**2 + b**2 + 2 * a * b * cos(pend["phi"])) / 2
+    return total
+
+
+def double_potential_energy(pend_list, r_param, g) -> float:
+    """Return the sum of m g h (J) over the bobs of double pendula, h being the height above hanging at rest.
+
+    The upper cord lifts both bobs, the lower one only its own; r_param (m) is the length of each, g (m/s^2) the
+    gravitational acceleration.
+    """
+    lifts = [(2 * (1 - cos(pend["theta"])) + 1 - cos(pend["theta"] + pend["phi"])) * pend["mass"] for pend in pend_list]
+    return g * r_param * sum(lifts)
+
+
+def double_momentum(pend_list, r_param) -> float:
+    """Return the momentum of double pendula's bobs to the right (kg m/s); r_param (m) is the length of each cord."""
+    total = 0.0
+    for pend in pend_list:
+        alpha, beta, b = pend["theta"], pend["theta"] + pend["phi"], pend["omega"] + pend["phi_omega"]
+        total += pend["mass"] * r_param * (2 * pend["omega"] * cos(alpha) + b * cos(beta))
+    return total
+
+
 def exact_period(theta_max, r_param, g) -> float:
     """Return the time (s) in which a pendulum that is let go at theta_max (rad) comes back, at any theta_max below pi.
 

@@ -21,6 +21,15 @@ DT = 0.0001
 # away from the others, which would be in its way on the right.
 THETA_INIT = -pi / 4
 
+# In the double cradle, the angle (rad) at which the first pendulum's lower cord is bent from the direction of its upper
+# one: 20 degrees further outwards, nearly as in the slow one of the two ways in which a double pendulum swings steadily
+# (phi = 0.41 theta), so that the first hits go through the row as in a single cradle.
+PHI_INIT = -pi / 9
+
+# One tick of the double cradle (s). With its more exact steps the energy would bear a longer one; but its bobs are
+# faster, and this is short enough for them not to get more than two hundredths of the way into one another.
+DOUBLE_DT = 0.00025
+
 # Two bobs collide where their centres are within this many times the sum of their radii: the handout's little buffer.
 BUFFER = 1.05
 

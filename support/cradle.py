@@ -1,6 +1,6 @@
 """What a cradle is to the programs that show it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from typing import Any, Protocol
 
 
@@ -9,7 +9,7 @@ class Cradle(Protocol):
 
     dt: float  # one tick (s)
     reach: float  # how far below its axle a pendulum hangs (m)
-    angles: Sequence[str]  # the names of its release angles
+    angles: Mapping[str, tuple[float, float]]  # its release angles by name: the least and the largest (degrees)
     collisions: dict[str, Any]  # the names of the ways in which it can collide are the keys
     collision: str  # the present one of them
     held: int | None  # which of its bobs is held
@@ -36,7 +36,7 @@ class Cradle(Protocol):
         """Return all cords."""
 
     def thetas(self) -> list[float]:
-        """Return the angles of the pendula (rad), from left to right."""
+        """Return the angles of the pendula (rad), from left to right; of double ones, those of their upper cords."""
 
     def hold(self, bob) -> None:
         """Hold this bob, an index into bobs, where it is."""

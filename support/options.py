@@ -3,9 +3,9 @@
 import argparse
 import os
 import sys
-from math import degrees, inf
+from math import copysign, degrees, inf
 
-from support.constants import DT, NC_FP, THETA_INIT
+from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.cradle_csv import read_cells, RULES, to_number
 from support.recording import EVERY
 
@@ -52,19 +52,32 @@ def cradle_options(description) -> OneLineParser:
     return parser
 
 
-def read_page_options(arguments=None) -> argparse.Namespace:
-    """Return the options of the viewer, on the command line or in arguments: csv, elastic, inelastic, e, mass, angle
-    (degrees), lift, port and browser; e and mass are None where the CSV's are to be kept.
-    """
+def page_options(description) -> OneLineParser:
+    """Return a parser of what says which cradle it is, and where its page is."""
     port = allowed(int, lambda text: text.isdecimal() and int(text) <= 65534, "a whole number from 0 to 65534")
-    parser = cradle_options(
-        "Newton's cradle in the browser, to play with. Save its CSV, and the page shows the new one."
-    )
+    parser = cradle_options(description + " Save its CSV, and the page shows the new one.")
     add = parser.add_argument
     text = "port of the page on this machine; N + 1 is taken as well (default: any two that are free)"
     add("--port", type=port, metavar="N", default=os.environ.get(PORT_VARIABLE, "0"), help=text)
     text = "open no browser, only say where the page is"
     add("--no-browser", action="store_false", dest="browser", help=text)
+    return parser
+
+
+def read_page_options(arguments=None) -> argparse.Namespace:
+    """Return the options of the viewer, on the command line or in arguments: csv, elastic, inelastic, e, mass, angle
+    (degrees), lift, port and browser; e and mass are None where the CSV's are to be kept.
+    """
+    return page_options("Newton's cradle in the browser, to play with.").parse_args(arguments)
+
+
+def read_double_page_options(arguments=None) -> argparse.Namespace:
+    """Return the options of the double cradle's viewer: those of the viewer, and phi (degrees)."""
+    parser = page_options("The double Newton's cradle in the browser, to play with.")
+    phi = allowed(float, lambda text: -180 <= to_number(text) <= 180, "a number from -180 to 180 (degrees)")
+    outwards = degrees(copysign(1, THETA_INIT) * PHI_INIT)
+    text = "how far their lower cords are bent further out than the upper ones, from -180 to 180 (default: %(default)g)"
+    parser.add_argument("--phi", type=phi, metavar="DEGREES", default=outwards, help=text)
     return parser.parse_args(arguments)
 
 

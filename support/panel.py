@@ -35,8 +35,8 @@ class Panel:
 
         self.speed = Setting("Speed", 0.1, 2, 0.1, lambda speed: give(Command.SPEED, speed))
         self.angles = [
-            Setting(name, 0, 180, 1, lambda angle, number=number: give(Command.ANGLE, (number, angle)))
-            for number, name in enumerate(cradle.angles)
+            Setting(name, least, largest, 1, lambda angle, number=number: give(Command.ANGLE, (number, angle)))
+            for number, (name, (least, largest)) in enumerate(cradle.angles.items())
         ]
         # The range of a VPython slider is fixed and the number of pendula is not, so this one goes from none to all.
         self.count = 1

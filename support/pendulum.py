@@ -18,7 +18,14 @@ class PendulumEntry(TypedDict, total=False):
     omega: float  # angular velocity, rad/s
     color: str  # a key of COLOR_MAP
     texture: str  # a key of TEXTURE_MAP
-    objects: tuple[box, sphere, cylinder]  # axle, bob and cord
+    objects: tuple  # axle, bob and cord; of a double pendulum also the lower bob and cord
+
+
+class DoublePendulumEntry(PendulumEntry, total=False):
+    """One double pendulum, whose theta and omega are those of its upper cord."""
+
+    phi: float  # angle of the lower cord from the direction of the upper one, rad
+    phi_omega: float  # angular velocity of phi, rad/s
 
 
 def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere, cylinder]:
@@ -27,14 +34,19 @@ def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere
     axle_pos is a vector (m), r_param the cord length (m), theta the angle (rad), color a VPython color (a vector),
     and texture a VPython texture or None.
     """
+    axle_size, axle_color = vector(r_param / 16, r_param / 32, r_param / 2), vector(0.3, 0.3, 0.32)
+    axle = make_shape(box, pos=axle_pos, size=axle_size, color=axle_color)
+    return axle, *make_bob_and_cord(axle_pos, r_param, theta, color, texture)
+
+
+def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cylinder]:
+    """Return a bob and the cord from which it hangs, at theta (rad) below place (a vector, m); the rest is as above."""
     # A hit counts at BUFFER x the sum of the radii, and axles are r_param/4 apart. At this radius bobs that hang at
     # rest are just outside one another's reach; were they inside, their velocities would be swapped on every tick.
     radius = 0.9995 * r_param / 8 / BUFFER
     arm = vector(r_param * sin(theta), -r_param * cos(theta), 0)
-    axle_size, axle_color = vector(r_param / 16, r_param / 32, r_param / 2), vector(0.3, 0.3, 0.32)
-    axle = make_shape(box, pos=axle_pos, size=axle_size, color=axle_color)
-    bob = make_shape(sphere, pos=axle_pos + arm, radius=radius, color=color, texture=texture, shininess=1)
+    bob = make_shape(sphere, pos=place + arm, radius=radius, color=color, texture=texture, shininess=1)
     # up is square to the plane of swing: VPython then has no need to turn it whenever the axis is set, which is slow.
     looks = {"up": vector(0, 0, 1), "radius": r_param / 200, "color": vector(0.15, 0.15, 0.17)}
-    cord = make_shape(cylinder, pos=axle_pos, axis=arm, **looks)
-    return axle, bob, cord
+    cord = make_shape(cylinder, pos=place, axis=arm, **looks)
+    return bob, cord

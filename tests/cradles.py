@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 from vpython import color, vector
 
+from src.double_cradle import make_double_pendulum
 from src.live_cradle import LiveCradle
 from src.visualize_cradle_run import advance_cradle
 from support.constants import G, R_PARAM
@@ -44,6 +45,13 @@ def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R)
     objects = make_pendulum(vector(*axle), r_param, theta, color.white, None)
     values = {"mass": mass, "e": e, "theta": theta, "omega": omega, "color": "white", "texture": "none"}
     return {**values, "objects": objects}
+
+
+def hang_double(theta=0.0, phi=0.0, omega=0.0, phi_omega=0.0, mass=1.0, e=1.0, axle=(0, 0), r_param=R_PARAM) -> dict:
+    """Return a double pendulum that hangs from axle (x, y in m)."""
+    objects = make_double_pendulum(vector(*axle, 0), r_param, theta, phi, color.white, None)
+    angles = {"theta": theta, "phi": phi, "omega": omega, "phi_omega": phi_omega}
+    return {**angles, "mass": mass, "e": e, "color": "white", "texture": "none", "objects": objects}
 
 
 def row(count, **values) -> list[dict]:

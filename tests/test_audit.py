@@ -3,9 +3,18 @@
 from math import pi, radians, sqrt
 
 import pytest
-from cradles import hang
+from cradles import hang, hang_double
 
-from support.audit import energy_left, exact_period, kinetic_energy, momentum, potential_energy
+from support.audit import (
+    double_kinetic_energy,
+    double_momentum,
+    double_potential_energy,
+    energy_left,
+    exact_period,
+    kinetic_energy,
+    momentum,
+    potential_energy,
+)
 
 LENGTH, G = 0.5, 10.0  # m, m/s^2
 PENDULA = [hang(theta=pi / 3, omega=4.0, mass=3.0), hang(theta=pi / 2, omega=-2.0, mass=1.0), hang(mass=5.0)]
@@ -24,6 +33,28 @@ def test_potential_energy():
 def test_momentum():
     """To the right: half of the first bob's velocity, and nothing of the second one's, which moves straight down."""
     assert momentum(PENDULA, LENGTH) == pytest.approx(3 * 2 * 0.5)
+
+
+# The upper cord at 60 degrees, the lower one at a right angle to it, at 150 degrees; and one that hangs down.
+DOUBLES = [
+    hang_double(theta=pi / 3, phi=pi / 2, omega=4.0, phi_omega=2.0, mass=3.0),
+    hang_double(omega=2.0, phi_omega=2.0),
+]
+
+
+def test_the_kinetic_energy_of_double_pendula():
+    """The upper bobs move at 2 and 1 m/s, the lower ones relative to them at 3 m/s, square to that, and 2 m/s along."""
+    assert double_kinetic_energy(DOUBLES, LENGTH) == pytest.approx(3 * (2**2 + 2**2 + 3**2) / 2 + (1**2 + 3**2) / 2)
+
+
+def test_the_potential_energy_of_double_pendula():
+    """The first one's upper bob is 0.25 m higher than at rest, its lower one that and 0.5 m (1 + cos 30 degrees)."""
+    assert double_potential_energy(DOUBLES, LENGTH, G) == pytest.approx(3 * G * (0.25 + 0.25 + 0.5 * (1 + sqrt(3) / 2)))
+
+
+def test_the_momentum_of_double_pendula():
+    """The first one's: 1 m/s of each bob, of the lower one also 3 m/s times cos 150 degrees; the other's: 1 and 3."""
+    assert double_momentum(DOUBLES, LENGTH) == pytest.approx(3 * (1 + 1 - 3 * sqrt(3) / 2) + 1 + 3)
 
 
 def test_the_period_of_a_small_swing():

@@ -1,18 +1,18 @@
 """A bob that is dragged pushes its neighbours aside, and they theirs."""
 
 from itertools import combinations, pairwise
-from math import cos, pi, sin
+from math import cos, hypot, pi, sin
 
 import pytest
-from cradles import components, R, row
+from cradles import components, hang_double, R, row
 from vpython import mag
 
-from src.dragging import drag_pendulum
+from src.dragging import cord_angles, drag_bob, drag_pendulum
 
 
 def drag(pend_list, held, theta):
     """Drag the held pendulum to theta in one go; return where all are then."""
-    drag_pendulum(pend_list, held, theta, R)
+    drag_pendulum(pend_list, held, [theta], R)
     return [pend["theta"] for pend in pend_list]
 
 
@@ -95,3 +95,59 @@ def test_a_bob_that_comes_round_over_the_top_pushes_the_others_from_their_other_
 def gaps_of_all(pend_list):
     """Return how far each two bobs are apart, 1 being where they begin to collide."""
     return [gaps(list(pair))[0] for pair in combinations(pend_list, 2)]
+
+
+# --- double pendula --------------------------------------------------------------------------------------------------
+
+
+def double_row(count):
+    """Return double pendula at rest, R / 4 apart."""
+    return [hang_double(axle=(i * R / 4, 0), omega=2.0, phi_omega=-1.0, r_param=R) for i in range(count)]
+
+
+def gaps_of_doubles(pend_list):
+    """Return how far each two bobs of different pendula are apart, 1 being where they begin to collide."""
+    return [
+        mag(bob1.pos - bob2.pos) / (1.05 * (bob1.radius + bob2.radius))
+        for pend1, pend2 in combinations(pend_list, 2)
+        for bob1 in pend1["objects"][1::2]
+        for bob2 in pend2["objects"][1::2]
+    ]
+
+
+def test_an_upper_bob_leaves_the_direction_of_the_lower_cord():
+    pend_list = double_row(1)
+    pend_list[0]["phi"] = 0.5
+    drag_bob(pend_list, 0, 0, 1.0, -1.0, R)
+    assert cord_angles(pend_list[0]) == pytest.approx([pi / 4, 0.5])
+    assert (pend_list[0]["omega"], pend_list[0]["phi_omega"]) == (0, 0)
+
+
+@pytest.mark.parametrize("phi", [0.3, -0.3])
+@pytest.mark.parametrize(("x", "y"), [(0.3, -0.4), (-0.3, -0.2), (0.1, 0.5), (-0.05, -0.05)])
+def test_a_lower_bob_follows_the_mouse_and_its_cords_bend_to_the_same_side_as_before(x, y, phi):
+    pend_list = double_row(1)
+    pend_list[0]["phi"] = phi
+    drag_bob(pend_list, 0, 1, x, y, R)
+    _, upper, _, lower, _ = pend_list[0]["objects"]
+    assert components(lower.pos) == pytest.approx((x, y, 0))
+    assert hypot(upper.pos.x, upper.pos.y) == pytest.approx(R)
+    assert (sin(pend_list[0]["phi"]) > 0) == (phi > 0)
+
+
+def test_a_lower_bob_is_stretched_to_where_it_is_nearest():
+    pend_list = double_row(1)
+    drag_bob(pend_list, 0, 1, 3.0, -4.0, R)
+    assert components(pend_list[0]["objects"][3].pos) == pytest.approx((1.2 * R, -1.6 * R, 0))
+
+
+@pytest.mark.parametrize("bob", [0, 1])
+@pytest.mark.parametrize("held", range(4))
+@pytest.mark.parametrize(("x", "y"), [(0.5, -0.6), (-0.5, -0.6), (0.3, -0.3), (-0.2, -0.5)])
+def test_both_bobs_push_those_in_their_way(held, bob, x, y):
+    pend_list = double_row(4)
+    axle = pend_list[held]["objects"][0].pos
+    drag_bob(pend_list, held, bob, axle.x + x, axle.y + y, R)
+    assert min(gaps_of_doubles(pend_list)) > 1
+    moved = [pend["omega"] == 0 for pend in pend_list]
+    assert any(moved[:held] if x < 0 else moved[held + 1 :]) == (held != (0 if x < 0 else 3))

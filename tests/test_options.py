@@ -5,8 +5,14 @@ from math import inf
 import pytest
 from cradles import FIVE_CSV
 
-from support.constants import DT, NC_FP, THETA_INIT
-from support.options import check_lift, PORT_VARIABLE, read_page_options, read_text_options
+from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
+from support.options import (
+    check_lift,
+    PORT_VARIABLE,
+    read_double_page_options,
+    read_page_options,
+    read_text_options,
+)
 
 
 def read(line):
@@ -47,6 +53,13 @@ DEFAULTS = {
 )
 def test_what_it_takes(line, changed):
     assert read(line) == {**DEFAULTS, **changed}
+
+
+@pytest.mark.parametrize(
+    ("line", "phi"), [("", abs(PHI_INIT) * 57.29577951), ("--phi -180", -180), ("--phi 12.5", 12.5)]
+)
+def test_what_the_double_cradle_takes_besides(line, phi):
+    assert vars(read_double_page_options(line.split())) == {**DEFAULTS, "phi": pytest.approx(phi)}
 
 
 TEXT_DEFAULTS = {
@@ -176,6 +189,22 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
         "--no-browser",
     ):
         assert words in text
+
+
+@pytest.mark.parametrize("phi", ["181", "-180.5", "nan", "right"])
+def test_what_the_double_cradle_refuses_besides(phi, capsys):
+    with pytest.raises(SystemExit) as refused:
+        read_double_page_options(["--phi", phi])
+    assert refused.value.code == 2
+    message = f"argument --phi: found '{phi}', allowed is a number from -180 to 180 (degrees)"
+    assert message in capsys.readouterr().err
+
+
+def test_so_has_the_help_of_the_double_cradle(capsys):
+    text = help_of(read_double_page_options, capsys)
+    assert "double Newton's cradle" in text
+    assert "--angle DEGREES" in text
+    assert "how far their lower cords are bent further out than the upper ones, from -180 to 180 (default: 20)" in text
 
 
 def test_so_has_the_help_of_the_cradle_in_the_terminal(capsys):

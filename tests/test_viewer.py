@@ -15,6 +15,7 @@ from cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD
 from vpython import cylinder, scene, vector, wtext
 
 from src.live_cradle import LiveCradle
+from src.live_double_cradle import LiveDoubleCradle
 from src.special_cradles import make_newton_cradle
 from src.visualize_cradle_run import advance_cradle
 from support.commands import Command
@@ -31,12 +32,13 @@ from support.viewer import Viewer
 class Wall:
     """The wall clock, and the viewer that lives by it."""
 
-    def __init__(self, csv, *angles):
+    def __init__(self, csv, *angles, make_cradle=None):
         self.now = 100.0
         self.file = csv
         options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
         live_file = LiveFile(csv, self.clock)
-        self.viewer = Viewer(LiveCradle(advance_cradle, options), live_file, angles or [30], lifted=1)
+        cradle = make_cradle(options) if make_cradle else LiveCradle(advance_cradle, options)
+        self.viewer = Viewer(cradle, live_file, angles or [30], lifted=1)
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=None)
         self.panel = self.viewer.panel
 
@@ -231,13 +233,17 @@ def test_an_angle_is_shown_to_its_last_digit(csv):
     assert ">12.5&deg;<" in Wall(csv, 12.5).panel.angles[0].text.text
 
 
-def test_each_release_angle_has_its_slider(csv, monkeypatch):
-    """As a double pendulum has two."""
-    monkeypatch.setattr(LiveCradle, "angles", ("Upper", "Lower"))
-    wall = Wall(csv, 30, 10)
-    set_slider(wall.panel.angles[0], 75)
+def test_each_release_angle_of_a_double_cradle_has_its_slider(csv):
+    wall = Wall(csv, 30, 10, make_cradle=LiveDoubleCradle)
+    theta, phi = wall.panel.angles
+    assert [(setting.slider.min, setting.slider.max) for setting in (theta, phi)] == [(0, 180), (-180, 180)]
+    set_slider(theta, 75)
+    set_slider(phi, -40)
     wall.wait()
-    assert wall.viewer.angles == [75, 10]
+    assert wall.viewer.angles == [75, -40]
+    first = wall.viewer.cradle.pend_list[0]
+    outwards = copysign(1, THETA_INIT)
+    assert (first["theta"], first["phi"]) == pytest.approx((outwards * 75 * pi / 180, -outwards * 40 * pi / 180))
 
 
 @pytest.mark.parametrize("anew", ["restart", "reload"])

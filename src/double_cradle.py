@@ -1,0 +1,232 @@
+"""The double Newton's cradle: each of its elements is a double pendulum, a second one hung from the first one's bob.
+
+Words
+    theta       the upper cord's angle from straight down (rad), omega its rate (rad/s); both positive to the right
+    phi         the lower cord's angle from the direction of the upper one (rad), phi_omega its rate (rad/s)
+    alpha, beta the angles of the two cords from straight down, alpha = theta and beta = theta + phi
+    m1, m2      the masses of the upper and the lower bob (kg); R the length of each cord (m); ' is d/dt
+
+Swing
+    The upper bob moves with the velocity R alpha' along its arc, and the lower one with R beta' along its own on top of
+    that; beta - alpha = phi is the angle between the two. So by the law of cosines the energies are
+        T = (m1 + m2) R^2 alpha'^2 / 2  +  m2 R^2 beta'^2 / 2  +  m2 R^2 alpha' beta' cos(phi)
+        V = -(m1 + m2) g R cos(alpha)  -  m2 g R cos(beta)
+    Lagrange's equations, d/dt dL/dq' = dL/dq with L = T - V, for q = alpha and for q = beta, divided by (m1 + m2) R^2
+    and by m2 R^2, and with mu = m2 / (m1 + m2), are
+        alpha''           + mu cos(phi) beta'' =  mu sin(phi) beta'^2 - g/R sin(alpha)
+        cos(phi) alpha''  +             beta'' =    - sin(phi) alpha'^2 - g/R sin(beta)
+    two linear equations for alpha'' and beta'' (double_accelerations). Source of L: Landau and Lifshitz, Mechanics,
+    section 5, problem 1, with both lengths R.
+
+    The motion is chaotic, and semi-implicit Euler, whose error goes with dt, would not keep the energy to 1e-6; so a
+    tick is a step of the classical Runge-Kutta method, whose error goes with dt^4. It needs four accelerations instead
+    of one, no memory of the ticks before, in which there may have been a hit, and no equation to be solved.
+
+Hit
+    During a hit only the impulse p between the two bobs matters, along the unit vector n from one centre to the other.
+    With v = J q' for how fast a bob moves along n, q = (alpha, beta), the impulse adds p J to the momenta
+    dT/dq' = M q', M being the matrix of T: so q' jumps by p M^-1 J, and v by p w, with w = J M^-1 J. (A bob cannot take
+    an impulse alone: its cords carry part of it to the other bob, which is what M^-1 says.) If bobs of pendulum 1 and 2
+    approach at u = v1 - v2, then
+        p = (1 + e) u / (w1 + w2)    makes    v2 - v1 = e u,
+    and the energy falls by (1 - e^2) u^2 / (w1 + w2) / 2, so not at all if e = 1.
+"""
+
+from itertools import pairwise
+from math import cos, hypot, sin
+
+from vpython import box, cylinder, sphere, vector
+
+from src.pds_helper import extract_and_convert
+from src.special_cradles import axle_place, looks
+from support.constants import BUFFER
+from support.cradle_csv import check_cradle
+from support.pendulum import DoublePendulumEntry, make_bob_and_cord, make_pendulum
+
+CLOSEST = 0.98  # of the distance at which bobs touch: where they lie on one another they are not to sink in deeper
+
+
+def make_double_pendulum(
+    axle_pos, r_param, theta, phi, color, texture
+) -> tuple[box, sphere, cylinder, sphere, cylinder]:
+    """Return the VPython objects (axle, bob1, cord1, bob2, cord2) of a double pendulum that hangs from axle_pos.
+
+    axle_pos is a vector (m), r_param the length of each cord (m), theta and phi the angles (rad), color a VPython color
+    (a vector), and texture a VPython texture or None.
+    """
+    axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
+    bob2, cord2 = make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture)
+    return axle, bob1, cord1, bob2, cord2
+
+
+def make_double_newton_cradle(relative_filepath, r_param, theta_init, phi_init) -> list[DoublePendulumEntry]:
+    """Return the pend_list of a CSV as double pendula: with theta, omega, phi, phi_omega and their five objects.
+
+    The first one is lifted to theta_init and phi_init (rad), the others hang straight down; all are at rest. A row's
+    mass is that of each of its two bobs, r_param the length of each cord (m). Raises a ValueError of one line, before
+    any object is made, if the CSV makes no cradle.
+    """
+    check_cradle(relative_filepath)
+    pend_list: list = extract_and_convert(relative_filepath)
+    for i, pend_dict in enumerate(pend_list):
+        theta, phi = (theta_init, phi_init) if i == 0 else (0, 0)
+        pend_dict["theta"], pend_dict["phi"] = theta, phi
+        pend_dict["omega"] = pend_dict["phi_omega"] = 0
+        pend_dict["objects"] = make_double_pendulum(axle_place(i, r_param), r_param, theta, phi, *looks(pend_dict))
+    return pend_list
+
+
+# --- swing -----------------------------------------------------------------------------------------------------------
+
+
+def double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu) -> tuple[float, float]:
+    """Return alpha'' and beta'' (rad/s^2), from the two equations above, with k = g/R (1/s^2) and mu = m2/(m1 + m2)."""
+    s, c = sin(beta - alpha), cos(beta - alpha)
+    right1 = mu * s * beta_rate * beta_rate - k * sin(alpha)
+    right2 = -s * alpha_rate * alpha_rate - k * sin(beta)
+    determinant = 1 - mu * c * c
+    return (right1 - mu * c * right2) / determinant, (right2 - c * right1) / determinant
+
+
+def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1.0, m2=1.0):
+    """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s), in rad/s and rad.
+
+    The first four are the values before, r_param (m) is the length of each cord, g (m/s^2) the gravitational
+    acceleration, m1 and m2 (kg) the masses of the upper and the lower bob. One step of the classical Runge-Kutta
+    method: the average of four rates, taken at the beginning, twice in the middle (1 : 2 : 2 : 1), and at the end.
+    """
+    k, mu, half = g / r_param, m2 / (m1 + m2), dt / 2
+    a, b, u, v = theta, theta + phi, omega_theta, omega_theta + omega_phi  # alpha, beta, and their rates
+    du, dv = double_accelerations(a, b, u, v, k, mu)
+    u2, v2 = u + half * du, v + half * dv
+    du2, dv2 = double_accelerations(a + half * u, b + half * v, u2, v2, k, mu)
+    u3, v3 = u + half * du2, v + half * dv2
+    du3, dv3 = double_accelerations(a + half * u2, b + half * v2, u3, v3, k, mu)
+    u4, v4 = u + dt * du3, v + dt * dv3
+    du4, dv4 = double_accelerations(a + dt * u3, b + dt * v3, u4, v4, k, mu)
+    a_new = a + dt / 6 * (u + 2 * (u2 + u3) + u4)
+    b_new = b + dt / 6 * (v + 2 * (v2 + v3) + v4)
+    u_new = u + dt / 6 * (du + 2 * (du2 + du3) + du4)
+    v_new = v + dt / 6 * (dv + 2 * (dv2 + dv3) + dv4)
+    return u_new, v_new - u_new, a_new, b_new - a_new
+
+
+def swing_numbers(pend_dict, r_param, dt, g) -> None:
+    """Swing one double pendulum for dt (s): update its omega, phi_omega, theta and phi."""
+    mass, omega, phi_omega = pend_dict["mass"], pend_dict["omega"], pend_dict["phi_omega"]
+    pend_dict["omega"], pend_dict["phi_omega"], pend_dict["theta"], pend_dict["phi"] = double_angle_update(
+        omega, phi_omega, pend_dict["theta"], pend_dict["phi"], r_param, dt, g, mass, mass
+    )
+
+
+def show_double_pendulum(pend_dict, r_param) -> None:
+    """Move the bobs and cords of a double pendulum to where its theta and phi are."""
+    alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
+    axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
+    cord1.axis = vector(r_param * sin(alpha), -r_param * cos(alpha), 0)
+    cord2.axis = vector(r_param * sin(beta), -r_param * cos(beta), 0)
+    bob1.pos = cord2.pos = axle.pos + cord1.axis
+    bob2.pos = bob1.pos + cord2.axis
+
+
+def double_swing_update(pend_dict, r_param, dt, g) -> None:
+    """Swing one double pendulum for dt (s): update its angles and their rates, and move its bobs and cords there."""
+    swing_numbers(pend_dict, r_param, dt, g)
+    show_double_pendulum(pend_dict, r_param)
+
+
+# --- hits ------------------------------------------------------------------------------------------------------------
+
+
+def bob_places(pend_dict, r_param) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return x and y (m) of the upper and of the lower bob, from theta and phi."""
+    alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
+    axle = pend_dict["objects"][0].pos
+    x, y = axle.x + r_param * sin(alpha), axle.y - r_param * cos(alpha)
+    return (x, y), (x + r_param * sin(beta), y - r_param * cos(beta))
+
+
+def response(pend_dict, is_lower, x, y, r_param) -> tuple[float, float, float, float]:
+    """Return v, w and M^-1 J, as they are above, of a bob in the direction of the unit vector n = (x, y).
+
+    They are the bob's velocity along n (m/s), how much faster one newton second along n makes it (m/s), and by how
+    much that changes alpha' and beta' (rad/s).
+    """
+    alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
+    alpha_rate, beta_rate = pend_dict["omega"], pend_dict["omega"] + pend_dict["phi_omega"]
+    j1 = r_param * (x * cos(alpha) + y * sin(alpha))
+    j2 = r_param * (x * cos(beta) + y * sin(beta)) if is_lower else 0.0
+    # M = m R^2 (2, c; c, 1), with the mass m for each of the two bobs
+    c = cos(beta - alpha)
+    determinant = pend_dict["mass"] * r_param**2 * (2 - c * c)
+    turn1, turn2 = (j1 - c * j2) / determinant, (2 * j2 - c * j1) / determinant
+    return j1 * alpha_rate + j2 * beta_rate, j1 * turn1 + j2 * turn2, turn1, turn2
+
+
+def touching_bobs(pend1, pend2, r_param):
+    """Yield each two bobs that touch, one of pend1 and one of pend2, as (bob1, bob2, x, y, distance, touching).
+
+    Bob 0 is the upper one, bob 1 the lower one; (x, y) is the unit vector from bob1 to bob2, distance that between the
+    centres (m), and touching the one up to which they touch: BUFFER (1.05) x the sum of the radii. Where the bobs are
+    is told by theta and phi; VPython's objects only show them.
+    """
+    places1, places2 = bob_places(pend1, r_param), bob_places(pend2, r_param)
+    radii1, radii2 = ([bob.radius for bob in pend["objects"][1::2]] for pend in (pend1, pend2))
+    for bob1, (x1, y1) in enumerate(places1):
+        for bob2, (x2, y2) in enumerate(places2):
+            distance, touching = hypot(x2 - x1, y2 - y1), BUFFER * (radii1[bob1] + radii2[bob2])
+            if 0 < distance <= touching:
+                yield bob1, bob2, (x2 - x1) / distance, (y2 - y1) / distance, distance, touching
+
+
+def handle_two_double_bobs(pend1, pend2, r_param, approaching_only=True, keep_apart=False) -> bool:
+    """Let two neighbouring double pendula, pend1 left of pend2, collide where their bobs touch; e is pend1's.
+
+    Each bob of the one may touch each of the other. With approaching_only, bobs that touch but are on their way apart
+    already are left alone. Return whether any two collided.
+
+    With keep_apart, bobs that are too close are moved out to CLOSEST along with the impulse, the cords turning in the
+    same proportions as they are made to. It is for e below 1: bobs that lie on one another press each other a little
+    way in with each tick, and the impulse at its end takes the energy of that, but leaves them there.
+    """
+    e, collided = pend1["e"], False
+    for bob1, bob2, x, y, distance, touching in touching_bobs(pend1, pend2, r_param):
+        v1, w1, *turns1 = response(pend1, bob1, x, y, r_param)
+        v2, w2, *turns2 = response(pend2, bob2, x, y, r_param)
+        approach = v1 - v2
+        if approach == 0 or (approaching_only and approach < 0):
+            continue
+        impulse = (1 + e) * approach / (w1 + w2)
+        out = max(0, CLOSEST * touching - distance) / (w1 + w2) if keep_apart and e < 1 else 0
+        for pend_dict, sign, (turn1, turn2) in ((pend1, -1, turns1), (pend2, 1, turns2)):
+            pend_dict["omega"] += sign * impulse * turn1
+            pend_dict["phi_omega"] += sign * impulse * (turn2 - turn1)
+            pend_dict["theta"] += sign * out * turn1
+            pend_dict["phi"] += sign * out * (turn2 - turn1)
+        collided = True
+    return collided
+
+
+# --- the cradle ------------------------------------------------------------------------------------------------------
+
+
+def double_cradle_tick(pend_list, r_param, dt, g, approaching_only=True) -> None:
+    """Move the whole cradle on by dt (s): swing all double pendula, then let each collide with the one to its right."""
+    advance_double_cradle(pend_list, r_param, dt, g, 1, approaching_only)
+
+
+def advance_double_cradle(pend_list, r_param, dt, g, ticks, approaching_only=True) -> list[tuple[int, int]]:
+    """Move the cradle on by so many ticks of dt (s); return the hits as (tick, index of the left pendulum).
+
+    VPython's objects are moved once, at the end.
+    """
+    hits = []
+    for tick in range(ticks):
+        for pend_dict in pend_list:
+            swing_numbers(pend_dict, r_param, dt, g)
+        for left, (pend1, pend2) in enumerate(pairwise(pend_list)):
+            if handle_two_double_bobs(pend1, pend2, r_param, approaching_only, keep_apart=True):
+                hits.append((tick, left))
+    for pend_dict in pend_list:
+        show_double_pendulum(pend_dict, r_param)
+    return hits

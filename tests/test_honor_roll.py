@@ -1,0 +1,411 @@
+"""Honor roll tests: the double cradle. What it is made of, its laws of motion, its hits, and its page."""
+
+import random
+from math import cos, hypot, pi, sin, sqrt
+
+import pytest
+from cradles import components, hang_double, MIXED, MIXED_CSV
+from programs import (
+    BOBS,
+    end,
+    first_lines,
+    MOVES,
+    needs_vpython,
+    open_cradle,
+    pause,
+    press,
+    QUIETLY,
+    readout,
+    running,
+    wait_until,
+)
+from scipy.integrate import solve_ivp
+from test_csv import NO_CRADLE, UNREADABLE
+from vpython import color, mag, textures, vector
+
+from src import double_cradle, visualize_double_cradle_run
+from support.audit import double_kinetic_energy, double_potential_energy
+from support.constants import BUFFER, COLOR_MAP, DOUBLE_DT, G, PHI_INIT, R_PARAM, TEXTURE_MAP, THETA_INIT
+
+SAMPLE = 0.01  # s between two looks at the energy
+
+
+def make_row(count, theta, phi, **values):
+    """Return a row of double pendula, the first one lifted to theta and phi (rad), the others hanging."""
+    row = [hang_double(axle=(i * R_PARAM / 4, 0), **values) for i in range(count)]
+    row[0]["theta"], row[0]["phi"] = theta, phi
+    return row
+
+
+def energy(pend_list):
+    """Return the total energy (J)."""
+    return double_kinetic_energy(pend_list, R_PARAM) + double_potential_energy(pend_list, R_PARAM, G)
+
+
+# --- what it is made of ----------------------------------------------------------------------------------------------
+
+
+def check_objects(objects, axle, r_param, theta, phi):
+    """Check that axle, bobs and cords are where they have to be; both angles are positive to the right."""
+    arm1 = (r_param * sin(theta), -r_param * cos(theta), 0)
+    arm2 = (r_param * sin(theta + phi), -r_param * cos(theta + phi), 0)
+    box, bob1, cord1, bob2, cord2 = objects
+    for place in (box.pos, cord1.pos):
+        assert components(place) == pytest.approx(axle)
+    for arm in (cord1.axis, bob1.pos - box.pos):
+        assert components(arm) == pytest.approx(arm1)
+    for arm in (cord2.axis, bob2.pos - bob1.pos, bob2.pos - cord2.pos):
+        assert components(arm) == pytest.approx(arm2)
+
+
+@pytest.mark.parametrize(("theta", "phi"), [(0, 0), (0.7, 0), (0, 0.7), (0.6, -0.4), (-2.0, 3.0)])
+@pytest.mark.parametrize("r_param", [0.2, 1.5])
+def test_make_double_pendulum(r_param, theta, phi):
+    """make_double_pendulum makes the double-pendulum structure with correctly calculated positions."""
+    objects = double_cradle.make_double_pendulum(vector(0.3, 0.1, 0), r_param, theta, phi, color.red, textures.wood)
+    check_objects(objects, (0.3, 0.1, 0), r_param, theta, phi)
+    for bob in (objects[1], objects[3]):
+        assert (components(bob.color), bob.texture) == ((1, 0, 0), textures.wood)
+
+
+def test_make_double_newton_cradle(tmp_path):
+    """The first pendulum starts at (theta_init, phi_init), the others hang; a row's mass is that of each bob."""
+    file = tmp_path / "mixed.csv"
+    file.write_text(MIXED_CSV)
+    pend_list = double_cradle.make_double_newton_cradle(str(file), 0.4, 0.6, -0.4)
+    assert [(pend["theta"], pend["phi"]) for pend in pend_list] == [(0.6, -0.4), (0, 0), (0, 0)]
+    for i, (pend, row) in enumerate(zip(pend_list, MIXED, strict=True)):
+        assert (pend["omega"], pend["phi_omega"]) == (0, 0)
+        assert {key: pend[key] for key in ("mass", "e", "color", "texture")} == {
+            key: row[key] for key in ("mass", "e", "color", "texture")
+        }
+        check_objects(pend["objects"], (-0.1 + 0.4 / 4 * i, 0.4 / 5, 0), 0.4, pend["theta"], pend["phi"])
+        for bob in (pend["objects"][1], pend["objects"][3]):
+            assert components(bob.color) == components(COLOR_MAP[row["color"]])
+            assert bob.texture == TEXTURE_MAP[row["texture"]]
+
+
+@pytest.mark.parametrize(("content", "message"), [*UNREADABLE.values(), *NO_CRADLE.values()])
+def test_a_bad_csv_is_refused_as_for_the_single_cradle(tmp_path, monkeypatch, capsys, content, message):
+    file = tmp_path / "cradle.csv"
+    file.write_bytes(content.encode() if isinstance(content, str) else content)
+    with pytest.raises(ValueError) as caught:
+        double_cradle.make_double_newton_cradle(str(file), R_PARAM, THETA_INIT, PHI_INIT)
+    assert str(caught.value) == f"{file}{message}"
+    monkeypatch.setattr("sys.argv", ["visualize_double_cradle_run.py", str(file)])
+    monkeypatch.setattr("support.page.open_page", lambda *_: pytest.fail("a browser was to be opened"))
+    with pytest.raises(SystemExit) as ended:
+        visualize_double_cradle_run.main()
+    assert (ended.value.code, *capsys.readouterr()) == (2, "", f"{file}{message}\n")
+
+
+# --- the laws of motion ----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("sign", "swings"), [(-1, 10), (1, 20)])
+def test_the_normal_modes_of_small_swings(sign, swings):
+    """Their angular frequencies squared are g/R (2 - sqrt 2) and g/R (2 + sqrt 2), for equal masses.
+
+    For small angles and equal masses the equations of motion are 2 alpha'' + beta'' = -2 g/R alpha and alpha'' + beta''
+    = -g/R beta; put alpha = A cos(w t), beta = B cos(w t) into them, and B / A is sqrt 2 or -sqrt 2.
+    """
+    alpha, beta = 1e-3, -sign * sqrt(2) * 1e-3
+    state, crossings, time = (0.0, 0.0, alpha, beta - alpha), [], 0.0
+    while len(crossings) <= swings:
+        before = state[2]
+        state = double_cradle.double_angle_update(*state, R_PARAM, DOUBLE_DT, G)
+        if before > 0 >= state[2]:
+            crossings.append(time + DOUBLE_DT * before / (before - state[2]))
+        time += DOUBLE_DT
+    frequency = 2 * pi * swings / (crossings[-1] - crossings[0])
+    assert frequency**2 == pytest.approx(G / R_PARAM * (2 + sign * sqrt(2)), rel=0.001)
+
+
+def reference(theta, phi, r_param, g, m1, m2, seconds):
+    """Return what double_angle_update returns, after so many seconds from rest, from Hamilton's equations.
+
+    They are those for the angles alpha and beta of the two cords from straight down, and their momenta p = M q'.
+    For M of T see src/double_cradle.py; from L, p' = dL/dq is (-A - (m1 + m2) g R sin(alpha), A - m2 g R sin(beta)),
+    with A = m2 R^2 alpha' beta' sin(alpha - beta).
+    """
+
+    def rates(_, state):
+        alpha, beta, p1, p2 = state
+        c, s = cos(alpha - beta), sin(alpha - beta)
+        alpha_rate = (p1 - c * p2) / (r_param**2 * (m1 + m2 * s**2))
+        beta_rate = ((m1 + m2) * p2 / m2 - c * p1) / (r_param**2 * (m1 + m2 * s**2))
+        a = m2 * r_param**2 * alpha_rate * beta_rate * s
+        forces = -a - (m1 + m2) * g * r_param * sin(alpha), a - m2 * g * r_param * sin(beta)
+        return alpha_rate, beta_rate, *forces
+
+    end = solve_ivp(rates, (0, seconds), (theta, theta + phi, 0, 0), "DOP853", rtol=1e-12, atol=1e-12).y[:, -1]
+    alpha_rate, beta_rate = rates(seconds, end)[:2]
+    return alpha_rate, beta_rate - alpha_rate, end[0], end[1] - end[0]
+
+
+@pytest.mark.parametrize(("m1", "m2"), [(1.0, 1.0), (3.0, 0.5), (0.5, 3.0)])
+@pytest.mark.parametrize(("theta", "phi"), [(0.6, -0.4), (2.0, 1.0)])
+def test_two_seconds_of_one_double_pendulum(theta, phi, m1, m2):
+    """double_angle_update updates both angles, and swings as the exact equations say."""
+    state = (0.0, 0.0, theta, phi)
+    for _ in range(round(2 / DOUBLE_DT)):
+        state = double_cradle.double_angle_update(*state, R_PARAM, DOUBLE_DT, G, m1, m2)
+    assert state == pytest.approx(reference(theta, phi, R_PARAM, G, m1, m2, 2), rel=0, abs=1e-3)
+
+
+def test_the_masses_are_equal_by_default_and_length_and_gravity_those_given():
+    state = (0.0, 0.0, 0.6, -0.4)
+    for _ in range(2000):
+        state = double_cradle.double_angle_update(*state, 0.5, 1e-3, 3.7)
+    assert state == pytest.approx(reference(0.6, -0.4, 0.5, 3.7, 2.0, 2.0, 2), rel=0, abs=1e-3)
+
+
+def test_a_minute_of_one_double_pendulum_keeps_the_energy():
+    pend_list = make_row(1, 2.5, 1.0)
+    at_start = energy(pend_list)
+    for _ in range(round(60 / SAMPLE)):
+        double_cradle.advance_double_cradle(pend_list, R_PARAM, DOUBLE_DT, G, round(SAMPLE / DOUBLE_DT))
+        assert energy(pend_list) == pytest.approx(at_start, rel=1e-6)
+
+
+def test_double_swing_update_swings_and_shows_one_pendulum():
+    pend = hang_double(0.6, -0.4, 3.0, -2.0, mass=2.0, axle=(0.3, 0.1))
+    expected = double_cradle.double_angle_update(3.0, -2.0, 0.6, -0.4, R_PARAM, 0.01, G, 2.0, 2.0)
+    double_cradle.double_swing_update(pend, R_PARAM, 0.01, G)
+    assert [pend[key] for key in ("omega", "phi_omega", "theta", "phi")] == pytest.approx(expected)
+    check_objects(pend["objects"], (0.3, 0.1, 0), R_PARAM, pend["theta"], pend["phi"])
+
+
+# --- hits ------------------------------------------------------------------------------------------------------------
+
+
+def velocities(pend):
+    """Return the velocities of the upper and of the lower bob as (x, y), in m/s."""
+    alpha, beta = pend["theta"], pend["theta"] + pend["phi"]
+    upper, lower = R_PARAM * pend["omega"], R_PARAM * (pend["omega"] + pend["phi_omega"])
+    x, y = upper * cos(alpha), upper * sin(alpha)
+    return (x, y), (x + lower * cos(beta), y + lower * sin(beta))
+
+
+def touching_pair(dice):
+    """Return two double pendula with everything random of which just one bob each touches, those two bobs' numbers
+    (0 or 1), and the unit vector from one to the other.
+    """
+    while True:
+        values = [
+            {
+                **{key: dice.uniform(-pi, pi) for key in ("theta", "phi")},
+                **{key: dice.uniform(-20, 20) for key in ("omega", "phi_omega")},
+                "mass": 10 ** dice.uniform(-3, 3),
+                "e": dice.choice([0, 1, dice.random()]),
+            }
+            for _ in range(2)
+        ]
+        direction, (bob1, bob2) = dice.uniform(-pi, pi), (dice.randint(0, 1), dice.randint(0, 1))
+        x, y = cos(direction), sin(direction)
+        pend1, pend2 = (hang_double(**of_one) for of_one in values)
+        one, other = pend1["objects"][1 + 2 * bob1], pend2["objects"][1 + 2 * bob2]
+        place = one.pos + dice.uniform(0.97, 1) * BUFFER * (one.radius + other.radius) * vector(x, y, 0)
+        moved = place - other.pos
+        pend2 = hang_double(**values[1], axle=(moved.x, moved.y))
+        near = [distance < 1 for distance in distances([pend1, pend2])]
+        if near == [number == 2 * bob1 + bob2 for number in range(4)]:
+            return pend1, pend2, bob1, bob2, (x, y)
+
+
+def distances(pend_list):
+    """Return how far each two bobs of neighbouring pendula are apart, 1 being where they touch."""
+    return [
+        mag(bob2.pos - bob1.pos) / (BUFFER * (bob1.radius + bob2.radius))
+        for pend1, pend2 in zip(pend_list, pend_list[1:], strict=False)
+        for bob1 in pend1["objects"][1::2]
+        for bob2 in pend2["objects"][1::2]
+    ]
+
+
+def test_ten_thousand_random_contacts():
+    """They part at e times the speed at which they met, and the energy is kept at e = 1 and never grows below."""
+    dice, hits = random.Random(3), 0
+    for _ in range(10_000):
+        pend1, pend2, bob1, bob2, (x, y) = touching_pair(dice)
+        before = {key: (pend1[key], pend2[key]) for key in ("theta", "phi", "omega", "phi_omega")}
+        approach = closing_speed(pend1, pend2, bob1, bob2, x, y)
+        kinetic = double_kinetic_energy([pend1, pend2], R_PARAM)
+        double_cradle.handle_two_double_bobs(pend1, pend2, R_PARAM)
+        after = {key: (pend1[key], pend2[key]) for key in before}
+        assert (after["theta"], after["phi"]) == (before["theta"], before["phi"])
+        if approach <= 0:
+            assert after == before
+            continue
+        hits += 1
+        scale = max(hypot(*v) for pend in (pend1, pend2) for v in velocities(pend)) + approach
+        assert -closing_speed(pend1, pend2, bob1, bob2, x, y) == pytest.approx(
+            pend1["e"] * approach, rel=0, abs=1e-9 * scale
+        )
+        kinetic_after = double_kinetic_energy([pend1, pend2], R_PARAM)
+        assert kinetic_after <= kinetic * (1 + 1e-9)
+        if pend1["e"] == 1:
+            assert kinetic_after == pytest.approx(kinetic, rel=1e-9)
+    assert hits > 4000
+
+
+def closing_speed(pend1, pend2, bob1, bob2, x, y):
+    """Return how fast these two bobs approach each other along the unit vector (x, y), in m/s."""
+    (vx1, vy1), (vx2, vy2) = velocities(pend1)[bob1], velocities(pend2)[bob2]
+    return (vx1 - vx2) * x + (vy1 - vy2) * y
+
+
+def test_the_cords_carry_part_of_a_hit_to_the_other_bob():
+    """By hand: two rows of bobs that hang straight down, one swinging stiffly at 1 rad/s.
+
+    Stiff, both cords turn at 1 rad/s, the upper bobs meet at R and the lower ones at 2 R. All is exchanged, as between
+    single pendula: with the velocities of the two bobs as coordinates the mass matrix is diagonal.
+    """
+    pend1, pend2 = hang_double(omega=1.0), hang_double(axle=(0.999 * R_PARAM / 4, 0))
+    double_cradle.handle_two_double_bobs(pend1, pend2, R_PARAM)
+    assert [pend["omega"] for pend in (pend1, pend2)] == pytest.approx([0, 1])
+    assert [pend["phi_omega"] for pend in (pend1, pend2)] == pytest.approx([0, 0])
+
+
+def test_a_bob_that_is_hit_from_above_passes_it_on_to_its_lower_bob():
+    """By hand: the upper bob is hit at a right angle to its cord, from which the lower cord goes off in that direction.
+
+    So it has both bobs' mass behind it: with equal masses, one unit of momentum onto two, and the lower cord pulls.
+    """
+    hit = hang_double(phi=pi / 2, axle=(0.999 * R_PARAM / 4, 0))
+    hitting = hang_double(omega=1.0, phi=-pi)  # its lower bob is back at its axle, and does not move to the right
+    hitting["phi_omega"] = -1.0  # its lower cord does not turn
+    before = double_kinetic_energy([hitting, hit], R_PARAM)
+    double_cradle.handle_two_double_bobs(hitting, hit, R_PARAM)
+    (x1, _), _ = velocities(hitting)
+    (x2, _), (x3, _) = velocities(hit)
+    assert x2 == pytest.approx(x3)  # the lower bob is drawn along
+    assert x2 - x1 == pytest.approx(R_PARAM)
+    assert double_kinetic_energy([hitting, hit], R_PARAM) == pytest.approx(before)
+
+
+def test_bobs_that_do_not_touch_are_left_alone():
+    row = make_row(2, 0.0, 0.0, omega=3.0)
+    row[1]["omega"] = 0.0
+    assert not double_cradle.handle_two_double_bobs(*row, R_PARAM)
+    assert [pend["omega"] for pend in row] == [3.0, 0.0]
+
+
+def test_the_radii_count():
+    row = make_row(2, 0.0, 0.0)
+    row[0]["omega"] = 3.0
+    row[1]["objects"][3].radius *= 1.1
+    assert double_cradle.handle_two_double_bobs(*row, R_PARAM)
+    assert row[1]["phi_omega"] > 0 == row[1]["objects"][1].pos.y + R_PARAM  # only the lower bobs touched
+
+
+@pytest.mark.parametrize("approaching_only", [True, False])
+def test_separating_bobs_collide_only_if_they_are_to(approaching_only):
+    pend1, pend2 = hang_double(e=0.5), hang_double(omega=1.0, axle=(0.999 * R_PARAM / 4, 0))
+    hit = double_cradle.handle_two_double_bobs(pend1, pend2, R_PARAM, approaching_only=approaching_only)
+    assert hit != approaching_only
+    speed = (pend2["omega"] - pend1["omega"]) * R_PARAM
+    assert speed == pytest.approx(R_PARAM) if approaching_only else speed < 0
+
+
+def test_bobs_in_one_place_have_no_line_of_centres_and_are_left_alone():
+    pend1, pend2 = hang_double(omega=1.0), hang_double()
+    assert not double_cradle.handle_two_double_bobs(pend1, pend2, R_PARAM)
+    assert (pend1["omega"], pend2["omega"]) == (1.0, 0.0)
+
+
+# --- the cradle ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("theta", "phi"), [(THETA_INIT, PHI_INIT), (-0.8, -0.8), (-1.2, 0.5)])
+def test_twenty_seconds_of_five_elastic_double_pendula(monkeypatch, theta, phi):
+    """They keep their energy, and no two neighbouring bobs are closer than 0.97 of touching, in any tick."""
+    closest = []
+
+    def touching_bobs(*arguments):
+        for touch in original(*arguments):
+            closest.append(touch[4] / touch[5])
+            yield touch
+
+    original = double_cradle.touching_bobs
+    monkeypatch.setattr(double_cradle, "touching_bobs", touching_bobs)
+    pend_list = make_row(5, theta, phi)
+    at_start, hits = energy(pend_list), 0
+    for _ in range(round(20 / SAMPLE)):
+        ticks = round(SAMPLE / DOUBLE_DT)
+        hits += len(double_cradle.advance_double_cradle(pend_list, R_PARAM, DOUBLE_DT, G, ticks))
+        assert energy(pend_list) == pytest.approx(at_start, rel=1e-6)
+        closest.append(min(distances(pend_list)))  # from VPython's objects
+    assert min(closest) > 0.97
+    assert hits > 300
+
+
+def test_bobs_that_lie_on_one_another_do_not_sink_in_and_gain_nothing():
+    """Two inelastic pendula whose axles are closer than their bobs are thick lean against each other for ever."""
+    pend1, pend2 = hang_double(-0.1, 0.0, e=0.0), hang_double(0.1, 0.0, e=0.0, axle=(R_PARAM / 10, 0))
+    energies, closest, hits = [energy([pend1, pend2])], [], 0
+    for _ in range(round(10 / SAMPLE)):
+        ticks = round(SAMPLE / DOUBLE_DT)
+        hits += len(double_cradle.advance_double_cradle([pend1, pend2], R_PARAM, DOUBLE_DT, G, ticks))
+        energies.append(energy([pend1, pend2]))
+        closest.append(min(distances([pend1, pend2])))
+    assert hits > 10_000
+    assert min(closest) > 0.97
+    assert all(later <= sooner + 1e-4 * energies[0] for sooner, later in zip(energies, energies[1:], strict=False))
+
+
+def test_a_tick_swings_and_then_handles_each_pair():
+    """The pairs from left to right: a hit runs through a whole row in one tick."""
+    pend_list = [hang_double(axle=(i * 0.999 * R_PARAM / 4, 0)) for i in range(4)]
+    pend_list[0]["omega"] = 1.0
+    double_cradle.double_cradle_tick(pend_list, R_PARAM, 1e-7, G)
+    assert [pend["omega"] for pend in pend_list] == pytest.approx([0, 0, 0, 1], abs=1e-3)
+    for i, pend in enumerate(pend_list):
+        check_objects(pend["objects"], (i * 0.999 * R_PARAM / 4, 0, 0), R_PARAM, pend["theta"], pend["phi"])
+
+
+def test_many_ticks_at_once_are_that_many_ticks():
+    once, single = make_row(3, -0.8, 0.3, e=0.7), make_row(3, -0.8, 0.3, e=0.7)
+    hits = double_cradle.advance_double_cradle(once, R_PARAM, DOUBLE_DT, G, 4000)
+    for _ in range(4000):
+        double_cradle.double_cradle_tick(single, R_PARAM, DOUBLE_DT, G)
+    for pend, other in zip(once, single, strict=True):
+        for key in ("theta", "phi", "omega", "phi_omega"):
+            assert pend[key] == other[key]
+        assert components(pend["objects"][3].pos) == components(other["objects"][3].pos)
+    assert hits[0][1] == 0
+    assert {left for _, left in hits} == {0, 1}
+    assert all(0 <= tick < 4000 for tick, _ in hits)
+
+
+# --- the page --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.usefixtures("program")
+class TestPage:
+    """In a real Chromium."""
+
+    pytestmark = needs_vpython
+
+    def test_it_starts_moves_pauses_restarts_and_ends_with_the_tab(self, page, program):
+        with running(program.with_name("visualize_double_cradle_run.py")) as process:
+            open_cradle(page, first_lines(process), bobs=10)
+            at_rest = [[-0.1 + R_PARAM / 4 * i, R_PARAM / 5 - R_PARAM * cord] for i in range(5) for cord in (1, 2)]
+            wait_until(lambda: max(hypot(x - x0, y - y0) for (x, y), (x0, y0) in last_two(page, at_rest)) > R_PARAM / 4)
+            pause(page)
+            assert page.evaluate(MOVES) == 0
+            press(page, "Restart")
+            wait_until(lambda: readout(page, "t") == 0)
+            alpha, beta = THETA_INIT, THETA_INIT + PHI_INIT
+            x, y = -0.1 + R_PARAM * sin(alpha), R_PARAM / 5 - R_PARAM * cos(alpha)
+            lifted = [[x, y], [x + R_PARAM * sin(beta), y - R_PARAM * cos(beta)]]
+            wait_until(lambda: page.evaluate(BOBS) == [pytest.approx(bob, abs=1e-6) for bob in lifted + at_rest[2:]])
+            press(page, "Run")
+            wait_until(lambda: readout(page, "t") > 0.3)
+            page.close()
+            assert end(process) == QUIETLY
+
+
+def last_two(page, at_rest):
+    """Return where the last two bobs are, each with where it hangs at rest."""
+    return list(zip(page.evaluate(BOBS), at_rest, strict=True))[-2:]

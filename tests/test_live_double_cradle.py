@@ -1,0 +1,129 @@
+"""The double cradle as the viewer plays with it: releasing, holding, dragging, what is recorded."""
+
+from math import copysign, radians
+from types import SimpleNamespace
+
+import pytest
+from cradles import components, FIVE_CSV, MIXED_CSV
+
+from src.double_cradle import double_cradle_tick
+from src.live_double_cradle import LiveDoubleCradle
+from support import shapes
+from support.audit import double_kinetic_energy, double_momentum, double_potential_energy
+from support.constants import DOUBLE_DT, G, R_PARAM, THETA_INIT
+from support.cradle_csv import Snapshot
+
+OUTWARDS = copysign(1, THETA_INIT)
+
+
+@pytest.fixture
+def live(tmp_path):
+    """A function that returns the double cradle of this CSV, let go from 30 and 20 degrees."""
+
+    def live(text=FIVE_CSV, **options):
+        path = tmp_path / "cradle.csv"
+        path.write_text(text)
+        none = {"elastic": False, "inelastic": False, "e": None, "mass": None}
+        cradle = LiveDoubleCradle(SimpleNamespace(**{**none, **options}))
+        cradle.load(Snapshot(path))
+        cradle.release([30, 20], 1)
+        return cradle
+
+    return live
+
+
+def values(cradle, key):
+    return [pend[key] for pend in cradle.pend_list]
+
+
+@pytest.mark.parametrize(("lifted", "expected"), [(0, 0), (2, 2), (9, 3)])
+def test_release_lifts_both_cords_of_the_first_pendula_outwards(live, lifted, expected):
+    cradle = live(MIXED_CSV)
+    cradle.advance(500, True)
+    cradle.release([30, -20], lifted)
+    for key, angle in (("theta", 30), ("phi", -20)):
+        assert values(cradle, key) == pytest.approx([OUTWARDS * radians(angle)] * expected + [0] * (3 - expected))
+    for key in ("omega", "phi_omega"):
+        assert values(cradle, key) == [0, 0, 0]
+
+
+def test_bobs_and_cords_are_those_of_each_pendulum_from_above(live):
+    cradle = live()
+    objects = [pend["objects"] for pend in cradle.pend_list]
+    assert cradle.axles() == [five[0] for five in objects]
+    assert cradle.bobs() == [bob for five in objects for bob in (five[1], five[3])]
+    assert cradle.cords() == [cord for five in objects for cord in (five[2], five[4])]
+    assert cradle.thetas() == values(cradle, "theta")
+    lowest = max(axle.pos.y - bob.pos.y for axle, bob in zip(cradle.axles()[1:], cradle.bobs()[3::2], strict=True))
+    assert lowest == pytest.approx(cradle.reach)
+
+
+def test_the_options_change_the_cradle(live):
+    cradle = live(MIXED_CSV, e=0.25, mass=2.0)
+    assert (values(cradle, "e"), values(cradle, "mass")) == ([0.25] * 3, [2.0] * 3)
+
+
+@pytest.mark.parametrize("approaching_only", [True, False])
+def test_advance_ticks_and_tells_of_contacts(live, approaching_only):
+    cradle, same = live(e=0.8), live(e=0.8)
+    contacts = cradle.advance(2000, approaching_only)
+    for _ in range(2000):
+        double_cradle_tick(same.pend_list, R_PARAM, DOUBLE_DT, G, approaching_only)
+    assert values(cradle, "phi") == values(same, "phi")
+    assert contacts[0][1] == 0
+
+
+@pytest.mark.parametrize("bob", [2, 3])
+def test_a_held_bob_stays_with_its_pendulum_and_throws_others_back(live, bob):
+    cradle = live()
+    cradle.hold(bob)
+    masses = values(cradle, "mass")
+    thrown_back = False
+    for _ in range(100):
+        assert cradle.advance(50, True) == []
+        assert (values(cradle, "theta")[1:], values(cradle, "phi")[1:]) == ([0.0] * 4, [0.0] * 4)
+        thrown_back = thrown_back or cradle.velocities()[0] * OUTWARDS > 0.1
+    assert thrown_back
+    assert values(cradle, "mass") == masses
+
+
+@pytest.mark.parametrize("bob", [8, 9])
+def test_a_bob_is_dragged_let_go_and_swings_on_with_no_speed(live, bob):
+    cradle = live()
+    cradle.release([0, 0], 0)
+    cradle.hold(bob)
+    axle = cradle.axles()[4].pos
+    cradle.drag(bob, axle.x + 3, axle.y - 3)
+    cords = 1 if bob == 8 else 2
+    at = (cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0)
+    assert components(cradle.bobs()[bob].pos - axle) == pytest.approx(at)
+    cradle.advance(100, True)
+    assert components(cradle.bobs()[bob].pos - axle) == pytest.approx(at)
+    cradle.let_go()
+    assert (values(cradle, "omega")[4], values(cradle, "phi_omega")[4]) == (0, 0)
+    cradle.advance(100, True)
+    assert cradle.bobs()[bob].pos.x - axle.x < at[0]
+
+
+def test_what_is_shown_and_recorded(live):
+    cradle = live(MIXED_CSV)
+    cradle.advance(700, True)
+    pend_list = cradle.pend_list
+    energies = double_kinetic_energy(pend_list, R_PARAM), double_potential_energy(pend_list, R_PARAM, G)
+    assert cradle.energies() == energies
+    assert cradle.momentum() == double_momentum(pend_list, R_PARAM)
+    by_pendulum = [2 * pend["mass"] * v for pend, v in zip(pend_list, cradle.velocities(), strict=True)]
+    assert sum(by_pendulum) == pytest.approx(cradle.momentum())
+    names = [f"{key}_{i}" for key in ("theta", "phi", "omega", "phi_omega") for i in (1, 2, 3)]
+    assert list(cradle.coordinates()) == names
+    assert cradle.coordinates()["phi_omega_3"] == pend_list[2]["phi_omega"]
+
+
+def test_a_reload_uses_all_shapes_again(live, tmp_path):
+    cradle = live()
+    old = {id(shape) for pend in cradle.pend_list for shape in pend["objects"]}
+    (tmp_path / "cradle.csv").write_text(MIXED_CSV)
+    cradle.load(Snapshot(tmp_path / "cradle.csv"))
+    assert all(shape.visible for pend in cradle.pend_list for shape in pend["objects"])
+    hidden = {id(shape) for kind in shapes.discarded.values() for shape in kind}
+    assert old - {id(shape) for pend in cradle.pend_list for shape in pend["objects"]} <= hidden
