@@ -14,7 +14,8 @@ from itertools import product
 from math import cos, inf, sin
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
 
 import numpy as np
 
@@ -221,8 +222,8 @@ def shown(cpu, error) -> tuple[str, str]:
 # --- the viewer ------------------------------------------------------------------------------------------------------
 
 
-def viewer_load(count, seconds=40) -> tuple[float, float]:
-    """Return which part of a processor core the program takes with so many pendula, and how many simulated seconds pass
+def viewer_load(program, count, seconds=40) -> tuple[float, float]:
+    """Return which part of a processor core a program takes with so many pendula, and how many simulated seconds pass
     in one, with Chromium drawing its page on the same machine.
     """
     from playwright.sync_api import sync_playwright
@@ -235,7 +236,7 @@ def viewer_load(count, seconds=40) -> tuple[float, float]:
 
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
         Path(folder, "cradle.csv").write_text(csv_of(count))
-        with running(None, str(Path(folder, "cradle.csv"))) as process:
+        with running(program, str(Path(folder, "cradle.csv"))) as process:
             browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
             page = browser.new_page(viewport={"width": 1000, "height": 840})
             page.goto(first_lines(process))
@@ -251,9 +252,10 @@ def viewer_load(count, seconds=40) -> tuple[float, float]:
 def show_viewer() -> None:
     """Print what the viewer takes."""
     rows = [("pendula", "of a core", "simulated seconds in one")]
-    for count in (5, 50, 100):
-        load, pace = viewer_load(count)
-        rows.append((count, f"{load:.1%}", f"{pace:.2f}"))
+    for name, kind, counts in (("cradle", "", (5, 50, 100)), ("double_cradle", " double", (5, 20))):
+        for count in counts:
+            load, pace = viewer_load(ROOT / "src" / f"visualize_{name}_run.py", count)
+            rows.append((f"{count}{kind}", f"{load:.1%}", f"{pace:.2f}"))
     print("The viewer, VPython's serving included, in Chromium.\n")
     show_table(*rows)
 
