@@ -12,6 +12,7 @@ from src.double_cradle import show_double_pendulum
 from src.swinging import swing_update
 from support.constants import BUFFER
 
+STRAIGHT = 0.1  # rad: up to here the two cords of a double pendulum count as one line
 STEP = 0.02  # rad: a cord is turned no further than this before its bob pushes, or it could get past its neighbour
 
 
@@ -27,8 +28,10 @@ def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
     if bob == 0:
         angles[0] = direction
     else:
-        # With the line from the axle to the bob, the two cords make a triangle with two equal sides.
-        bend = copysign(acos(min(1, hypot(x, down) / (2 * r_param))), remainder(angles[1] - angles[0], 2 * pi))
+        # With the line from the axle to the bob, the two cords make a triangle with two equal sides. They stay bent to
+        # the side to which they are; if they are straight, the upper bob gives way downwards.
+        bent = remainder(angles[1] - angles[0], 2 * pi)
+        bend = copysign(acos(min(1, hypot(x, down) / (2 * r_param))), bent if abs(bent) > STRAIGHT else direction)
         angles = [direction - bend, direction + bend]
     drag_pendulum(pend_list, held, angles, r_param)
 
@@ -36,24 +39,48 @@ def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
 def drag_pendulum(pend_list, held, angles, r_param) -> None:
     """Turn the held pendulum (an index) to these angles the short way round; whoever is in its way is pushed along.
 
-    r_param is the length of a cord (m). Whoever was moved is at rest afterwards.
+    It stops where there is no room for those. r_param is the length of a cord (m). Whoever was moved is at rest then.
     """
     pend = pend_list[held]
     before = cord_angles(pend)
     turns = [remainder(angle - old, 2 * pi) for angle, old in zip(angles, before, strict=True)]
     steps = ceil(max(map(abs, turns)) / STEP)
     for step in range(1, steps + 1):
+        places = [cord_angles(other) for other in pend_list]
         move(pend, [old + turn * step / steps for old, turn in zip(before, turns, strict=True)], r_param)
-        push_others(pend_list, held, r_param)
+        if not push_others(pend_list, held, r_param):
+            for other, angles in zip(pend_list, places, strict=True):
+                if cord_angles(other) != angles:
+                    move(other, angles, r_param)
+            break
 
 
-def push_others(pend_list, held, r_param) -> None:
-    """Turn away whoever's bob reaches into that of the held pendulum, and whoever is then in the way of those."""
+def push_others(pend_list, held, r_param) -> bool:
+    """Turn away whoever's bobs reach into those of the held pendulum, and whoever is then in the way of those.
+
+    Return whether there was room for all.
+    """
     pushers = [held]
     for pusher in pushers:  # those that are pushed are added meanwhile
         for other, pend in enumerate(pend_list):
-            if other not in (held, pusher) and len(pushers) < 4 * len(pend_list):
-                pushers += [other] * give_way(pend, pend_list[pusher], r_param)
+            is_pushed = other not in (held, pusher) and len(pushers) < 4 * len(pend_list)
+            if is_pushed and give_way(pend, pend_list[pusher], r_param):
+                pushers.append(other)
+    return not any(
+        reaches_into(pend, pend_list[pusher])
+        for pusher in set(pushers)
+        for other, pend in enumerate(pend_list)
+        if other != pusher
+    )
+
+
+def reaches_into(pend, other) -> bool:
+    """Return whether a bob of pend is within reach of a bob of the other pendulum."""
+    return any(
+        mag(bob1.pos - bob2.pos) <= BUFFER * (bob1.radius + bob2.radius)
+        for bob1 in pend["objects"][1::2]
+        for bob2 in other["objects"][1::2]
+    )
 
 
 def give_way(pend, pusher, r_param) -> bool:

@@ -20,7 +20,9 @@ from support.cradle_csv import check_cradle
 from support.shapes import discard
 
 HAND = 1e9  # kg: a bob that is held throws others back like a wall
-GRIP = 10  # ticks after which it is put back to where it is held; until then it falls by a thousandth of a degree
+GRIP = (
+    10  # ticks after which it is put back to where it is held; until then it falls by a hundredth of a degree at most
+)
 
 
 class LiveCradle:
@@ -81,8 +83,11 @@ class LiveCradle:
         for i, pend in enumerate(self.pend_list):
             move(pend, lifted_angles if i < lifted else [0.0] * len(angles), R_PARAM)
 
-    def advance(self, ticks, approaching_only) -> list[tuple[int, int]]:
-        """Move on by so many ticks; return the contacts as (tick, index of the left bob), none while a bob is held."""
+    def advance(self, ticks, approaching_only) -> list[tuple[int, int, int]]:
+        """Move on by so many ticks; return the contacts as (tick, left, right), indices of pendula.
+
+        While a bob is held there are none.
+        """
         if self.held is None:
             return self.advance_pendula(self.pend_list, R_PARAM, self.dt, G, ticks, approaching_only)
         pend = self.pend_list[self.whose(self.held)[0]]
@@ -114,7 +119,7 @@ class LiveCradle:
 
     def whose(self, bob) -> tuple[int, int]:
         """Return the index of this bob's pendulum, and which of its bobs it is, counted from above."""
-        return divmod(bob, len(self.angles))
+        return divmod(bob, len(self.angles))  # there is a release angle for each cord, and a bob at its end
 
     def drag(self, bob, x, y) -> None:
         """Turn the pendulum of this bob until the bob is nearest to the point x, y (m) in the plane of swing."""
@@ -142,6 +147,6 @@ class LiveCradle:
         return [pend["theta"] for pend in self.pend_list]
 
     def coordinates(self) -> dict[str, float]:
-        """Return theta_1, theta_2, ... (rad) and omega_1, omega_2, ... (rad/s), from left to right."""
+        """Return coordinates (rad) and their rates (rad/s) by name: theta_1, theta_2, ..., from left to right."""
         numbered = list(enumerate(self.pend_list, start=1))
         return {f"{key}_{i}": pend[key] for key in self.coordinate_keys for i, pend in numbered}

@@ -1,6 +1,7 @@
 """The double cradle as the viewer plays with it."""
 
 from src.double_cradle import advance_double_cradle, make_double_newton_cradle
+from src.dragging import push_others
 from src.live_cradle import LiveCradle
 from support.audit import double_kinetic_energy, double_momentum, double_potential_energy
 from support.constants import DOUBLE_DT, G, PHI_INIT, R_PARAM, THETA_INIT
@@ -21,6 +22,15 @@ class LiveDoubleCradle(LiveCradle):
     def make(self, csv) -> list:
         """Return the pend_list of a CSV."""
         return make_double_newton_cradle(csv, R_PARAM, THETA_INIT, PHI_INIT)
+
+    def release(self, angles, lifted) -> None:
+        """Lift the first pendula to these angles (degrees, outwards), let the others hang, all at rest.
+
+        Where a lower cord that is bent inwards reaches into those that hang, it pushes them aside.
+        """
+        super().release(angles, lifted)
+        for i in reversed(range(min(lifted, len(self.pend_list)))):
+            push_others(self.pend_list, i, R_PARAM)
 
     def energies(self) -> tuple[float, float]:
         """Return the kinetic and the potential energy (J)."""

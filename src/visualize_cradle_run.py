@@ -62,13 +62,13 @@ def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> Non
         handle_two_bobs(pend1, pend2, r_param, approaching_only)
 
 
-def advance_cradle(pend_list, r_param, dt, g, ticks, approaching_only=False) -> list[tuple[int, int]]:
-    """Do what so many calls of newton_cradle_tick do, and return the contacts as (tick, index of the left bob).
+def advance_cradle(pend_list, r_param, dt, g, ticks, approaching_only=False) -> list[tuple[int, int, int]]:
+    """Do what so many calls of newton_cradle_tick do, and return the contacts as (tick, left, right).
 
-    Ticks count from 0, and a contact is told of where it changes the velocities. This is some fifteen times faster, as
-    long as bobs do not cling together: on plain numbers, each pendulum swings by itself for as long as its bob cannot
-    touch another (free_ticks), and the objects are set once, at the end. tests/test_advance.py holds the two ways
-    together, to the last bit.
+    Ticks count from 0, left and right are indices, and a contact is told of where it changes the velocities. This is
+    some fifteen times faster, as long as bobs do not cling together: on plain numbers, each pendulum swings by itself
+    for as long as its bob cannot touch another (free_ticks), and the objects are set once, at the end.
+    tests/test_advance.py holds the two ways together, to the last bit.
     """
     thetas, omegas = ([pend_dict[key] for pend_dict in pend_list] for key in ("theta", "omega"))
     axles, bobs = ([pend_dict["objects"][part] for pend_dict in pend_list] for part in (0, 1))
@@ -117,7 +117,7 @@ def advance_cradle(pend_list, r_param, dt, g, ticks, approaching_only=False) -> 
                 e, m1, m2 = pend_list[left]["e"], pend_list[left]["mass"], pend_list[right]["mass"]
                 omegas[left], omegas[right] = handle_collision(e, omega1, omega2, m1, m2, r_param)
                 if (omegas[left], omegas[right]) != (omega1, omega2):
-                    contacts.append((tick, left))
+                    contacts.append((tick, left, right))
                     if due[left - 1] > tick + 1:  # the plan was made with another velocity
                         plan(left - 1, tick + 1)
                     if due[right] > tick + 1:

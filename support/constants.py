@@ -27,7 +27,7 @@ THETA_INIT = -pi / 4
 PHI_INIT = -pi / 9
 
 # One tick of the double cradle (s). With its more exact steps the energy would bear a longer one; but its bobs are
-# faster, and this is short enough for them not to get more than two hundredths of the way into one another.
+# faster, and this is short enough for equal ones to get hardly more than two hundredths of the way into one another.
 DOUBLE_DT = 0.00025
 
 # Two bobs collide where their centres are within this many times the sum of their radii: the handout's little buffer.

@@ -23,8 +23,8 @@ class Cradle(Protocol):
     def collide(self, collision) -> None:
         """Collide from now on in this way, one of collisions."""
 
-    def advance(self, ticks, approaching_only) -> list[tuple[int, int]]:
-        """Move on by so many ticks; return the contacts as (tick, index of the left pendulum)."""
+    def advance(self, ticks, approaching_only) -> list[tuple[int, int, int]]:
+        """Move on by so many ticks; return the contacts as (tick, left, right), indices of pendula."""
 
     def axles(self) -> list:
         """Return the axles, from left to right."""
@@ -51,7 +51,7 @@ class Cradle(Protocol):
         """Return the kinetic and the potential energy (J)."""
 
     def velocities(self) -> list[float]:
-        """Return the velocities of the pendula's bobs to the right (m/s)."""
+        """Return the velocities of the pendula's bobs to the right (m/s); of double ones, the mean of their two."""
 
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""

@@ -23,8 +23,8 @@ class ImpactTrains:
         """Forget all trains."""
         self.trains.clear()
 
-    def add(self, time, left, rightwards) -> None:
-        """Add the contact, at time (s), of the bob with this index (from 0) with its neighbour to the right.
+    def add(self, time, left, right, rightwards) -> None:
+        """Add the contact, at time (s), of the pendula with these indices (from 0).
 
         A run that has come to one of the two goes on to the other. Where none has, a new run begins, to the right or to
         the left as the two were moving before.
@@ -32,9 +32,9 @@ class ImpactTrains:
         if not self.trains or time - self.trains[-1][1] > GAP:
             self.trains.append([time, time, None, []])
         train = self.trains[-1]
-        if train[2] != left:  # two bobs that touch tick after tick are one impact
-            pass_on(train[3], left + 1, left + 2, rightwards)
-        train[1:3] = time, left
+        if train[2] != (left, right):  # two that touch tick after tick are one impact
+            pass_on(train[3], left + 1, right + 1, rightwards)
+        train[1:3] = time, (left, right)
 
     def lines(self, longest=LONGEST) -> list[str]:
         """Return a line for each train, the latest first, of so many characters at most: t = 0.71 s  1-2-3-4-5."""

@@ -32,9 +32,9 @@ class Motion:
         """Move on by so many ticks."""
         for part in self.parts(ticks, max(1, round(ONE_WAY / self.cradle.dt))):
             velocities = self.cradle.velocities()
-            for tick, left in self.cradle.advance(part, approaching_only):
-                rightwards = velocities[left] + velocities[left + 1] > 0
-                self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, rightwards)
+            for tick, left, right in self.cradle.advance(part, approaching_only):
+                rightwards = velocities[left] + velocities[right] > 0
+                self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, right, rightwards)
             self.ticks += part
 
     def parts(self, ticks, step):

@@ -19,7 +19,7 @@ from support.options import check_lift
 
 
 def show_cradle(cradle, options, angles) -> None:
-    """Show a cradle with these release angles (degrees) until the tab is closed; status 2 if its CSV is refused.
+    """Show a cradle with these release angles (degrees) until the tab is closed; status 2 if something is refused.
 
     cradle is as support/cradle.py says, still without pendula; options are the viewer's, from support/options.py.
     """

@@ -34,13 +34,13 @@ class Panel:
         add_hint(KEYS_HINT)
 
         self.speed = Setting("Speed", 0.1, 2, 0.1, lambda speed: give(Command.SPEED, speed))
+        # The range of a VPython slider is fixed and the number of pendula is not, so this one goes from none to all.
+        self.count = 1
+        self.lifted = Setting("Bobs lifted", 0, 1, 0.001, lambda part: give(Command.LIFT, round(part * self.count)))
         self.angles = [
             Setting(name, least, largest, 1, lambda angle, number=number: give(Command.ANGLE, (number, angle)))
             for number, (name, (least, largest)) in enumerate(cradle.angles.items())
         ]
-        # The range of a VPython slider is fixed and the number of pendula is not, so this one goes from none to all.
-        self.count = 1
-        self.lifted = Setting("Bobs lifted", 0, 1, 0.001, lambda part: give(Command.LIFT, round(part * self.count)))
 
         add_label("Collisions")
         self.collisions = menu(

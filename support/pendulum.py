@@ -18,7 +18,8 @@ class PendulumEntry(TypedDict, total=False):
     omega: float  # angular velocity, rad/s
     color: str  # a key of COLOR_MAP
     texture: str  # a key of TEXTURE_MAP
-    objects: tuple  # axle, bob and cord; of a double pendulum also the lower bob and cord
+    # axle, bob and cord; of a double pendulum also the lower bob and cord
+    objects: tuple[box, sphere, cylinder] | tuple[box, sphere, cylinder, sphere, cylinder]
 
 
 class DoublePendulumEntry(PendulumEntry, total=False):
@@ -40,7 +41,10 @@ def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere
 
 
 def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cylinder]:
-    """Return a bob and the cord from which it hangs, at theta (rad) below place (a vector, m); the rest is as above."""
+    """Return a bob and the cord from which it hangs, at theta (rad) from straight down, below place (a vector, m).
+
+    r_param is the cord length (m), color a VPython color (a vector), and texture a VPython texture or None.
+    """
     # A hit counts at BUFFER x the sum of the radii, and axles are r_param/4 apart. At this radius bobs that hang at
     # rest are just outside one another's reach; were they inside, their velocities would be swapped on every tick.
     radius = 0.9995 * r_param / 8 / BUFFER

@@ -1,16 +1,17 @@
 """Cradles for the suites: CSV text, single pendula made by hand, and whole projects."""
 
 import shutil
+from itertools import combinations
 from math import pi, sqrt
 from pathlib import Path
 from types import SimpleNamespace
 
-from vpython import color, vector
+from vpython import color, mag, vector
 
 from src.double_cradle import make_double_pendulum
 from src.live_cradle import LiveCradle
 from src.visualize_cradle_run import advance_cradle
-from support.constants import G, R_PARAM
+from support.constants import BUFFER, G, R_PARAM
 from support.cradle_csv import Snapshot
 from support.motion import Motion
 from support.pendulum import make_pendulum
@@ -52,6 +53,16 @@ def hang_double(theta=0.0, phi=0.0, omega=0.0, phi_omega=0.0, mass=1.0, e=1.0, a
     objects = make_double_pendulum(vector(*axle, 0), r_param, theta, phi, color.white, None)
     angles = {"theta": theta, "phi": phi, "omega": omega, "phi_omega": phi_omega}
     return {**angles, "mass": mass, "e": e, "color": "white", "texture": "none", "objects": objects}
+
+
+def distances(pend_list) -> list[float]:
+    """Return how far each two bobs of different pendula, single or double, are apart, 1 being where they touch."""
+    return [
+        mag(bob2.pos - bob1.pos) / (BUFFER * (bob1.radius + bob2.radius))
+        for pend1, pend2 in combinations(pend_list, 2)
+        for bob1 in pend1["objects"][1::2]
+        for bob2 in pend2["objects"][1::2]
+    ]
 
 
 def row(count, **values) -> list[dict]:

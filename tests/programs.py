@@ -25,11 +25,11 @@ SECONDS = 60  # after which something that is waited for counts as never coming
 # The bobs' positions, as the page has them.
 BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).map(o => [o.pos.x, o.pos.y])"
 
-# How often the bobs are elsewhere than before, over half a second.
+# How often the bobs are elsewhere than before, over a third of a second.
 MOVES = f"""async () => {{
     const where = () => JSON.stringify(({BOBS})());
     let before = where(), moves = 0;
-    for (const start = performance.now(); performance.now() - start < 500; before = where()) {{
+    for (const start = performance.now(); performance.now() - start < 333; before = where()) {{
         await new Promise(requestAnimationFrame);
         if (where() !== before) moves++;
     }}

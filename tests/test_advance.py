@@ -75,7 +75,7 @@ def test_it_does_to_the_last_bit_what_so_many_ticks_do(seed, approaching_only, m
     contacts = []
     for tick in range(by.pop("ticks")):
         newton_cradle_tick(one_by_one, **by, approaching_only=approaching_only)
-        contacts += [(tick, left) for left in hits]
+        contacts += [(tick, left, left + 1) for left in hits]
         hits.clear()
     assert state(at_once) == state(one_by_one)
     assert told == contacts
@@ -116,12 +116,12 @@ def test_it_tells_of_contacts_in_their_order():
     pend_list = row(4)
     pend_list[0]["theta"] = -0.2
     contacts = advance_cradle(pend_list, R, DT, G, 4000, approaching_only=True)
-    assert [left for _, left in contacts] == [0, 1, 2]
+    assert [pair for _, *pair in contacts] == [[0, 1], [1, 2], [2, 3]]
     first = contacts[0][0]
     again = row(4)
     again[0]["theta"] = -0.2
     assert advance_cradle(again, R, DT, G, first, approaching_only=True) == []
-    assert advance_cradle(again, R, DT, G, 1, approaching_only=True)[0] == (0, 0)
+    assert advance_cradle(again, R, DT, G, 1, approaching_only=True)[0] == (0, 0, 1)
 
 
 def test_bobs_that_touch_without_a_change_are_no_contact():
@@ -137,7 +137,7 @@ def test_bobs_that_move_together_have_no_contacts_from_rounding():
 
 def test_a_contact_that_only_the_right_bob_notices_is_told():
     pair = [hang(omega=1.0, mass=1e20), hang(axle=(R / 8, 0, 0))]
-    assert advance_cradle(pair, R, DT, 0, 1, approaching_only=True) == [(0, 0)]
+    assert advance_cradle(pair, R, DT, 0, 1, approaching_only=True) == [(0, 0, 1)]
     assert [pend["omega"] for pend in pair] == [1, pytest.approx(2)]
 
 

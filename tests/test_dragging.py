@@ -1,10 +1,11 @@
 """A bob that is dragged pushes its neighbours aside, and they theirs."""
 
-from itertools import combinations, pairwise
+import random
+from itertools import pairwise
 from math import cos, hypot, pi, sin
 
 import pytest
-from cradles import components, hang_double, R, row
+from cradles import components, distances, hang_double, R, row
 from vpython import mag
 
 from src.dragging import cord_angles, drag_bob, drag_pendulum
@@ -87,14 +88,9 @@ def test_a_bob_that_comes_round_over_the_top_pushes_the_others_from_their_other_
     for theta in (-2.0, -3.1, 2.2, 1.0, 0.5):
         before = [pend["theta"] for pend in pend_list]
         after = drag(pend_list, 0, theta)
-        assert all(gap > 1 for gap in gaps_of_all(pend_list))
+        assert all(gap > 1 for gap in distances(pend_list))
         assert all(abs(new - old) < 1 for new, old in zip(after[1:], before[1:], strict=True))
     assert after[1] < 0  # pushed on to the left
-
-
-def gaps_of_all(pend_list):
-    """Return how far each two bobs are apart, 1 being where they begin to collide."""
-    return [gaps(list(pair))[0] for pair in combinations(pend_list, 2)]
 
 
 # --- double pendula --------------------------------------------------------------------------------------------------
@@ -103,16 +99,6 @@ def gaps_of_all(pend_list):
 def double_row(count):
     """Return double pendula at rest, R / 4 apart."""
     return [hang_double(axle=(i * R / 4, 0), omega=2.0, phi_omega=-1.0, r_param=R) for i in range(count)]
-
-
-def gaps_of_doubles(pend_list):
-    """Return how far each two bobs of different pendula are apart, 1 being where they begin to collide."""
-    return [
-        mag(bob1.pos - bob2.pos) / (1.05 * (bob1.radius + bob2.radius))
-        for pend1, pend2 in combinations(pend_list, 2)
-        for bob1 in pend1["objects"][1::2]
-        for bob2 in pend2["objects"][1::2]
-    ]
 
 
 def test_an_upper_bob_leaves_the_direction_of_the_lower_cord():
@@ -135,6 +121,19 @@ def test_a_lower_bob_follows_the_mouse_and_its_cords_bend_to_the_same_side_as_be
     assert (sin(pend_list[0]["phi"]) > 0) == (phi > 0)
 
 
+@pytest.mark.parametrize("side", [-1, 1])
+@pytest.mark.parametrize("turns", [0, 1])
+def test_straight_cords_bend_so_that_the_upper_bob_hangs_lower(side, turns):
+    """To the left as to the right; and however often the lower cord has gone round."""
+    pend_list = double_row(1)
+    pend_list[0]["phi"] = 2 * pi * turns
+    drag_bob(pend_list, 0, 1, side * 0.5, -0.3, R)
+    upper, lower = cord_angles(pend_list[0])
+    assert 0 < side * upper < pi / 2 < side * sin(lower) + pi / 2
+    assert components(pend_list[0]["objects"][3].pos) == pytest.approx((side * 0.5, -0.3, 0))
+    assert side * sin(lower - upper) > 0
+
+
 def test_a_lower_bob_is_stretched_to_where_it_is_nearest():
     pend_list = double_row(1)
     drag_bob(pend_list, 0, 1, 3.0, -4.0, R)
@@ -148,6 +147,23 @@ def test_both_bobs_push_those_in_their_way(held, bob, x, y):
     pend_list = double_row(4)
     axle = pend_list[held]["objects"][0].pos
     drag_bob(pend_list, held, bob, axle.x + x, axle.y + y, R)
-    assert min(gaps_of_doubles(pend_list)) > 1
+    assert min(distances(pend_list)) > 1
     moved = [pend["omega"] == 0 for pend in pend_list]
     assert any(moved[:held] if x < 0 else moved[held + 1 :]) == (held != (0 if x < 0 else 3))
+
+
+def test_a_bob_stops_where_there_is_no_room_for_those_in_its_way():
+    """The neighbour's upper bob, pushed down between the dragged bob and the dragged pendulum's other one, is stuck."""
+    for seed in range(20):
+        dice, pend_list = random.Random(seed), double_row(5)
+        for _ in range(12):
+            held, bob = dice.randrange(5), dice.randrange(2)
+            drag_bob(pend_list, held, bob, dice.uniform(-1, 1), dice.uniform(-0.8, 0.2), R)
+            assert min(distances(pend_list)) > 0.999
+
+
+def test_those_for_whom_there_is_no_room_stay_where_they_were(monkeypatch):
+    pend_list = double_row(3)
+    monkeypatch.setattr("src.dragging.reaches_into", lambda pend, other: True)
+    drag_bob(pend_list, 0, 0, 0.3, -0.3, R)
+    assert [cord_angles(pend) for pend in pend_list] == [[0, 0]] * 3

@@ -11,7 +11,7 @@ def lines(contacts, rightwards=True, count=5):
     """Return the strip after these contacts (the left bob's index), a tick apart, from t = 0.71 s on."""
     trains = ImpactTrains(count)
     for tick, left in enumerate(contacts):
-        trains.add(0.71 + tick * TICK, left, rightwards)
+        trains.add(0.71 + tick * TICK, left, left + 1, rightwards)
     return trains.lines()
 
 
@@ -43,27 +43,36 @@ def test_two_hits_run_through_each_other(middle):
     contacts = [*((left, True) for left in there[:-1]), *((left, False) for left in back), (middle, True)]
     contacts += [(left, True) for left in range(middle - 1, -1, -1)] + [(left, True) for left in range(middle + 1, 4)]
     for tick, (left, rightwards) in enumerate(contacts):
-        trains.add(tick * TICK, left, rightwards)
+        trains.add(tick * TICK, left, left + 1, rightwards)
     assert trains.lines() == ["t = 0.00 s  1-2-3-4-5  5-4-3-2-1"]
 
 
 def test_contacts_further_apart_are_trains_of_their_own_the_latest_first():
     trains = ImpactTrains(2)
     for number in range(4):
-        trains.add(number * 2 * GAP, number, True)
+        trains.add(number * 2 * GAP, number, number + 1, True)
     assert trains.lines() == ["t = 0.03 s  4-5", "t = 0.02 s  3-4"]
 
 
 def test_a_train_goes_on_as_long_as_its_contacts_follow_one_another():
     trains = ImpactTrains(5)
     for number in range(4):
-        trains.add(number * 0.9 * GAP, number, True)
+        trains.add(number * 0.9 * GAP, number, number + 1, True)
     assert trains.lines() == ["t = 0.00 s  1-2-3-4-5"]
+
+
+def test_a_hit_may_go_past_a_neighbour():
+    """As in a double cradle: from the first pendulum to the third, and on from there."""
+    trains = ImpactTrains(5)
+    trains.add(0.0, 0, 2, True)
+    trains.add(TICK, 2, 3, True)
+    trains.add(2 * TICK, 2, 4, True)
+    assert trains.lines() == ["t = 0.00 s  1-3-4  3-5"]
 
 
 def test_clear_forgets_all():
     trains = ImpactTrains(5)
-    trains.add(1.0, 0, True)
+    trains.add(1.0, 0, 1, True)
     trains.clear()
     assert trains.lines() == []
 
@@ -71,5 +80,5 @@ def test_clear_forgets_all():
 def test_bobs_that_touch_for_ever_take_no_more_memory():
     trains = ImpactTrains(5)
     for tick in range(10_000):
-        trains.add(tick * TICK, tick % 4, True)
+        trains.add(tick * TICK, tick % 4, tick % 4 + 1, True)
     assert sum(len(run) for run in trains.trains[0][3]) < 100

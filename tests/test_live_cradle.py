@@ -92,7 +92,7 @@ def test_advance_ticks_and_tells_of_contacts(csv):
     contacts = cradle.advance(ticks, True)
     for _ in range(ticks):
         newton_cradle_tick(same.pend_list, R_PARAM, DT, G, approaching_only=True)
-    assert [left for _, left in contacts] == [0, 1, 2, 3]
+    assert [pair for _, *pair in contacts] == [[0, 1], [1, 2], [2, 3], [3, 4]]
     assert values(cradle, "theta") == values(same, "theta")
 
 

@@ -65,7 +65,7 @@ def test_impacts_are_those_of_single_ticks_however_many_are_done_at_once(tmp_pat
     at_once.advance(ticks)
     for _ in range(ticks):
         one_by_one.advance(1)
-        if len(one_by_one.trains.trains) == 1 and one_by_one.trains.trains[0][2] == 0:
+        if len(one_by_one.trains.trains) == 1 and one_by_one.trains.trains[0][2] == (0, 1):
             first = one_by_one.time()
     assert at_once.trains.lines() == one_by_one.trains.lines()
     assert at_once.trains.trains[0][0] == pytest.approx(first, abs=DT / 2)

@@ -116,8 +116,8 @@ def test_lines_are_at_most_80_columns_long(run, tmp_path):
 
 def test_the_latest_hits_are_told_in_their_order(tmp_path):
     motion = make_motion(tmp_path)
-    motion.trains.add(0.1, 0, True)
-    motion.trains.add(0.3, 3, False)
+    motion.trains.add(0.1, 0, 1, True)
+    motion.trains.add(0.3, 3, 4, False)
     assert text_cradle_run.summary(motion).endswith(" left, hits 1-2, 5-4")
 
 
@@ -250,8 +250,8 @@ def test_what_is_to_be_seen(tmp_path, monkeypatch):
     motion = make_motion(tmp_path, HEADER + GOOD * 20, angle=180, lift=3)
     motion.cradle.advance(1, True)
     for left in [*range(19), *range(18, -1, -1)]:
-        motion.trains.add(1.0, left, True)
-    motion.trains.add(2.0, 0, True)
+        motion.trains.add(1.0, left, left + 1, True)
+    motion.trains.add(2.0, 0, 1, True)
     lines = text_cradle_run.screen(motion, TextPicture(), "x0.6")
     assert lines[0].endswith(" %)   x0.6")
     impacts = lines.index("Impacts")
