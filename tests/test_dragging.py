@@ -5,10 +5,10 @@ from itertools import pairwise
 from math import cos, hypot, pi, sin
 
 import pytest
-from cradles import components, distances, hang_double, R, row
+from cradles import components, distances, hang, hang_double, R, row
 from vpython import mag
 
-from src.dragging import cord_angles, drag_bob, drag_pendulum
+from src.dragging import cord_angles, drag_bob, drag_pendulum, touching_angle
 
 
 def drag(pend_list, held, theta):
@@ -93,6 +93,16 @@ def test_a_bob_that_comes_round_over_the_top_pushes_the_others_from_their_other_
     assert after[1] < 0  # pushed on to the left
 
 
+def test_a_bob_that_is_dragged_to_where_it_is_moves_nobody():
+    assert drag(row(2), 0, 0.0) == [0, 0]
+
+
+def test_a_bob_that_has_been_round_is_pushed_from_its_side():
+    pend_list = row(2)
+    pend_list[1]["theta"] = -2 * pi
+    assert sin(drag(pend_list, 0, 0.5)[1]) > 0.4
+
+
 # --- double pendula --------------------------------------------------------------------------------------------------
 
 
@@ -109,7 +119,7 @@ def test_an_upper_bob_leaves_the_direction_of_the_lower_cord():
     assert (pend_list[0]["omega"], pend_list[0]["phi_omega"]) == (0, 0)
 
 
-@pytest.mark.parametrize("phi", [0.3, -0.3])
+@pytest.mark.parametrize("phi", [0.3, -0.3, 6.0, -6.0])
 @pytest.mark.parametrize(("x", "y"), [(0.3, -0.4), (-0.3, -0.2), (0.1, 0.5), (-0.05, -0.05)])
 def test_a_lower_bob_follows_the_mouse_and_its_cords_bend_to_the_same_side_as_before(x, y, phi):
     pend_list = double_row(1)
@@ -118,7 +128,7 @@ def test_a_lower_bob_follows_the_mouse_and_its_cords_bend_to_the_same_side_as_be
     _, upper, _, lower, _ = pend_list[0]["objects"]
     assert components(lower.pos) == pytest.approx((x, y, 0))
     assert hypot(upper.pos.x, upper.pos.y) == pytest.approx(R)
-    assert (sin(pend_list[0]["phi"]) > 0) == (phi > 0)
+    assert (sin(pend_list[0]["phi"]) > 0) == (sin(phi) > 0)
 
 
 @pytest.mark.parametrize("side", [-1, 1])
@@ -138,6 +148,19 @@ def test_a_lower_bob_is_stretched_to_where_it_is_nearest():
     pend_list = double_row(1)
     drag_bob(pend_list, 0, 1, 3.0, -4.0, R)
     assert components(pend_list[0]["objects"][3].pos) == pytest.approx((1.2 * R, -1.6 * R, 0))
+
+
+def test_a_lower_cord_that_turns_alone_does_not_get_past_its_neighbour():
+    pend_list = double_row(2)
+    drag_bob(pend_list, 0, 1, R * sin(2.0), -R - R * cos(2.0), R)
+    assert pend_list[1]["omega"] == 0  # it was pushed
+    assert min(distances(pend_list)) > 1
+
+
+def test_a_lower_bob_gives_way_to_the_side_on_which_its_own_cord_is():
+    pend = hang_double(1.0, -1.0, r_param=R)
+    other = hang(0.2, axle=components(pend["objects"][1].pos))["objects"][1]
+    assert touching_angle(pend, 1, other, R) == pytest.approx(-0.05, abs=0.01)
 
 
 @pytest.mark.parametrize("bob", [0, 1])

@@ -1,5 +1,7 @@
 """The double cradle as the viewer plays with it: releasing, holding, dragging, what is recorded."""
 
+from collections import defaultdict
+from itertools import pairwise
 from math import copysign, radians
 from types import SimpleNamespace
 
@@ -126,9 +128,62 @@ def test_a_bob_is_dragged_let_go_and_swings_on_with_no_speed(live, bob):
     assert cradle.bobs()[bob].pos.x - axle.x < at[0]
 
 
+def test_the_others_swing_on_as_fast_while_a_bob_is_held(live):
+    cradle, same = live(), live()
+    cradle.hold(9)
+    for one in (cradle, same):
+        one.advance(405, True)  # no multiple of GRIP
+    assert values(cradle, "theta")[0] == values(same, "theta")[0]
+
+
+def test_separating_bobs_collide_too_while_another_is_held_if_they_are_to(live):
+    omegas = []
+    for approaching_only in (True, False):
+        cradle = live(e=0.5)
+        cradle.hold(9)
+        cradle.advance(1600, approaching_only)
+        omegas.append(values(cradle, "omega")[1])
+    assert omegas[0] != omegas[1]
+
+
+def test_a_raised_bob_that_is_held_is_put_back_every_few_ticks(live):
+    cradle = live()
+    cradle.hold(0)
+    advance, before = cradle.advance_pendula, []
+
+    def watched(pend_list, *arguments):
+        before.append((pend_list[0]["theta"], pend_list[0]["phi"]))
+        return advance(pend_list, *arguments)
+
+    cradle.advance_pendula = watched
+    cradle.advance(64, True)
+    assert len(before) == 7
+    assert set(before) == {before[0]}
+
+
+def test_a_bob_that_is_held_has_no_speed(live):
+    cradle = live()
+    cradle.advance(300, True)
+    assert cradle.pend_list[0]["phi_omega"] != 0
+    cradle.hold(1)
+    assert (cradle.pend_list[0]["omega"], cradle.pend_list[0]["phi_omega"]) == (0, 0)
+
+
+def test_a_reload_lets_go(live):
+    cradle = live()
+    cradle.hold(9)
+    cradle.load(cradle.csv)
+    assert cradle.held is None
+
+
+def test_the_axles_are_a_quarter_of_a_cord_apart(live):
+    x = [axle.pos.x for axle in live().axles()]
+    assert [b - a for a, b in pairwise(x)] == pytest.approx([R_PARAM / 4] * 4)
+
+
 def test_what_is_shown_and_recorded(live):
     cradle = live(MIXED_CSV)
-    cradle.advance(700, True)
+    cradle.advance(2000, True)  # until all have been hit
     pend_list = cradle.pend_list
     energies = double_kinetic_energy(pend_list, R_PARAM), double_potential_energy(pend_list, R_PARAM, G)
     assert cradle.energies() == energies
@@ -140,11 +195,12 @@ def test_what_is_shown_and_recorded(live):
     assert cradle.coordinates()["phi_omega_3"] == pend_list[2]["phi_omega"]
 
 
-def test_a_reload_uses_all_shapes_again(live, tmp_path):
+def test_a_reload_uses_the_old_shapes_again(live, tmp_path, monkeypatch):
+    monkeypatch.setattr(shapes, "discarded", defaultdict(list))
     cradle = live()
     old = {id(shape) for pend in cradle.pend_list for shape in pend["objects"]}
     (tmp_path / "cradle.csv").write_text(MIXED_CSV)
     cradle.load(Snapshot(tmp_path / "cradle.csv"))
     assert all(shape.visible for pend in cradle.pend_list for shape in pend["objects"])
-    hidden = {id(shape) for kind in shapes.discarded.values() for shape in kind}
-    assert old - {id(shape) for pend in cradle.pend_list for shape in pend["objects"]} <= hidden
+    new = {id(shape) for pend in cradle.pend_list for shape in pend["objects"]}
+    assert new < old

@@ -55,9 +55,7 @@ def test_what_it_takes(line, changed):
     assert read(line) == {**DEFAULTS, **changed}
 
 
-@pytest.mark.parametrize(
-    ("line", "phi"), [("", abs(PHI_INIT) * 57.29577951), ("--phi -180", -180), ("--phi 12.5", 12.5)]
-)
+@pytest.mark.parametrize(("line", "phi"), [("", abs(PHI_INIT) * 57.29577951), ("--phi -180", -180), ("--phi 180", 180)])
 def test_what_the_double_cradle_takes_besides(line, phi):
     assert vars(read_double_page_options(line.split())) == {**DEFAULTS, "phi": pytest.approx(phi)}
 
@@ -191,6 +189,13 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
         assert words in text
 
 
+def test_phi_is_outwards_by_default_if_theta_and_phi_have_one_sign(monkeypatch):
+    monkeypatch.setattr("support.options.PHI_INIT", 0.1)
+    for theta_init, sign in ((-0.5, -1), (0.5, 1)):
+        monkeypatch.setattr("support.options.THETA_INIT", theta_init)
+        assert read_double_page_options([]).phi == pytest.approx(sign * 0.1 * 57.29577951)
+
+
 @pytest.mark.parametrize("phi", ["181", "-180.5", "nan", "right"])
 def test_what_the_double_cradle_refuses_besides(phi, capsys):
     with pytest.raises(SystemExit) as refused:
@@ -204,6 +209,7 @@ def test_so_has_the_help_of_the_double_cradle(capsys):
     text = help_of(read_double_page_options, capsys)
     assert "double Newton's cradle" in text
     assert "--angle DEGREES" in text
+    assert "Save its CSV, and the page shows the new one." in text
     assert "how far their lower cords are bent further out than the upper ones, from -180 to 180 (default: 20)" in text
 
 

@@ -5,12 +5,12 @@ import subprocess
 import sys
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
-from math import degrees
+from math import copysign, degrees
 
 import pytest
 from cradles import components, copy_project, MIXED, MIXED_CSV, ROOT
 
-from src import visualize_cradle_run
+from src import visualize_cradle_run, visualize_double_cradle_run
 from src.special_cradles import make_newton_cradle
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.viewer import Viewer
@@ -67,10 +67,10 @@ def main(monkeypatch):
     monkeypatch.setattr("support.page.page_sockets", lambda port: f"sockets at {port}")
     monkeypatch.setattr(Viewer, "run", run)
 
-    def main(*arguments):
-        monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", *map(str, arguments)])
+    def main(*arguments, program=visualize_cradle_run):
+        monkeypatch.setattr(sys, "argv", [program.__name__, *map(str, arguments)])
         with pytest.raises(KeyboardInterrupt):
-            visualize_cradle_run.main()
+            program.main()
         return shown
 
     return main
@@ -98,6 +98,17 @@ def test_main_does_what_the_options_say(tmp_path, main):
     assert page == ("sockets at 8000", False)
     assert [(pend["e"], pend["mass"]) for pend in viewer.cradle.pend_list] == [(0, 3.0)] * 3
     assert [abs(degrees(pend["theta"])) for pend in viewer.cradle.pend_list] == pytest.approx([20, 20, 0])
+
+
+def test_main_of_the_double_cradle_does_what_the_options_say(tmp_path, main):
+    csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
+    arguments = ["--inelastic", "--mass", "3", "--angle", "25", "--phi", "-12.5", "--lift", "2", "--no-browser"]
+    page, viewer = main(csv, *arguments, program=visualize_double_cradle_run)
+    assert page == ("sockets at 0", False)
+    outwards, pend_list = copysign(1, THETA_INIT), viewer.cradle.pend_list
+    lifts = [(outwards * degrees(pend["theta"]), outwards * degrees(pend["phi"])) for pend in pend_list]
+    assert lifts == [pytest.approx(expected) for expected in [(25, -12.5), (25, -12.5), (0, 0)]]
+    assert [(pend["e"], pend["mass"]) for pend in pend_list] == [(0, 3.0)] * 3
 
 
 @pytest.mark.parametrize(

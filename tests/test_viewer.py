@@ -233,10 +233,14 @@ def test_an_angle_is_shown_to_its_last_digit(csv):
     assert ">12.5&deg;<" in Wall(csv, 12.5).panel.angles[0].text.text
 
 
-def test_each_release_angle_of_a_double_cradle_has_its_slider(csv):
+def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
+    labels = []
+    monkeypatch.setattr("support.panel.add_label", labels.append)
     wall = Wall(csv, 30, 10, make_cradle=LiveDoubleCradle)
     theta, phi = wall.panel.angles
-    assert [(setting.slider.min, setting.slider.max) for setting in (theta, phi)] == [(0, 180), (-180, 180)]
+    ranges = [(setting.slider.min, setting.slider.max, setting.slider.step) for setting in (theta, phi)]
+    assert ranges == [(0, 180, 1), (-180, 180, 1)]
+    assert labels == ["Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions"]
     set_slider(theta, 75)
     set_slider(phi, -40)
     wall.wait()
