@@ -60,6 +60,8 @@ from support.pendulum import DoublePendulumEntry, make_bob_and_cord, make_pendul
 # that are closer than the second have been put there (a start can do so) and are left to themselves.
 CLOSEST, PUT_THERE = 0.98, 0.95
 
+ROUNDING = 1e-9  # m/s: bobs that approach or separate more slowly than that do so by rounding errors
+
 # How often the touching pairs of a tick are gone through, at most: a hit may make another pair approach.
 SWEEPS = 3
 
@@ -225,7 +227,7 @@ def handle_two_double_bobs(pend1, pend2, r_param, approaching_only=True) -> bool
         v1, w1, *turns1 = response(pend1, touch.bob1, touch, r_param)
         v2, w2, *turns2 = response(pend2, touch.bob2, touch, r_param)
         approach = v1 - v2
-        if approach > 0 or (approach < 0 and not approaching_only):
+        if approach > ROUNDING or (approach < -ROUNDING and not approaching_only):
             impulse = (1 + pend1["e"]) * approach / (w1 + w2)
             turn_cords(pend1, "omega", "phi_omega", *(-impulse * turn for turn in turns1))
             turn_cords(pend2, "omega", "phi_omega", *(impulse * turn for turn in turns2))
