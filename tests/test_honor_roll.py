@@ -313,6 +313,16 @@ def test_the_radii_count(bob):
     assert rates == [pytest.approx(expected) for expected in ([[0, 6], [3, -6]] if bob == 0 else [[3, -6], [0, 6]])]
 
 
+@pytest.mark.parametrize("larger", [0, 1])
+def test_an_upper_and_a_lower_bob_touch_by_their_own_radii(larger):
+    """The second pendulum hangs one cord higher, with its lower bob beside the first one's upper bob."""
+    pair = hang_double(omega=1.0), hang_double(axle=(R_PARAM / 4, R_PARAM))
+    assert not double_cradle.handle_two_double_bobs(*pair, R_PARAM)
+    pair[larger]["objects"][3 if larger else 1].radius *= 1.1
+    assert double_cradle.handle_two_double_bobs(*pair, R_PARAM)
+    assert (pair[1]["omega"], pair[1]["phi_omega"]) == pytest.approx((0, 1))
+
+
 @pytest.mark.parametrize("approaching_only", [True, False])
 def test_separating_bobs_collide_only_if_they_are_to(approaching_only):
     """In a pair as in a tick."""
@@ -410,6 +420,18 @@ def test_a_tick_swings_and_then_handles_each_pair():
     assert [pend["omega"] for pend in pend_list] == pytest.approx([0, 0, 0, 0, 1], abs=1e-3)
     for i, pend in enumerate(pend_list):
         check_objects(pend["objects"], (i * 0.999 * R_PARAM / 4, 0, 0), R_PARAM, pend["theta"], pend["phi"])
+
+
+@pytest.mark.parametrize("larger", [0, 1])
+def test_a_tick_finds_bobs_of_any_size(larger):
+    pend_list = make_row(2, 0.0, 0.0)
+    pend_list[0]["omega"] = 3.0
+    pend_list[larger]["objects"][3].radius *= 1.1
+    assert double_cradle.advance_double_cradle(pend_list, R_PARAM, 1e-9, G, 1) == [(0, 0, 1)]
+
+
+def test_a_cradle_without_pendula_has_no_hits():
+    assert double_cradle.advance_double_cradle([], R_PARAM, DOUBLE_DT, G, 10) == []
 
 
 def test_bobs_that_come_to_touch_in_a_tick_hit_at_its_end():
