@@ -185,8 +185,10 @@ def test_a_bob_stops_where_there_is_no_room_for_those_in_its_way():
             assert min(distances(pend_list)) > 0.999
 
 
-def test_those_for_whom_there_is_no_room_stay_where_they_were(monkeypatch):
-    pend_list = double_row(3)
-    monkeypatch.setattr("src.dragging.reaches_into", lambda pend, other: True)
+def test_where_there_is_no_room_all_stay_where_they_were(monkeypatch):
+    """It does not jump to where there is room again, and those it has nothing to do with swing on."""
+    pend_list, room = double_row(3), iter([False, *[True] * 99])
+    monkeypatch.setattr("src.dragging.push_others", lambda *_: next(room))
     drag_bob(pend_list, 0, 0, 0.3, -0.3, R)
     assert [cord_angles(pend) for pend in pend_list] == [[0, 0]] * 3
+    assert [pend["omega"] for pend in pend_list] == [0, 2, 2]
