@@ -243,10 +243,11 @@ def keep_apart(pend1, pend2, r_param) -> None:
     in the proportions in which an impulse between the two bobs would make them. Nobody does the work of this: it can
     add some 1e-5 of the energy at DOUBLE_DT, but 1e-3 with ticks of 1 ms, in which hits get deeper than CLOSEST too.
     """
+    held_by_cords = 0.01 * (1 / pend1["mass"] + 1 / pend2["mass"])  # a hundredth of w1 + w2 without cords
     for touch in touching_bobs(pend1, pend2, r_param):
         _, w1, *turns1 = response(pend1, touch.bob1, touch, r_param)
         _, w2, *turns2 = response(pend2, touch.bob2, touch, r_param)
-        if PUT_THERE < touch.distance / touch.touching < CLOSEST and w1 + w2 > 0:
+        if PUT_THERE < touch.distance / touch.touching < CLOSEST and w1 + w2 > held_by_cords:
             push = (CLOSEST * touch.touching - touch.distance) / (w1 + w2)
             turn_cords(pend1, "theta", "phi", *(-push * turn for turn in turns1))
             turn_cords(pend2, "theta", "phi", *(push * turn for turn in turns2))

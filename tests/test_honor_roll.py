@@ -402,6 +402,17 @@ def test_bobs_that_lie_on_one_another_are_moved_apart(e, apart, expected):
     assert min(distances([pend1, pend2])) == pytest.approx(expected, abs=1e-4)
 
 
+def test_bobs_that_their_cords_hold_back_are_not_moved_apart():
+    """One hangs straight down above the other, which stands on its cord: only a wild turn would part them a little."""
+    pend1, pend2 = hang_double(1e-3, pi, e=0.0), hang_double(pi, pi, omega=1e-3, e=0.0, axle=(0.0, -0.45))
+    upper, standing = pend1["objects"][1], pend2["objects"][1]
+    lower_by = standing.pos.y - upper.pos.y + 0.97 * BUFFER * 2 * upper.radius
+    pend2 = hang_double(pi, pi, omega=1e-3, e=0.0, axle=(0.0, -0.45 - lower_by))
+    before = [(pend["theta"], pend["phi"]) for pend in (pend1, pend2)]
+    double_cradle.keep_apart(pend1, pend2, R_PARAM)
+    assert [(pend["theta"], pend["phi"]) for pend in (pend1, pend2)] == before
+
+
 def test_inelastic_bobs_that_begin_in_each_other_gain_nothing():
     """As from theta = 0, phi = -14 degrees, where the lower bobs overlap."""
     pend_list = make_row(3, 0.0, 14 * pi / 180, e=0.0)
