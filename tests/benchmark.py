@@ -252,7 +252,7 @@ def viewer_load(program, count, seconds=40) -> tuple[float, float]:
 def show_viewer() -> None:
     """Print what the viewer takes."""
     rows = [("pendula", "of a core", "simulated seconds in one")]
-    for name, kind, counts in (("cradle", "", (5, 50, 100)), ("double_cradle", " double", (5, 20))):
+    for name, kind, counts in (("cradle", "", (5, 50, 100)), ("double_cradle", " double", (5, 10))):
         for count in counts:
             load, pace = viewer_load(ROOT / "src" / f"visualize_{name}_run.py", count)
             rows.append((f"{count}{kind}", f"{load:.1%}", f"{pace:.2f}"))
