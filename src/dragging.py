@@ -76,11 +76,12 @@ def push_others(pend_list, held, r_param) -> bool:
 
 def reaches_into(pend, other) -> bool:
     """Return whether a bob of pend is within reach of a bob of the other pendulum."""
-    return any(
-        mag(bob1.pos - bob2.pos) <= BUFFER * (bob1.radius + bob2.radius)
-        for bob1 in pend["objects"][1::2]
-        for bob2 in other["objects"][1::2]
-    )
+    return any(are_touching(bob1, bob2) for bob1 in pend["objects"][1::2] for bob2 in other["objects"][1::2])
+
+
+def are_touching(bob1, bob2) -> bool:
+    """Return whether two bobs are so close that they would collide."""
+    return mag(bob1.pos - bob2.pos) <= BUFFER * (bob1.radius + bob2.radius)
 
 
 def give_way(pend, pusher, r_param) -> bool:
@@ -105,12 +106,11 @@ def touching_angle(pend, cord, other, r_param) -> float | None:
         D^2 = R^2 + L^2 - 2 R L cos(angle - psi)
     """
     pivot, bob = pend["objects"][cord], pend["objects"][1 + 2 * cord]  # a lower cord hangs from the upper bob
-    touching = BUFFER * (bob.radius + other.radius)
-    if mag(bob.pos - other.pos) > touching:
+    if not are_touching(bob, other):
         return None
     x, down = other.pos.x - pivot.pos.x, pivot.pos.y - other.pos.y
     distance, psi = hypot(x, down), atan2(x, down)
-    touching *= 1 + 1e-9  # just outside, as a hit counts up to there
+    touching = BUFFER * (bob.radius + other.radius) * (1 + 1e-9)  # just outside, as a hit counts up to there
     delta = acos((r_param**2 + distance**2 - touching**2) / (2 * r_param * distance))
     return psi + copysign(delta, sin(cord_angles(pend)[cord] - psi))
 

@@ -20,9 +20,7 @@ from support.cradle_csv import check_cradle
 from support.shapes import discard
 
 HAND = 1e9  # kg: a bob that is held throws others back like a wall
-GRIP = (
-    10  # ticks after which it is put back to where it is held; until then it falls by a hundredth of a degree at most
-)
+GRIP = 10  # ticks after which it is put back to where it is held; until then it falls by less than 0.01 degrees
 
 
 class LiveCradle:

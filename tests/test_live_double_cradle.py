@@ -6,7 +6,7 @@ from math import copysign, radians
 from types import SimpleNamespace
 
 import pytest
-from cradles import components, distances, FIVE_CSV, MIXED_CSV
+from cradles import components, distances, FIVE_CSV, MIXED_CSV, PERIOD
 
 from src.double_cradle import double_cradle_tick
 from src.live_double_cradle import LiveDoubleCradle
@@ -89,8 +89,9 @@ def test_the_options_change_the_cradle(live):
 @pytest.mark.parametrize("approaching_only", [True, False])
 def test_advance_ticks_and_tells_of_contacts(live, approaching_only):
     cradle, same = live(e=0.8), live(e=0.8)
-    contacts = cradle.advance(2000, approaching_only)
-    for _ in range(2000):
+    ticks = round(0.6 * PERIOD / DOUBLE_DT)
+    contacts = cradle.advance(ticks, approaching_only)
+    for _ in range(ticks):
         double_cradle_tick(same.pend_list, R_PARAM, DOUBLE_DT, G, approaching_only)
     assert values(cradle, "phi") == values(same, "phi")
     assert contacts[0][1:] == (0, 1)
@@ -141,7 +142,7 @@ def test_separating_bobs_collide_too_while_another_is_held_if_they_are_to(live):
     for approaching_only in (True, False):
         cradle = live(e=0.5)
         cradle.hold(9)
-        cradle.advance(1600, approaching_only)
+        cradle.advance(round(0.45 * PERIOD / DOUBLE_DT), approaching_only)
         omegas.append(values(cradle, "omega")[1])
     assert omegas[0] != omegas[1]
 

@@ -1,6 +1,6 @@
 """The command line: what it takes, what it refuses and in which words."""
 
-from math import inf
+from math import degrees, inf
 
 import pytest
 from cradles import FIVE_CSV
@@ -210,7 +210,11 @@ def test_so_has_the_help_of_the_double_cradle(capsys):
     assert "double Newton's cradle" in text
     assert "--angle DEGREES" in text
     assert "Save its CSV, and the page shows the new one." in text
-    assert "how far their lower cords are bent further out than the upper ones, from -180 to 180 (default: 20)" in text
+    outwards = f"{abs(degrees(PHI_INIT)):g}"
+    assert (
+        f"how far their lower cords are bent further out than the upper ones, from -180 to 180 (default: {outwards})"
+        in text
+    )
 
 
 def test_so_has_the_help_of_the_cradle_in_the_terminal(capsys):
