@@ -68,7 +68,7 @@ def advance_cradle(pend_list, r_param, dt, g, ticks, approaching_only=False) -> 
     Ticks count from 0, left and right are indices, and a contact is told of where it changes the velocities. This is
     some fifteen times faster, as long as bobs do not cling together: on plain numbers, each pendulum swings by itself
     for as long as its bob cannot touch another (free_ticks), and the objects are set once, at the end.
-    tests/test_advance.py holds the two ways together, to the last bit.
+    tests/project/test_advance.py holds the two ways together, to the last bit.
     """
     thetas, omegas = ([pend_dict[key] for pend_dict in pend_list] for key in ("theta", "omega"))
     axles, bobs = ([pend_dict["objects"][part] for pend_dict in pend_list] for part in (0, 1))

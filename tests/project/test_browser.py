@@ -7,8 +7,19 @@ from collections import Counter
 from math import hypot
 
 import pytest
-from cradles import copy_project
-from programs import BOBS, end, first_lines, needs_vpython, open_cradle, PROGRAM, QUIETLY, refusal, running, SECONDS
+from programs import (
+    BOBS,
+    copy_project,
+    end,
+    first_lines,
+    needs_vpython,
+    open_cradle,
+    PROGRAM,
+    QUIETLY,
+    refusal,
+    running,
+    SECONDS,
+)
 
 from support.constants import R_PARAM
 from support.page import is_worth_showing

@@ -1,6 +1,6 @@
 """The laws of motion, held against the exact figures of support/audit.py, at the shipped constants.
 
-All of it is done by advance_cradle, which tests/test_advance.py holds to newton_cradle_tick.
+All of it is done by advance_cradle, which test_advance.py holds to newton_cradle_tick.
 """
 
 import random

@@ -1,11 +1,11 @@
-"""What replaces a file only when complete. That write_to_csv goes by it, and how it fails: tests/test_csv.py."""
+"""What replaces a file only when complete. That write_to_csv goes by it, and how it fails: test_csv.py."""
 
 import os
 import subprocess
 import sys
 
 import pytest
-from cradles import ROOT
+from programs import ROOT
 
 from support.whole_file import whole_file
 

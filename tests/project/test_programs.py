@@ -8,7 +8,8 @@ from importlib.machinery import PathFinder
 from math import copysign, degrees
 
 import pytest
-from cradles import components, copy_project, MIXED, MIXED_CSV, ROOT
+from cradles import components, MIXED, MIXED_CSV
+from programs import copy_project, ROOT
 
 from src import visualize_cradle_run, visualize_double_cradle_run
 from src.special_cradles import make_newton_cradle

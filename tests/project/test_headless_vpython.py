@@ -11,7 +11,7 @@ import sys
 from importlib.machinery import PathFinder
 
 import pytest
-from cradles import ROOT
+from programs import ROOT
 
 from support import headless_vpython
 

@@ -8,7 +8,8 @@ from importlib.machinery import PathFinder
 from math import cos, pi, sin
 
 import pytest
-from cradles import components, FIVE_CSV, hang, R, ROOT, row
+from cradles import components, FIVE_CSV, hang, R, row
+from programs import ROOT
 
 from src import visualize_cradle_run
 from src.swinging import angle_update

@@ -6,7 +6,8 @@ from math import copysign, radians
 from types import SimpleNamespace
 
 import pytest
-from cradles import components, distances, FIVE_CSV, MIXED_CSV, PERIOD
+from cradles import components, FIVE_CSV, MIXED_CSV
+from whole_cradles import distances, PERIOD
 
 from src.double_cradle import double_cradle_tick
 from src.live_double_cradle import LiveDoubleCradle

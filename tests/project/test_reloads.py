@@ -9,7 +9,8 @@ import sys
 from importlib.machinery import PathFinder
 
 import pytest
-from cradles import HEADER, ROOT
+from cradles import HEADER
+from programs import ROOT
 
 PROGRAM = """
 import gc, json, sys, tracemalloc

@@ -4,7 +4,8 @@ import os
 
 import pandas as pd
 import pytest
-from cradles import make_motion, MIXED_CSV
+from cradles import MIXED_CSV
+from whole_cradles import make_motion
 
 from src.pds_helper import EXACT_FLOATS
 from support.recording import check_record, EVERY, Recording, SPAN, write_data

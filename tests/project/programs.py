@@ -9,10 +9,11 @@ import threading
 import time
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
+from pathlib import Path
 
 import pytest
-from cradles import ROOT
 
+ROOT = Path(__file__).parents[2]
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 ARGUMENTS = [
@@ -40,6 +41,15 @@ needs_vpython = [
     pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed"),
     pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS"),
 ]
+
+
+def copy_project(folder, csv) -> Path:
+    """Copy what the programs need, and this CSV, into a folder; return it."""
+    for name in ("src", "support"):
+        shutil.copytree(ROOT / name, folder / name)
+    shutil.copy(ROOT / "pds_tester.py", folder)
+    (folder / "newton_cradle_pends.csv").write_text(csv)
+    return folder
 
 
 @contextmanager

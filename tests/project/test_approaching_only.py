@@ -1,7 +1,7 @@
 """The programs' rule that only approaching bobs collide: handle_two_bobs with approaching_only=True.
 
 By default it is the handout's to the letter; tests/test_b.py holds it to that. What becomes of whole cradles by the two
-rules: tests/test_physics.py.
+rules: test_physics.py.
 """
 
 from math import pi

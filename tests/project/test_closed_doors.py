@@ -10,8 +10,20 @@ from pathlib import Path
 from urllib.parse import quote
 
 import pytest
-from cradles import copy_project, FIVE_CSV
-from programs import BOBS, end, first_lines, needs_vpython, open_cradle, PROGRAM, QUIETLY, refusal, running, SECONDS
+from cradles import FIVE_CSV
+from programs import (
+    BOBS,
+    copy_project,
+    end,
+    first_lines,
+    needs_vpython,
+    open_cradle,
+    PROGRAM,
+    QUIETLY,
+    refusal,
+    running,
+    SECONDS,
+)
 
 from support.closed_doors import page_sockets, port_of
 from support.constants import R_PARAM

@@ -3,7 +3,8 @@
 from math import cos
 
 import pytest
-from cradles import make_motion, MIXED_CSV, PERIOD
+from cradles import MIXED_CSV
+from whole_cradles import make_motion, PERIOD
 
 from support.constants import DT, G, R_PARAM
 

@@ -4,7 +4,7 @@ import random
 from math import cos, hypot, pi, sin, sqrt
 
 import pytest
-from cradles import components, distances, GOOD, hang_double, HEADER, MIXED, MIXED_CSV, PERIOD
+from cradles import components, GOOD, HEADER, MIXED, MIXED_CSV
 from programs import (
     BOBS,
     end,
@@ -21,6 +21,7 @@ from programs import (
 )
 from test_csv import NO_CRADLE, UNREADABLE
 from vpython import color, textures, vector
+from whole_cradles import distances, hang_double, PERIOD
 
 from src import double_cradle, visualize_double_cradle_run
 from support.audit import double_kinetic_energy, double_potential_energy
