@@ -28,6 +28,7 @@ from support.options import check_lift, read_text_options
 from support.real_time import RealTime
 from support.recording import check_record, write_data
 from support.text_picture import TextPicture
+from support.unwritten import end_if_unwritten
 
 PICTURE = 1 / 20  # s from picture to picture
 LINE = 0.5  # s from line to line
@@ -40,6 +41,7 @@ PATIENCE = 2.0  # s, after which a bar shows the progress
 def main() -> None:
     """Show a cradle, or record its data; status 2 if an option, the CSV or the file to be written is refused."""
     options = read_text_options()
+    end_if_unwritten("pds_helper", "special_cradles", "swinging", "visualize_cradle_run")
     cradle = LiveCradle(advance_cradle, options)
     try:
         cradle.load(Snapshot(options.csv))

@@ -19,6 +19,7 @@ from src.swinging import angle_update, full_swing_update
 from support.constants import BUFFER
 from support.options import read_page_options
 from support.page import show_cradle
+from support.unwritten import end_if_unwritten
 
 LONGEST = 1000  # ticks for which advance_cradle looks ahead, at most
 
@@ -157,6 +158,7 @@ def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
 def main() -> None:
     """Show a cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused."""
     options = read_page_options()
+    end_if_unwritten("pds_helper", "special_cradles", "swinging", "visualize_cradle_run")
     show_cradle(LiveCradle(advance_cradle, options), options, [options.angle])
 
 

@@ -12,11 +12,13 @@ if __name__ == "__main__":  # started as a file, from any folder: the project's 
 from src.live_double_cradle import LiveDoubleCradle
 from support.options import read_double_page_options
 from support.page import show_cradle
+from support.unwritten import end_if_unwritten
 
 
 def main() -> None:
     """Show a double cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused."""
     options = read_double_page_options()
+    end_if_unwritten("pds_helper", "special_cradles", "double_cradle")
     show_cradle(LiveDoubleCradle(options), options, [options.angle, options.phi])
 
 

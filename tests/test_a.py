@@ -1,103 +1,139 @@
-"""A tests: the tick, and a cradle that runs by it."""
+"""A checks: the tick, and a cradle that runs by it."""
 
 from math import pi
 
-import pytest
-from cradles import components, FIVE_CSV, hang, R, row
-from vpython import mag
+from cradles import hang, R, row
+from grader import check, expect, same
+from telling import A
 
-from src import special_cradles, visualize_cradle_run
-
-
-def tick(pend_list, r_param=R, dt=1e-6, g=9.81):
-    visualize_cradle_run.newton_cradle_tick(pend_list, r_param, dt, g)
+SHORT = 1e-6  # s: in such a tick nothing moves much
 
 
-def omegas(pend_list):
-    return [pend_dict["omega"] for pend_dict in pend_list]
+def check_tick(pend_list, gives, *, r_param=R, dt=SHORT, g=9.81, hints=()):
+    """Check the omegas after a tick, to 1e-4 rad/s."""
+
+    def see(_):
+        return [round(pend["omega"], 4) + 0 for pend in pend_list]
+
+    before = "These are the velocities from before: has no pair collided, or each one twice?"
+    hints = [*hints, ([pend["omega"] for pend in pend_list], before)]
+    what = "omega of each pendulum"
+    expect("newton_cradle_tick", pend_list, r_param, dt, g, gives=gives, see=see, what=what, hints=hints)
 
 
-def test_a_tick_swings_all_pendula():
-    """newton_cradle_tick updates the swings of all the pendula, with the r_param, dt and g it is given."""
-    pend_list = [hang(theta=pi / 6, omega=2.0, axle=(i * 1.0, 0, 0), r_param=0.5) for i in range(3)]
-    tick(pend_list, r_param=0.5, dt=0.1, g=10.0)
-    assert omegas(pend_list) == pytest.approx([1.0] * 3)
-    assert [pend_dict["theta"] for pend_dict in pend_list] == pytest.approx([pi / 6 + 0.1] * 3)
-
-
-def touching(*speeds, radius=R / 8):
+def touching(*omegas, radius=R / 8):
     """Return pendula that hang straight down and touch, with these angular velocities (rad/s)."""
-    pend_list = row(len(speeds))
-    for pend_dict, omega in zip(pend_list, speeds, strict=True):
-        pend_dict["omega"] = omega
-        pend_dict["objects"][1].radius = radius
+    pend_list = row(len(omegas))
+    for pend, omega in zip(pend_list, omegas, strict=True):
+        pend["omega"] = omega
+        pend["objects"][1].radius = radius
     return pend_list
 
 
-@pytest.mark.parametrize(
-    ("before", "after"),
-    [
-        ([3.0, 0.0], [0.0, 3.0]),
-        ([3.0, 0.0, 0.0], [0.0, 0.0, 3.0]),  # first pair, then second: the hit runs through in one tick
-        ([3.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 3.0]),
-        ([0.0, 0.0, 3.0], [0.0, 3.0, 0.0]),  # from the right it gets one place along a tick: the pairs are done once
-        ([1.0, 2.0, 3.0], [2.0, 3.0, 1.0]),
-        ([3.0], [3.0]),  # one pendulum has no pair
-        ([], []),
-    ],
-)
-def test_each_pendulum_is_handled_with_the_one_after_it(before, after):
+@check("newton_cradle_tick")
+def test_a_tick_swings_all_pendula():
+    """Update the swings of all the pendula"""
+    pend_list = [hang(theta=pi / 6, omega=2.0, axle=(i * 1.0, 0, 0), r_param=0.5) for i in range(3)]
+    before, once = (2.0, pi / 6), (1.0, pi / 6 + 0.1)
+    twice = (-0.167919, pi / 6 + 0.0832081)
+    hints = [
+        ([before] * 3, "No pendulum has swung."),
+        (
+            lambda came: all(abs(a - b) < 1e-5 for state in came for a, b in zip(state, twice, strict=True)),
+            "All have swung twice.",
+        ),
+        ([once, before, before], "Only the first pendulum has swung."),
+        ([once, once, before], "The last pendulum has not swung; it has no pair, but it swings."),
+        (lambda came: same(came, came[:1] * 3), "Are r_param, dt and g handed on, in this order?"),
+        (lambda came: True, "Does each pendulum swing just once?"),
+    ]
+
+    def see(_):
+        return [(pend["omega"], pend["theta"]) for pend in pend_list]
+
+    what = "omega and theta of each pendulum"
+    expect("newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, gives=[once] * 3, see=see, what=what, hints=hints)
+
+
+@check("newton_cradle_tick")
+def test_each_pendulum_is_handled_with_the_one_after_it():
     """For each pendulum (except the last) handle the pairwise interaction of that pendulum and the one after it."""
-    pend_list = touching(*before)
-    tick(pend_list)
-    assert omegas(pend_list) == pytest.approx(after, abs=1e-4)
+    check_tick(touching(3.0, 0.0), [0.0, 3.0])
+    first_alone = [([0.0, 3.0, 0.0], "Only the first pair has been handled, or the pairs are handled from the right.")]
+    check_tick(touching(3.0, 0.0, 0.0), [0.0, 0.0, 3.0], hints=first_alone)  # first pair, then second
+    last = [([0.0, 0.0, 0.0, 3.0, 0.0], "The last pair has not been handled.")]
+    check_tick(touching(3.0, 0.0, 0.0, 0.0, 0.0), [0.0, 0.0, 0.0, 0.0, 3.0], hints=last)
+    backwards = [([3.0, 0.0, 0.0], "The pairs are handled from the right, or more than once.")]
+    check_tick(touching(0.0, 0.0, 3.0), [0.0, 3.0, 0.0], hints=backwards)  # it gets one place along a tick
+    round_trip = [
+        ([1.0, 2.0, 3.0], "Each pair has been handled twice, or not at all."),
+        ([1.0, 3.0, 2.0], "The last pendulum has been handled with the first one, too."),
+        ([3.0, 1.0, 2.0], "The pairs are handled from the right; they are to be from the left."),
+    ]
+    check_tick(touching(1.0, 2.0, 3.0), [2.0, 3.0, 1.0], hints=round_trip)
 
 
+@check("newton_cradle_tick")
 def test_only_neighbours_are_pairs():
-    """Of that pendulum and the one after it: not of any two, even if the bobs are so big that all of them touch."""
-    pend_list = touching(1.0, 2.0, 3.0, radius=R / 3)
-    tick(pend_list)
-    assert omegas(pend_list) == pytest.approx([2.0, 3.0, 1.0], abs=1e-4)
+    """We can approach the entire sequence of pendula in a pairwise manner, so we only consider the collision of two
+    pendula.
+    """
+    hints = [
+        (lambda came: True, "Here all bobs are so large that they touch; but pairs are neighbours only, once each.")
+    ]
+    check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0], hints=hints)
 
 
+@check("newton_cradle_tick")
+def test_a_cradle_may_have_any_number_of_pendula():
+    """feel free to play around with the values and the number of pendulums"""
+    check_tick(touching(3.0), [3.0])
+    check_tick([], [])
+    check_tick(touching(*[1.0] * 6, 0.0), [*[1.0] * 5, 0.0, 1.0])
+
+
+@check("newton_cradle_tick")
 def test_the_pairs_use_masses_and_restitution():
-    """The pairwise interaction is handled with a function you already wrote."""
+    """handle the pairwise interaction (Hint: Use another function you already wrote!)"""
     pend_list = touching(4.0, 0.0, 0.0)
     pend_list[0]["e"], pend_list[1]["mass"], pend_list[2]["mass"] = 0.5, 3.0, 3.0
-    tick(pend_list)
-    assert omegas(pend_list) == pytest.approx([-0.5, 0.0, 1.5], abs=1e-4)
+    check_tick(pend_list, [-0.5, 0.0, 1.5])
 
 
+@check("newton_cradle_tick")
 def test_bobs_that_do_not_touch_are_left_alone():
-    """Only bobs that are in collision get new velocities."""
+    """The Newton's cradle is defined by the collisions between its pendula."""
     pend_list = row(3)
     pend_list[0]["omega"] = -1.0
-    tick(pend_list)
-    assert omegas(pend_list) == pytest.approx([-1.0, 0.0, 0.0], abs=1e-4)
+    check_tick(pend_list, [-1.0, 0.0, 0.0])
 
 
+@check("newton_cradle_tick")
 def test_swings_come_before_collisions():
-    """A tick updates the swings first: bobs that the swing brings together collide in the same tick."""
-    pend_list = row(2)
-    pend_list[0]["theta"], pend_list[0]["omega"] = -0.1, 1.0
-    tick(pend_list, dt=0.1, g=0.0)  # theta becomes 0 ...
-    assert omegas(pend_list) == pytest.approx([1.0, 0.0])  # ... where the bobs hang side by side, just out of reach
-    tick(pend_list, dt=0.01, g=0.0)
-    assert omegas(pend_list) == pytest.approx([0.0, 1.0])
-    assert pend_list[1]["theta"] == 0  # it was hit after its swing
+    """Performs a single timestep or tick of the Newton's cradle."""
+    pend_list = [hang(theta=-0.1, omega=1.0), hang(axle=(R / 4, 0, 0))]
+    for pend in pend_list:
+        pend["objects"][1].radius = R / 8
+    hints = [([1.0, 0.0], "The swing brings these bobs together: it comes first, and then the collision.")]
+    check_tick(pend_list, [0.0, 1.0], dt=0.1, g=0.0, hints=hints)
 
 
-def test_a_cradle_passes_the_swing_on(tmp_path):
-    """The simulation: the first bob falls, the last one rises to about the angle from which the first was let go."""
-    file = tmp_path / "five.csv"
-    file.write_text(FIVE_CSV)
-    pend_list = special_cradles.make_newton_cradle(str(file), 0.2, -pi / 4)
-    highest = 0.0
-    for _ in range(10_000):  # a second, a bit more than it takes
-        tick(pend_list, 0.2, 1e-4, 9.81)
-        highest = max(highest, pend_list[-1]["theta"])
-    assert highest == pytest.approx(pi / 4, rel=0.02)
-    for pend_dict in pend_list:
-        axle, bob, _ = pend_dict["objects"]
-        assert mag(bob.pos - axle.pos) == pytest.approx(0.2)
-        assert components(bob.pos)[2] == 0
+@check("newton_cradle_tick")
+def test_a_cradle_passes_the_swing_on():
+    """A Newton's cradle is a series of pendula that display a "chain reaction" when each pendulum knocks into the
+    pendulum next to it.
+    """
+    cord, lift = 0.2, pi / 4
+    pend_list = [hang(theta=-lift if i == 0 else 0.0, axle=(i * cord / 4, 0, 0), r_param=cord) for i in range(5)]
+
+    def see(_):
+        return [pend["theta"] for pend in pend_list]
+
+    def is_passed_on(thetas):
+        return abs(thetas[-1] / lift - 1) < 0.02 and all(abs(theta) < 0.1 for theta in thetas[:-1])
+
+    half_a_period = 234  # ticks; 0.467 s, a bit more than pi sqrt(R / g), as the swing is large
+    gives = A("the last one at about 0.785, as high as the first one was, the others at about 0", is_passed_on)
+    what = "theta of each pendulum"
+    arguments = {"gives": gives, "see": see, "what": what, "times": half_a_period}
+    expect("newton_cradle_tick", pend_list, cord, 0.002, 9.81, **arguments)

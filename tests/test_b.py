@@ -1,122 +1,220 @@
-"""B tests: what happens to two pendula when they knock into each other."""
+"""B checks: what happens to two pendula when they knock into each other."""
 
-import pytest
 from cradles import hang
-from vpython import vector
+from grader import check, expect
 
-from src import visualize_cradle_run
-
-# e, omega1, omega2, m1, m2 -> new_omega1, new_omega2; by hand from the appendix's two formulas.
+# The arguments e, omega1, omega2, m1, m2, and what comes of them; by hand from the appendix's two formulas.
+HIT, AFTER = (0.5, 4.0, -2.0, 1.0, 4.0), (-3.2, -0.2)
 COLLISIONS = [
-    (1, 3.0, 0.0, 1.0, 1.0, 0.0, 3.0),  # equal masses, elastic: the velocities change places
-    (1, 2.0, -5.0, 0.7, 0.7, -5.0, 2.0),
-    (0, 3.0, 0.0, 1.0, 1.0, 1.5, 1.5),  # inelastic: both go on together
-    (0.5, 4.0, 0.0, 1.0, 1.0, 1.0, 3.0),
-    (1, 4.0, 0.0, 1.0, 3.0, -2.0, 2.0),  # a light bob bounces off a heavy one
-    (1, 4.0, 0.0, 3.0, 1.0, 2.0, 6.0),  # a heavy bob drives a light one ahead
-    (0, 4.0, -2.0, 1.0, 2.0, 0.0, 0.0),  # opposite momenta, inelastic: all motion ends
-    (0.25, 8.0, 0.0, 1.0, 3.0, 0.5, 2.5),
-    (0.9, 2.0, 2.0, 1.0, 5.0, 2.0, 2.0),  # no approach, no change
-    (0.5, 0.0, 0.0, 1.0, 2.0, 0.0, 0.0),
+    ((1, 3.0, 0.0, 1.0, 1.0), (0.0, 3.0)),  # equal masses, elastic: the velocities change places
+    ((1, 2.0, -5.0, 0.7, 0.7), (-5.0, 2.0)),
+    ((0, 3.0, 0.0, 1.0, 1.0), (1.5, 1.5)),  # inelastic: both go on together
+    ((0.5, 4.0, 0.0, 1.0, 1.0), (1.0, 3.0)),
+    ((1, 4.0, 0.0, 1.0, 3.0), (-2.0, 2.0)),  # a light bob bounces off a heavy one
+    ((1, 4.0, 0.0, 3.0, 1.0), (2.0, 6.0)),  # a heavy bob drives a light one ahead
+    ((0, 4.0, -2.0, 1.0, 2.0), (0.0, 0.0)),  # opposite momenta, inelastic: all motion ends
+    ((0.25, 8.0, 0.0, 1.0, 3.0), (0.5, 2.5)),
+    ((0.9, 2.0, 2.0, 1.0, 5.0), (2.0, 2.0)),  # no approach, no change
+    ((0.5, -1.0, 2.0, 1.0, 1.0), (1.25, -0.25)),  # whether they approach is not asked here
+    ((0.5, 0.0, 0.0, 1.0, 2.0), (0.0, 0.0)),
+]
+
+# What certain mistakes make of HIT with a cord of 0.4 m, by hand.
+MISTAKES = [
+    ((-5.6, 0.4), "This is what e = 1 gives, whatever e is."),
+    ((-0.8, -0.8), "This is what e = 0 gives, whatever e is."),
+    ((-5.6, -0.2), "The first formula is without e."),
+    ((-3.2, 0.4), "The second formula is without e."),
+    ((2.2, 5.2), "This is what exchanged masses give."),
+    ((1.6, -1.4), "This is what e gives with the wrong sign in both formulas."),
+    ((1.6, -0.2), "This is what e gives with the wrong sign in the first formula."),
+    ((-3.2, -1.4), "This is what e gives with the wrong sign in the second formula."),
+    ((-1.4, -0.2), "In the first formula, m1 stands where m2 is to stand."),
+    ((-3.2, 1.6), "In the second formula, m2 stands where m1 is to stand."),
+    ((-1.6, -0.2), "In the first formula, the velocities are added after e; it is their difference."),
+    ((-3.2, -0.6), "In the second formula, the velocities are added after e; it is their difference."),
+    ((-1.6, -0.6), "In both formulas, the velocities are added after e; it is their difference."),
+    ((0.0, -0.2), "In the first formula, the momenta are subtracted; it is their sum."),
+    ((-6.4, -0.2), "In the first formula, brackets are missing: all of it is divided by the sum of the masses."),
+    ((-3.2, -3.4), "In the second formula, brackets are missing: all of it is divided by the sum of the masses."),
+    ((-6.4, -3.4), "In both formulas, brackets are missing: all of it is divided by the sum of the masses."),
+    ((-3.2, -0.92), "The second formula takes the new velocity of the first bob; it is to take the old one."),
+    ((-3.2, -2.36), "The second formula takes the new velocity of the first bob; it is to take the old one."),
+    ((-1.28, -0.08), "These are the linear velocities, not yet converted back to angular ones."),
+    ((-8.0, -0.5), "These are converted back from linear velocities, but were never converted to them."),
+    ((-0.512, -0.032), "This is converted to linear velocities twice; the second time it is to be back from them."),
+    ((-2.0, 4.0), "This exchanges the velocities, as only equal masses do in an elastic hit."),
+    ((-16.0, -1.0), "The sum of the masses, by which both are divided, is missing."),
+    ((-4.0, -0.25), "This is divided by the product of the masses; it is to be their sum."),
+    ((4.0, -2.0), "These are the old velocities."),
 ]
 
 
-@pytest.mark.parametrize("r_param", [0.2, 1.0, 3.0])
-@pytest.mark.parametrize(("e", "omega1", "omega2", "m1", "m2", "new_omega1", "new_omega2"), COLLISIONS)
-def test_handle_collision(e, omega1, omega2, m1, m2, new_omega1, new_omega2, r_param):
-    """handle_collision returns a tuple of the new angular velocities of both bobs (new_omega1, new_omega2)."""
-    result = visualize_cradle_run.handle_collision(e, omega1, omega2, m1, m2, r_param)
-    assert isinstance(result, tuple)
-    assert result == pytest.approx((new_omega1, new_omega2), abs=1e-12)
+@check("handle_collision")
+def test_handle_collision():
+    """Takes in the initial angular velocities of both bobs (omega1 and omega2), their coefficient of restitution (e),
+    their masses (m1 and m2), and the cord length r_param and returns a tuple of the new angular velocities of both bobs
+    (new_omega1, new_omega2).
+    """
+    expect("handle_collision", *HIT, 0.4, gives=AFTER, hints=MISTAKES)
 
 
-@pytest.mark.parametrize("e", [0, 0.3, 1])
-@pytest.mark.parametrize(("m1", "m2"), [(1.0, 1.0), (0.2, 5.0), (7.0, 0.1)])
-def test_laws_of_the_collision(e, m1, m2):
-    """Linear momentum is conserved, e = (v2_new - v1_new) / (v1 - v2), and e = 1 conserves kinetic energy."""
-    omega1, omega2, r_param = 2.5, -1.5, 0.4
-    new1, new2 = visualize_cradle_run.handle_collision(e, omega1, omega2, m1, m2, r_param)
-    assert m1 * new1 + m2 * new2 == pytest.approx(m1 * omega1 + m2 * omega2)
-    assert new2 - new1 == pytest.approx(e * (omega1 - omega2), abs=1e-12)
-    if e == 1:
-        assert m1 * new1**2 + m2 * new2**2 == pytest.approx(m1 * omega1**2 + m2 * omega2**2)
+@check("handle_collision")
+def test_collisions_from_elastic_to_inelastic():
+    """If e = 0, it is a perfectly inelastic collision (kinetic energy not conserved), and if e = 1, it is a perfectly
+    elastic collision (kinetic energy is conserved).
+    """
+    for arguments, gives in COLLISIONS:
+        expect("handle_collision", *arguments, 0.4, gives=gives)
 
 
-def pair(distance, radius1=0.5, radius2=0.5, **values1):
-    """Return two pendula, bobs of these radii with centres apart by the vector distance; the left one moves right."""
-    pend1, pend2 = hang(**{"omega": 3.0, "mass": 1.0, "e": 1.0, **values1}), hang(omega=0.0, mass=1.0, e=1.0)
-    for pend, pos, radius in ((pend1, vector(0, 0, 0), radius1), (pend2, vector(*distance), radius2)):
-        pend["objects"][1].pos, pend["objects"][1].radius = pos, radius
+@check("handle_collision")
+def test_the_cord_length_does_not_matter():
+    """If we start off using angular velocities omega, we need to convert them to linear velocities v = R omega for this
+    equation, and the new calculated velocities can be converted back to angular velocities with the same equation.
+    """
+    for r_param in (0.2, 1.0, 3.0):
+        expect("handle_collision", *HIT, r_param, gives=AFTER)
+
+
+@check("handle_collision")
+def test_laws_of_the_collision():
+    """The entire system should conserve kinetic energy in an elastic collision and conserve linear momentum."""
+    omega1, omega2 = 2.5, -1.5
+    for m1, m2 in [(1.0, 1.0), (0.2, 5.0), (7.0, 0.1)]:
+        momentum, energy = m1 * omega1 + m2 * omega2, m1 * omega1**2 + m2 * omega2**2
+        for e in (0, 0.3, 1):
+
+            def momentum_after(new, m1=m1, m2=m2):
+                return m1 * new[0] + m2 * new[1]
+
+            def energy_after(new, m1=m1, m2=m2):
+                return m1 * new[0] ** 2 + m2 * new[1] ** 2
+
+            arguments = e, omega1, omega2, m1, m2, 0.4
+            what = "m1 new_omega1 + m2 new_omega2"
+            expect("handle_collision", *arguments, gives=momentum, see=momentum_after, what=what)
+            if e == 1:
+                what = "m1 new_omega1^2 + m2 new_omega2^2"
+                expect("handle_collision", *arguments, gives=energy, see=energy_after, what=what)
+
+
+# --- handle_two_bobs -------------------------------------------------------------------------------------------------
+
+LENGTH = 4.0  # m, so that the distances below are numbers without rounding errors
+LEFT, HITS, MISSES = 4.0, (1.0, 3.0), (4.0, 0.0)  # omega of the left one before; omegas of both after, with e = 0.5
+
+
+def pair(distance=(1.0, 0.0, 0.0), radius1=0.5, radius2=0.5, values1=None, values2=None):
+    """Return two pendula that hang straight down, their axles this far (x, y, z in m) apart; the left one moves."""
+    pend1 = hang(r_param=LENGTH, **{"omega": LEFT, "e": 0.5, **(values1 or {})})
+    pend2 = hang(r_param=LENGTH, axle=distance, **{"e": 0.5, **(values2 or {})})
+    pend1["objects"][1].radius, pend2["objects"][1].radius = radius1, radius2
     return pend1, pend2
 
 
-def omegas_after(pend1, pend2, r_param=0.4):
-    visualize_cradle_run.handle_two_bobs(pend1, pend2, r_param)
-    return pend1["omega"], pend2["omega"]
+def check_pair(gives, *arguments, hints=(), **values):
+    """Check the omegas that two such pendula have afterwards."""
+    pend1, pend2 = pair(*arguments, **values)
+
+    def see(_):
+        return pend1["omega"], pend2["omega"]
+
+    what = "omega of pend1 and of pend2"
+    before = pend1["omega"], pend2["omega"]
+    if gives != before:
+        hints = [
+            *hints,
+            (before, "Nothing has changed, though the bobs touch."),
+            ((before[0], gives[1]), "pend1 has not got its new omega."),
+            ((gives[0], before[1]), "pend2 has not got its new omega."),
+        ]
+    expect("handle_two_bobs", pend1, pend2, LENGTH, gives=gives, see=see, what=what, hints=hints)
 
 
-HIT, MISS = (0.0, 3.0), (3.0, 0.0)
+@check("handle_two_bobs")
+def test_bobs_that_touch_collide():
+    """Check if the magnitude of the difference in positions of both bobs is less than or equal to 1.05 times the sum of
+    the bobs' radii.
+    """
+    check_pair(HITS)
+    check_pair(HITS, (0.2, 0, 0))
+    check_pair(HITS, (1.02, 0, 0), hints=[(MISSES, "This is what comes without the buffer of 1.05.")])
+    buffer = "Is it the sum of both radii, all of it, that is multiplied by 1.05, and is the distance not changed?"
+    check_pair(HITS, (1.04, 0, 0), hints=[(MISSES, buffer)])
+    check_pair(
+        HITS, (1.05, 0, 0), hints=[(MISSES, "At just 1.05 times the sum they collide, too: less than or equal.")]
+    )
+    check_pair(HITS, (-1.0, 0, 0), hints=[(MISSES, "A magnitude has no sign.")])
+    check_pair(HITS, (0.7, 0.7, 0), hints=[(MISSES, "This is what the sum of the distances along x and y gives.")])
+    check_pair(HITS, (0, 0, 1.0))
 
 
-@pytest.mark.parametrize(
-    ("distance", "radius1", "radius2", "expected"),
-    [
-        ((1.0, 0, 0), 0.5, 0.5, HIT),  # they touch
-        ((1.04, 0, 0), 0.5, 0.5, HIT),  # a bit of buffer: 1.05 times the sum of the radii
-        ((1.05, 0, 0), 0.5, 0.5, HIT),  # less than or equal
-        ((1.06, 0, 0), 0.5, 0.5, MISS),
-        ((9.0, 0, 0), 0.5, 0.5, MISS),
-        ((0.2, 0, 0), 0.5, 0.5, HIT),
-        ((-1.0, 0, 0), 0.5, 0.5, HIT),  # a magnitude has no sign
-        ((-1.2, 0, 0), 0.5, 0.5, MISS),
-        ((0.8, 0.8, 0), 0.5, 0.5, MISS),  # a distance in the plane, not along x alone
-        ((0.7, 0.7, 0), 0.5, 0.5, HIT),
-        ((0.7, 0.0, 0.9), 0.5, 0.5, MISS),
-        ((0.0, 1.2, 0), 0.5, 0.5, MISS),
-        ((1.0, 0, 0), 0.9, 0.2, HIT),  # both radii count
-        ((1.0, 0, 0), 0.2, 0.9, HIT),
-        ((1.0, 0, 0), 0.2, 0.7, MISS),
-        ((1.0, 0, 0), 0.7, 0.2, MISS),
-    ],
-)
-def test_bobs_collide_within_105_percent_of_the_radii(distance, radius1, radius2, expected):
-    """Check if the magnitude of the difference in positions is at most 1.05 times the sum of the bobs' radii."""
-    assert omegas_after(*pair(distance, radius1, radius2)) == pytest.approx(expected, abs=1e-12)
+@check("handle_two_bobs")
+def test_bobs_that_do_not_touch_go_on():
+    """We add a little bit of buffer to what is considered a 'collision'."""
+    check_pair(MISSES, (9.0, 0, 0), hints=[(HITS, "They collide however far apart they are.")])
+    check_pair(MISSES, (1.06, 0, 0), hints=[(HITS, "The buffer is too large, or the distance too small.")])
+    check_pair(MISSES, (-1.2, 0, 0), hints=[(HITS, "The distance has become negative; a magnitude has no sign.")])
+    along_x = [(HITS, "This is what the distance along x alone gives.")]
+    check_pair(MISSES, (0.8, 0.8, 0), hints=along_x)
+    check_pair(MISSES, (0, 1.2, 0), hints=along_x)
+    check_pair(MISSES, (0.7, 0, 0.9), hints=[(HITS, "The distance along z counts, too.")])
 
 
+@check("handle_two_bobs")
+def test_both_radii_count():
+    """you can access positions and radii of VPython objects with bob.pos and bob.radius"""
+    one_radius = [
+        (HITS, "The radii of these bobs are not equal: is it the sum of both?"),
+        (MISSES, "The radii of these bobs are not equal: is it the sum of both?"),
+    ]
+    check_pair(HITS, (1.0, 0, 0), 0.9, 0.2, hints=one_radius)
+    check_pair(HITS, (1.0, 0, 0), 0.2, 0.9, hints=one_radius)
+    check_pair(MISSES, (1.0, 0, 0), 0.2, 0.7, hints=one_radius)
+    check_pair(MISSES, (1.0, 0, 0), 0.7, 0.2, hints=one_radius)
+    check_pair(MISSES, (1.0, 0, 0), 0.05, 0.05, hints=[(HITS, "Here the bobs are small: do the radii count?")])
+    check_pair(HITS, (3.1, 0, 0), 2.0, 1.0, hints=[(MISSES, "The bobs are large here: 1.05 is a factor of their sum.")])
+
+
+@check("handle_two_bobs")
 def test_e_is_the_first_pendulums():
     """From only the first dictionary, get the coefficient of restitution."""
-    pend1, pend2 = pair((1, 0, 0), e=0.5, omega=4.0)
-    assert omegas_after(pend1, pend2) == pytest.approx((1.0, 3.0))
+    hints = [
+        ((0.0, 4.0), "This is what e = 1, that of pend2, gives."),
+        ((2.0, 2.0), "This is what e = 0 gives."),
+        ((0.5, 3.5), "This is what the mean of both e gives."),
+    ]
+    check_pair((1.0, 3.0), values1={"e": 0.5}, values2={"e": 1.0}, hints=hints)
+    hints = [((1.0, 3.0), "This is what e = 0.5, that of pend2, gives.")]
+    check_pair((0.0, 4.0), values1={"e": 1.0}, values2={"e": 0.5}, hints=hints)
 
 
-@pytest.mark.parametrize(("mass1", "mass2", "expected"), [(1.0, 3.0, (-2.0, 2.0)), (3.0, 1.0, (2.0, 6.0))])
-def test_each_pendulum_has_its_mass(mass1, mass2, expected):
+@check("handle_two_bobs")
+def test_masses_and_omegas_are_those_of_each():
     """For each pendulum dictionary, get the masses, bobs and angular velocity (omega)."""
-    pend1, pend2 = pair((1, 0, 0), omega=4.0, mass=mass1)
-    pend2["mass"] = mass2
-    assert omegas_after(pend1, pend2) == pytest.approx(expected)
+    equal = (HITS, "This is what equal masses give.")
+    exchanged = "This is what exchanged masses give."
+    check_pair((-0.5, 1.5), values2={"mass": 3.0}, hints=[equal, ((2.5, 4.5), exchanged)])
+    check_pair((2.5, 4.5), values1={"mass": 3.0}, hints=[equal, ((-0.5, 1.5), exchanged)])
+    check_pair((-0.5, 2.5), values2={"omega": -2.0}, hints=[(HITS, "This is what omega = 0 of pend2 gives.")])
 
 
-def test_the_second_pendulums_omega_counts():
-    """For each pendulum dictionary, get the angular velocity (omega); update both dictionaries with the new values."""
-    pend1, pend2 = pair((1, 0, 0), omega=1.0)
-    pend2["omega"] = -2.0
-    assert omegas_after(pend1, pend2) == pytest.approx((-2.0, 1.0))
+@check("handle_two_bobs")
+def test_bobs_that_touch_collide_whatever_their_velocities_are():
+    """If true, use the helper function handle_collision to get the new angular velocity values for both pendula."""
+    hints = [((-1.0, 2.0), "The handout does not ask whether the bobs approach.")]
+    check_pair((1.25, -0.25), values1={"omega": -1.0}, values2={"omega": 2.0}, hints=hints)
 
 
-def test_the_handout_does_not_ask_whether_bobs_approach():
-    """If true, get the new angular velocity values: whatever the velocities are."""
-    pend1, pend2 = pair((1, 0, 0), omega=-1.0)
-    pend2["omega"] = 2.0
-    assert omegas_after(pend1, pend2) == pytest.approx((2.0, -1.0))
+@check("handle_two_bobs")
+def test_omegas_are_updated_and_nothing_else():
+    """Then, update both dictionaries with their respective new omega values."""
+    pend1, pend2 = pair(values1={"mass": 2.0}, values2={"e": 0.9})
 
+    def others(_=None):
+        values = [{key: pend[key] for key in pend if key != "omega"} for pend in (pend1, pend2)]
+        return [{**of_one, "place": tuple(of_one["objects"][1].pos.value)} for of_one in values]
 
-def test_only_omega_changes():
-    """Update both dictionaries with their respective new omega values, and nothing else."""
-    pend1, pend2 = pair((1, 0, 0))
-    before = [{name: pend[name] for name in pend if name != "omega"} for pend in (pend1, pend2)]
-    positions = [pend["objects"][1].pos.value for pend in (pend1, pend2)]
-    omegas_after(pend1, pend2)
-    assert [{name: pend[name] for name in pend if name != "omega"} for pend in (pend1, pend2)] == before
-    assert [pend["objects"][1].pos.value for pend in (pend1, pend2)] == positions
+    what = "all but omega, of pend1 and of pend2"
+    expect("handle_two_bobs", pend1, pend2, LENGTH, gives=others(), see=others, what=what)

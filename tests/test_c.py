@@ -1,91 +1,155 @@
-"""C tests: how one pendulum swings, and then all of them."""
+"""C checks: how one pendulum swings, and then all of them."""
 
 from math import cos, pi, sin
 
-import pytest
-from cradles import components, hang, R, row
+from cradles import hang, R, row
+from grader import check, expect
+from vpython import vector
 
-from src import swinging
-
-# omega, theta, r_param, dt, g -> omega_new, theta_new; by hand from the appendix's two formulas.
+# The arguments omega, theta, r_param, dt, g, and what comes of them; by hand from the appendix's two formulas.
+STEP, AFTER = (2.0, pi / 6, 0.4, 0.1, 10.0), (0.75, pi / 6 + 0.075)  # omega falls by 1.25
 STEPS = [
-    (2.0, pi / 6, 0.5, 0.1, 10.0, 1.0, pi / 6 + 0.1),  # omega falls by 10 * 0.5 / 0.5 * 0.1 = 1
-    (2.0, -pi / 6, 0.5, 0.1, 10.0, 3.0, -pi / 6 + 0.3),  # to the left of straight down it pulls the other way
-    (0.0, pi / 2, 2.0, 0.01, 9.8, -0.049, pi / 2 - 0.00049),  # from rest, with the whole of g
-    (1.5, 0.0, 0.2, 0.01, 9.81, 1.5, 0.015),  # straight down nothing pulls
-    (0.0, 0.0, 0.2, 0.01, 9.81, 0.0, 0.0),  # at rest it stays
-    (1.0, pi, 0.3, 0.5, 9.81, 1.0, pi + 0.5),  # straight up nothing pulls either
-    (-1.0, 5 * pi / 6, 0.25, 0.2, 5.0, -3.0, 5 * pi / 6 - 0.6),  # more than 90 degrees: sin, not the angle itself
-    (1.0, pi / 6, 0.5, 0.0, 10.0, 1.0, pi / 6),  # no time, no change
-    (1.0, pi / 6, 0.5, 0.1, 0.0, 1.0, pi / 6 + 0.1),  # no gravity: the angle moves on by itself
+    ((2.0, -pi / 6, 0.5, 0.1, 10.0), (3.0, -pi / 6 + 0.3)),  # to the left of straight down it pulls the other way
+    ((0.0, pi / 2, 2.0, 0.01, 9.8), (-0.049, pi / 2 - 0.00049)),  # from rest, with the whole of g
+    ((1.5, 0.0, 0.2, 0.01, 9.81), (1.5, 0.015)),  # straight down nothing pulls
+    ((0.0, 0.0, 0.2, 0.01, 9.81), (0.0, 0.0)),  # at rest it stays
+    ((1.0, pi, 0.3, 0.5, 9.81), (1.0, pi + 0.5)),  # straight up nothing pulls either
+    ((-1.0, 5 * pi / 6, 0.25, 0.2, 5.0), (-3.0, 5 * pi / 6 - 0.6)),  # more than 90 degrees: sin, not the angle itself
+    ((1.0, pi / 6, 0.5, 0.0, 10.0), (1.0, pi / 6)),  # no time, no change
+    ((1.0, pi / 6, 0.5, 0.1, 0.0), (1.0, pi / 6 + 0.1)),  # no gravity: the angle moves on by itself
+]
+
+# What certain mistakes make of STEP, by hand.
+MISTAKES = [
+    ((0.75, pi / 6 + 0.2), "This is what the old omega gives; the angle moves with the new one."),
+    ((3.25, pi / 6 + 0.325), "This is what gravity gives with the wrong sign: it pulls back to straight down."),
+    ((1.977154, pi / 6 + 0.197715), "This is what degrees give; theta is in rad already."),
+    ((-0.165064, pi / 6 - 0.016506), "This is what cos gives in place of sin."),
+    ((0.691003, pi / 6 + 0.0691), "This is what theta itself gives in place of its sine."),
+    ((-10.5, pi / 6 - 1.05), "This is what comes of omega without dt."),
+    ((0.75, pi / 6 + 0.75), "This is what comes of theta without dt."),
+    ((1.5, pi / 6 + 0.15), "This is what comes without the length of the cord, r_param."),
+    ((1.8, pi / 6 + 0.18), "This is what r_param gives as a factor; it divides."),
+    ((1.875, pi / 6 + 0.1875), "This is what comes without g."),
+    ((0.344784, pi / 6 + 0.2), "Here theta moved first, and omega changed by the new theta; omega comes first."),
+    ((-1.25, pi / 6 - 0.125), "The old omega is missing: this is the change of omega alone."),
+    ((0.75, 0.075), "The old theta is missing: this is the change of theta alone."),
+    ((0.75, pi / 6), "theta has not moved."),
+    ((2.0, pi / 6 + 0.2), "omega has not changed."),
+    ((2.0, pi / 6), "These are the old values."),
+    ((-12.5, pi / 6 + 0.075), "The first is the angular acceleration, not the new omega."),
 ]
 
 
-@pytest.mark.parametrize(("omega", "theta", "r_param", "dt", "g", "omega_new", "theta_new"), STEPS)
-def test_angle_update(omega, theta, r_param, dt, g, omega_new, theta_new):
-    """angle_update returns a tuple of the new (omega, theta): omega by gravity, then theta by the new omega."""
-    result = swinging.angle_update(omega, theta, r_param, dt, g)
-    assert isinstance(result, tuple)
-    assert result == pytest.approx((omega_new, theta_new), abs=1e-12)
+def nearly(mistaken):
+    """Return a test of whether what came back is this, as exactly as the mistakes are written down."""
+
+    def is_it(came):
+        return isinstance(came, tuple) and all(abs(a - b) < 1e-5 for a, b in zip(came, mistaken, strict=True))
+
+    return is_it
 
 
-def test_swing_update_updates_the_dictionary():
-    """swing_update updates the angle, using the helper function angle_update."""
-    pend_dict = hang(theta=pi / 6, omega=2.0, axle=(0.3, 0.1, 0), r_param=0.5)
-    swinging.swing_update(pend_dict, 0.5, 0.1, 10.0)
-    assert (pend_dict["omega"], pend_dict["theta"]) == pytest.approx((1.0, pi / 6 + 0.1))
+@check("angle_update")
+def test_angle_update():
+    """Takes in the current values of angle theta and angular velocity omega and updates them for a given timestep dt
+    and gravitational acceleration g.
+    """
+    hints = [(nearly(mistaken), sentence) for mistaken, sentence in MISTAKES]
+    expect("angle_update", *STEP, gives=AFTER, hints=hints)
 
 
-def test_swing_update_moves_bob_and_cord():
-    """swing_update updates the position of the pendulum components: the axle stays, the cord ends at axle and bob."""
-    pend_dict = hang(theta=pi / 6, omega=2.0, axle=(0.3, 0.1, 0), r_param=0.5)
-    axle, bob, cord = objects = pend_dict["objects"]
-    swinging.swing_update(pend_dict, 0.5, 0.1, 10.0)
-    theta = pi / 6 + 0.1
-    axle_end, bob_end = (0.3, 0.1, 0.0), (0.3 + 0.5 * sin(theta), 0.1 - 0.5 * cos(theta), 0.0)
-    assert pend_dict["objects"] is objects or tuple(pend_dict["objects"]) == objects
-    assert components(axle.pos) == pytest.approx(axle_end)
-    assert components(bob.pos) == pytest.approx(bob_end, abs=1e-12)
-    ends = sorted([components(cord.pos), components(cord.pos + cord.axis)])  # it may be drawn from either end
-    assert ends[0] == pytest.approx(min(axle_end, bob_end), abs=1e-12)
-    assert ends[1] == pytest.approx(max(axle_end, bob_end), abs=1e-12)
+@check("angle_update")
+def test_angle_update_of_other_swings():
+    """Angular acceleration of omega: -g sin theta / R, where g is the gravitational acceleration and theta is the angle
+    formed by the cord normal to the axle.
+    """
+    for arguments, gives in STEPS:
+        expect("angle_update", *arguments, gives=gives)
 
 
-def test_swing_update_leaves_everything_else():
-    """The pend_dict is updated and nothing is returned."""
-    pend_dict = hang(theta=0.4, omega=1.0, mass=2.0, e=0.5)
-    before = {name: pend_dict[name] for name in ("mass", "e", "color", "texture")}
-    assert swinging.swing_update(pend_dict, R, 0.01, 9.81) is None
-    assert {name: pend_dict[name] for name in before} == before
-
-
-def test_full_swing_update_swings_every_pendulum_once():
-    """full_swing_update uses the helper function swing_update on each pendulum in the Newton's cradle."""
+def swinging_row():
+    """Return four pendula on cords of 0.5 m, and their omegas and thetas after a tick of 0.1 s with g = 10 m/s^2."""
     thetas, omegas = (pi / 6, -pi / 6, pi / 2, 0.0), (2.0, 2.0, 0.0, 1.5)
     pend_list = [
-        hang(theta=theta, omega=omega, axle=(i * 0.1, 0, 0), r_param=0.5)
+        hang(theta=theta, omega=omega, axle=(i * 0.1, 0.05, 0), r_param=0.5, mass=1.0 + i, e=0.5)
         for i, (theta, omega) in enumerate(zip(thetas, omegas, strict=True))
     ]
-    swinging.full_swing_update(pend_list, 0.5, 0.1, 10.0)
-    assert [pend["omega"] for pend in pend_list] == pytest.approx([1.0, 3.0, -2.0, 1.5])
-    assert [pend["theta"] for pend in pend_list] == pytest.approx([pi / 6 + 0.1, -pi / 6 + 0.3, pi / 2 - 0.2, 0.15])
-    for i, pend in enumerate(pend_list):
-        expected = (i * 0.1 + 0.5 * sin(pend["theta"]), -0.5 * cos(pend["theta"]), 0)
-        assert components(pend["objects"][1].pos) == pytest.approx(expected, abs=1e-12)
+    return pend_list, [1.0, 3.0, -2.0, 1.5], [pi / 6 + 0.1, -pi / 6 + 0.3, pi / 2 - 0.2, 0.15]
 
 
-def test_full_swing_update_is_no_collision():
-    """A swing alone leaves bobs that overlap to the collision functions."""
-    pend_list = row(3, omega=0.0)
-    for pend_dict, omega in zip(pend_list, (1.0, -1.0, 0.5), strict=True):
-        pend_dict["omega"] = omega
-    swinging.full_swing_update(pend_list, R, 1e-9, 9.81)
-    assert [pend_dict["omega"] for pend_dict in pend_list] == pytest.approx([1.0, -1.0, 0.5])
+@check("full_swing_update")
+def test_every_pendulum_swings_once():
+    """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
+    pend_list, omegas, thetas = swinging_row()
+    before = [(pend["omega"], pend["theta"]) for pend in pend_list]
+    after = list(zip(omegas, thetas, strict=True))
+    hints = [
+        (before, "Nothing has moved."),
+        ([after[0], *before[1:]], "Only the first pendulum has swung: is there a return inside the loop?"),
+        ([*before[:-1], after[-1]], "Only the last pendulum has swung."),
+        ([*after[:-1], before[-1]], "The last pendulum has not swung."),
+        ([before[0], *after[1:]], "The first pendulum has not swung."),
+        (lambda came: came != before and came != after, "Are r_param, dt and g handed on, in this order, once?"),
+    ]
+    what = "omega and theta of each pendulum"
+
+    def see(_):
+        return [(pend["omega"], pend["theta"]) for pend in pend_list]
+
+    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=after, see=see, what=what, hints=hints)
 
 
-@pytest.mark.parametrize("count", [0, 1])
-def test_full_swing_update_of_few_pendula(count):
-    """A cradle may have any number of pendula."""
-    pend_list = row(count, theta=pi / 2)
-    swinging.full_swing_update(pend_list, R, 0.1, 10.0)
-    assert [pend_dict["omega"] for pend_dict in pend_list] == pytest.approx([-2.5] * count)
+@check("full_swing_update")
+def test_bobs_and_cords_move():
+    """updates the angle and position of the pendulum components"""
+    pend_list, _, thetas = swinging_row()
+
+    def see(_):
+        shapes = [pend["objects"] for pend in pend_list]
+        return [(axle.pos, bob.pos, ends(cord)) for axle, bob, cord in shapes]
+
+    def ends(cord):  # it may be drawn from either end
+        return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: end.y)
+
+    axles = [vector(i * 0.1, 0.05, 0) for i in range(4)]
+    bobs = [axle + vector(0.5 * sin(theta), -0.5 * cos(theta), 0) for axle, theta in zip(axles, thetas, strict=True)]
+    gives = [(axle, bob, [bob, axle]) for axle, bob in zip(axles, bobs, strict=True)]
+    what = "position of each axle and bob, and the ends of each cord"
+    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=gives, see=see, what=what)
+
+
+@check("full_swing_update")
+def test_a_swing_changes_nothing_else():
+    """The pend_dict is updated."""
+    pend_list, *_ = swinging_row()
+    pendula, objects = list(pend_list), [pend["objects"] for pend in pend_list]
+
+    def see(_):
+        same_objects = [all(map(is_same, pend["objects"], old)) for pend, old in zip(pend_list, objects, strict=True)]
+        values = [tuple(pend[key] for key in ("mass", "e", "color", "texture")) for pend in pend_list]
+        return values, same_objects, list(map(is_same, pend_list, pendula))
+
+    def is_same(one, other):
+        return one is other
+
+    gives = [(1.0 + i, 0.5, "white", "none") for i in range(4)], [True] * 4, [True] * 4
+    what = "mass, e, color and texture of each pendulum; whether its objects, and itself, are those from before"
+    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=gives, see=see, what=what)
+
+
+@check("full_swing_update")
+def test_a_swing_is_no_collision():
+    """In the second part of the project, you will focus on the functionality of each individual pendulum; specifically,
+    how each pendulum swings.
+    """
+    omegas = [1.0, -1.0, 0.5]
+    pend_list = row(3)
+    for pend, omega in zip(pend_list, omegas, strict=True):
+        pend["omega"] = omega
+    hints = [(lambda came: True, "Bobs that touch are left to the collision functions.")]
+
+    def see(_):
+        return [pend["omega"] for pend in pend_list]
+
+    expect("full_swing_update", pend_list, R, 1e-9, 9.81, gives=omegas, see=see, what="omega of each", hints=hints)

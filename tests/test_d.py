@@ -1,143 +1,329 @@
-"""D tests: from the CSV to a pend_list, and from there to pendula that can be seen."""
+"""D checks: from the CSV to a pend_list, and from there to pendula that can be seen."""
 
-import pytest
-from cradles import components, MIXED, MIXED_CSV, R
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from cradles import MIXED, MIXED_CSV, R
+from grader import check, expect, same
+from telling import A
 from vpython import box, cylinder, sphere, vector
 
-from src import pds_helper, special_cradles
 from support.constants import COLOR_MAP, TEXTURE_MAP
 from support.pendulum import make_pendulum
 
+FILES = {
+    "mixed.csv": MIXED_CSV,
+    "one.csv": "mass,e,theta,omega,color,texture\n3.0,0.5,0.1,0.2,green,rug\n",
+    "assistants.csv": "name,year,house\nAda,2,Page\nGrace,4,Lloyd\n",
+}
+ONE = {"mass": 3.0, "e": 0.5, "theta": 0.1, "omega": 0.2, "color": "green", "texture": "rug"}
+ASSISTANTS = [{"name": "Ada", "year": 2, "house": "Page"}, {"name": "Grace", "year": 4, "house": "Lloyd"}]
 
-@pytest.fixture
-def mixed_csv(tmp_path):
-    file = tmp_path / "mixed.csv"
-    file.write_text(MIXED_CSV)
-    return str(file)
+
+@contextmanager
+def files() -> Iterator[Path]:
+    """Yield a folder with these files."""
+    with TemporaryDirectory() as folder:
+        for name, text in FILES.items():
+            (Path(folder) / name).write_text(text)
+        yield Path(folder)
+
+
+@contextmanager
+def working_in(folder):
+    """Let relative paths start in this folder."""
+    before = os.getcwd()
+    os.chdir(folder)
+    try:
+        yield
+    finally:
+        os.chdir(before)
+
+
+# If what comes of a file with one row has not one pendulum.
+OTHER_FILE = (lambda came: len(came) != 1, "Is it the file at relative_filepath that is read, or another one?")
 
 
 # --- extract_and_convert ---------------------------------------------------------------------------------------------
 
-
-def test_pend_list_is_a_list_of_dictionaries(mixed_csv):
-    """extract_and_convert creates and returns the list of pendulum dictionaries pend_list."""
-    pend_list = pds_helper.extract_and_convert(mixed_csv)
-    assert isinstance(pend_list, list)
-    assert [type(pend_dict) for pend_dict in pend_list] == [dict] * 3
-
-
-def test_a_row_is_a_pendulum(mixed_csv):
-    """Each key is the name of a pendulum attribute and the value of a key is the value of that attribute."""
-    assert pds_helper.extract_and_convert(mixed_csv) == MIXED
-
-
-def test_the_file_given_is_read(mixed_csv, tmp_path, monkeypatch):
-    """extract_and_convert takes the relative_filepath to a CSV file."""
-    (tmp_path / "one.csv").write_text("mass,e,theta,omega,color,texture\n3.0,0.5,0.1,0.2,green,rug\n")
-    monkeypatch.chdir(tmp_path)
-    one = {"mass": 3.0, "e": 0.5, "theta": 0.1, "omega": 0.2, "color": "green", "texture": "rug"}
-    assert pds_helper.extract_and_convert("one.csv") == [one]
+ROWS = [
+    (MIXED[:1], "This is the first pendulum alone: is there a return inside the loop?"),
+    (MIXED[:-1], "The last pendulum is missing."),
+    (MIXED[1:], "The first pendulum is missing."),
+    (MIXED[::-1], "The pendula are in the reverse order."),
+    (MIXED[-1:], "This is the last pendulum alone: is the list made anew inside the loop?"),
+    ([MIXED[-1]] * 3, "This is the last pendulum again and again."),
+    ([list(pendulum) for pendulum in MIXED], "These are the keys alone, without their values."),
+    ([list(pendulum.values()) for pendulum in MIXED], "These are the values alone, without their keys."),
+    ([0, 1, 2], "These are the keys of bad_rep; the pendula are its values."),
+    (list(enumerate(MIXED)), "These are the keys of bad_rep together with its values; the values alone are needed."),
+    ([{i: pendulum} for i, pendulum in enumerate(MIXED)], "Each pendulum still has its number of bad_rep as a key."),
+    ([dict(enumerate(MIXED))], "This is bad_rep, in a list; the values of bad_rep are what is needed."),
+    ([MIXED], "This is the right list inside another list."),
+    (lambda came: len(came) > 3 and isinstance(came[0], dict), OTHER_FILE[1]),
+    ([], "This is an empty list: does the loop append to it, and is the list made before the loop?"),
+]
 
 
-def test_any_csv_is_converted(tmp_path):
-    """The very first line in a CSV file contains the names of each attribute; each other line is a data point."""
-    file = tmp_path / "tas.csv"
-    file.write_text("name,year,house\nAda,2,Page\nGrace,4,Lloyd\n")
-    assert pds_helper.extract_and_convert(str(file)) == [
-        {"name": "Ada", "year": 2, "house": "Page"},
-        {"name": "Grace", "year": 4, "house": "Lloyd"},
+@check("extract_and_convert")
+def test_pend_list_is_a_list_of_dictionaries():
+    """In the list of dictionaries representation, each pendulum is represented by a dictionary in a list called
+    pend_list.
+    """
+    kind = A(
+        "a list with 3 dictionaries",
+        lambda came: isinstance(came, list) and len(came) == 3 and all(isinstance(pend, dict) for pend in came),
+    )
+    hints = [
+        (
+            dict(enumerate(MIXED)),
+            "This is bad_rep itself, whose keys only count the pendula; a list does without them.",
+        ),
+        (tuple(MIXED), "This is a tuple; a list is needed."),
+        (lambda came: type(came).__name__ == "dict_values", "These are the values of bad_rep, but not yet a list."),
+        (lambda came: type(came).__name__ == "DataFrame", "This is the dataframe df itself."),
     ]
+    with files() as folder:
+        expect("extract_and_convert", str(folder / "mixed.csv"), gives=kind, hints=[*hints, *ROWS])
+
+
+@check("extract_and_convert")
+def test_a_row_is_a_pendulum():
+    """Each key is the name of a pendulum attribute and the value of a key is the value associated with that
+    attribute.
+    """
+    with files() as folder:
+        expect("extract_and_convert", str(folder / "mixed.csv"), gives=MIXED, hints=ROWS)
+
+
+@check("extract_and_convert")
+def test_the_file_given_is_read():
+    """Creates and returns the list of pendulum dictionaries pend_list with the provided relative_filepath to a CSV file
+    representing a Newton's Cradle.
+    """
+    with files() as folder, working_in(folder):
+        expect("extract_and_convert", "one.csv", gives=[ONE], hints=[OTHER_FILE])
+
+
+@check("extract_and_convert")
+def test_any_csv_is_converted():
+    """The very first line in a CSV file contains the names of each attribute."""
+    with files() as folder:
+        expect("extract_and_convert", str(folder / "assistants.csv"), gives=ASSISTANTS)
 
 
 # --- uniform_mass, uniform_e, elastic and inelastic ------------------------------------------------------------------
 
-UNIFORM = [
-    ("uniform_mass_newton_cradle", (7.5,), {"mass": 7.5}),
-    ("uniform_mass_newton_cradle", (2,), {"mass": 2}),
-    ("uniform_e_newton_cradle", (0.25,), {"e": 0.25}),
-    ("uniform_e_newton_cradle", (0,), {"e": 0}),
-    ("elastic_newton_cradle", (), {"e": 1}),
-    ("inelastic_newton_cradle", (), {"e": 0}),
-]
+
+def uniform(rows, **changed):
+    return [{**row, **changed} for row in rows]
 
 
-@pytest.mark.parametrize(("name", "arguments", "changed"), UNIFORM)
-def test_uniform_cradles(name, arguments, changed, mixed_csv):
-    """All the pendula of the CSV file at relative_filepath get the value; their other values are the file's."""
-    pend_list = getattr(special_cradles, name)(mixed_csv, *arguments)
-    assert pend_list == [{**pend_dict, **changed} for pend_dict in MIXED]
+def check_uniform(function, *arguments, also=(), **changed):
+    """Check that all pendula of two files get the changed value, and keep their others; also are more hints."""
+    ((key, value),) = changed.items()
+    right = uniform(MIXED, **changed)
+    hints = [
+        *also,
+        (MIXED, f"These are the file's values: {key} has not changed."),
+        ([right[0], *MIXED[1:]], f"Only the first pendulum has got its {key}."),
+        ([*MIXED[:-1], right[-1]], f"Only the last pendulum has got its {key}."),
+        (right[0], "This is the first pendulum alone; the whole pend_list is needed."),
+        (right[-1], "This is the last pendulum alone; the whole pend_list is needed."),
+        (right[:1], "This is the first pendulum alone; the whole pend_list is needed."),
+        (uniform(MIXED, **{key: str(value)}), f"{key} is text here; a number is needed."),
+    ]
+    with files() as folder, working_in(folder):
+        expect(function, "mixed.csv", *arguments, gives=right, hints=hints)
+        expect(function, "one.csv", *arguments, gives=uniform([ONE], **changed), hints=[OTHER_FILE])
 
 
-@pytest.mark.parametrize(("name", "arguments", "changed"), UNIFORM)
-def test_uniform_cradles_leave_the_file(name, arguments, changed, mixed_csv):
-    """Functions that make a cradle read the file, they do not write it."""
-    getattr(special_cradles, name)(mixed_csv, *arguments)
-    with open(mixed_csv) as file:
-        assert file.read() == MIXED_CSV
+@check("uniform_mass_newton_cradle")
+def test_uniform_mass():
+    """Returns a pend_list such that all the pendulum's mass values are assigned the value mass."""
+    also = [(uniform(MIXED, e=7.5), "It is e that has changed here, not mass.")]
+    check_uniform("uniform_mass_newton_cradle", 7.5, mass=7.5, also=also)
+    check_uniform("uniform_mass_newton_cradle", 2, mass=2)
+
+
+@check("uniform_e_newton_cradle")
+def test_uniform_e():
+    """Returns a pend_list such that all the pendulum's coefficients of restitution are assigned a provided e value."""
+    also = [(uniform(MIXED, mass=0.25), "It is mass that has changed here, not e.")]
+    check_uniform("uniform_e_newton_cradle", 0.25, e=0.25, also=also)
+    check_uniform("uniform_e_newton_cradle", 0, e=0)
+    check_uniform("uniform_e_newton_cradle", 1, e=1)
+
+
+@check("elastic_newton_cradle")
+def test_elastic():
+    """Returns a pend_list such that each pendulum has a perfectly elastic restitution coefficient value."""
+    also = [(uniform(MIXED, e=0), "This is perfectly inelastic.")]
+    check_uniform("elastic_newton_cradle", e=1, also=also)
+
+
+@check("inelastic_newton_cradle")
+def test_inelastic():
+    """Returns a pend_list such that each pendulum has a perfectly inelastic restitution coefficient value."""
+    also = [(uniform(MIXED, e=1), "This is perfectly elastic.")]
+    check_uniform("inelastic_newton_cradle", e=0, also=also)
 
 
 # --- make_newton_cradle ----------------------------------------------------------------------------------------------
 
 
-@pytest.fixture
-def cradle(mixed_csv):
-    return special_cradles.make_newton_cradle(mixed_csv, R, 0.6)
+def check_cradle(see, what, gives, file="mixed.csv", r_param=R, theta_init=0.6, hints=()):
+    """Check what see takes out of each pendulum of the cradle that is made of a file."""
+
+    def see_all(pend_list):
+        return [see(pend) for pend in pend_list]
+
+    with files() as folder, working_in(folder):
+        expect("make_newton_cradle", file, r_param, theta_init, gives=gives, see=see_all, what=what, hints=hints)
 
 
-def test_cradle_keeps_the_files_values(cradle):
-    """make_newton_cradle creates pend_list with the unique relative_filepath; what it does not set is the file's."""
-    kept = ("mass", "e", "color", "texture")
-    assert [{name: pend_dict[name] for name in kept} for pend_dict in cradle] == [
-        {name: pend_dict[name] for name in kept} for pend_dict in MIXED
+@check("make_newton_cradle")
+def test_a_cradle_keeps_the_files_values():
+    """Creates the list of pendulum dictionaries pend_list, using a helper function from pds_helper.py, with the unique
+    relative_filepath.
+    """
+
+    def kept(pend):
+        return {key: pend[key] for key in ("mass", "e", "color", "texture")}
+
+    what = "mass, e, color and texture of each pendulum"
+    check_cradle(kept, what, [kept(row) for row in MIXED])
+    check_cradle(kept, what, [kept(ONE)], file="one.csv", hints=[OTHER_FILE])
+
+
+@check("make_newton_cradle")
+def test_the_first_pendulum_is_lifted():
+    """theta: the angle of the pendulum. It should be theta_init for the first pendulum, and 0 for all the others."""
+    hints = [
+        ([row["theta"] for row in MIXED], "These are the angles of the file."),
+        ([0.6, 0.6, 0.6], "All pendula are lifted; only the first one is to be."),
+        ([0.6, *(row["theta"] for row in MIXED[1:])], "All but the first one still have the angle of the file."),
+        ([0, 0, 0.6], "The last pendulum is lifted; the first one is to be."),
+        ([0, 0.6, 0.6], "All but the first one are lifted; it is the other way round."),
+        ([0, 0.6, 0], "The second pendulum is lifted: a list counts from 0."),
+        ([0, 0, 0], "The first pendulum is not lifted."),
     ]
+    check_cradle(lambda pend: pend["theta"], "theta of each pendulum", [0.6, 0, 0], hints=hints)
+    hints = [([0.6, 0, 0], "Is theta_init used, or always the same angle?")]
+    check_cradle(lambda pend: pend["theta"], "theta of each pendulum", [-0.3, 0, 0], theta_init=-0.3, hints=hints)
 
 
-def test_theta_is_theta_init_for_the_first_pendulum_and_0_for_the_others(cradle):
-    """theta should be theta_init for the first pendulum, and 0 for all the others."""
-    assert [pend_dict["theta"] for pend_dict in cradle] == pytest.approx([0.6, 0, 0])
-
-
-def test_omega_is_0_for_all_pendula(cradle):
+@check("make_newton_cradle")
+def test_all_pendula_start_at_rest():
     """omega: the angular velocity, which should be 0 for all the pendula."""
-    assert [pend_dict["omega"] for pend_dict in cradle] == [0, 0, 0]
+    hints = [
+        ([row["omega"] for row in MIXED], "These are the angular velocities of the file."),
+        ([0, *(row["omega"] for row in MIXED[1:])], "Only the first pendulum is at rest."),
+        ([0.6, 0, 0], "theta and omega are mixed up."),
+    ]
+    check_cradle(lambda pend: pend["omega"], "omega of each pendulum", [0, 0, 0], hints=hints)
 
 
-def test_objects_is_a_tuple_of_axle_bob_and_cord(cradle):
-    """objects: a tuple of (axle, bob, and cord) VPython objects that are the parts of the pendulum."""
-    assert [type(pend_dict["objects"]) for pend_dict in cradle] == [tuple] * 3
-    assert [tuple(map(type, pend_dict["objects"])) for pend_dict in cradle] == [(box, sphere, cylinder)] * 3
+@check("make_newton_cradle")
+def test_objects_are_axle_bob_and_cord():
+    """objects: a tuple of (axle, bob, and cord) VPython object that are the parts of the pendulum."""
+
+    def is_one(came):
+        return all(
+            isinstance(objects, tuple)
+            and len(objects) == 3
+            and all(map(isinstance, objects, (box, sphere, cylinder)))
+            and objects[0].visible
+            for objects in came
+        )
+
+    def are_lists(came):
+        return all(isinstance(objects, list) for objects in came)
+
+    hints = [(are_lists, "These are lists; tuples are needed, as the helper function returns them.")]
+    what = "objects of each pendulum"
+    check_cradle(lambda pend: pend["objects"], what, A("a tuple of axle, bob and cord each", is_one), hints=hints)
 
 
-@pytest.mark.parametrize("r_param", [0.1, 0.2, 0.4])
-def test_axle_positions(r_param, mixed_csv):
-    """The axle position of the ith pendulum is vector((-0.1+r_param/4 * i), r_param/5, 0)."""
-    cradle = special_cradles.make_newton_cradle(mixed_csv, r_param, 0.6)
-    for i, pend_dict in enumerate(cradle):
-        assert components(pend_dict["objects"][0].pos) == pytest.approx((-0.1 + r_param / 4 * i, r_param / 5, 0))
+@check("make_newton_cradle")
+def test_axle_positions():
+    """The axle position of the ith pendulum can be defined as axle_pos = vector((-0.1+r_param/4 * i), r_param/5, 0)."""
+    for r_param in (0.3, 1.0):
+
+        def places(left, apart, height, r_param=r_param):
+            return [vector(left + apart * i, height, 0) for i in range(3)]
+
+        right = -0.1, r_param / 4, r_param / 5
+        hints = [
+            (lambda came: same(came, [came[0]] * 3), "All axles are in one place: does i count the pendula?"),
+            (places(-0.1 + r_param / 4, *right[1:]), "This counts the pendula from 1; i counts from 0."),
+            (places(0, *right[1:]), "The -0.1 is missing."),
+            (places(0.1, *right[1:]), "The sign of the 0.1 is wrong."),
+            (places(0, -0.1 + r_param / 4, r_param / 5), "The brackets are wrong: i multiplies r_param/4 only."),
+            (places(-0.1, r_param / 4, 0), "The height of the axles, r_param/5, is missing."),
+            (places(-0.1, r_param / 4, -r_param / 5), "The axles are below instead of above: y has the wrong sign."),
+            (places(-0.1, r_param / 5, r_param / 4), "The r_param/4 and the r_param/5 are mixed up."),
+            (places(-0.1, -r_param / 4, r_param / 5), "The pendula go to the left; they are to go to the right."),
+        ]
+        what = "position of each axle"
+        check_cradle(lambda pend: pend["objects"][0].pos, what, places(*right), r_param=r_param, hints=hints)
 
 
-def test_objects_are_those_of_the_helper_in_pendulum_py(cradle):
-    """Use one relevant helper function from pendulum.py, with the cradle's r_param and the pendulum's theta."""
-    for pend_dict, theta in zip(cradle, (0.6, 0, 0), strict=True):
-        axle, bob, cord = pend_dict["objects"]
-        expected = make_pendulum(axle.pos, R, theta, vector(1, 1, 1), None)
-        assert components(bob.pos) == pytest.approx(components(expected[1].pos))
-        assert components(cord.axis) == pytest.approx(components(expected[2].axis))
-        assert bob.radius == pytest.approx(expected[1].radius)
+@check("make_newton_cradle")
+def test_bobs_hang_from_their_axles():
+    """Use one relevant helper function from pendulum.py in support/ to create the tuple of objects, which will be the
+    value of the key objects.
+    """
+
+    def bobs(thetas, r_param=R):
+        made = [make_pendulum(vector(0, 0, 0), r_param, theta, vector(1, 1, 1), None)[1] for theta in thetas]
+        return [(bob.pos, bob.radius) for bob in made]
+
+    def seen(pend):
+        axle, bob, _ = pend["objects"]
+        return bob.pos - axle.pos, bob.radius
+
+    hints = [
+        (bobs([0, 0, 0]), "The first bob hangs straight down: the helper function takes the angle, too."),
+        (bobs([0.6, 0.6, 0.6]), "All bobs are lifted, whatever the theta of their pendulum is."),
+        (bobs([row["theta"] for row in MIXED]), "The bobs are at the angles of the file, not at those of the cradle."),
+        (lambda came: came[1][1] != bobs([0])[0][1], "Is r_param handed on to the helper function?"),
+    ]
+    what = "where each bob is, seen from its axle, and its radius (m)"
+    check_cradle(seen, what, bobs([0.6, 0, 0]), hints=hints)
+    check_cradle(seen, what, bobs([-0.3, 0, 0], 1.0), r_param=1.0, theta_init=-0.3)
 
 
-def test_bobs_have_the_color_and_texture_of_their_row(cradle):
+@check("make_newton_cradle")
+def test_bobs_have_the_color_and_texture_of_their_row():
     """Use COLOR_MAP and TEXTURE_MAP to find the VPython analog color and texture objects."""
-    for pend_dict, values in zip(cradle, MIXED, strict=True):
-        bob = pend_dict["objects"][1]
-        assert components(bob.color) == components(COLOR_MAP[values["color"]])
-        assert bob.texture == TEXTURE_MAP[values["texture"]]
+
+    def looks(rows):
+        return [(COLOR_MAP[row["color"]], TEXTURE_MAP[row["texture"]]) for row in rows]
+
+    def seen(pend):
+        return pend["objects"][1].color, pend["objects"][1].texture
+
+    hints = [
+        (looks([MIXED[0]] * 3), "All bobs have the looks of the first row."),
+        (looks([MIXED[2]] * 3), "All bobs have the looks of the last row."),
+        ([(color, None) for color, _ in looks(MIXED)], "The textures are missing."),
+        ([(vector(1, 1, 1), texture) for _, texture in looks(MIXED)], "The colors are missing."),
+        (lambda came: came[0][1] == "metal", "These are the textures' names; TEXTURE_MAP has what they stand for."),
+    ]
+    check_cradle(seen, "color and texture of each bob", looks(MIXED), hints=hints)
 
 
-def test_each_call_makes_a_cradle_of_its_own(mixed_csv):
-    """make_newton_cradle creates the list; a cradle made before stays as it was."""
-    first = special_cradles.make_newton_cradle(mixed_csv, R, 0.6)
-    second = special_cradles.make_newton_cradle(mixed_csv, R, -0.3)
-    assert [pend_dict["theta"] for pend_dict in first] == pytest.approx([0.6, 0, 0])
-    assert [pend_dict["theta"] for pend_dict in second] == pytest.approx([-0.3, 0, 0])
-    assert first[0]["objects"][1] is not second[0]["objects"][1]
+@check("make_newton_cradle")
+def test_the_pend_list_is_returned():
+    """Return the updated pend_list."""
+    is_list = A("a list with 3 dictionaries", lambda came: isinstance(came, list) and len(came) == 3)
+    hints = [(lambda came: isinstance(came, dict), "This is one pendulum; the whole list is needed.")]
+    with files() as folder, working_in(folder):
+        first = expect("make_newton_cradle", "mixed.csv", R, 0.6, gives=is_list, hints=hints)
+        what = "theta of the first pendulum, in the cradle that was made before this one, and in this one"
+        thetas = {"see": lambda second: (first[0]["theta"], second[0]["theta"]), "what": what, "gives": (0.6, -0.3)}
+        expect("make_newton_cradle", "mixed.csv", R, -0.3, **thetas)

@@ -1,4 +1,4 @@
-"""Honor roll tests: the double cradle. What it is made of, its laws of motion, its hits, and its page."""
+"""The double cradle. What it is made of, its laws of motion, its hits, and its page."""
 
 import random
 from math import cos, hypot, pi, sin, sqrt
@@ -20,6 +20,7 @@ from programs import (
     wait_until,
 )
 from test_csv import NO_CRADLE, UNREADABLE
+from test_honor_roll import LENGTH, SWINGS
 from vpython import color, textures, vector
 from whole_cradles import distances, hang_double, PERIOD
 
@@ -153,6 +154,11 @@ def test_two_seconds_of_one_double_pendulum(theta, phi, m1, m2):
     for _ in range(round(2 / DOUBLE_DT)):
         state = double_cradle.double_angle_update(*state, R_PARAM, DOUBLE_DT, G, m1, m2)
     assert state == pytest.approx(reference(theta, phi, R_PARAM, G, m1, m2, 2), rel=0, abs=1e-3)
+
+
+@pytest.mark.parametrize(("start", "end"), SWINGS)
+def test_the_graded_swings_are_exact(start, end):
+    assert reference(*start[:2], LENGTH, 9.81, *start[2:], 0.5) == pytest.approx(end, rel=0, abs=1e-6)
 
 
 def test_the_masses_are_equal_by_default_and_length_and_gravity_those_given():

@@ -1,0 +1,60 @@
+"""The grade: what the outcomes of the checks amount to, for people and for a gradebook."""
+
+from collections import Counter
+
+from grader import checks, FAILED, FAULT, PASSED, WAITING
+from handout import FUNCTIONS, SUITES
+
+
+def grade(outcomes) -> dict:
+    """Return the grade of these outcomes, by the names of the checks, as a course's gradebook can read it.
+
+    It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next"}: a point for each check
+    that passed; the highest tier that is complete with all below it, or None; and what to do next. A tier of which no
+    check was made is left out.
+    """
+    tiers = {}
+    for tier in SUITES:
+        states = Counter(outcomes[check.name].state for check in checks(tier=tier) if check.name in outcomes)
+        if states:
+            failed = states[FAILED] + states[FAULT]
+            counts = {"passed": states[PASSED], "waiting": states[WAITING], "failed": failed}
+            tiers[tier] = {**counts, "points": states[PASSED], "of": len(checks(tier=tier))}
+    earned = None
+    for tier in SUITES:
+        if tier not in tiers or tiers[tier]["points"] < tiers[tier]["of"]:
+            break
+        earned = tier
+    return {"tiers": tiers, "grade": earned, "next": next_step(outcomes)}
+
+
+def next_step(outcomes) -> str:
+    """Return what to do next: the first thing in the order of the handout that is not right yet."""
+    made = [check for tier in SUITES for check in checks(tier=tier) if check.name in outcomes]
+    for check in made:
+        function, outcome = FUNCTIONS[check.function], outcomes[check.name]
+        if outcome.state == FAULT:
+            return f"show your teacher the grader's fault in {check.name}"
+        if outcome.state == FAILED:
+            return f"{check.function} in {function.file}; read in the handout: {function.read}"
+    for check in made:
+        if outcomes[check.name].state == WAITING:
+            return f"{outcomes[check.name].message.removeprefix('waits for ')}, which {check.function} waits for"
+    for tier in SUITES:
+        if len([check for check in made if check.tier == tier]) < len(checks(tier=tier)):
+            return f"all checks of tier {tier}, which were not all run"
+    return "nothing is left to write; show it to someone"
+
+
+def lines(outcomes) -> list[tuple[str, str]]:
+    """Return the grade of these outcomes as lines of text, each with its color."""
+    graded = grade(outcomes)
+    table = [(f"{'tier':<12}{'passed':>8}{'waiting':>9}{'failed':>8}{'points':>10}", "bold")]
+    for tier, counts in graded["tiers"].items():
+        points = f"{counts['points']}/{counts['of']}"
+        line = f"{tier:<12}{counts['passed']:>8}{counts['waiting']:>9}{counts['failed']:>8}{points:>10}"
+        color = "green" if counts["points"] == counts["of"] else "red" if counts["failed"] else "yellow"
+        table.append((line, color))
+    waits = Counter(outcome.message for outcome in outcomes.values() if outcome.state == WAITING)
+    table += [(f"{count} wait {message.removeprefix('waits ')}", "yellow") for message, count in waits.items()]
+    return [*table, (f"Grade: {graded['grade'] or 'none yet'}.", "bold"), (f"Next:  {graded['next']}.", "bold")]

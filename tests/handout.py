@@ -1,0 +1,58 @@
+"""What the handout asks for: its functions, where they are written, where to read about them, and which use which."""
+
+from typing import NamedTuple
+
+HONOR = "Honor roll"
+SUITES = {"D": "test_d", "C": "test_c", "B": "test_b", "A": "test_a", HONOR: "test_honor_roll"}  # by tier, in order
+
+
+class Function(NamedTuple):
+    tier: str
+    file: str
+    parameters: str
+    read: str  # where in the handout
+    calls: tuple[str, ...] = ()  # the other functions here that it is to use
+
+
+SPECIAL, SWINGING = "src/special_cradles.py", "src/swinging.py"
+RUN, DOUBLE = "src/visualize_cradle_run.py", "src/double_cradle.py"
+
+CONVERTER, CREATION = "A CVS to pend_list converter (D Tests)", "Pendulum Creation (D Tests)"
+SWING = "Swing Implementation (C Tests), and Appendix: Physics Derivations!"
+COLLISIONS = "Handling Collisions (B Tests), and Appendix: Conservation Laws"
+RUNNING, CHALLENGE = "Running the Simulation (A Tests)", "Honor Roll Challenge"
+
+# In the order of the handout, in which they are best written.
+FUNCTIONS = {
+    "extract_and_convert": Function("D", "src/pds_helper.py", "relative_filepath", CONVERTER),
+    "uniform_mass_newton_cradle": Function("D", SPECIAL, "relative_filepath, mass", CREATION, ("extract_and_convert",)),
+    "uniform_e_newton_cradle": Function("D", SPECIAL, "relative_filepath, e_val", CREATION, ("extract_and_convert",)),
+    "elastic_newton_cradle": Function("D", SPECIAL, "relative_filepath", CREATION, ("uniform_e_newton_cradle",)),
+    "inelastic_newton_cradle": Function("D", SPECIAL, "relative_filepath", CREATION, ("uniform_e_newton_cradle",)),
+    "make_newton_cradle": Function(
+        "D", SPECIAL, "relative_filepath, r_param, theta_init", CREATION, ("extract_and_convert",)
+    ),
+    "angle_update": Function("C", SWINGING, "omega, theta, r_param, dt, g", SWING),
+    "full_swing_update": Function("C", SWINGING, "pend_list, r_param, dt, g", SWING, ("angle_update",)),
+    "handle_collision": Function("B", RUN, "e, omega1, omega2, m1, m2, r_param", COLLISIONS),
+    "handle_two_bobs": Function("B", RUN, "pend1, pend2, r_param", COLLISIONS, ("handle_collision",)),
+    "newton_cradle_tick": Function(
+        "A", RUN, "pend_list, r_param, dt, g", RUNNING, ("full_swing_update", "handle_two_bobs")
+    ),
+    "make_double_pendulum": Function(HONOR, DOUBLE, "axle_pos, r_param, theta, phi, color, texture", CHALLENGE),
+    "double_angle_update": Function(
+        HONOR, DOUBLE, "omega_theta, omega_phi, theta, phi, r_param, dt, g, m1, m2", CHALLENGE
+    ),
+}
+
+# What these do can be watched: watch.py plays it.
+WATCHED = {
+    *("make_newton_cradle", "angle_update", "full_swing_update", "handle_collision", "handle_two_bobs"),
+    *("newton_cradle_tick", "make_double_pendulum", "double_angle_update"),
+}
+
+
+def needed(function) -> list[str]:
+    """Return the functions that this one calls, and those that they call, in the order of the handout."""
+    found = {name for called in FUNCTIONS[function].calls for name in (called, *needed(called))}
+    return [name for name in FUNCTIONS if name in found]

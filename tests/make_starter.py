@@ -1,0 +1,108 @@
+"""Make what a student is handed: `python tests/make_starter.py FOLDER`.
+
+It is the project with the bodies of the handout's functions taken out, and of tests/ what grades them.
+"""
+
+import ast
+import os
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from handout import FUNCTIONS, SUITES
+
+from support.options import OneLineParser
+
+FILES = [
+    *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"),
+    *(f"tests/{name}.py" for name in ("command_line", "conftest", "grade", "grader", "handout", "telling")),
+    *("tests/cradles.py", "tests/watch.py"),
+    *(f"tests/{suite}.py" for suite in SUITES.values()),
+]
+FOLDERS = ["src", "support"]
+PROVIDED = {"extract_and_convert": 2}  # how many statements the handout provides, at the beginning of a body
+
+README = """\
+# Newton's cradle
+
+![The page with the cradle, as it will be](support/pictures/page.png)
+
+This is the project of the handout, without the functions that are yours to write. Each of them has a place marked with
+*Write your code here*. `pytest` checks them, and says after each run what is next.
+
+**Install**, in this folder, with Python 3.10 to 3.13 (on Windows: `py`, and `.venv\\Scripts` for `.venv/bin`):
+
+    python3 -m venv .venv && .venv/bin/pip install -q -e . pytest
+
+**Write**, in this order:
+
+| for | function | in |
+|---|---|---|
+{rows}
+
+**Test**: all, or one grade's checks only.
+
+    .venv/bin/pytest
+    .venv/bin/pytest --tier D
+
+**See** the data as soon as you like, and the cradle once all but the honor roll is written; in the terminal, too:
+
+    .venv/bin/python pds_tester.py
+    .venv/bin/python src/visualize_cradle_run.py
+    .venv/bin/python src/text_cradle_run.py
+    .venv/bin/python src/visualize_double_cradle_run.py
+"""
+
+
+def main() -> None:
+    """Make the folder; status 2 if it cannot be had."""
+    parser = OneLineParser(description="Make what a student is handed.", allow_abbrev=False)
+    parser.add_argument("folder", metavar="FOLDER", type=Path, help="a folder to be made, or an empty one")
+    folder = parser.parse_args().folder
+    try:
+        make_starter(folder)
+    except OSError as error:
+        parser.error(f"{folder}: {error.strerror}")
+    print(f"{folder} is ready, with {len(FUNCTIONS)} functions to be written. Its README.md says how to begin.")
+
+
+def make_starter(folder) -> None:
+    """Make the folder, whole or not at all; raises an OSError if it cannot be made, or is not empty."""
+    folder = folder.absolute()
+    if folder.exists():
+        folder.rmdir()  # which an empty one allows
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder.parent) as work:
+        made = Path(work) / folder.name
+        for name in FOLDERS:
+            shutil.copytree(ROOT / name, made / name, ignore=shutil.ignore_patterns("__pycache__"))
+        for name in FILES:
+            (made / name).parent.mkdir(exist_ok=True)
+            shutil.copy(ROOT / name, made / name)
+        for file in {function.file for function in FUNCTIONS.values()}:
+            path = made / file
+            path.write_text(emptied(path.read_text(encoding="utf-8")), encoding="utf-8")
+        rows = (f"| {of.tier} | `{name}` | `{of.file}` |" for name, of in FUNCTIONS.items())
+        (made / "README.md").write_text(README.format(rows="\n".join(rows)), encoding="utf-8")
+        os.rename(made, folder)
+
+
+def emptied(source) -> str:
+    """Return the source of a module without the bodies of the handout's functions, but with their docstrings."""
+    lines = source.splitlines()
+    for node in reversed(ast.parse(source).body):
+        if isinstance(node, ast.FunctionDef) and node.name in FUNCTIONS:
+            kept = node.body[PROVIDED.get(node.name, 0)]  # the docstring is the first statement
+            lines[kept.end_lineno : node.end_lineno] = [
+                "    # Write your code here, in place of the next line.",
+                f'    raise NotImplementedError("{node.name} is not written yet")',
+            ]
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    main()

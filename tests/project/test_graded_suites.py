@@ -1,0 +1,245 @@
+"""The graded suites, judged as a grader: they let nothing wrong pass, fail nothing right, and say what is wrong."""
+
+import re
+import sys
+from importlib import import_module
+from inspect import Signature, signature
+from textwrap import dedent, indent
+
+import grader
+import pytest
+import watch
+from grader import check, checks, expect, FAILED, FAULT, Grading, PASSED, WAITING
+from handout import FUNCTIONS, needed, SUITES, WATCHED
+from right_solutions import RIGHT
+from wrong_solutions import PLAIN, WRONG
+
+from support.text_picture import TextPicture
+
+# All of them first: one that is imported while a solution is in its place would keep it.
+MODULES = {name: import_module(of.file.removesuffix(".py").replace("/", ".")) for name, of in FUNCTIONS.items()}
+
+CHECKS = [check for tier in SUITES for check in checks(tier=tier)]
+WRONG_ROWS = [(function, mistake) for function, mistakes in WRONG.items() for mistake in mistakes]
+RIGHT_ROWS = [(function, way) for function, ways in RIGHT.items() for way in ways]
+
+
+@pytest.fixture
+def solve(monkeypatch):
+    """A function that puts a version of a function, as the tables have it, in its place wherever it is used."""
+
+    def solve(function, version):
+        if isinstance(version, tuple):
+            assert version[0] in PLAIN[function]
+            version = PLAIN[function].replace(*version)
+        made: dict = {}
+        original = getattr(MODULES[function], function)
+        parameters = signature(original).replace(return_annotation=Signature.empty)
+        exec(f"def {function}{parameters}:\n{indent(dedent(version), '    ')}", vars(MODULES[function]), made)
+        for name, user in list(sys.modules.items()):
+            if name.startswith("src.") and getattr(user, function, None) is original:
+                monkeypatch.setattr(user, function, made[function])
+
+    return solve
+
+
+def judge_all():
+    """Return the outcome of each check, by its function and name."""
+    grading = Grading()
+    return {(check.function, check.name): grading.judge(check) for check in CHECKS}
+
+
+# --- they let nothing wrong pass, and a fault costs once -------------------------------------------------------------
+
+# What a failure is to be like: what was called, what came of it, what was expected, a hint, where to read, and how to
+# watch it.
+FORM = re.compile(
+    r"called      .+?\n(came back|it raised)   .+?\n(expected    .+?\n(hint        [^\n]+\n)?"
+    r"|(?<=not written yet) .+?\n)read        handout, [^\n]+(\nwatch       python tests/watch\.py \w+)?",
+    re.DOTALL,
+)
+
+
+def test_the_tables_are_large_and_name_each_function():
+    assert len(WRONG_ROWS) >= 100
+    assert len(RIGHT_ROWS) >= 20
+    assert set(WRONG) == set(RIGHT) == set(FUNCTIONS) == {check.function for check in CHECKS}
+
+
+@pytest.mark.parametrize(("function", "mistake"), WRONG_ROWS)
+def test_nothing_wrong_passes(solve, function, mistake):
+    """It fails in its own checks, and nowhere else: those of functions that use it wait, and no other one cares."""
+    solve(function, WRONG[function][mistake])
+    outcomes = judge_all()
+    assert {of for (of, _), outcome in outcomes.items() if outcome.state == FAILED} == {function}
+    for (of, name), outcome in outcomes.items():
+        if outcome.state == FAILED and not outcome.unwritten:
+            assert FORM.fullmatch(outcome.message), outcome.message
+            assert "grader" not in outcome.message
+        elif of != function:
+            waits = function in needed(of)
+            assert outcome[:2] == ((WAITING, f"waits for {function}") if waits else (PASSED, "")), name
+
+
+@pytest.mark.parametrize(("function", "way"), RIGHT_ROWS)
+def test_nothing_right_fails(solve, function, way):
+    solve(function, RIGHT[function][way])
+    assert {key: outcome for key, outcome in judge_all().items() if outcome.state != PASSED} == {}
+
+
+# --- messages --------------------------------------------------------------------------------------------------------
+
+
+def test_each_check_has_a_sentence_of_its_own():
+    titles = [check.title() for check in CHECKS]
+    assert len(set(titles)) == len(titles)
+    assert not set(titles) & {check.name for check in CHECKS}
+
+
+def first_failure(function):
+    grading = Grading()
+    return next(outcome for check in checks(function=function) if (outcome := grading.judge(check)).state == FAILED)
+
+
+def test_a_failure_says_it_all_in_order(solve):
+    solve("handle_two_bobs", WRONG["handle_two_bobs"]["the second pendulum's e"])
+    assert first_failure("handle_two_bobs").message.splitlines() == [
+        "called      handle_two_bobs(pend1, pend2, r_param=4)",
+        "            pend1: mass 1, e 0.5, theta 0, omega 4, axle (0, 0, 0), bob (0, -4, 0), radius 0.5",
+        "            pend2: mass 1, e 1, theta 0, omega 0, axle (1, 0, 0), bob (1, -4, 0), radius 0.5",
+        "came back   omega of pend1 and of pend2: (0, 4)",
+        "expected    omega of pend1 and of pend2: (1, 3)",
+        "hint        This is what e = 1, that of pend2, gives.",
+        "read        handout, Handling Collisions (B Tests), and Appendix: Conservation Laws: handle_two_bobs",
+        "watch       python tests/watch.py test_e_is_the_first_pendulums",
+    ]
+
+
+HINTS = [
+    ("extract_and_convert", "returns nothing", "None is what a function gives that has no return."),
+    ("extract_and_convert", "returns bad_rep", "This is bad_rep itself"),
+    ("extract_and_convert", "return inside the loop", "This is the first pendulum alone: is there a return inside"),
+    ("extract_and_convert", "the list made inside the loop", "This is the last pendulum alone: is the list made anew"),
+    ("extract_and_convert", "one dictionary for all rows", "This is the last pendulum again and again."),
+    ("extract_and_convert", "counts from 1", "The first pendulum is missing."),
+    ("extract_and_convert", "the file given is ignored", "Is it the file at relative_filepath that is read"),
+    ("uniform_mass_newton_cradle", "only the first", "Only the first pendulum has got its mass."),
+    ("uniform_mass_newton_cradle", "compared, not assigned", "These are the file's values: mass has not changed."),
+    ("uniform_e_newton_cradle", "mass instead", "It is mass that has changed here, not e."),
+    ("elastic_newton_cradle", "e is 0", "This is perfectly inelastic."),
+    ("make_newton_cradle", "all are lifted", "All pendula are lifted; only the first one is to be."),
+    ("make_newton_cradle", "the second is lifted", "The second pendulum is lifted: a list counts from 0."),
+    ("make_newton_cradle", "axles from 0 on", "The -0.1 is missing."),
+    ("make_newton_cradle", "axles counted from 1", "This counts the pendula from 1"),
+    ("make_newton_cradle", "cords of the shipped length", "Is r_param handed on"),
+    ("make_newton_cradle", "the name of the texture", "These are the textures' names"),
+    ("angle_update", "the old omega", "This is what the old omega gives"),
+    ("angle_update", "degrees", "This is what degrees give"),
+    ("angle_update", "the sign of gravity", "This is what gravity gives with the wrong sign"),
+    ("angle_update", "the order of the result", "This is what the right values give in the wrong order."),
+    ("angle_update", "a list", "This is a list; the handout asks for a tuple."),
+    ("full_swing_update", "return inside the loop", "Only the first pendulum has swung"),
+    ("handle_collision", "masses exchanged", "This is what exchanged masses give."),
+    ("handle_collision", "not converted back", "These are the linear velocities"),
+    ("handle_collision", "the new v1 in the second", "The second formula takes the new velocity"),
+    ("handle_collision", "brackets forgotten", "In the first formula, brackets are missing"),
+    ("handle_two_bobs", "without the buffer", "This is what comes without the buffer of 1.05."),
+    ("handle_two_bobs", "less, not less or equal", "At just 1.05 times the sum they collide"),
+    ("handle_two_bobs", "distance along x", "This is what the distance along x alone gives."),
+    ("handle_two_bobs", "only approaching", "The handout does not ask whether the bobs approach."),
+    ("newton_cradle_tick", "swings twice", "All have swung twice."),
+    ("newton_cradle_tick", "collides before it swings", "The swing brings these bobs together"),
+    ("make_double_pendulum", "phi from straight down", "The lower cord's angle from straight down is theta + phi."),
+    ("double_angle_update", "the sign of gravity", "Both have the wrong sign."),
+]
+
+
+@pytest.mark.parametrize(("function", "mistake", "hint"), HINTS)
+def test_a_mistake_is_recognised(solve, function, mistake, hint):
+    solve(function, WRONG[function][mistake])
+    assert f"\nhint        {hint}" in first_failure(function).message
+
+
+def test_no_two_mistakes_give_the_same():
+    """Or the hint would name one where it is the other."""
+    for suite in ("test_c", "test_b"):
+        results = [result for result, _ in import_module(suite).MISTAKES]
+        for i, result in enumerate(results):
+            assert not [other for other in results[:i] if max(map(abs, map(float.__sub__, result, other))) < 1e-4]
+
+
+def test_what_never_comes_back_is_stopped_and_not_called_again(solve, monkeypatch, capsys):
+    monkeypatch.setattr(grader, "PATIENCE", 0.2)
+    solve("angle_update", "print('called')\nwhile True: pass")
+    messages = [outcome.message for (_, _), outcome in judge_all().items() if outcome.state == FAILED]
+    assert "came back   nothing, within 0.2 s; it was stopped here:" in messages[0]
+    assert [message.splitlines()[0] for message in messages[1:]] == [
+        "not called  angle_update did not come back within 0.2 s before."
+    ]
+    assert capsys.readouterr().out == "called\n"
+
+
+def test_ctrl_c_is_none_of_the_solutions_doing(solve):
+    solve("angle_update", "raise KeyboardInterrupt")
+    with pytest.raises(KeyboardInterrupt):
+        Grading().judge(checks(function="angle_update")[0])
+
+
+@pytest.mark.parametrize("ending", ["exit()", "raise SystemExit('enough')"])
+def test_a_solution_that_ends_the_program_ends_its_check_only(solve, ending):
+    solve("angle_update", ending)
+    assert "it raised   SystemExit: " in first_failure("angle_update").message
+
+
+def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
+    monkeypatch.setattr(grader, "CHECKS", {})
+
+    @check("angle_update")
+    def test_with_a_fault():
+        """A sentence."""
+        expect("angle_update", 1 / 0, gives=None)
+
+    grading = Grading()
+    outcome = grading.judge(grader.CHECKS["test_with_a_fault"])
+    assert outcome.state == FAULT
+    first, *others = outcome.message.splitlines()
+    assert first == "This is a fault of the grader, not of the solution. Please show it to your teacher."
+    assert others[-1] == "ZeroDivisionError: division by zero"
+
+
+# --- watching --------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("function", "mistake"),
+    [
+        ("make_newton_cradle", "all axles in one place"),
+        ("angle_update", "the old omega"),
+        ("full_swing_update", "only the first"),
+        ("handle_collision", "the sign of e in both"),
+        ("handle_two_bobs", "the second pendulum's e"),
+        ("newton_cradle_tick", "only swings"),
+        ("make_double_pendulum", "phi ignored"),
+        ("double_angle_update", "the sign of gravity"),
+    ],
+)
+def test_a_failure_that_can_be_watched_is_played_by_the_solution(solve, function, mistake):
+    assert function in WATCHED
+    solve(function, WRONG[function][mistake])
+    outcome = first_failure(function)
+    assert outcome.message.splitlines()[-1].startswith("watch       python tests/watch.py test_")
+    scene = watch.scene_of(outcome.call)
+    first = TextPicture().lines(scene, 80, 20)
+    assert sum("(1)" in line or "O" in line for line in first) >= 1
+    if not function.startswith("make_"):
+        scene.advance(3000, True)
+        assert TextPicture().lines(scene, 80, 20) != first
+
+
+def test_a_scene_tells_of_hits(solve):
+    for mistake, hits in [("the first pair alone", [(0, 0, 1)]), ("from the right", [(0, 0, 1)]), ("only swings", [])]:
+        solve("newton_cradle_tick", WRONG["newton_cradle_tick"][mistake])
+        assert watch.scene_of(first_failure("newton_cradle_tick").call).advance(1, True) == hits
+    solve("newton_cradle_tick", PLAIN["newton_cradle_tick"])
+    solve("handle_two_bobs", WRONG["handle_two_bobs"]["the second pendulum's e"])
+    assert watch.scene_of(first_failure("handle_two_bobs").call).advance(1, True) == [(0, 0, 1)]

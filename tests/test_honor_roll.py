@@ -1,0 +1,195 @@
+"""Honor roll checks: what a double pendulum is made of, and how it swings."""
+
+from math import cos, pi, sin
+
+from grader import check, expect
+from telling import A
+from vpython import box, cylinder, sphere, textures, vector
+
+AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
+
+# --- make_double_pendulum --------------------------------------------------------------------------------------------
+
+
+def check_double_pendulum(see, what, theta, phi, gives, hints=()):
+    """Check what see takes out of the objects of a double pendulum."""
+    arguments = AXLE, CORD, theta, phi, RED, textures.wood
+    expect("make_double_pendulum", *arguments, gives=gives, see=see, what=what, hints=hints)
+
+
+def arm(angle):
+    """Return the vector from one end of a cord to the other, at this angle (rad) from straight down."""
+    return vector(CORD * sin(angle), -CORD * cos(angle), 0)
+
+
+@check("make_double_pendulum")
+def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
+    """Define a make_double_pendulum() that makes the double-pendulum structure"""
+    kinds = box, sphere, cylinder, sphere, cylinder
+
+    def is_one(came):
+        return isinstance(came, tuple) and len(came) == 5 and all(map(isinstance, came, kinds))
+
+    def is_single(came):
+        return isinstance(came, tuple) and len(came) == 3
+
+    gives = A("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one)
+    hints = [
+        (is_single, "This is a single pendulum."),
+        (lambda came: isinstance(came, list), "This is a list; a tuple is needed."),
+        (lambda came: isinstance(came, tuple) and len(came) == 5, "These are not in the order that is needed."),
+    ]
+    check_double_pendulum(None, "", 0.7, 0.4, gives, hints)
+
+
+@check("make_double_pendulum")
+def test_bobs_are_where_the_angles_say():
+    """Define a make_double_pendulum() with correctly calculated positions for all the components; take in a THETA_INIT
+    as well as a PHI_INIT to define both angles of your double pendulum.
+    """
+
+    def see(objects):
+        axle, bob1, _, bob2, _ = objects
+        return axle.pos, bob1.pos, bob2.pos
+
+    what = "positions of the axle, the upper bob and the lower bob"
+    for theta, phi in [(0.7, 0.4), (0, 0), (0.7, 0), (0, 0.7), (0.6, -0.4), (-2.0, 3.0)]:
+
+        def places(upper, lower, theta=theta):
+            return AXLE, AXLE + upper, AXLE + lower
+
+        right = places(arm(theta), arm(theta) + arm(theta + phi))
+        hints = [
+            (places(arm(theta), arm(theta) + arm(phi)), "The lower cord's angle from straight down is theta + phi."),
+            (
+                places(arm(theta), arm(theta) + arm(phi - theta)),
+                "The lower cord's angle is theta + phi, not phi - theta.",
+            ),
+            (
+                places(arm(theta), arm(theta) + arm(theta - phi)),
+                "The lower cord's angle is theta + phi, not theta - phi.",
+            ),
+            (
+                places(arm(theta), arm(theta + phi)),
+                "The lower bob hangs from the axle; it is to hang from the upper bob.",
+            ),
+            (places(arm(theta), arm(theta) + arm(theta)), "phi makes no difference."),
+            (places(arm(phi), arm(phi) + arm(theta + phi)), "theta and phi are exchanged."),
+            (places(arm(0), arm(0) + arm(phi)), "theta makes no difference."),
+        ]
+        check_double_pendulum(see, what, theta, phi, right, hints)
+
+
+@check("make_double_pendulum")
+def test_cords_hold_the_bobs():
+    """the first pendulum (cord1 and bob1) starts oscillating with angle theta and the second pendulum attached to it
+    (cord2 and bob2) starts oscillating with angle phi
+    """
+
+    def see(objects):
+        _, _, cord1, _, cord2 = objects
+        return [sorted([cord.pos, cord.pos + cord.axis], key=lambda end: -end.y) for cord in (cord1, cord2)]
+
+    joint = AXLE + arm(0.7)
+    gives = [[AXLE, joint], [joint, joint + arm(1.1)]]
+    check_double_pendulum(see, "the ends of the upper and of the lower cord", 0.7, 0.4, gives)
+
+
+@check("make_double_pendulum")
+def test_both_bobs_have_the_looks_that_are_given():
+    """To customize the bobs, we use VPython's textures and colors."""
+
+    def see(objects):
+        return [(bob.color, bob.texture) for bob in objects[1::2]]
+
+    gives = [(RED, textures.wood)] * 2
+    check_double_pendulum(see, "color and texture of the upper and of the lower bob", 0.7, 0.4, gives)
+
+
+# --- double_angle_update ---------------------------------------------------------------------------------------------
+
+LENGTH, DT, G = 0.5, 1e-6, 10.0  # m, s, m/s^2: g / R is 20 / s^2
+
+# omega_theta, omega_phi, theta, phi, and the accelerations of theta and of phi (rad/s^2), by hand, for equal masses.
+ACCELERATIONS = [
+    ((0.0, 0.0, 0.0, 0.0), (0.0, 0.0)),  # it hangs at rest
+    ((0.0, 0.0, pi / 2, 0.0), (-20.0, 20.0)),  # both cords are level: the upper one falls, the lower one only sinks
+    ((0.0, 0.0, pi / 2, -pi / 2), (-20.0, 20.0)),  # the upper cord is level, the lower one hangs straight down
+    ((0.0, 0.0, 0.0, pi / 2), (0.0, -20.0)),  # the upper cord hangs straight down, the lower one is level
+    ((0.0, 2.0, 0.0, pi / 2), (2.0, -22.0)),  # the lower cord is level and turns: it pulls its upper bob along
+    ((2.0, -2.0, 0.0, pi / 2), (0.0, -24.0)),  # the upper bob moves and pulls the lower cord, which is level, along
+]
+
+
+@check("double_angle_update")
+def test_both_angles_are_updated():
+    """Define a double_angle_update() that updates both angles of the pendulum."""
+    hints = [
+        ((0.6, -0.4, 3.0, -2.0), "The angles come first here; the angular velocities are to."),
+        ((0.6, 3.0, -0.4, -2.0), "The order is omega_theta, omega_phi, theta, phi."),
+    ]
+    state = 3.0, -2.0, 0.6, -0.4
+    expect("double_angle_update", *state, LENGTH, 0.0, G, gives=state, hints=hints)  # in no time nothing moves
+    hints = [
+        ((3.0, 0.0, 0.6, 0.0), "The angles have not moved."),
+        ((3.0, 0.0, 0.9, 0.3), "phi counts from the upper cord's direction; so its rate is that of the difference."),
+    ]
+    straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity it goes round evenly
+    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, gives=(3.0, 0.0, 0.9, 0.0), hints=hints)
+
+
+@check("double_angle_update")
+def test_the_accelerations_are_those_of_the_laws_of_motion():
+    """Here, it is important to choose a valid reference frame"""
+    for state, gives in ACCELERATIONS:
+
+        def see(came, state=state):
+            return tuple(round((new - old) / DT, 2) + 0 for new, old in zip(came[:2], state[:2], strict=True))
+
+        theta, phi = gives
+        hints = [
+            ((-theta, -phi), "Both have the wrong sign."),
+            ((theta, theta + phi), "The second is that of theta + phi; phi counts from the upper cord's direction."),
+            ((theta / 1e6, phi / 1e6), "The time step dt is missing, or counted twice."),
+        ]
+        what = "changes of omega_theta and omega_phi, divided by dt"
+        expect("double_angle_update", *state, LENGTH, DT, G, gives=gives, see=see, what=what, hints=hints)
+
+
+# theta, phi, m1, m2, and what becomes of them in half a second from rest, with g = 9.81 m/s^2, from the exact
+# equations: tests/project/test_double_cradle.py.
+SWINGS = [
+    ((0.6, -0.4, 1.0, 1.0), (-0.079235, -3.348289, -0.210358, 0.369005)),
+    ((0.9, 0.4, 1.0, 1.0), (-2.602533, -1.979840, 0.068639, -0.186025)),
+    ((0.6, -0.4, 3.0, 0.5), (-1.771778, -0.273847, -0.330020, 0.651849)),
+    ((0.9, 0.3, 0.5, 3.0), (-1.769793, -2.900514, 0.087340, 0.006523)),
+]
+
+
+def check_swing(swing):
+    """Check half a second, in steps that are short enough for a method of the first order."""
+    (theta, phi, *masses), end = swing
+
+    def is_near(came):
+        return len(came) == 4 and all(abs(value - right) < 0.02 for value, right in zip(came, end, strict=True))
+
+    gives = A(f"within 0.02 of ({', '.join(f'{value:.3f}' for value in end)})", is_near)
+    what = "omega_theta, omega_phi, theta and phi at the end"
+    arguments = 0.0, 0.0, theta, phi, LENGTH, 1e-3, 9.81, *masses
+    expect("double_angle_update", *arguments, gives=gives, what=what, times=500)
+
+
+@check("double_angle_update")
+def test_half_a_second_of_swinging():
+    """the first pendulum starts oscillating with angle theta and the second pendulum attached to it starts oscillating
+    with angle phi
+    """
+    for swing in SWINGS[:2]:
+        check_swing(swing)
+
+
+@check("double_angle_update")
+def test_the_masses_of_both_bobs_count():
+    """we can add more degrees of freedom to the system to make it a little more complicated"""
+    for swing in SWINGS[2:]:
+        check_swing(swing)
