@@ -97,7 +97,9 @@ def expect(function, *arguments, gives, see=None, what="", hints=(), times=1) ->
         lines = [*shown(result).split("\n"), f"in which this is missing: {type(error).__name__}: {error}"]
         raise MistakeError(call, [("came back", lines), wanted]) from None
     if not fits(came, gives):
-        lines = [("came back", about(what, came)), wanted, *hint(came, gives, hints)]
+        digits = 6 if shown(came) != shown(gives) else 15  # or they would look alike
+        lines = [("came back", about(what, came, digits)), ("expected", about(what, gives, digits))]
+        lines += hint(came, gives, hints)
         raise MistakeError(call, lines, watchable=function in WATCHED and came is not None)
     return result
 

@@ -2,6 +2,7 @@
 
 import traceback
 from collections.abc import Callable
+from itertools import islice
 from numbers import Real
 from pathlib import Path
 from typing import NamedTuple
@@ -11,6 +12,7 @@ from vpython import box, cylinder, sphere, vector
 
 ROOT = Path(__file__).resolve().parents[1]
 LABEL = 12  # columns of the words at the left of a message
+MOST = 20  # elements of a list that are shown
 
 
 class A(NamedTuple):
@@ -71,28 +73,28 @@ def told(name, value) -> list[str]:
     return [f"{name}: " + ", ".join(f"{key} {shown(part)}" for key, part in value.items())]
 
 
-def shown(value) -> str:
-    """Return any value as text, numbers with six digits, a list of dictionaries with one a line."""
+def shown(value, digits=6) -> str:
+    """Return any value as text, numbers with so many digits, a list of dictionaries with one a line."""
     if isinstance(value, A):
         return value.words
     if isinstance(value, bool) or value is None:
         return str(value)
     if isinstance(value, Real):
-        return f"{value:.6g}"
+        return f"{value:.{digits}g}"
     if isinstance(value, vector):
-        return f"vector({', '.join(map(shown, value.value))})"
+        return f"vector({', '.join(shown(number, digits) for number in value.value)})"
     if isinstance(value, sphere):
-        return f"a bob at {shown(value.pos)}"
+        return f"a bob at {shown(value.pos, digits)}"
     if isinstance(value, (box, cylinder)):
-        return f"{'an axle' if isinstance(value, box) else 'a cord'} at {shown(value.pos)}"
+        return f"{'an axle' if isinstance(value, box) else 'a cord'} at {shown(value.pos, digits)}"
     if isinstance(value, dict):
-        between = ",\n " if any(isinstance(part, dict) for part in value.values()) else ", "
-        return "{" + between.join(f"{shown(key)}: {shown(part)}" for key, part in value.items()) + "}"
-    if isinstance(value, (list, tuple)):
-        opening, closing = "[]" if isinstance(value, list) else "()"
-        comma = "," if isinstance(value, tuple) and len(value) == 1 else ""
-        between = ",\n " if any(isinstance(part, dict) for part in value) else ", "
-        return opening + between.join(map(shown, value)) + comma + closing
+        parts = [f"{shown(key)}: {shown(part, digits)}" for key, part in islice(value.items(), MOST)]
+        return "{" + joined(parts, value, value.values()) + "}"
+    if isinstance(value, list):
+        return "[" + joined([shown(part, digits) for part in value[:MOST]], value, value) + "]"
+    if isinstance(value, tuple):
+        comma = "," if len(value) == 1 else ""
+        return "(" + joined([shown(part, digits) for part in value[:MOST]], value, value) + comma + ")"
     try:
         text = repr(value)
     except Exception:
@@ -100,9 +102,15 @@ def shown(value) -> str:
     return text if len(text) <= 300 else text[:300] + "..."
 
 
-def about(what, value) -> list[str]:
+def joined(parts, whole, elements) -> str:
+    """Return the parts of a list, tuple or dictionary in one text, and how many there are if these are not all."""
+    more = [f"... ({len(whole)} in all)"] if len(whole) > len(parts) else []
+    return (",\n " if any(isinstance(element, dict) for element in elements) else ", ").join([*parts, *more])
+
+
+def about(what, value, digits=6) -> list[str]:
     """Return a value as lines, after the words for what it is: in one line if that is not long."""
-    lines = shown(value).split("\n")
+    lines = shown(value, digits).split("\n")
     if not what:
         return lines
     return [f"{what}: {lines[0]}"] if len(lines) == 1 and len(what + lines[0]) < 100 else [f"{what}:", *lines]

@@ -32,7 +32,7 @@ def touching(*omegas, radius=R / 8):
 
 @check("newton_cradle_tick")
 def test_a_tick_swings_all_pendula():
-    """Update the swings of all the pendula"""
+    """Update the swings of all the pendula."""
     pend_list = [hang(theta=pi / 6, omega=2.0, axle=(i * 1.0, 0, 0), r_param=0.5) for i in range(3)]
     before, once = (2.0, pi / 6), (1.0, pi / 6 + 0.1)
     twice = (-0.167919, pi / 6 + 0.0832081)
@@ -86,7 +86,7 @@ def test_only_neighbours_are_pairs():
 
 @check("newton_cradle_tick")
 def test_a_cradle_may_have_any_number_of_pendula():
-    """feel free to play around with the values and the number of pendulums"""
+    """Feel free to play around with the values and the number of pendulums."""
     check_tick(touching(3.0), [3.0])
     check_tick([], [])
     check_tick(touching(*[1.0] * 6, 0.0), [*[1.0] * 5, 0.0, 1.0])
@@ -94,7 +94,7 @@ def test_a_cradle_may_have_any_number_of_pendula():
 
 @check("newton_cradle_tick")
 def test_the_pairs_use_masses_and_restitution():
-    """handle the pairwise interaction (Hint: Use another function you already wrote!)"""
+    """Handle the pairwise interaction. (Hint: Use another function you already wrote!)"""
     pend_list = touching(4.0, 0.0, 0.0)
     pend_list[0]["e"], pend_list[1]["mass"], pend_list[2]["mass"] = 0.5, 3.0, 3.0
     check_tick(pend_list, [-0.5, 0.0, 1.5])

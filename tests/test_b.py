@@ -164,7 +164,7 @@ def test_bobs_that_do_not_touch_go_on():
 
 @check("handle_two_bobs")
 def test_both_radii_count():
-    """you can access positions and radii of VPython objects with bob.pos and bob.radius"""
+    """You can access positions and radii of VPython objects with bob.pos and bob.radius."""
     one_radius = [
         (HITS, "The radii of these bobs are not equal: is it the sum of both?"),
         (MISSES, "The radii of these bobs are not equal: is it the sum of both?"),

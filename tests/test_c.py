@@ -102,7 +102,7 @@ def test_every_pendulum_swings_once():
 
 @check("full_swing_update")
 def test_bobs_and_cords_move():
-    """updates the angle and position of the pendulum components"""
+    """Updates the angle and position of the pendulum components."""
     pend_list, _, thetas = swinging_row()
 
     def see(_):
