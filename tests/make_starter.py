@@ -55,6 +55,9 @@ This is the project of the handout, without the functions that are yours to writ
     .venv/bin/python src/visualize_cradle_run.py
     .venv/bin/python src/text_cradle_run.py
     .venv/bin/python src/visualize_double_cradle_run.py
+
+The programs do many ticks at once, by `advance_cradle` with your `angle_update` and `handle_collision`; your
+`handle_two_bobs` and `newton_cradle_tick` say what such ticks have to do, and are checked by `pytest`.
 """
 
 
