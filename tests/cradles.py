@@ -6,10 +6,6 @@ from support.pendulum import make_pendulum
 
 R = 0.4  # m, not the shipped cord length, so that a constant in place of the parameter shows
 
-# Five equal elastic pendula, as the shipped file has them until someone edits it.
-HEADER, GOOD = "mass,e,theta,omega,color,texture\n", "1.0,1.0,0.0,0.0,red,metal\n"
-FIVE_CSV = HEADER + GOOD * 5
-
 # No two pendula alike, no value a default, and none of theta and omega what make_newton_cradle is to set.
 MIXED_CSV = """\
 mass,e,theta,omega,color,texture
@@ -34,8 +30,3 @@ def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R)
 def row(count, **values) -> list[dict]:
     """Return count pendula at rest, R / 4 apart, with these values (as for hang)."""
     return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]
-
-
-def components(v) -> tuple[float, float, float]:
-    """Return the components of a vector, for pytest.approx."""
-    return v.x, v.y, v.z

@@ -15,13 +15,19 @@ from collections.abc import Callable
 from contextlib import contextmanager
 from math import isclose
 from numbers import Real
+from pathlib import Path
 from typing import Any, NamedTuple
 
-from handout import FUNCTIONS, needed, SUITES, WATCHED
-from telling import A, about, Call, culprit_of, message, own_lines, plain, PlainFile, raised, shown
+from handout import FUNCTIONS, needed, SUITES
+from telling import A, about, Call, culprit_of, message, own_lines, plain, PlainFile, python, raised, ROOT, shown
 from vpython import vector
 
+from support.unwritten import unwritten
+
 PATIENCE = 10.0  # s after which a function that has not come back counts as one that never does
+
+# What is raised where something is looked for in a value that has another form.
+OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError)
 
 
 # --- checks ----------------------------------------------------------------------------------------------------------
@@ -32,21 +38,22 @@ class Check(NamedTuple):
     ask: Callable  # calls it, and raises MistakeError
     tier: str
     name: str
+    watched: bool  # whether what is wrong can be seen: watch.py plays it
 
     def title(self) -> str:
         """Return the sentence of the handout that it is about, without line breaks."""
-        return " ".join((self.ask.__doc__ or self.name).split())
+        return " ".join(self.ask.__doc__.split())
 
 
 CHECKS: dict[str, Check] = {}  # by name, in the order in which they stand in the suites
 
 
-def check(function) -> Callable:
-    """Return a decorator that makes a check of this function of the handout."""
+def check(function, watched=False) -> Callable:
+    """Return a decorator that makes a check of this function of the handout, whose scene may be watched."""
 
     def add(ask):
         ask.is_check = True
-        CHECKS[ask.__name__] = Check(function, ask, FUNCTIONS[function].tier, ask.__name__)
+        CHECKS[ask.__name__] = Check(function, ask, FUNCTIONS[function].tier, ask.__name__, watched)
         return ask
 
     return add
@@ -65,42 +72,48 @@ def checks(*, tier=None, function=None) -> list[Check]:
 class MistakeError(Exception):
     """What came back, or was changed, is not what the handout asks for."""
 
-    def __init__(self, call, lines, unwritten=False, hung=False, watchable=False):
+    def __init__(self, call, lines, hung=False, playable=False):
         """lines are what a student is to read below the call, each as (label, text)."""
         super().__init__(message([("called", call.lines()), *lines]))
-        self.call, self.unwritten, self.hung, self.watchable = call, unwritten, hung, watchable
+        self.call, self.hung, self.playable = call, hung, playable
 
 
 class WaitError(Exception):
-    """A check cannot be made before something else is in order."""
+    """A check cannot be made before something else is in order, which is named."""
+
+    def __init__(self, what, hung=False):
+        super().__init__(what)
+        self.hung = hung
 
 
-def expect(function, *arguments, gives, see=None, what="", hints=(), times=1) -> Any:
+def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, feeds=False) -> Any:
     """Call a student's function; raise MistakeError if what comes of it is not what it is to give.
 
     see(result) takes out of the result, or out of the arguments, what is compared with gives (an A, or a value that is
     compared by same); what says in words what that is. hints are pairs of what a certain mistake gives, or a test of
-    that, and the sentence that names the mistake. If it is called more than once, what it returns are the first
-    arguments of the next call. Returns the last result.
+    that, and the sentence that names the mistake. It is called so many times; if it feeds itself, what it returns are
+    the first arguments of the next call. Returns the last result.
     """
     call = Call(function, tuple(plain(argument) for argument in arguments), times)
     wanted = ("expected", about(what, gives))
     solution = find(function)
-    result = run(call, solution, arguments, wanted)
+    result = run(call, solution, arguments, wanted, feeds)
     for before, path in zip(call.arguments, arguments, strict=True):
         if isinstance(before, PlainFile) and plain(path) != before:
             lines = [("came back", "The file has other contents than before.")]
             raise MistakeError(call, [*lines, ("expected", "The file is read, and stays as it is.")])
     try:
         came = see(result) if see else result
-    except Exception as error:
-        lines = [*shown(result).split("\n"), f"in which this is missing: {type(error).__name__}: {error}"]
-        raise MistakeError(call, [("came back", lines), wanted]) from None
+    except OTHER_FORM as error:
+        lines = [
+            *shown(result).split("\n"),
+            f"which has not the form that is looked for ({type(error).__name__}: {error})",
+        ]
+        raise MistakeError(call, [("came back", lines), wanted, *hint(result, gives, hints)]) from None
     if not fits(came, gives):
         digits = 6 if shown(came) != shown(gives) else 15  # or they would look alike
         lines = [("came back", about(what, came, digits)), ("expected", about(what, gives, digits))]
-        lines += hint(came, gives, hints)
-        raise MistakeError(call, lines, watchable=function in WATCHED and came is not None)
+        raise MistakeError(call, [*lines, *hint(came, gives, hints)], playable=has_form_of(came, gives))
     return result
 
 
@@ -108,37 +121,49 @@ def find(function) -> Callable:
     """Return a student's function; raise MistakeError if there is none, or WaitError if another file is at fault."""
     file = FUNCTIONS[function].file
     try:
-        module = importlib.import_module(file.removesuffix(".py").replace("/", "."))
-    except (Exception, SystemExit) as error:
-        if culprit_of(error) not in (file, None):
-            raise WaitError(culprit_of(error)) from None
-        raise MistakeError(Call(function), [("it raised", raised(error))]) from None
+        module = importlib.import_module(module_of(file))
+    except (Exception, SystemExit, KeyboardInterrupt) as error:
+        hung = isinstance(error, KeyboardInterrupt)
+        if hung and not LATE.is_set():
+            raise
+        culprit = culprit_of(error)
+        if culprit != file and culprit in {other.file for other in FUNCTIONS.values()}:
+            raise WaitError(culprit, hung) from None
+        lines = [("came back", stopped(error))] if hung else [("it raised", raised(error))]
+        if isinstance(error, ModuleNotFoundError):
+            is_here = (ROOT / "src" / f"{error.name}.py").is_file()
+            not_here = "Is its name right, and is it installed for the Python that runs this?"
+            lines.append(("hint", f"Its name is src.{error.name}." if is_here else not_here))
+        raise MistakeError(Call(function), lines, hung) from None
     if not callable(getattr(module, function, None)):
         raise MistakeError(Call(function), [("came back", f"There is no such function in {file}.")])
     return getattr(module, function)
 
 
-def run(call, solution, arguments, wanted) -> Any:
+def run(call, solution, arguments, wanted, feeds) -> Any:
     """Return what a student's function returns; raise MistakeError if it raises something, or does not come back."""
     try:
         for _ in range(call.times):
             result = solution(*arguments)
-            if call.times > 1 and isinstance(result, tuple):
+            if feeds and isinstance(result, tuple):
                 arguments = (*result, *arguments[len(result) :])
-    except KeyboardInterrupt as stopped:
+    except (Exception, SystemExit, KeyboardInterrupt) as error:
+        if not isinstance(error, KeyboardInterrupt):
+            raise MistakeError(call, [("it raised", raised(error)), wanted]) from None
         if not LATE.is_set():
             raise
-        lines = [f"nothing, within {PATIENCE:g} s; it was stopped here:", *own_lines(stopped)]
-        raise MistakeError(call, [("came back", lines), wanted], hung=True) from None
-    except NotImplementedError as error:
-        unwritten = traceback.extract_tb(error.__traceback__)[-1].name == call.function
-        if unwritten:
-            call = Call(call.function)  # whatever it is called with
-        lines = [("not written yet", own_lines(error))] if unwritten else [("it raised", raised(error)), wanted]
-        raise MistakeError(call, lines, unwritten) from None
-    except (Exception, SystemExit) as error:
-        raise MistakeError(call, [("it raised", raised(error)), wanted]) from None
+        raise MistakeError(call, [("came back", stopped(error)), wanted], hung=True) from None
     return result
+
+
+def module_of(file) -> str:
+    """Return the name by which a file of the project is imported."""
+    return file.removesuffix(".py").replace("/", ".")
+
+
+def stopped(error) -> list[str]:
+    """Return lines that say where something was stopped that took too long."""
+    return [f"nothing, within {PATIENCE:g} s; it was stopped here:", *own_lines(error)]
 
 
 LATE = threading.Event()  # whether a check was stopped because it took too long
@@ -174,13 +199,11 @@ def patience():
 
 def fits(came, wanted) -> bool:
     """Return whether what came back is what is wanted: a value, or an A or another test of it."""
-    if isinstance(wanted, A) or callable(wanted):
-        test = wanted.is_one if isinstance(wanted, A) else wanted
-        try:
-            return bool(test(came))
-        except Exception:  # it has not even the form that is tested
-            return False
-    return same(came, wanted)
+    test = wanted.is_one if isinstance(wanted, A) else wanted if callable(wanted) else None
+    try:
+        return bool(test(came)) if test else same(came, wanted)
+    except OTHER_FORM:
+        return False
 
 
 def same(came, wanted) -> bool:
@@ -197,13 +220,21 @@ def same(came, wanted) -> bool:
     return type(came) is type(wanted) and bool(came == wanted)
 
 
+def has_form_of(came, wanted) -> bool:
+    """Return whether what came back is wrong by its numbers only, so that a scene can be played with it."""
+    if isinstance(wanted, tuple):
+        is_row = isinstance(came, (tuple, list)) and len(came) == len(wanted)
+        return is_row and all(map(has_form_of, came, wanted))
+    return isinstance(came, Real) if isinstance(wanted, Real) else came is not None
+
+
 def hint(came, wanted, hints) -> list[tuple[str, str]]:
     """Return the hint that fits what came back, or none."""
     for mistaken, sentence in hints:
         if fits(came, mistaken):
             return [("hint", sentence)]
     if came is None:
-        return [("hint", "None is what a function gives that has no return.")]
+        return [("hint", "None: is a return reached, and with a value? (append, for one, returns None.)")]
     if isinstance(wanted, tuple) and len(wanted) > 1 and isinstance(came, (list, tuple)):
         if same(tuple(came), wanted):
             return [("hint", "This is a list; the handout asks for a tuple.")]
@@ -221,8 +252,6 @@ class Outcome(NamedTuple):
     state: str
     message: str = ""
     call: Call | None = None  # the one that failed, if it can be watched
-    unwritten: bool = False
-    hung: bool = False
 
 
 class Grading:
@@ -230,42 +259,59 @@ class Grading:
 
     def __init__(self):
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
+        self.hung: dict[str, str] = {}  # functions and files that did not come back, and what kept them: mostly they
 
     def judge(self, check) -> Outcome:
         """Return the outcome of a check. It waits if a function that its own one uses has failed checks of its own."""
         if check.name not in self.outcomes:
-            waits = [name for name in needed(check.function) if self.has_failed(name)]
-            outcome = Outcome(WAITING, f"waits for {', '.join(waits)}")
-            if not any(self.has_hung(name) for name in waits):
-                made = self.make(check)
-                if not waits or made.unwritten:
-                    outcome = made
-            self.outcomes[check.name] = outcome
+            self.outcomes[check.name] = self.outcome_of(check)
         return self.outcomes[check.name]
+
+    def outcome_of(self, check) -> Outcome:
+        """Return the outcome of a check that has not been made yet."""
+        function = FUNCTIONS[check.function]
+        place = unwritten(Path(function.file).stem).get(check.function)
+        if place:
+            return Outcome(FAILED, self.not_written(check, place))
+        waits = [name for name in needed(check.function) if self.has_failed(name)]
+        if waits:
+            return Outcome(WAITING, f"waits for {', '.join(waits)}")
+        for name in (function.file, check.function):
+            if self.hung.get(name) == name:
+                lines = [("not called", f"{name} did not come back within {PATIENCE:g} s before.")]
+                return Outcome(FAILED, message([*lines, where_to_read(check)]))
+            if name in self.hung:
+                return Outcome(WAITING, f"waits for {self.hung[name]}")
+        return self.make(check)
+
+    def not_written(self, check, place) -> str:
+        """Return the message of a check whose function is not written yet: in full for the first one only."""
+        if any(other.name in self.outcomes for other in checks(function=check.function)):
+            return f"not written yet: {place}"
+        lines = [f"{check.function} is not written yet.", f"What you write takes the place of {place}."]
+        return message([("called", Call(check.function).lines()), ("came back", lines), where_to_read(check)])
 
     def has_failed(self, function) -> bool:
         """Return whether any of the function's own checks fails."""
         return any(self.judge(check).state in (FAILED, FAULT) for check in checks(function=function))
 
-    def has_hung(self, function) -> bool:
-        """Return whether the function did not come back, in any of its own checks that were made."""
-        return any(
-            check.name in self.outcomes and self.outcomes[check.name].hung for check in checks(function=function)
-        )
-
     def make(self, check) -> Outcome:
-        """Return what comes of a check by itself."""
-        if self.has_hung(check.function):
-            lines = [("not called", f"{check.function} did not come back within {PATIENCE:g} s before.")]
-            return Outcome(FAILED, message([*lines, *more(check)]))
+        """Return what comes of a check that is to be made."""
         try:
             with patience():
                 check.ask()
-        except MistakeError as wrong:
-            text = "\n".join([str(wrong), message(more(check, wrong))])
-            return Outcome(FAILED, text, wrong.call if wrong.watchable else None, wrong.unwritten, wrong.hung)
-        except WaitError as waits:
-            return Outcome(WAITING, f"waits for {waits}")
+        except MistakeError as mistake:
+            if mistake.hung:
+                name = check.function if mistake.call.arguments is not None else FUNCTIONS[check.function].file
+                self.hung[name] = name
+            lines, is_scene = [where_to_read(check)], check.watched and mistake.playable
+            if is_scene:
+                lines.append(("watch", f"{python()} tests/watch.py {check.name}"))
+            return Outcome(FAILED, f"{mistake}\n{message(lines)}", mistake.call if is_scene else None)
+        except WaitError as error:
+            if error.hung:
+                self.hung[FUNCTIONS[check.function].file] = str(error)
+            return Outcome(WAITING, f"waits for {error}")
         except (Exception, KeyboardInterrupt) as error:
             if isinstance(error, KeyboardInterrupt) and not LATE.is_set():
                 raise
@@ -274,9 +320,6 @@ class Grading:
         return Outcome(PASSED)
 
 
-def more(check, wrong=None) -> list[tuple[str, str]]:
-    """Return the end of a message: where to read, and how to watch what went wrong."""
-    lines = [("read", f"handout, {FUNCTIONS[check.function].read}: {check.function}")]
-    if wrong and wrong.watchable:
-        lines.append(("watch", f"python tests/watch.py {check.name}"))
-    return lines
+def where_to_read(check) -> tuple[str, str]:
+    """Return where in the handout to read about the function of a check, as (label, text)."""
+    return "read", f"handout, {FUNCTIONS[check.function].read}: {check.function}"

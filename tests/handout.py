@@ -45,12 +45,6 @@ FUNCTIONS = {
     ),
 }
 
-# What these do can be watched: watch.py plays it.
-WATCHED = {
-    *("make_newton_cradle", "angle_update", "full_swing_update", "handle_collision", "handle_two_bobs"),
-    *("newton_cradle_tick", "make_double_pendulum", "double_angle_update"),
-}
-
 
 def needed(function) -> list[str]:
     """Return the functions that this one calls, and those that they call, in the order of the handout."""

@@ -4,7 +4,6 @@ It is the project with the bodies of the handout's functions taken out, and of t
 """
 
 import ast
-import os
 import shutil
 import sys
 import tempfile
@@ -19,11 +18,12 @@ from support.options import OneLineParser
 
 FILES = [
     *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"),
-    *(f"tests/{name}.py" for name in ("command_line", "conftest", "grade", "grader", "handout", "telling")),
+    *(f"tests/{name}.py" for name in ("grade", "grader", "handout", "pytest_grader", "telling")),
     *("tests/cradles.py", "tests/watch.py"),
     *(f"tests/{suite}.py" for suite in SUITES.values()),
 ]
 FOLDERS = ["src", "support"]
+UNUSED = ["__pycache__", "double.png", "swing.png"]
 PROVIDED = {"extract_and_convert": 2}  # how many statements the handout provides, at the beginning of a body
 
 README = """\
@@ -44,20 +44,27 @@ This is the project of the handout, without the functions that are yours to writ
 |---|---|---|
 {rows}
 
-**Test**: all, or one grade's checks only.
+**Test**: all; one grade's checks only; these up to the first that fails.
 
     .venv/bin/pytest
     .venv/bin/pytest --tier D
+    .venv/bin/pytest --tier D -x
+
+Where what is wrong can be watched, the message ends with the command that plays it in the terminal.
 
 **See** the data as soon as you like, and the cradle once all but the honor roll is written; in the terminal, too:
 
     .venv/bin/python pds_tester.py
     .venv/bin/python src/visualize_cradle_run.py
     .venv/bin/python src/text_cradle_run.py
+
+and the double cradle once the honor roll is written:
+
     .venv/bin/python src/visualize_double_cradle_run.py
 
 The programs do many ticks at once, by `advance_cradle` with your `angle_update` and `handle_collision`; your
-`handle_two_bobs` and `newton_cradle_tick` say what such ticks have to do, and are checked by `pytest`.
+`handle_two_bobs` and `newton_cradle_tick` say what such ticks have to do, and are checked by `pytest`. The cradle's CSV
+is `newton_cradle_pends.csv`, in this folder.
 """
 
 
@@ -66,23 +73,22 @@ def main() -> None:
     parser = OneLineParser(description="Make what a student is handed.", allow_abbrev=False)
     parser.add_argument("folder", metavar="FOLDER", type=Path, help="a folder to be made, or an empty one")
     folder = parser.parse_args().folder
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        parser.error(f"argument FOLDER: found '{folder}', allowed is a new folder, or an empty one")
     try:
         make_starter(folder)
     except OSError as error:
-        parser.error(f"{folder}: {error.strerror}")
+        parser.error(f"argument FOLDER: {folder} cannot be made: {error.strerror}")
     print(f"{folder} is ready, with {len(FUNCTIONS)} functions to be written. Its README.md says how to begin.")
 
 
 def make_starter(folder) -> None:
-    """Make the folder, whole or not at all; raises an OSError if it cannot be made, or is not empty."""
-    folder = folder.absolute()
-    if folder.exists():
-        folder.rmdir()  # which an empty one allows
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=folder.parent) as work:
-        made = Path(work) / folder.name
+    """Make the folder, or fill it; raises an OSError if that cannot be done."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as work:
+        made = Path(work)
         for name in FOLDERS:
-            shutil.copytree(ROOT / name, made / name, ignore=shutil.ignore_patterns("__pycache__"))
+            shutil.copytree(ROOT / name, made / name, ignore=shutil.ignore_patterns(*UNUSED))
         for name in FILES:
             (made / name).parent.mkdir(exist_ok=True)
             shutil.copy(ROOT / name, made / name)
@@ -91,7 +97,7 @@ def make_starter(folder) -> None:
             path.write_text(emptied(path.read_text(encoding="utf-8")), encoding="utf-8")
         rows = (f"| {of.tier} | `{name}` | `{of.file}` |" for name, of in FUNCTIONS.items())
         (made / "README.md").write_text(README.format(rows="\n".join(rows)), encoding="utf-8")
-        os.rename(made, folder)
+        shutil.copytree(made, folder, dirs_exist_ok=True)
 
 
 def emptied(source) -> str:

@@ -232,6 +232,14 @@ RIGHT = {
             "mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)",
             "(bob1.pos - bob2.pos).mag2 <= (1.05 * (bob1.radius + bob2.radius))**2",
         ),
+        "the gap between the bobs, and a twentieth": (
+            "mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)",
+            "mag(bob1.pos - bob2.pos) - (bob1.radius + bob2.radius) <= 0.05 * (bob1.radius + bob2.radius)",
+        ),
+        "the radii, and a twentieth of each": (
+            "1.05 * (bob1.radius + bob2.radius)",
+            "bob1.radius + bob2.radius + 0.05 * bob1.radius + 0.05 * bob2.radius",
+        ),
         "the gap between the bobs": (
             "mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)",
             "mag(bob1.pos - bob2.pos) - (bob1.radius + bob2.radius) * 1.05 <= 0",
@@ -267,6 +275,7 @@ RIGHT = {
                     handle_two_bobs(pend, pend_list[i + 1], r_param)
             """,
         "returns the list, too": ("r_param)\n        ", "r_param)\n        return pend_list\n        "),
+        "returns a tuple, too": ("r_param)\n        ", "r_param)\n        return tuple(pend_list)\n        "),
     },
     "make_double_pendulum": {
         "plainly": ("", ""),
@@ -286,6 +295,11 @@ RIGHT = {
     },
     "double_angle_update": {
         "semi-implicit Euler": ("", ""),
+        "explicit Euler": """\
+            a, b, u, v = theta, theta + phi, omega_theta, omega_theta + omega_phi
+            du, dv = double_accelerations(a, b, u, v, g / r_param, m2 / (m1 + m2))
+            return u + du * dt, v - u + (dv - du) * dt, a + u * dt, phi + (v - u) * dt
+            """,
         "the accelerations in one": """\
             s, c = sin(phi), cos(phi)
             k, mu = g / r_param, m2 / (m1 + m2)

@@ -1,5 +1,8 @@
 """What a student is told: calls, values and errors as text."""
 
+import re
+import shutil
+import sys
 import traceback
 from collections.abc import Callable
 from itertools import islice
@@ -13,6 +16,7 @@ from vpython import box, cylinder, sphere, vector
 ROOT = Path(__file__).resolve().parents[1]
 LABEL = 12  # columns of the words at the left of a message
 MOST = 20  # elements of a list that are shown
+LONGEST = 300  # characters of a text that are shown
 
 
 class A(NamedTuple):
@@ -99,13 +103,14 @@ def shown(value, digits=6) -> str:
         text = repr(value)
     except Exception:
         text = f"an object of {type(value)} that has no text"
-    return text if len(text) <= 300 else text[:300] + "..."
+    return text if len(text) <= LONGEST else text[:LONGEST] + "..."
 
 
 def joined(parts, whole, elements) -> str:
     """Return the parts of a list, tuple or dictionary in one text, and how many there are if these are not all."""
     more = [f"... ({len(whole)} in all)"] if len(whole) > len(parts) else []
-    return (",\n " if any(isinstance(element, dict) for element in elements) else ", ").join([*parts, *more])
+    long = sum(map(len, parts)) > 100 and all(isinstance(element, (list, tuple)) for element in elements)
+    return (",\n " if long or any(isinstance(element, dict) for element in elements) else ", ").join([*parts, *more])
 
 
 def about(what, value, digits=6) -> list[str]:
@@ -145,17 +150,31 @@ def own_places(error) -> list[tuple[str, str]]:
 
 def own_lines(error) -> list[str]:
     """Return these places as lines of text."""
-    return [line for place, code in own_places(error) for line in (place, f"    {code}")]
+    lines = [line for place, code in own_places(error) for line in (place, f"    {code}")]
+    return lines if len(lines) <= 8 else [*lines[:2], f"... ({len(lines) // 2} places in all)", *lines[-4:]]
 
 
 def raised(error) -> list[str]:
     """Return lines that say what was raised, and where in the student's own lines."""
-    return [f"{type(error).__name__}: {error}", *own_lines(error)]
+    try:
+        text = f"{type(error).__name__}: {error}"
+    except Exception:
+        text = f"{type(error).__name__}, which has no text"
+    return [*text[:LONGEST].split("\n"), *own_lines(error)]
+
+
+def python() -> str:
+    """Return what to type, in the project's folder, for the Python that is running."""
+    running = Path(sys.executable)
+    if running.is_relative_to(ROOT):
+        return str(running.relative_to(ROOT))
+    return "python" if shutil.which("python") == sys.executable else sys.executable
 
 
 def culprit_of(error) -> str | None:
     """Return the file of src/ because of which an import failed, or None."""
-    if isinstance(error, ImportError) and error.name and error.name.startswith("src."):
-        return error.name.replace(".", "/") + ".py"
+    missing = re.match(r"cannot import name '(\w+)' from 'src\.", str(error))
+    if missing and missing[1] in FUNCTIONS:
+        return FUNCTIONS[missing[1]].file
     places = own_places(error)
     return places[-1][0].partition(",")[0] if places else None

@@ -6,19 +6,18 @@ from cradles import hang, R, row
 from grader import check, expect, same
 from telling import A
 
-SHORT = 1e-6  # s: in such a tick nothing moves much
+SHORT = 1e-9  # s: in such a tick nothing moves that could be seen
 
 
-def check_tick(pend_list, gives, *, r_param=R, dt=SHORT, g=9.81, hints=()):
-    """Check the omegas after a tick, to 1e-4 rad/s."""
+def check_tick(pend_list, gives, *, dt=SHORT, g=9.81, hints=()):
+    """Check the omegas after a tick."""
 
     def see(_):
-        return [round(pend["omega"], 4) + 0 for pend in pend_list]
+        return [pend["omega"] for pend in pend_list]
 
-    before = "These are the velocities from before: has no pair collided, or each one twice?"
-    hints = [*hints, ([pend["omega"] for pend in pend_list], before)]
+    hints = [*hints, ([pend["omega"] for pend in pend_list], "These are the velocities from before.")]
     what = "omega of each pendulum"
-    expect("newton_cradle_tick", pend_list, r_param, dt, g, gives=gives, see=see, what=what, hints=hints)
+    expect("newton_cradle_tick", pend_list, R, dt, g, gives=gives, see=see, what=what, hints=hints)
 
 
 def touching(*omegas, radius=R / 8):
@@ -30,7 +29,7 @@ def touching(*omegas, radius=R / 8):
     return pend_list
 
 
-@check("newton_cradle_tick")
+@check("newton_cradle_tick", watched=True)
 def test_a_tick_swings_all_pendula():
     """Update the swings of all the pendula."""
     pend_list = [hang(theta=pi / 6, omega=2.0, axle=(i * 1.0, 0, 0), r_param=0.5) for i in range(3)]
@@ -45,7 +44,6 @@ def test_a_tick_swings_all_pendula():
         ([once, before, before], "Only the first pendulum has swung."),
         ([once, once, before], "The last pendulum has not swung; it has no pair, but it swings."),
         (lambda came: same(came, came[:1] * 3), "Are r_param, dt and g handed on, in this order?"),
-        (lambda came: True, "Does each pendulum swing just once?"),
     ]
 
     def see(_):
@@ -55,36 +53,31 @@ def test_a_tick_swings_all_pendula():
     expect("newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, gives=[once] * 3, see=see, what=what, hints=hints)
 
 
-@check("newton_cradle_tick")
+@check("newton_cradle_tick", watched=True)
 def test_each_pendulum_is_handled_with_the_one_after_it():
     """For each pendulum (except the last) handle the pairwise interaction of that pendulum and the one after it."""
-    check_tick(touching(3.0, 0.0), [0.0, 3.0])
-    first_alone = [([0.0, 3.0, 0.0], "Only the first pair has been handled, or the pairs are handled from the right.")]
-    check_tick(touching(3.0, 0.0, 0.0), [0.0, 0.0, 3.0], hints=first_alone)  # first pair, then second
-    last = [([0.0, 0.0, 0.0, 3.0, 0.0], "The last pair has not been handled.")]
-    check_tick(touching(3.0, 0.0, 0.0, 0.0, 0.0), [0.0, 0.0, 0.0, 0.0, 3.0], hints=last)
-    backwards = [([3.0, 0.0, 0.0], "The pairs are handled from the right, or more than once.")]
-    check_tick(touching(0.0, 0.0, 3.0), [0.0, 3.0, 0.0], hints=backwards)  # it gets one place along a tick
-    round_trip = [
-        ([1.0, 2.0, 3.0], "Each pair has been handled twice, or not at all."),
-        ([1.0, 3.0, 2.0], "The last pendulum has been handled with the first one, too."),
+    hints = [
+        ([2.0, 1.0, 3.0], "Only the first pair has been handled."),
+        ([1.0, 3.0, 2.0], "Only the last pair has been handled."),
         ([3.0, 1.0, 2.0], "The pairs are handled from the right; they are to be from the left."),
+        ([1.0, 2.0, 3.0], "These are the velocities from before: has no pair been handled, or each one twice?"),
     ]
-    check_tick(touching(1.0, 2.0, 3.0), [2.0, 3.0, 1.0], hints=round_trip)
+    check_tick(touching(1.0, 2.0, 3.0), [2.0, 3.0, 1.0], hints=hints)
+    check_tick(touching(3.0, 0.0), [0.0, 3.0])
+    check_tick(touching(3.0, 0.0, 0.0, 0.0, 0.0), [0.0, 0.0, 0.0, 0.0, 3.0])
+    check_tick(touching(0.0, 0.0, 3.0), [0.0, 3.0, 0.0])  # from the right it gets one place along a tick
 
 
-@check("newton_cradle_tick")
+@check("newton_cradle_tick", watched=True)
 def test_only_neighbours_are_pairs():
     """We can approach the entire sequence of pendula in a pairwise manner, so we only consider the collision of two
     pendula.
     """
-    hints = [
-        (lambda came: True, "Here all bobs are so large that they touch; but pairs are neighbours only, once each.")
-    ]
+    hints = [([3.0, 2.0, 1.0], "All bobs touch here, as they are large; but pairs are neighbours only.")]
     check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0], hints=hints)
 
 
-@check("newton_cradle_tick")
+@check("newton_cradle_tick", watched=True)
 def test_a_cradle_may_have_any_number_of_pendula():
     """Feel free to play around with the values and the number of pendulums."""
     check_tick(touching(3.0), [3.0])
@@ -92,15 +85,15 @@ def test_a_cradle_may_have_any_number_of_pendula():
     check_tick(touching(*[1.0] * 6, 0.0), [*[1.0] * 5, 0.0, 1.0])
 
 
-@check("newton_cradle_tick")
+@check("newton_cradle_tick", watched=True)
 def test_the_pairs_use_masses_and_restitution():
-    """Handle the pairwise interaction. (Hint: Use another function you already wrote!)"""
+    """(Hint: Use another function you already wrote!)"""
     pend_list = touching(4.0, 0.0, 0.0)
     pend_list[0]["e"], pend_list[1]["mass"], pend_list[2]["mass"] = 0.5, 3.0, 3.0
     check_tick(pend_list, [-0.5, 0.0, 1.5])
 
 
-@check("newton_cradle_tick")
+@check("newton_cradle_tick", watched=True)
 def test_bobs_that_do_not_touch_are_left_alone():
     """The Newton's cradle is defined by the collisions between its pendula."""
     pend_list = row(3)
@@ -108,9 +101,10 @@ def test_bobs_that_do_not_touch_are_left_alone():
     check_tick(pend_list, [-1.0, 0.0, 0.0])
 
 
-@check("newton_cradle_tick")
+@check("newton_cradle_tick", watched=True)
 def test_swings_come_before_collisions():
     """Performs a single timestep or tick of the Newton's cradle."""
+    check_tick(touching(1.0, 0.0), [0.0, 1.0])
     pend_list = [hang(theta=-0.1, omega=1.0), hang(axle=(R / 4, 0, 0))]
     for pend in pend_list:
         pend["objects"][1].radius = R / 8
@@ -118,7 +112,7 @@ def test_swings_come_before_collisions():
     check_tick(pend_list, [0.0, 1.0], dt=0.1, g=0.0, hints=hints)
 
 
-@check("newton_cradle_tick")
+@check("newton_cradle_tick", watched=True)
 def test_a_cradle_passes_the_swing_on():
     """A Newton's cradle is a series of pendula that display a "chain reaction" when each pendulum knocks into the
     pendulum next to it.

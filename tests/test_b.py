@@ -6,10 +6,10 @@ from grader import check, expect
 # The arguments e, omega1, omega2, m1, m2, and what comes of them; by hand from the appendix's two formulas.
 HIT, AFTER = (0.5, 4.0, -2.0, 1.0, 4.0), (-3.2, -0.2)
 COLLISIONS = [
+    ((0.5, 4.0, 0.0, 1.0, 1.0), (1.0, 3.0)),
     ((1, 3.0, 0.0, 1.0, 1.0), (0.0, 3.0)),  # equal masses, elastic: the velocities change places
     ((1, 2.0, -5.0, 0.7, 0.7), (-5.0, 2.0)),
     ((0, 3.0, 0.0, 1.0, 1.0), (1.5, 1.5)),  # inelastic: both go on together
-    ((0.5, 4.0, 0.0, 1.0, 1.0), (1.0, 3.0)),
     ((1, 4.0, 0.0, 1.0, 3.0), (-2.0, 2.0)),  # a light bob bounces off a heavy one
     ((1, 4.0, 0.0, 3.0, 1.0), (2.0, 6.0)),  # a heavy bob drives a light one ahead
     ((0, 4.0, -2.0, 1.0, 2.0), (0.0, 0.0)),  # opposite momenta, inelastic: all motion ends
@@ -50,7 +50,7 @@ MISTAKES = [
 ]
 
 
-@check("handle_collision")
+@check("handle_collision", watched=True)
 def test_handle_collision():
     """Takes in the initial angular velocities of both bobs (omega1 and omega2), their coefficient of restitution (e),
     their masses (m1 and m2), and the cord length r_param and returns a tuple of the new angular velocities of both bobs
@@ -59,7 +59,7 @@ def test_handle_collision():
     expect("handle_collision", *HIT, 0.4, gives=AFTER, hints=MISTAKES)
 
 
-@check("handle_collision")
+@check("handle_collision", watched=True)
 def test_collisions_from_elastic_to_inelastic():
     """If e = 0, it is a perfectly inelastic collision (kinetic energy not conserved), and if e = 1, it is a perfectly
     elastic collision (kinetic energy is conserved).
@@ -68,7 +68,7 @@ def test_collisions_from_elastic_to_inelastic():
         expect("handle_collision", *arguments, 0.4, gives=gives)
 
 
-@check("handle_collision")
+@check("handle_collision", watched=True)
 def test_the_cord_length_does_not_matter():
     """If we start off using angular velocities omega, we need to convert them to linear velocities v = R omega for this
     equation, and the new calculated velocities can be converted back to angular velocities with the same equation.
@@ -77,9 +77,11 @@ def test_the_cord_length_does_not_matter():
         expect("handle_collision", *HIT, r_param, gives=AFTER)
 
 
-@check("handle_collision")
+@check("handle_collision", watched=True)
 def test_laws_of_the_collision():
-    """The entire system should conserve kinetic energy in an elastic collision and conserve linear momentum."""
+    """The entire system should conserve kinetic energy in an elastic collision and conserve linear momentum (during a
+    collision, we can approximate the momentum to be linear).
+    """
     omega1, omega2 = 2.5, -1.5
     for m1, m2 in [(1.0, 1.0), (0.2, 5.0), (7.0, 0.1)]:
         momentum, energy = m1 * omega1 + m2 * omega2, m1 * omega1**2 + m2 * omega2**2
@@ -132,7 +134,7 @@ def check_pair(gives, *arguments, hints=(), **values):
     expect("handle_two_bobs", pend1, pend2, LENGTH, gives=gives, see=see, what=what, hints=hints)
 
 
-@check("handle_two_bobs")
+@check("handle_two_bobs", watched=True)
 def test_bobs_that_touch_collide():
     """Check if the magnitude of the difference in positions of both bobs is less than or equal to 1.05 times the sum of
     the bobs' radii.
@@ -142,18 +144,18 @@ def test_bobs_that_touch_collide():
     check_pair(HITS, (1.02, 0, 0), hints=[(MISSES, "This is what comes without the buffer of 1.05.")])
     buffer = "Is it the sum of both radii, all of it, that is multiplied by 1.05, and is the distance not changed?"
     check_pair(HITS, (1.04, 0, 0), hints=[(MISSES, buffer)])
-    check_pair(
-        HITS, (1.05, 0, 0), hints=[(MISSES, "At just 1.05 times the sum they collide, too: less than or equal.")]
-    )
+    # However 1.05 times the sum of the radii is computed, it is just 21.
+    just = [(MISSES, "At just 1.05 times the sum they collide, too: less than or equal.")]
+    check_pair(HITS, (21.0, 0, 0), 10.0, 10.0, hints=just)
     check_pair(HITS, (-1.0, 0, 0), hints=[(MISSES, "A magnitude has no sign.")])
     check_pair(HITS, (0.7, 0.7, 0), hints=[(MISSES, "This is what the sum of the distances along x and y gives.")])
     check_pair(HITS, (0, 0, 1.0))
 
 
-@check("handle_two_bobs")
+@check("handle_two_bobs", watched=True)
 def test_bobs_that_do_not_touch_go_on():
     """We add a little bit of buffer to what is considered a 'collision'."""
-    check_pair(MISSES, (9.0, 0, 0), hints=[(HITS, "They collide however far apart they are.")])
+    check_pair(MISSES, (9.0, 0, 0), hints=[(HITS, "They are far apart, and collide.")])
     check_pair(MISSES, (1.06, 0, 0), hints=[(HITS, "The buffer is too large, or the distance too small.")])
     check_pair(MISSES, (-1.2, 0, 0), hints=[(HITS, "The distance has become negative; a magnitude has no sign.")])
     along_x = [(HITS, "This is what the distance along x alone gives.")]
@@ -162,13 +164,14 @@ def test_bobs_that_do_not_touch_go_on():
     check_pair(MISSES, (0.7, 0, 0.9), hints=[(HITS, "The distance along z counts, too.")])
 
 
-@check("handle_two_bobs")
+@check("handle_two_bobs", watched=True)
 def test_both_radii_count():
     """You can access positions and radii of VPython objects with bob.pos and bob.radius."""
     one_radius = [
         (HITS, "The radii of these bobs are not equal: is it the sum of both?"),
         (MISSES, "The radii of these bobs are not equal: is it the sum of both?"),
     ]
+    check_pair(HITS)
     check_pair(HITS, (1.0, 0, 0), 0.9, 0.2, hints=one_radius)
     check_pair(HITS, (1.0, 0, 0), 0.2, 0.9, hints=one_radius)
     check_pair(MISSES, (1.0, 0, 0), 0.2, 0.7, hints=one_radius)
@@ -177,7 +180,7 @@ def test_both_radii_count():
     check_pair(HITS, (3.1, 0, 0), 2.0, 1.0, hints=[(MISSES, "The bobs are large here: 1.05 is a factor of their sum.")])
 
 
-@check("handle_two_bobs")
+@check("handle_two_bobs", watched=True)
 def test_e_is_the_first_pendulums():
     """From only the first dictionary, get the coefficient of restitution."""
     hints = [
@@ -190,7 +193,7 @@ def test_e_is_the_first_pendulums():
     check_pair((0.0, 4.0), values1={"e": 1.0}, values2={"e": 0.5}, hints=hints)
 
 
-@check("handle_two_bobs")
+@check("handle_two_bobs", watched=True)
 def test_masses_and_omegas_are_those_of_each():
     """For each pendulum dictionary, get the masses, bobs and angular velocity (omega)."""
     equal = (HITS, "This is what equal masses give.")
@@ -200,9 +203,10 @@ def test_masses_and_omegas_are_those_of_each():
     check_pair((-0.5, 2.5), values2={"omega": -2.0}, hints=[(HITS, "This is what omega = 0 of pend2 gives.")])
 
 
-@check("handle_two_bobs")
+@check("handle_two_bobs", watched=True)
 def test_bobs_that_touch_collide_whatever_their_velocities_are():
     """If true, use the helper function handle_collision to get the new angular velocity values for both pendula."""
+    check_pair(HITS)
     hints = [((-1.0, 2.0), "The handout does not ask whether the bobs approach.")]
     check_pair((1.25, -0.25), values1={"omega": -1.0}, values2={"omega": 2.0}, hints=hints)
 

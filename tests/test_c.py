@@ -50,7 +50,7 @@ def nearly(mistaken):
     return is_it
 
 
-@check("angle_update")
+@check("angle_update", watched=True)
 def test_angle_update():
     """Takes in the current values of angle theta and angular velocity omega and updates them for a given timestep dt
     and gravitational acceleration g.
@@ -59,10 +59,10 @@ def test_angle_update():
     expect("angle_update", *STEP, gives=AFTER, hints=hints)
 
 
-@check("angle_update")
+@check("angle_update", watched=True)
 def test_angle_update_of_other_swings():
-    """Angular acceleration of omega: -g sin theta / R, where g is the gravitational acceleration and theta is the angle
-    formed by the cord normal to the axle.
+    """omega' = -g sin(theta) / R where g is the gravitational acceleration and theta is the angle formed by the cord
+    normal to the axle.
     """
     for arguments, gives in STEPS:
         expect("angle_update", *arguments, gives=gives)
@@ -78,19 +78,18 @@ def swinging_row():
     return pend_list, [1.0, 3.0, -2.0, 1.5], [pi / 6 + 0.1, -pi / 6 + 0.3, pi / 2 - 0.2, 0.15]
 
 
-@check("full_swing_update")
+@check("full_swing_update", watched=True)
 def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
     pend_list, omegas, thetas = swinging_row()
     before = [(pend["omega"], pend["theta"]) for pend in pend_list]
     after = list(zip(omegas, thetas, strict=True))
     hints = [
-        (before, "Nothing has moved."),
+        (before, "omega and theta of all are as before."),
         ([after[0], *before[1:]], "Only the first pendulum has swung: is there a return inside the loop?"),
         ([*before[:-1], after[-1]], "Only the last pendulum has swung."),
         ([*after[:-1], before[-1]], "The last pendulum has not swung."),
         ([before[0], *after[1:]], "The first pendulum has not swung."),
-        (lambda came: came != before and came != after, "Are r_param, dt and g handed on, in this order, once?"),
     ]
     what = "omega and theta of each pendulum"
 
@@ -100,7 +99,7 @@ def test_every_pendulum_swings_once():
     expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=after, see=see, what=what, hints=hints)
 
 
-@check("full_swing_update")
+@check("full_swing_update", watched=True)
 def test_bobs_and_cords_move():
     """Updates the angle and position of the pendulum components."""
     pend_list, _, thetas = swinging_row()
@@ -138,7 +137,7 @@ def test_a_swing_changes_nothing_else():
     expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=gives, see=see, what=what)
 
 
-@check("full_swing_update")
+@check("full_swing_update", watched=True)
 def test_a_swing_is_no_collision():
     """In the second part of the project, you will focus on the functionality of each individual pendulum; specifically,
     how each pendulum swings.
@@ -147,9 +146,11 @@ def test_a_swing_is_no_collision():
     pend_list = row(3)
     for pend, omega in zip(pend_list, omegas, strict=True):
         pend["omega"] = omega
-    hints = [(lambda came: True, "Bobs that touch are left to the collision functions.")]
+    exchanged = (lambda came: sorted(came) == sorted(omegas), "Bobs that touch are left to the collision functions.")
 
     def see(_):
         return [pend["omega"] for pend in pend_list]
 
-    expect("full_swing_update", pend_list, R, 1e-9, 9.81, gives=omegas, see=see, what="omega of each", hints=hints)
+    expect(
+        "full_swing_update", pend_list, R, 1e-9, 9.81, gives=omegas, see=see, what="omega of each", hints=[exchanged]
+    )

@@ -1,9 +1,10 @@
 """Watch a check that fails, in the terminal: `python tests/watch.py test_angle_update`.
 
 The pendula that the check hands over start as they are then, and swing and collide by the functions in src/, in real
-time. Of a function that makes pendula, what it has made is shown.
+time, tick by tick of DT. Of a function that makes pendula, what it has made is shown.
 """
 
+import os
 import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -16,7 +17,7 @@ from support import headless_vpython
 headless_vpython.install()
 
 from cradles import hang
-from grader import checks, find, Grading
+from grader import checks, find, Grading, PASSED
 from handout import FUNCTIONS, SUITES
 from telling import raised
 from vpython import color, vector
@@ -38,7 +39,7 @@ class Scene:
     dt = DT
 
     def __init__(self, pend_list, r_param, g, tick=None):
-        """tick() is to move them on by DT and return who hit whom, as (left, right); without it they stand still."""
+        """tick() is to move them on by DT, and may return who hit whom, as (left, right); without it they stand."""
         self.pend_list = pend_list
         self.r_param, self.g, self.tick = r_param, g, tick
         self.is_double = len(pend_list[0]["objects"]) == 5
@@ -46,7 +47,7 @@ class Scene:
 
     def advance(self, ticks, _) -> list[tuple[int, int, int]]:
         """Move on by so many ticks; return the contacts as (tick, left, right), indices of pendula."""
-        return [(tick, *pair) for tick in range(ticks) for pair in self.tick()]
+        return [(tick, *pair) for tick in range(ticks) for pair in self.tick() or []]
 
     def axles(self):
         return [pend["objects"][0] for pend in self.pend_list]
@@ -72,90 +73,120 @@ class Scene:
 
 def scene_of(call) -> Scene:
     """Return the scene of a call, in which the function that was called does its part."""
-    from src import double_cradle, swinging, visualize_cradle_run
-
-    function = find(call.function)
     given = dict(zip(FUNCTIONS[call.function].parameters.split(", "), call.arguments, strict=False))
-    r_param, g = given["r_param"], given.get("g", G)
+    return SCENES[call.function](find(call.function), given)
 
-    def pendulum(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0, 0, 0), radius=None, **_):
-        pend = hang(theta, omega, mass, e, axle, r_param)
-        pend["objects"][1].radius = radius or pend["objects"][1].radius
-        return pend
 
-    def swing():
+def made_cradle(make_newton_cradle, given):
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "cradle.csv"
+        file.write_text(given["relative_filepath"].text)
+        return Scene(make_newton_cradle(str(file), given["r_param"], given["theta_init"]), given["r_param"], G)
+
+
+def made_double_pendulum(make_double_pendulum, given):
+    objects = make_double_pendulum(*given.values())
+    return Scene([{"theta": given["theta"], "omega": 0.0, "objects": objects}], given["r_param"], G)
+
+
+def one_pendulum(_, given):
+    from src.swinging import swing_update  # which uses angle_update
+
+    pend = hang(given["theta"], given["omega"], r_param=given["r_param"])
+    return Scene([pend], given["r_param"], given["g"], lambda: swing_update(pend, given["r_param"], DT, given["g"]))
+
+
+def row_that_swings(full_swing_update, given):
+    pend_list = [pendulum(given["r_param"], **values) for values in given["pend_list"]]
+    arguments = pend_list, given["r_param"], DT, given["g"]
+    return Scene(pend_list, given["r_param"], given["g"], lambda: full_swing_update(*arguments))
+
+
+def two_that_meet(_, given):
+    from src.visualize_cradle_run import advance_cradle  # which uses handle_collision
+
+    r_param, e = given["r_param"], given["e"]
+    left = hang(0.0, given["omega1"], given["m1"], e, r_param=r_param)
+    right = hang(0.0, given["omega2"], given["m2"], e, (r_param / 4, 0, 0), r_param)
+    arguments = [left, right], r_param, DT, G, 1
+    return Scene([left, right], r_param, G, lambda: [pair for _, *pair in advance_cradle(*arguments, True)])
+
+
+def two_bobs(handle_two_bobs, given):
+    from src.swinging import swing_update
+
+    r_param = given["r_param"]
+    pend_list = [pendulum(r_param, **given[name]) for name in ("pend1", "pend2")]
+
+    def tick():
         for pend in pend_list:
-            swinging.swing_update(pend, r_param, DT, g)
-        return []
+            swing_update(pend, r_param, DT, G)
+        before = [pend["omega"] for pend in pend_list]
+        handle_two_bobs(*pend_list, r_param)
+        return [] if before == [pend["omega"] for pend in pend_list] else [(0, 1)]
 
-    def full_swing():
-        function(pend_list, r_param, DT, g)
-        return []
+    return Scene(pend_list, r_param, G, tick)
 
-    def double_swing():
-        state = (pend_list[0][key] for key in ("omega", "phi_omega", "theta", "phi"))
-        masses = (given[name] for name in ("m1", "m2") if name in given)
-        new = function(*state, r_param, DT, g, *masses)
-        pend_list[0].update(zip(("omega", "phi_omega", "theta", "phi"), new, strict=True))
-        double_cradle.show_double_pendulum(pend_list[0], r_param)
-        return []
 
-    def advance():
-        told = visualize_cradle_run.advance_cradle(pend_list, r_param, DT, g, 1, approaching_only=True)
-        return [pair for _, *pair in told]
+def row_that_ticks(newton_cradle_tick, given):
+    from src import visualize_cradle_run
 
-    def two_bobs(pend1, pend2, *arguments):
+    pend_list = [pendulum(given["r_param"], **values) for values in given["pend_list"]]
+    handle_two_bobs, hits = visualize_cradle_run.handle_two_bobs, []
+
+    def noting_hits(pend1, pend2, *arguments):
         before = pend1["omega"], pend2["omega"]
         handle_two_bobs(pend1, pend2, *arguments)
         if before != (pend1["omega"], pend2["omega"]):
-            hits.append(tuple(i for i, pend in enumerate(pend_list) if pend is pend1 or pend is pend2))
-
-    def collide():
-        swing()
-        hits.clear()
-        two_bobs(*pend_list, r_param)
-        return hits
+            hits.append([i for i, pend in enumerate(pend_list) if pend is pend1 or pend is pend2])
 
     def tick():
         hits.clear()
-        with patch.object(visualize_cradle_run, "handle_two_bobs", two_bobs):
-            function(pend_list, r_param, DT, g)
+        with patch.object(visualize_cradle_run, "handle_two_bobs", noting_hits):
+            newton_cradle_tick(pend_list, given["r_param"], DT, given["g"])
         return hits
 
-    hits: list = []
-    handle_two_bobs = visualize_cradle_run.handle_two_bobs
-    match call.function:
-        case "make_newton_cradle":
-            with TemporaryDirectory() as folder:
-                file = Path(folder) / "cradle.csv"
-                file.write_text(given["relative_filepath"].text)
-                return Scene(function(str(file), r_param, given["theta_init"]), r_param, g)
-        case "make_double_pendulum":
-            objects = function(*call.arguments)
-            return Scene([{"theta": given["theta"], "omega": 0.0, "objects": objects}], r_param, g)
-        case "angle_update":
-            pend_list, move = [pendulum(given["theta"], given["omega"])], swing
-        case "full_swing_update":
-            pend_list, move = [pendulum(**plain) for plain in given["pend_list"]], full_swing
-        case "newton_cradle_tick":
-            pend_list, move = [pendulum(**plain) for plain in given["pend_list"]], tick
-        case "handle_collision":
-            mass1, mass2, e = given["m1"], given["m2"], given["e"]
-            left = pendulum(0.0, given["omega1"], mass1, e)
-            pend_list = [left, pendulum(0.0, given["omega2"], mass2, e, (r_param / 4, 0, 0))]
-            move = advance
-        case "handle_two_bobs":
-            pend_list, move = [pendulum(**given["pend1"]), pendulum(**given["pend2"])], collide
-        case "double_angle_update":
-            angles = {"theta": given["theta"], "phi": given["phi"]}
-            objects = double_cradle.make_double_pendulum(vector(0, 0, 0), r_param, *angles.values(), color.white, None)
-            rates = {"omega": given["omega_theta"], "phi_omega": given["omega_phi"]}
-            pend_list, move = [{**angles, **rates, "mass": 1.0, "objects": objects}], double_swing
-    return Scene(pend_list, r_param, g, move)
+    return Scene(pend_list, given["r_param"], given["g"], tick)
+
+
+def one_double_pendulum(double_angle_update, given):
+    from src.double_cradle import make_double_pendulum, show_double_pendulum
+
+    r_param = given["r_param"]
+    objects = make_double_pendulum(vector(0, 0, 0), r_param, given["theta"], given["phi"], color.white, None)
+    keys = {"omega": "omega_theta", "phi_omega": "omega_phi", "theta": "theta", "phi": "phi"}
+    pend = {**{key: given[name] for key, name in keys.items()}, "mass": 1.0, "objects": objects}
+    masses = [given[name] for name in ("m1", "m2") if name in given]
+
+    def tick():
+        new = double_angle_update(*(pend[key] for key in keys), r_param, DT, given["g"], *masses)
+        pend.update(zip(keys, new, strict=True))
+        show_double_pendulum(pend, r_param)
+
+    return Scene([pend], r_param, given["g"], tick)
+
+
+def pendulum(r_param, mass, e, theta, omega, axle, radius, **_):
+    """Return a pendulum again from what it was as plain values."""
+    pend = hang(theta, omega, mass, e, axle, r_param)
+    pend["objects"][1].radius = radius
+    return pend
+
+
+SCENES = {
+    "make_newton_cradle": made_cradle,
+    "angle_update": one_pendulum,
+    "full_swing_update": row_that_swings,
+    "handle_collision": two_that_meet,
+    "handle_two_bobs": two_bobs,
+    "newton_cradle_tick": row_that_ticks,
+    "make_double_pendulum": made_double_pendulum,
+    "double_angle_update": one_double_pendulum,
+}
 
 
 def main() -> None:
-    """Say what is wrong in a check, and play its scene; status 2 if there is no such check, 1 if it has no scene."""
+    """Say what is wrong in a check, and play it; status 2 if there is no such check, 1 if it cannot be played."""
     all_checks = {check.name: check for tier in SUITES for check in checks(tier=tier)}
     names = allowed(str, all_checks.__contains__, "the name of a check, as test_angle_update")
     parser = OneLineParser(description="Watch a check that fails, in the terminal.", allow_abbrev=False)
@@ -167,12 +198,18 @@ def main() -> None:
 
     outcome = Grading().judge(all_checks[options.check])
     print(outcome.message or f"{options.check} passes.", flush=True)
+    if outcome.state == PASSED:
+        return
     if not outcome.call:
         sys.exit("There is nothing to watch.")
     try:
         play(scene_of(outcome.call), options.seconds)
-    except (Exception, SystemExit) as error:
-        sys.exit("\n".join(["It cannot be played:", *raised(error)]))
+    except KeyboardInterrupt:
+        pass
+    except BrokenPipeError:  # nobody reads on, as after `| head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except Exception as error:
+        sys.exit(f"It cannot be played: {raised(error)[0]}")
 
 
 def play(scene, seconds) -> None:

@@ -76,6 +76,7 @@ WRONG = {
         "returns pandas' default dictionary": "return pd.read_csv(relative_filepath).to_dict()",
         "a dictionary of lists": "return pd.read_csv(relative_filepath).to_dict(orient='list')",
         "the values, not as a list": "return pd.read_csv(relative_filepath).to_dict(orient='index').values()",
+        "an empty list": "pend_list = []; pd.read_csv(relative_filepath).to_dict(orient='index'); return pend_list",
         "a tuple": "return tuple(pd.read_csv(relative_filepath).to_dict(orient='records'))",
         "a generator": "return (pend for pend in pd.read_csv(relative_filepath).to_dict(orient='records'))",
         "the keys of bad_rep": "return list(pd.read_csv(relative_filepath).to_dict(orient='index'))",
@@ -168,6 +169,13 @@ WRONG = {
                 pend['mass'] = mass
             return pend
             """,
+        "as text": "return [{**pend, 'mass': str(mass)} for pend in extract_and_convert(relative_filepath)]",
+        "returns the first pendulum": """\
+            pend_list = extract_and_convert(relative_filepath)
+            for pend in pend_list:
+                pend['mass'] = mass
+            return pend_list[0]
+            """,
         "the name as a text": """\
             pend_list = extract_and_convert(relative_filepath)
             for pend in pend_list:
@@ -214,6 +222,11 @@ WRONG = {
             for pend in pend_list:
                 pend['e'] = e_val
                 return pend_list
+            """,
+        "only the last": """\
+            pend_list = extract_and_convert(relative_filepath)
+            pend_list[-1]['e'] = e_val
+            return pend_list
             """,
         "a new key": "return [{**pend, 'e_val': e_val} for pend in extract_and_convert(relative_filepath)]",
         "always 1": "return [{**pend, 'e': 1} for pend in extract_and_convert(relative_filepath)]",
@@ -266,6 +279,11 @@ WRONG = {
             "pend_list = globals().setdefault('_cradle', extract_and_convert(relative_filepath))",
         ),
         "the angles of the file": ("pend['theta'] = 0", "pass"),
+        "theta is not set": (
+            "if i == 0:\n                pend['theta'] = theta_init\n            else:\n                pend['theta'] = 0",
+            "pass",
+        ),
+        "theta and omega mixed up": ("pend['omega'] = 0", "pend['omega'], pend['theta'] = pend['theta'], 0"),
         "all are lifted": ("pend['theta'] = 0", "pend['theta'] = theta_init"),
         "none is lifted": ("pend['theta'] = theta_init", "pend['theta'] = 0"),
         "the last is lifted": ("i == 0", "i == len(pend_list) - 1"),
@@ -297,6 +315,8 @@ WRONG = {
         "axles by the shipped cord": ("r_param/4 * i", "0.05 * i"),
         "axles from right to left": ("-0.1 + r_param/4 * i", "0.1 - r_param/4 * i"),
         "i multiplies all": ("(-0.1 + r_param/4 * i)", "(-0.1 + r_param/4) * i"),
+        "r_param/4 and r_param/5 mixed up": ("r_param/4 * i), r_param/5", "r_param/5 * i), r_param/4"),
+        "axles to the left of the first": ("-0.1 + r_param/4", "-0.1 - r_param/4"),
         "axles at height 0": ("r_param/5, 0)", "0, 0)"),
         "axles below": ("r_param/5, 0)", "-r_param/5, 0)"),
         "axles at the height of the shipped ones": ("r_param/5, 0)", "0.04, 0)"),
@@ -308,6 +328,15 @@ WRONG = {
         ),
         "bobs all hang": ("r_param, pend['theta']", "r_param, 0"),
         "bobs all lifted": ("r_param, pend['theta']", "r_param, theta_init"),
+        "objects made before theta is set": """\
+            pend_list = extract_and_convert(relative_filepath)
+            for i, pend in enumerate(pend_list):
+                axle_pos = vector(-0.1 + r_param/4 * i, r_param/5, 0)
+                color, texture = COLOR_MAP[pend['color']], TEXTURE_MAP[pend['texture']]
+                pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)
+                pend['theta'], pend['omega'] = theta_init if i == 0 else 0, 0
+            return pend_list
+            """,
         "cords of the shipped length": ("axle_pos, r_param", "axle_pos, 0.2"),
         "angle and length exchanged": ("r_param, pend['theta']", "pend['theta'], r_param"),
         "the name of the color": ("COLOR_MAP[pend['color']]", "pend['color']"),
@@ -316,6 +345,10 @@ WRONG = {
         "always red": ("COLOR_MAP[pend['color']]", "COLOR_MAP['red']"),
         "always metal": ("TEXTURE_MAP[pend['texture']]", "TEXTURE_MAP['metal']"),
         "the looks of the first row": ("COLOR_MAP[pend['color']]", "COLOR_MAP[pend_list[0]['color']]"),
+        "the looks of the last row": (
+            "[pend['color']], TEXTURE_MAP[pend[",
+            "[pend_list[-1]['color']], TEXTURE_MAP[pend_list[-1][",
+        ),
         "color and texture exchanged": (
             "r_param, pend['theta'], color, texture",
             "r_param, pend['theta'], texture, color",
@@ -405,6 +438,12 @@ WRONG = {
                     return
                 swing_update(pend, r_param, dt, g)
             """,
+        "lets the first two collide": """\
+            for pend in pend_list:
+                swing_update(pend, r_param, dt, g)
+            first, second, *_ = pend_list
+            first['omega'], second['omega'] = second['omega'], first['omega']
+            """,
         "sorted by angle": "pend_list.sort(key=lambda pend: pend['theta'])\nfor pend in pend_list: swing_update(pend, r_param, dt, g)",
     },
     "handle_collision": {
@@ -425,13 +464,24 @@ WRONG = {
         "e missing in the second": ("+ m1*e*", "+ m1*"),
         "v1 + v2 in the first": ("m2*e*(v1 - v2)", "m2*e*(v1 + v2)"),
         "v1 + v2 in the second": ("m1*e*(v1 - v2)", "m1*e*(v1 + v2)"),
+        "v1 + v2 in both": ("(v1 - v2)", "(v1 + v2)"),
         "the speed's sign lost": ("m1*e*(v1 - v2)", "m1*e*abs(v1 - v2)"),
         "momentum with a minus": ("v1_new = (m1*v1 + m2*v2", "v1_new = (m1*v1 - m2*v2"),
         "masses missing in the momentum": ("v1_new = (m1*v1 + m2*v2", "v1_new = (v1 + v2"),
         "divided by one mass": ("/ (m1 + m2)\n        v2", "/ m1\n        v2"),
         "divided by the product": ("/ (m1 + m2)\n        return", "/ (m1 * m2)\n        return"),
+        "neither divided": ("/ (m1 + m2)", ""),
+        "both divided by the product": ("(m1 + m2)", "(m1 * m2)"),
         "not divided": ("/ (m1 + m2)\n        return", "\n        return"),
         "brackets forgotten": ("(m1*v1 + m2*v2 - m2*e*(v1 - v2))", "m1*v1 + m2*v2 - m2*e*(v1 - v2)"),
+        "brackets forgotten in the second": ("(m1*v1 + m2*v2 + m1*e*(v1 - v2))", "m1*v1 + m2*v2 + m1*e*(v1 - v2)"),
+        "brackets forgotten in both": """\
+            v1 = r_param * omega1
+            v2 = r_param * omega2
+            v1_new = m1*v1 + m2*v2 - m2*e*(v1 - v2) / (m1 + m2)
+            v2_new = m1*v1 + m2*v2 + m1*e*(v1 - v2) / (m1 + m2)
+            return (v1_new / r_param, v2_new / r_param)
+            """,
         "brackets of the sum forgotten": ("/ (m1 + m2)\n        return", "/ m1 + m2\n        return"),
         "the new v1 in the second": ("m1*e*(v1 - v2)", "m1*e*(v1_new - v2)"),
         "not converted back": ("(v1_new / r_param, v2_new / r_param)", "(v1_new, v2_new)"),
@@ -502,6 +552,7 @@ WRONG = {
         "the larger e": ("e = pend1['e']", "e = max(pend1['e'], pend2['e'])"),
         "the product of both e": ("e = pend1['e']", "e = pend1['e'] * pend2['e']"),
         "e is 1": ("e = pend1['e']", "e = 1"),
+        "e is 0": ("e = pend1['e']", "e = 0"),
         "masses exchanged": ("omega2, m1, m2, r_param", "omega2, m2, m1, r_param"),
         "the first mass twice": ("m1, m2 = pend1['mass'], pend2['mass']", "m1 = m2 = pend1['mass']"),
         "masses of 1": ("m1, m2 = pend1['mass'], pend2['mass']", "m1 = m2 = 1"),
@@ -634,6 +685,7 @@ WRONG = {
         "theta subtracted": ("theta + phi", "phi - theta"),
         "phi ignored": ("theta + phi", "theta"),
         "theta ignored": ("r_param, theta, color", "r_param, 0, color"),
+        "theta ignored in both": ("axle, bob1, cord1 =", "theta = 0; axle, bob1, cord1 ="),
         "theta and phi exchanged": ("axle, bob1, cord1 =", "theta, phi = phi, theta; axle, bob1, cord1 ="),
         "the lower one hung from the axle": ("bob1.pos", "axle_pos"),
         "the lower cord hung from the axle": ("return", "cord2.pos = axle_pos\n        return"),
@@ -647,6 +699,7 @@ WRONG = {
     "double_angle_update": {
         "returns nothing": ("return", "result ="),
         "nothing changes": "return omega_theta, omega_phi, theta, phi",
+        "each angle behind its rate": ("(u, v - u, a, b - a)", "(a, u, b - a, v - u)"),
         "angles first": ("(u, v - u, a, b - a)", "(a, b - a, u, v - u)"),
         "a list": ("(u, v - u, a, b - a)", "[u, v - u, a, b - a]"),
         "the angles alone": ("(u, v - u, a, b - a)", "(a, b - a)"),
@@ -672,10 +725,6 @@ WRONG = {
         "accelerations of zero": (
             "du, dv = double_accelerations(a, b, u, v, g / r_param, m2 / (m1 + m2))",
             "du = dv = 0",
-        ),
-        "the old rates in the angles": (
-            "u = u + du * dt",
-            "a, b, u = a + u * dt - (u + du * dt) * dt, b - dv * dt**2, u + du * dt",
         ),
         "small angles": ("(a, b, u, v, g", "(a / 100, b / 100, u, v, 100 * g"),
         "damped": ("(u, v - u, a, b - a)", "(u * 0.999, (v - u) * 0.999, a, b - a)"),

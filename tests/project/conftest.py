@@ -5,8 +5,8 @@ import subprocess
 import sys
 
 import pytest
-from cradles import FIVE_CSV
 from programs import ARGUMENTS, CHROMIUM, copy_project, PROGRAM, SECONDS
+from whole_cradles import FIVE_CSV
 
 
 @pytest.fixture

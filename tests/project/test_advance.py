@@ -8,8 +8,9 @@ from importlib.machinery import PathFinder
 from math import cos, pi, sin
 
 import pytest
-from cradles import components, FIVE_CSV, hang, R, row
+from cradles import hang, R, row
 from programs import ROOT
+from whole_cradles import components, FIVE_CSV
 
 from src import visualize_cradle_run
 from src.swinging import angle_update

@@ -10,7 +10,6 @@ from pathlib import Path
 from urllib.parse import quote
 
 import pytest
-from cradles import FIVE_CSV
 from programs import (
     BOBS,
     copy_project,
@@ -24,6 +23,7 @@ from programs import (
     running,
     SECONDS,
 )
+from whole_cradles import FIVE_CSV
 
 from support.closed_doors import page_sockets, port_of
 from support.constants import R_PARAM

@@ -6,7 +6,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from cradles import GOOD, HEADER, MIXED, MIXED_CSV
+from cradles import MIXED, MIXED_CSV
+from whole_cradles import GOOD, HEADER
 
 from src import visualize_cradle_run
 from src.pds_helper import extract_and_convert, write_to_csv

@@ -5,9 +5,9 @@ from itertools import pairwise
 from math import cos, hypot, pi, sin
 
 import pytest
-from cradles import components, hang, R, row
+from cradles import hang, R, row
 from vpython import mag
-from whole_cradles import distances, hang_double
+from whole_cradles import components, distances, hang_double
 
 from src.dragging import cord_angles, drag_bob, drag_pendulum, touching_angle
 

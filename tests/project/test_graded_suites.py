@@ -2,6 +2,7 @@
 
 import re
 import sys
+from functools import cache, partial
 from importlib import import_module
 from inspect import Signature, signature
 from textwrap import dedent, indent
@@ -10,8 +11,9 @@ import grader
 import pytest
 import watch
 from grader import check, checks, expect, FAILED, FAULT, Grading, PASSED, WAITING
-from handout import FUNCTIONS, needed, SUITES, WATCHED
+from handout import FUNCTIONS, needed, SUITES
 from right_solutions import RIGHT
+from telling import python
 from wrong_solutions import PLAIN, WRONG
 
 from support.text_picture import TextPicture
@@ -24,23 +26,23 @@ WRONG_ROWS = [(function, mistake) for function, mistakes in WRONG.items() for mi
 RIGHT_ROWS = [(function, way) for function, ways in RIGHT.items() for way in ways]
 
 
+def put(monkeypatch, function, version):
+    """Put a version of a function, as the tables have it, in its place wherever it is used."""
+    if isinstance(version, tuple):
+        assert version[0] in PLAIN[function]
+        version = PLAIN[function].replace(*version)
+    made: dict = {}
+    original = getattr(MODULES[function], function)
+    parameters = signature(original).replace(return_annotation=Signature.empty)
+    exec(f"def {function}{parameters}:\n{indent(dedent(version), '    ')}", vars(MODULES[function]), made)
+    for name, user in list(sys.modules.items()):
+        if name.startswith("src.") and getattr(user, function, None) is original:
+            monkeypatch.setattr(user, function, made[function])
+
+
 @pytest.fixture
 def solve(monkeypatch):
-    """A function that puts a version of a function, as the tables have it, in its place wherever it is used."""
-
-    def solve(function, version):
-        if isinstance(version, tuple):
-            assert version[0] in PLAIN[function]
-            version = PLAIN[function].replace(*version)
-        made: dict = {}
-        original = getattr(MODULES[function], function)
-        parameters = signature(original).replace(return_annotation=Signature.empty)
-        exec(f"def {function}{parameters}:\n{indent(dedent(version), '    ')}", vars(MODULES[function]), made)
-        for name, user in list(sys.modules.items()):
-            if name.startswith("src.") and getattr(user, function, None) is original:
-                monkeypatch.setattr(user, function, made[function])
-
-    return solve
+    return partial(put, monkeypatch)
 
 
 def judge_all():
@@ -49,13 +51,31 @@ def judge_all():
     return {(check.function, check.name): grading.judge(check) for check in CHECKS}
 
 
+HINTS_TRIED: set = set()  # all sentences that the checks have compared a mistake with
+
+
+@cache
+def outcomes_of(function, mistake):
+    """Return what becomes of all checks with this wrong solution."""
+
+    def hint(came, gives, hints):
+        HINTS_TRIED.update(sentence for _, sentence in hints)
+        return original(came, gives, hints)
+
+    original = grader.hint
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.setattr(grader, "hint", hint)
+        put(monkeypatch, function, WRONG[function][mistake])
+        return judge_all()
+
+
 # --- they let nothing wrong pass, and a fault costs once -------------------------------------------------------------
 
 # What a failure is to be like: what was called, what came of it, what was expected, a hint, where to read, and how to
 # watch it.
 FORM = re.compile(
-    r"called      .+?\n(came back|it raised)   .+?\n(expected    .+?\n(hint        [^\n]+\n)?"
-    r"|(?<=not written yet) .+?\n)read        handout, [^\n]+(\nwatch       python tests/watch\.py \w+)?",
+    r"called      .+?\n(came back|it raised)   .+?\nexpected    .+?\n(hint        [^\n]+\n)?"
+    r"read        handout, [^\n]+(\nwatch       \S+ tests/watch\.py \w+)?",
     re.DOTALL,
 )
 
@@ -67,13 +87,12 @@ def test_the_tables_are_large_and_name_each_function():
 
 
 @pytest.mark.parametrize(("function", "mistake"), WRONG_ROWS)
-def test_nothing_wrong_passes(solve, function, mistake):
+def test_nothing_wrong_passes(function, mistake):
     """It fails in its own checks, and nowhere else: those of functions that use it wait, and no other one cares."""
-    solve(function, WRONG[function][mistake])
-    outcomes = judge_all()
+    outcomes = outcomes_of(function, mistake)
     assert {of for (of, _), outcome in outcomes.items() if outcome.state == FAILED} == {function}
     for (of, name), outcome in outcomes.items():
-        if outcome.state == FAILED and not outcome.unwritten:
+        if outcome.state == FAILED:
             assert FORM.fullmatch(outcome.message), outcome.message
             assert "grader" not in outcome.message
         elif of != function:
@@ -111,12 +130,12 @@ def test_a_failure_says_it_all_in_order(solve):
         "expected    omega of pend1 and of pend2: (1, 3)",
         "hint        This is what e = 1, that of pend2, gives.",
         "read        handout, Handling Collisions (B Tests), and Appendix: Conservation Laws: handle_two_bobs",
-        "watch       python tests/watch.py test_e_is_the_first_pendulums",
+        f"watch       {python()} tests/watch.py test_e_is_the_first_pendulums",
     ]
 
 
 HINTS = [
-    ("extract_and_convert", "returns nothing", "None is what a function gives that has no return."),
+    ("extract_and_convert", "returns nothing", "None: is a return reached, and with a value?"),
     ("extract_and_convert", "returns bad_rep", "This is bad_rep itself"),
     ("extract_and_convert", "return inside the loop", "This is the first pendulum alone: is there a return inside"),
     ("extract_and_convert", "the list made inside the loop", "This is the last pendulum alone: is the list made anew"),
@@ -160,12 +179,19 @@ def test_a_mistake_is_recognised(solve, function, mistake, hint):
     assert f"\nhint        {hint}" in first_failure(function).message
 
 
+def test_each_hint_is_what_some_mistake_gives():
+    messages = [outcome.message for row in WRONG_ROWS for outcome in outcomes_of(*row).values()]
+    given = {line.removeprefix("hint        ") for text in messages for line in text.split("\n")}
+    assert HINTS_TRIED - given == set()
+
+
 def test_no_two_mistakes_give_the_same():
     """Or the hint would name one where it is the other."""
     for suite in ("test_c", "test_b"):
         results = [result for result, _ in import_module(suite).MISTAKES]
         for i, result in enumerate(results):
-            assert not [other for other in results[:i] if max(map(abs, map(float.__sub__, result, other))) < 1e-4]
+            for other in results[:i]:
+                assert max(abs(a - b) for a, b in zip(result, other, strict=True)) > 1e-4
 
 
 def test_what_never_comes_back_is_stopped_and_not_called_again(solve, monkeypatch, capsys):
@@ -210,6 +236,10 @@ def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
 # --- watching --------------------------------------------------------------------------------------------------------
 
 
+def test_there_is_a_scene_for_all_that_can_be_watched():
+    assert set(watch.SCENES) == {check.function for check in CHECKS if check.watched}
+
+
 @pytest.mark.parametrize(
     ("function", "mistake"),
     [
@@ -224,20 +254,26 @@ def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
     ],
 )
 def test_a_failure_that_can_be_watched_is_played_by_the_solution(solve, function, mistake):
-    assert function in WATCHED
     solve(function, WRONG[function][mistake])
     outcome = first_failure(function)
-    assert outcome.message.splitlines()[-1].startswith("watch       python tests/watch.py test_")
-    scene = watch.scene_of(outcome.call)
-    first = TextPicture().lines(scene, 80, 20)
-    assert sum("(1)" in line or "O" in line for line in first) >= 1
-    if not function.startswith("make_"):
-        scene.advance(3000, True)
-        assert TextPicture().lines(scene, 80, 20) != first
+    assert re.fullmatch(r"watch       \S+ tests/watch.py test_\w+", outcome.message.splitlines()[-1])
+    places = []
+    for version in (WRONG[function][mistake], PLAIN[function]):
+        solve(function, version)
+        scene = watch.scene_of(outcome.call)
+        if scene.tick:
+            scene.advance(1000, True)
+        places.append([bob.pos.value for bob in scene.bobs()])
+        assert any("(1)" in line or "O" in line for line in TextPicture().lines(scene, 80, 20))
+    assert places[0] != places[1]
 
 
 def test_a_scene_tells_of_hits(solve):
-    for mistake, hits in [("the first pair alone", [(0, 0, 1)]), ("from the right", [(0, 0, 1)]), ("only swings", [])]:
+    for mistake, hits in [
+        ("the first pair alone", [(0, 0, 1)]),
+        ("from the right", [(0, 1, 2), (0, 0, 1)]),
+        ("only swings", []),
+    ]:
         solve("newton_cradle_tick", WRONG["newton_cradle_tick"][mistake])
         assert watch.scene_of(first_failure("newton_cradle_tick").call).advance(1, True) == hits
     solve("newton_cradle_tick", PLAIN["newton_cradle_tick"])

@@ -5,9 +5,9 @@ from math import radians
 from types import SimpleNamespace
 
 import pytest
-from cradles import components, FIVE_CSV, GOOD, HEADER, MIXED_CSV
+from cradles import MIXED_CSV
 from vpython import vector
-from whole_cradles import PERIOD
+from whole_cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD
 
 from src.live_cradle import LiveCradle
 from src.visualize_cradle_run import advance_cradle, newton_cradle_tick

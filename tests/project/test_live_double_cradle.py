@@ -6,8 +6,8 @@ from math import copysign, radians
 from types import SimpleNamespace
 
 import pytest
-from cradles import components, FIVE_CSV, MIXED_CSV
-from whole_cradles import distances, PERIOD
+from cradles import MIXED_CSV
+from whole_cradles import components, distances, FIVE_CSV, PERIOD
 
 from src.double_cradle import double_cradle_tick
 from src.live_double_cradle import LiveDoubleCradle

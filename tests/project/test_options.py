@@ -3,7 +3,7 @@
 from math import degrees, inf
 
 import pytest
-from cradles import FIVE_CSV
+from whole_cradles import FIVE_CSV
 
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.options import (

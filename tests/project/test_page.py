@@ -6,7 +6,6 @@ from itertools import pairwise
 from math import atan2, cos, degrees, radians, sin
 
 import pytest
-from cradles import FIVE_CSV, GOOD, HEADER
 from programs import (
     BOBS,
     end,
@@ -21,7 +20,7 @@ from programs import (
     running,
     wait_until,
 )
-from whole_cradles import PERIOD
+from whole_cradles import FIVE_CSV, GOOD, HEADER, PERIOD
 
 from support.constants import R_PARAM
 from support.real_time import FRAME

@@ -3,8 +3,9 @@
 from math import cos, sin
 
 import pytest
-from cradles import components, row
+from cradles import row
 from vpython import color, mag, textures, vector
+from whole_cradles import components
 
 from support.pendulum import make_pendulum
 

@@ -8,8 +8,9 @@ from importlib.machinery import PathFinder
 from math import copysign, degrees
 
 import pytest
-from cradles import components, MIXED, MIXED_CSV
+from cradles import MIXED, MIXED_CSV
 from programs import copy_project, ROOT
+from whole_cradles import components
 
 from src import visualize_cradle_run, visualize_double_cradle_run
 from src.special_cradles import make_newton_cradle

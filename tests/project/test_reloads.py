@@ -9,8 +9,8 @@ import sys
 from importlib.machinery import PathFinder
 
 import pytest
-from cradles import HEADER
 from programs import ROOT
+from whole_cradles import HEADER
 
 PROGRAM = """
 import gc, json, sys, tracemalloc

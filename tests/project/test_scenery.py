@@ -3,8 +3,9 @@
 from math import cos, pi, sin, tan
 
 import pytest
-from cradles import components, hang, R
+from cradles import hang, R
 from vpython import box, cross, cylinder, dot, mag, norm, scene, vector
+from whole_cradles import components
 
 from support.scenery import CANVAS_HEIGHT, CANVAS_WIDTH, Scenery
 

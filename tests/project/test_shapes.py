@@ -3,8 +3,8 @@
 from collections import defaultdict
 
 import pytest
-from cradles import components
 from vpython import box, color, cylinder, sphere, textures, vector
+from whole_cradles import components
 
 from support import shapes
 from support.shapes import discard, make_shape

@@ -66,11 +66,10 @@ def test_only_the_bodies_of_the_handouts_functions_are_taken_out(starter):
             assert (starter / file.relative_to(ROOT)).read_bytes() == file.read_bytes()
 
 
-def test_nothing_that_gives_solutions_away_is_handed_out(starter):
+def test_of_tests_only_what_grades_is_handed_out(starter):
     names = {path.name for path in starter.glob("tests/*")}
     assert names == {f"{suite}.py" for suite in SUITES.values()} | {
-        *("command_line.py", "conftest.py", "cradles.py", "grade.py", "grader.py", "handout.py", "telling.py"),
-        "watch.py",
+        *("cradles.py", "grade.py", "grader.py", "handout.py", "pytest_grader.py", "telling.py", "watch.py")
     }
 
 
@@ -78,7 +77,7 @@ def test_all_fails_as_not_written_yet_and_with_the_solutions_all_is_green(starte
     status, lines, graded = grade(starter)
     assert status == 1
     assert table_of(lines) == {tier: [0, 0, count, f"0/{count}"] for tier, count in ALL.items()}
-    assert len([line for line in lines if line.startswith("not written yet src/")]) == sum(ALL.values())
+    assert len([line for line in lines if "not written yet" in line]) == sum(ALL.values())
     assert lines[-1].startswith(f"{'=' * 20}") and f" {sum(ALL.values())} failed in " in lines[-1]
     assert graded["grade"] is None
     assert graded["next"].startswith("extract_and_convert in src/pds_helper.py")
@@ -106,7 +105,7 @@ def test_programs_say_what_is_missing(starter, program, missing):
     assert (done.returncode, done.stdout) == (2, "")
     first, *names, last = done.stderr.splitlines()
     assert first == "There is no cradle to be seen yet. Still to be written:"
-    assert names == [f"    {name} in {FUNCTIONS[name].file}" for name in missing]
+    assert [line.partition(",")[0] for line in names] == [f"    {name} in {FUNCTIONS[name].file}" for name in missing]
     assert last == "`pytest` tells which one is next."
 
 
@@ -155,7 +154,9 @@ def test_a_file_that_cannot_be_imported_fails_its_own_functions_only(starter):
     waiting = {"D": 16, "C": 0, "B": 0, "A": 0, "Honor roll": 0}
     assert {tier: row[0] for tier, row in table_of(lines).items()} == {**waiting, "Honor roll": 7}
     assert {tier: row[2] for tier, row in table_of(lines).items()} == {"D": 0, "C": 2, "B": 0, "A": 0, "Honor roll": 0}
-    assert lines.count("it raised   SyntaxError: expected ':' (swinging.py, line 31)") == 2
+    assert [line.startswith("it raised   SyntaxError: expected ':' (swinging.py, line ") for line in lines].count(
+        True
+    ) == 2
 
 
 def test_one_tier_alone(starter):
@@ -188,7 +189,7 @@ def test_a_folder_with_something_in_it_is_refused(tmp_path):
     done = start(ROOT / "tests" / "make_starter.py", tmp_path, folder=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.count("\n") == 1
-    assert f"{tmp_path}: " in done.stderr
+    assert f"found '{tmp_path}', allowed is a new folder, or an empty one" in done.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
 
 

@@ -3,7 +3,8 @@
 from math import cos, pi, sin
 
 import pytest
-from cradles import components, hang, R
+from cradles import hang, R
+from whole_cradles import components
 
 from src import swinging
 

@@ -16,9 +16,9 @@ from types import SimpleNamespace
 
 import pandas as pd
 import pytest
-from cradles import FIVE_CSV, GOOD, HEADER, MIXED_CSV
+from cradles import MIXED_CSV
 from programs import copy_project, end, QUIETLY, refusal, ROOT, running, SECONDS
-from whole_cradles import make_motion, PERIOD
+from whole_cradles import FIVE_CSV, GOOD, HEADER, make_motion, PERIOD
 
 from src import text_cradle_run
 from src.special_cradles import make_newton_cradle

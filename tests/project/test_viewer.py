@@ -11,9 +11,8 @@ from types import SimpleNamespace
 
 import pandas as pd
 import pytest
-from cradles import components, FIVE_CSV, GOOD, HEADER
 from vpython import cylinder, scene, vector, wtext
-from whole_cradles import PERIOD
+from whole_cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD
 
 from src.live_cradle import LiveCradle
 from src.live_double_cradle import LiveDoubleCradle

@@ -1,10 +1,9 @@
-"""More cradles for the project's tests: double pendula made by hand, and cradles in motion."""
+"""More cradles for the project's tests: CSV text, double pendula made by hand, and cradles in motion."""
 
 from itertools import combinations
 from math import pi, sqrt
 from types import SimpleNamespace
 
-from cradles import FIVE_CSV
 from vpython import color, mag, vector
 
 from src.double_cradle import make_double_pendulum
@@ -16,6 +15,10 @@ from support.motion import Motion
 
 # Of a small swing at the shipped constants (s), so that tests wait as long as it takes after someone has edited them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
+
+# Five equal elastic pendula, as the shipped file has them until someone edits it.
+HEADER, GOOD = "mass,e,theta,omega,color,texture\n", "1.0,1.0,0.0,0.0,red,metal\n"
+FIVE_CSV = HEADER + GOOD * 5
 
 
 def hang_double(theta=0.0, phi=0.0, omega=0.0, phi_omega=0.0, mass=1.0, e=1.0, axle=(0, 0), r_param=R_PARAM) -> dict:
@@ -44,3 +47,8 @@ def make_motion(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4) -> Motion:
     cradle.load(Snapshot(file))
     cradle.release([angle], lift)
     return Motion(cradle, impacts)
+
+
+def components(v) -> tuple[float, float, float]:
+    """Return the components of a vector, for pytest.approx."""
+    return v.x, v.y, v.z

@@ -1,7 +1,6 @@
-"""The graded suites in pytest: each check is an item of its own, and after a run a table tells the grade."""
+"""The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table ends a run."""
 
 import json
-from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -10,30 +9,33 @@ from support import headless_vpython
 
 headless_vpython.install()
 
-import command_line
 from grade import grade, lines
 from grader import CHECKS, FAILED, FAULT, Grading, WAITING
 from handout import SUITES
 
 from support.whole_file import whole_file
 
+TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes them
+
 
 def pytest_addoption(parser):
-    with suppress(ValueError):  # they are there already, as the project is installed
-        command_line.pytest_addoption(parser)
+    group = parser.getgroup("graded suites")
+    text = "run the graded suite of one tier only: D, C, B, A or honor"
+    group.addoption("--tier", type=str.upper, choices=list(TIERS), metavar="TIER", help=text)
+    group.addoption("--grade-json", metavar="FILE", help="write the grade to FILE")
 
 
 def pytest_configure(config):
-    config.grading, config.ran = Grading(), {}  # ran: outcomes of this run's checks, by name
+    config.grading, config.ran = Grading(), {}  # ran: the outcomes of this run's checks, by name
     file = config.option.grade_json
-    if file and (Path(file).is_dir() or not Path(file).parent.is_dir()):
+    if file is not None and (Path(file).is_dir() or not Path(file).parent.is_dir()):
         raise pytest.UsageError(f"--grade-json: found {file!r}, allowed is a file in a folder that is there")
 
 
 def pytest_ignore_collect(collection_path, config):
-    suites = dict(zip(command_line.TIERS, SUITES.values(), strict=True))
-    wanted = suites.get(config.option.tier, collection_path.stem)
-    return True if collection_path.is_file() and collection_path.stem != wanted else None
+    """Leave out what is not of the tier that is wanted, unread: it may not even be possible to import it."""
+    tier = config.option.tier
+    return True if tier and collection_path.is_file() and collection_path.stem != SUITES[TIERS[tier]] else None
 
 
 def pytest_pycollect_makeitem(collector, name, obj):
@@ -42,8 +44,8 @@ def pytest_pycollect_makeitem(collector, name, obj):
 
 def pytest_collection_modifyitems(items):
     """Put the checks first, in the order of the handout."""
-    tiers = list(SUITES)
-    items.sort(key=lambda item: tiers.index(item.check.tier) if isinstance(item, Item) else len(tiers))
+    tiers = [*SUITES, None]
+    items.sort(key=lambda item: tiers.index(item.check.tier if isinstance(item, Item) else None))
 
 
 class Item(pytest.Item):
@@ -64,15 +66,17 @@ class Item(pytest.Item):
         return self.path, self.check.ask.__code__.co_firstlineno - 1, self.check.title()
 
 
-def pytest_report_teststatus(report):
-    if report.when == "call" and report.skipped and "waits for" in str(report.longrepr):
-        return "waiting", "w", f"WAITING ({report.longrepr[2].removeprefix('Skipped: ')})"
+def pytest_report_teststatus(report, config):
+    outcome = config.ran.get(report.nodeid.rpartition("::")[2])
+    if outcome and outcome.state == WAITING and report.skipped:
+        return WAITING, "w", "WAITING"
     return None
 
 
 def pytest_sessionfinish(session):
+    """Write the grade. If the file cannot be written the exit status says so, which else is pytest's own."""
     file = session.config.option.grade_json
-    if file:
+    if file and session.config.ran:
         try:
             with whole_file(file) as out:
                 json.dump(grade(session.config.ran), out, indent=4)
