@@ -7,6 +7,7 @@ function is written is nobody's business here.
 """
 
 import importlib
+import os
 import signal
 import threading
 import traceback
@@ -22,12 +23,13 @@ from handout import FUNCTIONS, needed, SUITES
 from telling import A, about, Call, culprit_of, message, own_lines, plain, PlainFile, python, raised, ROOT, shown
 from vpython import vector
 
+from support.constants import NC_FP
 from support.unwritten import unwritten
 
-PATIENCE = 10.0  # s after which a function that has not come back counts as one that never does
+PATIENCE = 5.0  # s after which a function that has not come back counts as one that never does
 
 # What is raised where something is looked for in a value that has another form.
-OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError)
+OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
 
 
 # --- checks ----------------------------------------------------------------------------------------------------------
@@ -121,7 +123,8 @@ def find(function) -> Callable:
     """Return a student's function; raise MistakeError if there is none, or WaitError if another file is at fault."""
     file = FUNCTIONS[function].file
     try:
-        module = importlib.import_module(module_of(file))
+        with working_in(ROOT):  # wherever the check is at this moment
+            module = importlib.import_module(module_of(file))
     except (Exception, SystemExit, KeyboardInterrupt) as error:
         hung = isinstance(error, KeyboardInterrupt)
         if hung and not LATE.is_set():
@@ -154,6 +157,17 @@ def run(call, solution, arguments, wanted, feeds) -> Any:
             raise
         raise MistakeError(call, [("came back", stopped(error)), wanted], hung=True) from None
     return result
+
+
+@contextmanager
+def working_in(folder):
+    """Let relative paths start in this folder, in the body of the with statement."""
+    before = os.getcwd()
+    os.chdir(folder)
+    try:
+        yield
+    finally:
+        os.chdir(before)
 
 
 def module_of(file) -> str:
@@ -215,6 +229,8 @@ def same(came, wanted) -> bool:
     if isinstance(wanted, (list, tuple)):
         kind = list if isinstance(wanted, list) else tuple
         return isinstance(came, kind) and len(came) == len(wanted) and all(map(same, came, wanted))
+    if isinstance(wanted, str):
+        return isinstance(came, str) and came == wanted
     if isinstance(wanted, Real):
         return isinstance(came, Real) and isclose(came, wanted, rel_tol=1e-6, abs_tol=1e-9)
     return type(came) is type(wanted) and bool(came == wanted)
@@ -297,9 +313,14 @@ class Grading:
 
     def make(self, check) -> Outcome:
         """Return what comes of a check that is to be made."""
+        shipped = plain(NC_FP)
         try:
             with patience():
                 check.ask()
+            if plain(NC_FP) != shipped:
+                Path(NC_FP).write_text(shipped.text)
+                lines = [("came back", "newton_cradle_pends.csv had other contents than before; it has them again.")]
+                raise MistakeError(Call(check.function), [*lines, ("expected", "No file is written.")])
         except MistakeError as mistake:
             if mistake.hung:
                 name = check.function if mistake.call.arguments is not None else FUNCTIONS[check.function].file

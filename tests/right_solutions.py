@@ -251,6 +251,13 @@ RIGHT = {
     },
     "newton_cradle_tick": {
         "plainly": ("", ""),
+        "each pair as soon as both have swung": """\
+            from src.swinging import swing_update
+            for i in range(len(pend_list)):
+                swing_update(pend_list[i], r_param, dt, g)
+                if i > 0:
+                    handle_two_bobs(pend_list[i - 1], pend_list[i], r_param)
+            """,
         "with zip": """\
             full_swing_update(pend_list, r_param, dt, g)
             for left, right in zip(pend_list, pend_list[1:]):

@@ -79,6 +79,15 @@ def told(name, value) -> list[str]:
 
 def shown(value, digits=6) -> str:
     """Return any value as text, numbers with so many digits, a list of dictionaries with one a line."""
+    try:
+        return text_of(value, digits)
+    except RecursionError:
+        return f"a {type(value).__name__} that contains itself"
+    except Exception:
+        return f"a {type(value).__name__} that has no text"
+
+
+def text_of(value, digits) -> str:
     if isinstance(value, A):
         return value.words
     if isinstance(value, bool) or value is None:
@@ -86,23 +95,20 @@ def shown(value, digits=6) -> str:
     if isinstance(value, Real):
         return f"{value:.{digits}g}"
     if isinstance(value, vector):
-        return f"vector({', '.join(shown(number, digits) for number in value.value)})"
+        return f"vector({', '.join(text_of(number, digits) for number in value.value)})"
     if isinstance(value, sphere):
-        return f"a bob at {shown(value.pos, digits)}"
+        return f"a bob at {text_of(value.pos, digits)}"
     if isinstance(value, (box, cylinder)):
-        return f"{'an axle' if isinstance(value, box) else 'a cord'} at {shown(value.pos, digits)}"
+        return f"{'an axle' if isinstance(value, box) else 'a cord'} at {text_of(value.pos, digits)}"
     if isinstance(value, dict):
-        parts = [f"{shown(key)}: {shown(part, digits)}" for key, part in islice(value.items(), MOST)]
+        parts = [f"{text_of(key, digits)}: {text_of(part, digits)}" for key, part in islice(value.items(), MOST)]
         return "{" + joined(parts, value, value.values()) + "}"
     if isinstance(value, list):
-        return "[" + joined([shown(part, digits) for part in value[:MOST]], value, value) + "]"
+        return "[" + joined([text_of(part, digits) for part in value[:MOST]], value, value) + "]"
     if isinstance(value, tuple):
         comma = "," if len(value) == 1 else ""
-        return "(" + joined([shown(part, digits) for part in value[:MOST]], value, value) + comma + ")"
-    try:
-        text = repr(value)
-    except Exception:
-        text = f"an object of {type(value)} that has no text"
+        return "(" + joined([text_of(part, digits) for part in value[:MOST]], value, value) + comma + ")"
+    text = repr(value)
     return text if len(text) <= LONGEST else text[:LONGEST] + "..."
 
 
@@ -176,5 +182,7 @@ def culprit_of(error) -> str | None:
     missing = re.match(r"cannot import name '(\w+)' from 'src\.", str(error))
     if missing and missing[1] in FUNCTIONS:
         return FUNCTIONS[missing[1]].file
-    places = own_places(error)
-    return places[-1][0].partition(",")[0] if places else None
+    places = [place for place, _ in own_places(error)]
+    # Where the file itself is at fault, not what it calls while it is imported.
+    importing = [place for place in places if place.endswith("in <module>") or ", in " not in place]
+    return importing[-1].partition(",")[0] if importing else None

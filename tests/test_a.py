@@ -66,6 +66,8 @@ def test_each_pendulum_is_handled_with_the_one_after_it():
     check_tick(touching(3.0, 0.0), [0.0, 3.0])
     check_tick(touching(3.0, 0.0, 0.0, 0.0, 0.0), [0.0, 0.0, 0.0, 0.0, 3.0])
     check_tick(touching(0.0, 0.0, 3.0), [0.0, 3.0, 0.0])  # from the right it gets one place along a tick
+    check_tick(touching(0.0, 0.0, -3.0), [0.0, -3.0, 0.0])
+    check_tick(touching(-1.0, -2.0, -3.0), [-2.0, -3.0, -1.0])
 
 
 @check("newton_cradle_tick", watched=True)
@@ -80,9 +82,10 @@ def test_only_neighbours_are_pairs():
 @check("newton_cradle_tick", watched=True)
 def test_a_cradle_may_have_any_number_of_pendula():
     """Feel free to play around with the values and the number of pendulums."""
-    check_tick(touching(3.0), [3.0])
+    check_tick([hang(theta=pi / 6, omega=2.0)], [0.75], dt=0.1, g=10.0)
     check_tick([], [])
     check_tick(touching(*[1.0] * 6, 0.0), [*[1.0] * 5, 0.0, 1.0])
+    check_tick(touching(0.004, *[0.0] * 9), [*[0.0] * 9, 0.004])
 
 
 @check("newton_cradle_tick", watched=True)
@@ -110,6 +113,11 @@ def test_swings_come_before_collisions():
         pend["objects"][1].radius = R / 8
     hints = [([1.0, 0.0], "The swing brings these bobs together: it comes first, and then the collision.")]
     check_tick(pend_list, [0.0, 1.0], dt=0.1, g=0.0, hints=hints)
+    pend_list = [hang(), hang(theta=0.1, omega=-1.0, axle=(R / 4, 0, 0))]
+    for pend in pend_list:
+        pend["objects"][1].radius = R / 8
+    hints = [([0.0, -1.0], "It is the second one that comes to the first here: all swing before any collide.")]
+    check_tick(pend_list, [-1.0, 0.0], dt=0.1, g=0.0, hints=hints)
 
 
 @check("newton_cradle_tick", watched=True)

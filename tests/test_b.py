@@ -4,7 +4,7 @@ from cradles import hang
 from grader import check, expect
 
 # The arguments e, omega1, omega2, m1, m2, and what comes of them; by hand from the appendix's two formulas.
-HIT, AFTER = (0.5, 4.0, -2.0, 1.0, 4.0), (-3.2, -0.2)
+HIT, AFTER = (0.75, 4.0, -2.0, 1.0, 4.0), (-4.4, 0.1)
 COLLISIONS = [
     ((0.5, 4.0, 0.0, 1.0, 1.0), (1.0, 3.0)),
     ((1, 3.0, 0.0, 1.0, 1.0), (0.0, 3.0)),  # equal masses, elastic: the velocities change places
@@ -16,36 +16,44 @@ COLLISIONS = [
     ((0.25, 8.0, 0.0, 1.0, 3.0), (0.5, 2.5)),
     ((0.9, 2.0, 2.0, 1.0, 5.0), (2.0, 2.0)),  # no approach, no change
     ((0.5, -1.0, 2.0, 1.0, 1.0), (1.25, -0.25)),  # whether they approach is not asked here
-    ((0.5, 0.0, 0.0, 1.0, 2.0), (0.0, 0.0)),
+    ((0.5, 0.0, -3.0, 1.0, 1.0), (-2.25, -0.75)),  # the first one at rest
+    ((0.5, -1.0, -4.0, 1.0, 2.0), (-4.0, -2.5)),  # both to the left
+    ((0.5, 4.0, 1.0, 1.0, 2.0), (1.0, 2.5)),  # both to the right
+    ((0.5, -2.0, 1.0, 1.0, 2.0), (1.0, -0.5)),
+    ((0.1, 2.0, 0.0, 1.0, 1.0), (0.9, 1.1)),  # e near 0
+    ((0.98, 2.0, 0.0, 1.0, 1.0), (0.02, 1.98)),  # e near 1
+    ((0.5, 1.0, 0.0, 0.25, 24.75), (-0.485, 0.015)),  # masses far apart
+    ((0.5, 1.0, 0.0, 24.75, 0.25), (0.985, 1.485)),
+    ((0.5, 1e-4, 0.0, 1.0, 1.0), (2.5e-5, 7.5e-5)),  # slowly
 ]
 
 # What certain mistakes make of HIT with a cord of 0.4 m, by hand.
 MISTAKES = [
     ((-5.6, 0.4), "This is what e = 1 gives, whatever e is."),
     ((-0.8, -0.8), "This is what e = 0 gives, whatever e is."),
-    ((-5.6, -0.2), "The first formula is without e."),
-    ((-3.2, 0.4), "The second formula is without e."),
-    ((2.2, 5.2), "This is what exchanged masses give."),
-    ((1.6, -1.4), "This is what e gives with the wrong sign in both formulas."),
-    ((1.6, -0.2), "This is what e gives with the wrong sign in the first formula."),
-    ((-3.2, -1.4), "This is what e gives with the wrong sign in the second formula."),
-    ((-1.4, -0.2), "In the first formula, m1 stands where m2 is to stand."),
-    ((-3.2, 1.6), "In the second formula, m2 stands where m1 is to stand."),
-    ((-1.6, -0.2), "In the first formula, the velocities are added after e; it is their difference."),
-    ((-3.2, -0.6), "In the second formula, the velocities are added after e; it is their difference."),
-    ((-1.6, -0.6), "In both formulas, the velocities are added after e; it is their difference."),
-    ((0.0, -0.2), "In the first formula, the momenta are subtracted; it is their sum."),
-    ((-6.4, -0.2), "In the first formula, brackets are missing: all of it is divided by the sum of the masses."),
-    ((-3.2, -3.4), "In the second formula, brackets are missing: all of it is divided by the sum of the masses."),
-    ((-6.4, -3.4), "In both formulas, brackets are missing: all of it is divided by the sum of the masses."),
-    ((-3.2, -0.92), "The second formula takes the new velocity of the first bob; it is to take the old one."),
-    ((-3.2, -2.36), "The second formula takes the new velocity of the first bob; it is to take the old one."),
-    ((-1.28, -0.08), "These are the linear velocities, not yet converted back to angular ones."),
-    ((-8.0, -0.5), "These are converted back from linear velocities, but were never converted to them."),
-    ((-0.512, -0.032), "This is converted to linear velocities twice; the second time it is to be back from them."),
+    ((-5.6, 0.1), "The first formula is without e."),
+    ((-4.4, 0.4), "The second formula is without e."),
+    ((1.9, 6.4), "This is what exchanged masses give."),
+    ((2.8, -1.7), "This is what e gives with the wrong sign in both formulas."),
+    ((2.8, 0.1), "This is what e gives with the wrong sign in the first formula."),
+    ((-4.4, -1.7), "This is what e gives with the wrong sign in the second formula."),
+    ((-1.7, 0.1), "In the first formula, m1 stands where m2 is to stand."),
+    ((-4.4, 2.8), "In the second formula, m2 stands where m1 is to stand."),
+    ((-2.0, 0.1), "In the first formula, the velocities are added after e; it is their difference."),
+    ((-4.4, -0.5), "In the second formula, the velocities are added after e; it is their difference."),
+    ((-2.0, -0.5), "In both formulas, the velocities are added after e; it is their difference."),
+    ((-1.2, 0.1), "In the first formula, the momenta are subtracted; it is their sum."),
+    ((-7.6, 0.1), "In the first formula, brackets are missing: all of it is divided by the sum of the masses."),
+    ((-4.4, -3.1), "In the second formula, brackets are missing: all of it is divided by the sum of the masses."),
+    ((-7.6, -3.1), "In both formulas, brackets are missing: all of it is divided by the sum of the masses."),
+    ((-4.4, -1.16), "The second formula takes the new velocity of the first bob; it is to take the old one."),
+    ((0.4, -1.1), "This is what e gives in place of 1 + e, if the impulse is computed."),
+    ((-1.76, 0.04), "These are the linear velocities, not yet converted back to angular ones."),
+    ((-11.0, 0.25), "These are converted back from linear velocities, but were never converted to them."),
+    ((-0.704, 0.016), "This is converted to linear velocities twice; the second time it is to be back from them."),
     ((-2.0, 4.0), "This exchanges the velocities, as only equal masses do in an elastic hit."),
-    ((-16.0, -1.0), "The sum of the masses, by which both are divided, is missing."),
-    ((-4.0, -0.25), "This is divided by the product of the masses; it is to be their sum."),
+    ((-22.0, 0.5), "The sum of the masses, by which both are divided, is missing."),
+    ((-5.5, 0.125), "This is divided by the product of the masses; it is to be their sum."),
     ((4.0, -2.0), "These are the old velocities."),
 ]
 
@@ -65,7 +73,8 @@ def test_collisions_from_elastic_to_inelastic():
     elastic collision (kinetic energy is conserved).
     """
     for arguments, gives in COLLISIONS:
-        expect("handle_collision", *arguments, 0.4, gives=gives)
+        hints = [(arguments[1:3], "These are the old velocities.")]
+        expect("handle_collision", *arguments, 0.4, gives=gives, hints=hints)
 
 
 @check("handle_collision", watched=True)
@@ -145,23 +154,29 @@ def test_bobs_that_touch_collide():
     buffer = "Is it the sum of both radii, all of it, that is multiplied by 1.05, and is the distance not changed?"
     check_pair(HITS, (1.04, 0, 0), hints=[(MISSES, buffer)])
     # However 1.05 times the sum of the radii is computed, it is just 21.
-    just = [(MISSES, "At just 1.05 times the sum they collide, too: less than or equal.")]
+    just = [(MISSES, "At just 1.05 times the sum they collide, too: less than or equal, and not rounded.")]
     check_pair(HITS, (21.0, 0, 0), 10.0, 10.0, hints=just)
     check_pair(HITS, (-1.0, 0, 0), hints=[(MISSES, "A magnitude has no sign.")])
     check_pair(HITS, (0.7, 0.7, 0), hints=[(MISSES, "This is what the sum of the distances along x and y gives.")])
     check_pair(HITS, (0, 0, 1.0))
+    lifted = [(MISSES, "Here the axles are further apart than the bobs; it is the bobs that count.")]
+    check_pair(HITS, values1={"theta": 0.3}, hints=lifted)
+    check_pair(HITS, (1.5, 0, 0), values1={"theta": 0.2}, hints=lifted)
+    check_pair(HITS, values1={"theta": 0.02}, values2={"theta": 0.03})
 
 
 @check("handle_two_bobs", watched=True)
 def test_bobs_that_do_not_touch_go_on():
     """We add a little bit of buffer to what is considered a 'collision'."""
     check_pair(MISSES, (9.0, 0, 0), hints=[(HITS, "They are far apart, and collide.")])
-    check_pair(MISSES, (1.06, 0, 0), hints=[(HITS, "The buffer is too large, or the distance too small.")])
+    check_pair(MISSES, (1.0504, 0, 0), hints=[(HITS, "The buffer is too large, or the distance too small.")])
     check_pair(MISSES, (-1.2, 0, 0), hints=[(HITS, "The distance has become negative; a magnitude has no sign.")])
     along_x = [(HITS, "This is what the distance along x alone gives.")]
     check_pair(MISSES, (0.8, 0.8, 0), hints=along_x)
     check_pair(MISSES, (0, 1.2, 0), hints=along_x)
     check_pair(MISSES, (0.7, 0, 0.9), hints=[(HITS, "The distance along z counts, too.")])
+    lifted = [(HITS, "Here the axles are close, but not the bobs.")]
+    check_pair(MISSES, values1={"theta": -0.3}, values2={"theta": 0.3}, hints=lifted)
 
 
 @check("handle_two_bobs", watched=True)
@@ -184,13 +199,20 @@ def test_both_radii_count():
 def test_e_is_the_first_pendulums():
     """From only the first dictionary, get the coefficient of restitution."""
     hints = [
-        ((0.0, 4.0), "This is what e = 1, that of pend2, gives."),
-        ((2.0, 2.0), "This is what e = 0 gives."),
+        ((0.0, 4.0), "This is what e = 1 gives; that of pend1 is 0.5."),
+        ((2.0, 2.0), "This is what e = 0 gives; that of pend1 is 0.5."),
         ((0.5, 3.5), "This is what the mean of both e gives."),
     ]
     check_pair((1.0, 3.0), values1={"e": 0.5}, values2={"e": 1.0}, hints=hints)
-    hints = [((1.0, 3.0), "This is what e = 0.5, that of pend2, gives.")]
+    hints = [((1.0, 3.0), "This is what e = 0.5 gives; that of pend1 is 1.")]
     check_pair((0.0, 4.0), values1={"e": 1.0}, values2={"e": 0.5}, hints=hints)
+    hints = [((0.0, 4.0), "This is what e = 1 gives; that of pend1 is 0.")]
+    check_pair((2.0, 2.0), values1={"e": 0}, values2={"e": 1.0}, hints=hints)
+    # Whichever of them is heavier, faster, or on the left.
+    check_pair((2.5, 4.5), values1={"e": 0.5, "mass": 3.0}, values2={"e": 1.0})
+    check_pair((-0.5, 1.5), values1={"e": 0.5}, values2={"e": 1.0, "mass": 3.0})
+    check_pair((-3.0, -1.0), values1={"e": 0.5, "omega": 0.0}, values2={"e": 1.0, "omega": -4.0})
+    check_pair((1.0, 3.0), (-1.0, 0, 0), values1={"e": 0.5}, values2={"e": 1.0})
 
 
 @check("handle_two_bobs", watched=True)
@@ -209,16 +231,37 @@ def test_bobs_that_touch_collide_whatever_their_velocities_are():
     check_pair(HITS)
     hints = [((-1.0, 2.0), "The handout does not ask whether the bobs approach.")]
     check_pair((1.25, -0.25), values1={"omega": -1.0}, values2={"omega": 2.0}, hints=hints)
+    check_pair((-2.25, -0.75), values1={"omega": 0.0}, values2={"omega": -3.0})
+    check_pair((-2.5, -1.5), values1={"omega": -1.0}, values2={"omega": -3.0})
+    check_pair((1.75, 3.25), values2={"omega": 1.0})
+    check_pair((0.001, 0.003), values1={"omega": 0.004})
 
 
 @check("handle_two_bobs")
 def test_omegas_are_updated_and_nothing_else():
     """Then, update both dictionaries with their respective new omega values."""
-    pend1, pend2 = pair(values1={"mass": 2.0}, values2={"e": 0.9})
+    for distance in (1.0, 2.0):
+        pend1, pend2 = pair((distance, 0, 0), values1={"mass": 2.0, "theta": 0.01}, values2={"e": 0.9, "theta": 0.02})
 
-    def others(_=None):
-        values = [{key: pend[key] for key in pend if key != "omega"} for pend in (pend1, pend2)]
-        return [{**of_one, "place": tuple(of_one["objects"][1].pos.value)} for of_one in values]
+        def others(_=None, pends=(pend1, pend2)):
+            values = [{key: pend[key] for key in pend if key != "omega"} for pend in pends]
+            bobs = [pend["objects"][1] for pend in pends]
+            return values, [(tuple(bob.pos.value), bob.radius) for bob in bobs]
 
-    what = "all but omega, of pend1 and of pend2"
-    expect("handle_two_bobs", pend1, pend2, LENGTH, gives=others(), see=others, what=what)
+        what = "all but omega, of pend1 and of pend2, and the place and radius of their bobs"
+        expect("handle_two_bobs", pend1, pend2, LENGTH, gives=others(), see=others, what=what)
+
+
+@check("handle_two_bobs")
+def test_what_was_before_does_not_matter():
+    """Handles the pairwise interactions between two bobs in the Newton's cradle, including checking for and handling
+    collisions.
+    """
+    pend1, pend2 = pair()
+    for gives in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
+
+        def omegas(_):
+            return pend1["omega"], pend2["omega"]
+
+        what = "omega of pend1 and of pend2, as of the call before"
+        expect("handle_two_bobs", pend1, pend2, LENGTH, gives=gives, see=omegas, what=what)

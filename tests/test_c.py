@@ -4,10 +4,11 @@ from math import cos, pi, sin
 
 from cradles import hang, R, row
 from grader import check, expect
+from telling import A
 from vpython import vector
 
 # The arguments omega, theta, r_param, dt, g, and what comes of them; by hand from the appendix's two formulas.
-STEP, AFTER = (2.0, pi / 6, 0.4, 0.1, 10.0), (0.75, pi / 6 + 0.075)  # omega falls by 1.25
+STEP, AFTER = (2.0, 5 * pi / 6, 0.4, 0.1, 8.0), (1.0, 5 * pi / 6 + 0.1)  # omega falls by 1
 STEPS = [
     ((2.0, -pi / 6, 0.5, 0.1, 10.0), (3.0, -pi / 6 + 0.3)),  # to the left of straight down it pulls the other way
     ((0.0, pi / 2, 2.0, 0.01, 9.8), (-0.049, pi / 2 - 0.00049)),  # from rest, with the whole of g
@@ -15,29 +16,33 @@ STEPS = [
     ((0.0, 0.0, 0.2, 0.01, 9.81), (0.0, 0.0)),  # at rest it stays
     ((1.0, pi, 0.3, 0.5, 9.81), (1.0, pi + 0.5)),  # straight up nothing pulls either
     ((-1.0, 5 * pi / 6, 0.25, 0.2, 5.0), (-3.0, 5 * pi / 6 - 0.6)),  # more than 90 degrees: sin, not the angle itself
+    ((1.0, -5 * pi / 6, 0.25, 0.2, 5.0), (3.0, -5 * pi / 6 + 0.6)),
+    ((20.0, 3 * pi / 2, 0.5, 0.1, 10.0), (22.0, 3 * pi / 2 + 2.2)),  # it may go round and round, either way
+    ((-9.0, -3 * pi, 0.5, 1.0, 10.0), (-9.0, -3 * pi - 9.0)),
+    ((1e-4, 0.0, 0.5, 0.1, 10.0), (1e-4, 1e-5)),  # however slowly
     ((1.0, pi / 6, 0.5, 0.0, 10.0), (1.0, pi / 6)),  # no time, no change
     ((1.0, pi / 6, 0.5, 0.1, 0.0), (1.0, pi / 6 + 0.1)),  # no gravity: the angle moves on by itself
 ]
 
 # What certain mistakes make of STEP, by hand.
 MISTAKES = [
-    ((0.75, pi / 6 + 0.2), "This is what the old omega gives; the angle moves with the new one."),
-    ((3.25, pi / 6 + 0.325), "This is what gravity gives with the wrong sign: it pulls back to straight down."),
-    ((1.977154, pi / 6 + 0.197715), "This is what degrees give; theta is in rad already."),
-    ((-0.165064, pi / 6 - 0.016506), "This is what cos gives in place of sin."),
-    ((0.691003, pi / 6 + 0.0691), "This is what theta itself gives in place of its sine."),
-    ((-10.5, pi / 6 - 1.05), "This is what comes of omega without dt."),
-    ((0.75, pi / 6 + 0.75), "This is what comes of theta without dt."),
-    ((1.5, pi / 6 + 0.15), "This is what comes without the length of the cord, r_param."),
-    ((1.8, pi / 6 + 0.18), "This is what r_param gives as a factor; it divides."),
-    ((1.875, pi / 6 + 0.1875), "This is what comes without g."),
-    ((0.344784, pi / 6 + 0.2), "Here theta moved first, and omega changed by the new theta; omega comes first."),
-    ((-1.25, pi / 6 - 0.125), "The old omega is missing: this is the change of omega alone."),
-    ((0.75, 0.075), "The old theta is missing: this is the change of theta alone."),
-    ((0.75, pi / 6), "theta has not moved."),
-    ((2.0, pi / 6 + 0.2), "omega has not changed."),
-    ((2.0, pi / 6), "These are the old values."),
-    ((-12.5, pi / 6 + 0.075), "The first is the angular acceleration, not the new omega."),
+    ((1.0, 5 * pi / 6 + 0.2), "This is what the old omega gives; the angle moves with the new one."),
+    ((3.0, 5 * pi / 6 + 0.3), "This is what gravity gives with the wrong sign: it pulls back to straight down."),
+    ((1.908647, 5 * pi / 6 + 0.190865), "This is what degrees give; theta is in rad already."),
+    ((3.732051, 5 * pi / 6 + 0.373205), "This is what cos gives in place of sin."),
+    ((-3.235988, 5 * pi / 6 - 0.323599), "This is what theta itself gives in place of its sine."),
+    ((-8.0, 5 * pi / 6 - 0.8), "This is what comes of omega without dt."),
+    ((1.0, 5 * pi / 6 + 1.0), "This is what comes of theta without dt."),
+    ((1.6, 5 * pi / 6 + 0.16), "This is what comes without the length of the cord, r_param."),
+    ((1.84, 5 * pi / 6 + 0.184), "This is what r_param gives as a factor; it divides."),
+    ((1.875, 5 * pi / 6 + 0.1875), "This is what comes without g."),
+    ((1.364039, 5 * pi / 6 + 0.2), "Here theta moved first, and omega changed by the new theta; omega comes first."),
+    ((-1.0, 5 * pi / 6 - 0.1), "The old omega is missing: this is the change of omega alone."),
+    ((1.0, 0.1), "The old theta is missing: this is the change of theta alone."),
+    ((1.0, 5 * pi / 6), "theta has not moved."),
+    ((2.0, 5 * pi / 6 + 0.2), "omega has not changed."),
+    ((2.0, 5 * pi / 6), "These are the old values."),
+    ((-10.0, 5 * pi / 6 + 0.1), "The first is the angular acceleration, not the new omega."),
 ]
 
 
@@ -69,13 +74,14 @@ def test_angle_update_of_other_swings():
 
 
 def swinging_row():
-    """Return four pendula on cords of 0.5 m, and their omegas and thetas after a tick of 0.1 s with g = 10 m/s^2."""
-    thetas, omegas = (pi / 6, -pi / 6, pi / 2, 0.0), (2.0, 2.0, 0.0, 1.5)
+    """Return seven pendula on cords of 0.5 m, and their omegas and thetas after a tick of 0.1 s with g = 10 m/s^2."""
+    thetas, omegas = (pi / 6, -pi / 6, pi / 2, 0.0, 0.0, 0.0, 3 * pi / 2), (2.0, 2.0, 0.0, 1.5, 0.0, 1e-3, 20.0)
     pend_list = [
-        hang(theta=theta, omega=omega, axle=(i * 0.1, 0.05, 0), r_param=0.5, mass=1.0 + i, e=0.5)
+        hang(theta=theta, omega=omega, axle=(i * 0.1, 0.05, 0), r_param=0.5, mass=7.0 - i, e=0.5)
         for i, (theta, omega) in enumerate(zip(thetas, omegas, strict=True))
     ]
-    return pend_list, [1.0, 3.0, -2.0, 1.5], [pi / 6 + 0.1, -pi / 6 + 0.3, pi / 2 - 0.2, 0.15]
+    after = [pi / 6 + 0.1, -pi / 6 + 0.3, pi / 2 - 0.2, 0.15, 0.0, 1e-4, 3 * pi / 2 + 2.2]
+    return pend_list, [1.0, 3.0, -2.0, 1.5, 0.0, 1e-3, 22.0], after
 
 
 @check("full_swing_update", watched=True)
@@ -97,6 +103,7 @@ def test_every_pendulum_swings_once():
         return [(pend["omega"], pend["theta"]) for pend in pend_list]
 
     expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=after, see=see, what=what, hints=hints)
+    expect("full_swing_update", [], 0.5, 0.1, 10.0, gives=A("no error, without any pendula", lambda _: True))
 
 
 @check("full_swing_update", watched=True)
@@ -111,7 +118,7 @@ def test_bobs_and_cords_move():
     def ends(cord):  # it may be drawn from either end
         return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: end.y)
 
-    axles = [vector(i * 0.1, 0.05, 0) for i in range(4)]
+    axles = [vector(i * 0.1, 0.05, 0) for i in range(7)]
     bobs = [axle + vector(0.5 * sin(theta), -0.5 * cos(theta), 0) for axle, theta in zip(axles, thetas, strict=True)]
     gives = [(axle, bob, [bob, axle]) for axle, bob in zip(axles, bobs, strict=True)]
     what = "position of each axle and bob, and the ends of each cord"
@@ -122,18 +129,22 @@ def test_bobs_and_cords_move():
 def test_a_swing_changes_nothing_else():
     """The pend_dict is updated."""
     pend_list, *_ = swinging_row()
+    for pend in pend_list:
+        pend["objects"][1].radius = 0.02  # so that no two touch
     pendula, objects = list(pend_list), [pend["objects"] for pend in pend_list]
 
     def see(_):
         same_objects = [all(map(is_same, pend["objects"], old)) for pend, old in zip(pend_list, objects, strict=True)]
-        values = [tuple(pend[key] for key in ("mass", "e", "color", "texture")) for pend in pend_list]
+        values = [
+            (*(pend[key] for key in ("mass", "e", "color", "texture")), pend["objects"][1].radius) for pend in pend_list
+        ]
         return values, same_objects, list(map(is_same, pend_list, pendula))
 
     def is_same(one, other):
         return one is other
 
-    gives = [(1.0 + i, 0.5, "white", "none") for i in range(4)], [True] * 4, [True] * 4
-    what = "mass, e, color and texture of each pendulum; whether its objects, and itself, are those from before"
+    gives = [(7.0 - i, 0.5, "white", "none", 0.02) for i in range(7)], [True] * 7, [True] * 7
+    what = "mass, e, color, texture and radius of each; whether its objects, and itself, are those from before"
     expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=gives, see=see, what=what)
 
 
@@ -145,7 +156,7 @@ def test_a_swing_is_no_collision():
     omegas = [1.0, -1.0, 0.5]
     pend_list = row(3)
     for pend, omega in zip(pend_list, omegas, strict=True):
-        pend["omega"] = omega
+        pend["omega"], pend["objects"][1].radius = omega, R / 8
     exchanged = (lambda came: sorted(came) == sorted(omegas), "Bobs that touch are left to the collision functions.")
 
     def see(_):

@@ -1,13 +1,12 @@
 """D checks: from the CSV to a pend_list, and from there to pendula that can be seen."""
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from cradles import MIXED, MIXED_CSV, R
-from grader import check, expect, same
+from grader import check, expect, same, working_in
 from telling import A
 from vpython import box, cylinder, sphere, vector
 
@@ -15,9 +14,31 @@ from support.constants import COLOR_MAP, NC_FP, TEXTURE_MAP
 from support.cradle_csv import read_cells
 from support.pendulum import make_pendulum
 
+# Equal rows, values of 0, e of 0 and 1, many digits, more rows than columns, and no line break at the end.
+SEVEN_CSV = """\
+mass,e,theta,omega,color,texture
+12.625,1.0,0.4375,0.0,white,none
+0.25,0.0,0.0,0.0,red,rug
+0.25,0.0,0.0,0.0,red,rug
+2.0,0.5,-0.125,3.5,green,none
+7.0,0.0625,0.0,0.0,blue,stucco
+1.0,1.0,0.0,-0.5,purple,wood_old
+3.0,0.9375,1.5,0.0,black,metal"""
+SEVEN = [
+    {"mass": 12.625, "e": 1.0, "theta": 0.4375, "omega": 0.0, "color": "white", "texture": "none"},
+    {"mass": 0.25, "e": 0.0, "theta": 0.0, "omega": 0.0, "color": "red", "texture": "rug"},
+    {"mass": 0.25, "e": 0.0, "theta": 0.0, "omega": 0.0, "color": "red", "texture": "rug"},
+    {"mass": 2.0, "e": 0.5, "theta": -0.125, "omega": 3.5, "color": "green", "texture": "none"},
+    {"mass": 7.0, "e": 0.0625, "theta": 0.0, "omega": 0.0, "color": "blue", "texture": "stucco"},
+    {"mass": 1.0, "e": 1.0, "theta": 0.0, "omega": -0.5, "color": "purple", "texture": "wood_old"},
+    {"mass": 3.0, "e": 0.9375, "theta": 1.5, "omega": 0.0, "color": "black", "texture": "metal"},
+]
+
 FILES = {
     "mixed.csv": MIXED_CSV,
+    "seven.csv": SEVEN_CSV,
     "one.csv": "mass,e,theta,omega,color,texture\n3.0,0.5,0.1,0.2,green,rug\n",
+    "two.csv": "mass,e,theta,omega,color,texture\n3.0,0.5,0.1,0.2,green,rug\n4.0,0.5,0.1,0.2,green,rug\n",
     "assistants.csv": "name,year,house\nAda,2,Page\nGrace,4,Lloyd\n",
 }
 ONE = {"mass": 3.0, "e": 0.5, "theta": 0.1, "omega": 0.2, "color": "green", "texture": "rug"}
@@ -31,17 +52,6 @@ def files() -> Iterator[Path]:
         for name, text in FILES.items():
             (Path(folder) / name).write_text(text)
         yield Path(folder)
-
-
-@contextmanager
-def working_in(folder):
-    """Let relative paths start in this folder."""
-    before = os.getcwd()
-    os.chdir(folder)
-    try:
-        yield
-    finally:
-        os.chdir(before)
 
 
 def is_shipped(came):
@@ -68,6 +78,7 @@ ROWS = [
     ([{i: pendulum} for i, pendulum in enumerate(MIXED)], "Each pendulum still has its number of bad_rep as a key."),
     ([dict(enumerate(MIXED))], "This is bad_rep, in a list; the values of bad_rep are what is needed."),
     ([MIXED], "This is the right list inside another list."),
+    (lambda came: len(came) > 3 and came[0] == came[1], "The same pendulum is there more than once."),
     OTHER_FILE,
     ([], "This is an empty list: does the loop append to it, and is the list made before the loop?"),
 ]
@@ -102,6 +113,7 @@ def test_a_row_is_a_pendulum():
     """
     with files() as folder:
         expect("extract_and_convert", str(folder / "mixed.csv"), gives=MIXED, hints=ROWS)
+        expect("extract_and_convert", str(folder / "seven.csv"), gives=SEVEN)
 
 
 @check("extract_and_convert")
@@ -110,7 +122,11 @@ def test_the_file_given_is_read():
     representing a Newton's Cradle.
     """
     with files() as folder, working_in(folder):
-        expect("extract_and_convert", "one.csv", gives=[ONE], hints=[OTHER_FILE])
+        first = expect("extract_and_convert", "one.csv", gives=[ONE], hints=[OTHER_FILE])
+        (folder / "one.csv").write_text(FILES["two.csv"])
+        what = "the pend_list of the file as it was, and as it is"
+        both = {"see": lambda second: (first, second), "what": what, "gives": ([ONE], [ONE, {**ONE, "mass": 4.0}])}
+        expect("extract_and_convert", "one.csv", **both)
 
 
 @check("extract_and_convert")
@@ -142,8 +158,12 @@ def check_uniform(function, *arguments, also=(), **changed):
         (uniform(MIXED, **{key: str(value)}), f"{key} is text here; a number is needed."),
     ]
     with files() as folder, working_in(folder):
-        expect(function, "mixed.csv", *arguments, gives=right, hints=hints)
-        expect(function, "one.csv", *arguments, gives=uniform([ONE], **changed), hints=[OTHER_FILE])
+        first = expect(function, "mixed.csv", *arguments, gives=right, hints=hints)
+        expect(function, "seven.csv", *arguments, gives=uniform(SEVEN, **changed))
+        what = "the pend_list of the first call, and of this one"
+        both = {"see": lambda last: (first, last), "what": what, "gives": (right, uniform([ONE], **changed))}
+        hints = [(lambda came: OTHER_FILE[0](came[1]), OTHER_FILE[1])]
+        expect(function, "one.csv", *arguments, **both, hints=hints)
 
 
 @check("uniform_mass_newton_cradle")
@@ -151,9 +171,9 @@ def test_uniform_mass():
     """Returns a pend_list corresponding to the pendulums in a CSV file located at relative_filepath using a helper
     function from pds_helper.py, such that all the pendulum's mass values are assigned the value mass.
     """
-    also = [(uniform(MIXED, e=7.5), "It is e that has changed here, not mass.")]
-    check_uniform("uniform_mass_newton_cradle", 7.5, mass=7.5, also=also)
-    check_uniform("uniform_mass_newton_cradle", 2, mass=2)
+    also = [(uniform(MIXED, e=12.125), "It is e that has changed here, not mass.")]
+    check_uniform("uniform_mass_newton_cradle", 12.125, mass=12.125, also=also)
+    check_uniform("uniform_mass_newton_cradle", 0.5, mass=0.5)
 
 
 @check("uniform_e_newton_cradle")
@@ -162,8 +182,8 @@ def test_uniform_e():
     function from pds_helper.py, such that all the pendulum's coefficients of restitution are assigned a provided e
     value.
     """
-    also = [(uniform(MIXED, mass=0.25), "It is mass that has changed here, not e.")]
-    check_uniform("uniform_e_newton_cradle", 0.25, e=0.25, also=also)
+    also = [(uniform(MIXED, mass=0.0625), "It is mass that has changed here, not e.")]
+    check_uniform("uniform_e_newton_cradle", 0.0625, e=0.0625, also=also)
     check_uniform("uniform_e_newton_cradle", 0, e=0)
     check_uniform("uniform_e_newton_cradle", 1, e=1)
 
@@ -207,6 +227,7 @@ def test_a_cradle_keeps_the_files_values():
     what = "mass, e, color and texture of each pendulum"
     check_cradle(kept, what, [kept(row) for row in MIXED])
     check_cradle(kept, what, [kept(ONE)], file="one.csv", hints=[OTHER_FILE])
+    check_cradle(kept, what, [kept(row) for row in SEVEN], file="seven.csv")
 
 
 @check("make_newton_cradle")
@@ -224,8 +245,14 @@ def test_the_first_pendulum_is_lifted():
         ([0, 0, 0], "The first pendulum is not lifted."),
     ]
     check_cradle(lambda pend: pend["theta"], "theta of each pendulum", [0.6, 0, 0], hints=hints)
-    hints = [([0.6, 0, 0], "Is theta_init used, or always the same angle?")]
-    check_cradle(lambda pend: pend["theta"], "theta of each pendulum", [-0.3, 0, 0], theta_init=-0.3, hints=hints)
+    for file, count, theta_init in [
+        ("one.csv", 1, -0.3),
+        ("mixed.csv", 3, 2.0),
+        ("seven.csv", 7, -2.0),
+        ("seven.csv", 7, 0),
+    ]:
+        gives = [theta_init, *[0] * (count - 1)]
+        check_cradle(lambda pend: pend["theta"], "theta of each pendulum", gives, file=file, theta_init=theta_init)
 
 
 @check("make_newton_cradle")
@@ -248,7 +275,7 @@ def test_objects_are_axle_bob_and_cord():
             isinstance(objects, tuple)
             and len(objects) == 3
             and all(map(isinstance, objects, (box, sphere, cylinder)))
-            and objects[0].visible
+            and all(part.visible for part in objects)
             for objects in came
         )
 
@@ -270,7 +297,10 @@ def test_axle_positions():
 
         right = -0.1, r_param / 4, r_param / 5
         hints = [
-            (lambda came: same(came, [came[0]] * 3), "All axles are in one place: does i count the pendula?"),
+            (
+                lambda came: same(came, [came[0]] * 3),
+                "All axles are in one place: does i count the pendula, and is r_param/4 not rounded?",
+            ),
             (places(-0.1 + r_param / 4, *right[1:]), "This counts the pendula from 1; i counts from 0."),
             (places(0, *right[1:]), "The -0.1 is missing."),
             (places(0.1, *right[1:]), "The sign of the 0.1 is wrong."),
@@ -282,6 +312,8 @@ def test_axle_positions():
         ]
         what = "position of each axle"
         check_cradle(lambda pend: pend["objects"][0].pos, what, places(*right), r_param=r_param, hints=hints)
+    seven = [vector(-0.1 + R / 4 * i, R / 5, 0) for i in range(7)]
+    check_cradle(lambda pend: pend["objects"][0].pos, "position of each axle", seven, file="seven.csv")
 
 
 @check("make_newton_cradle", watched=True)
@@ -302,7 +334,7 @@ def test_bobs_hang_from_their_axles():
         (bobs([0, 0, 0]), "The first bob hangs straight down: the helper function takes the angle, too."),
         (bobs([0.6, 0.6, 0.6]), "All bobs are lifted, whatever the theta of their pendulum is."),
         (bobs([row["theta"] for row in MIXED]), "The bobs are at the angles of the file, not at those of the cradle."),
-        (lambda came: came[1][1] != bobs([0])[0][1], "Is r_param handed on to the helper function?"),
+        (lambda came: came[1][1] != bobs([0])[0][1], "Is r_param handed on to the helper function as it is?"),
     ]
     what = "where each bob is, seen from its axle, and its radius (m)"
     check_cradle(seen, what, bobs([0.6, 0, 0]), hints=hints)
@@ -326,6 +358,7 @@ def test_bobs_have_the_color_and_texture_of_their_row():
         (lambda came: came[0][1] == "metal", "These are the textures' names; TEXTURE_MAP has what they stand for."),
     ]
     check_cradle(seen, "color and texture of each bob", looks(MIXED), hints=hints)
+    check_cradle(seen, "color and texture of each bob", looks(SEVEN), file="seven.csv")
 
 
 @check("make_newton_cradle")

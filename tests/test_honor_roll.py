@@ -1,19 +1,22 @@
 """Honor roll checks: what a double pendulum is made of, and how it swings."""
 
+from itertools import product
 from math import cos, pi, sin
 
 from grader import check, expect
 from telling import A
 from vpython import box, cylinder, sphere, textures, vector
 
+from support.pendulum import make_pendulum
+
 AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
 
 # --- make_double_pendulum --------------------------------------------------------------------------------------------
 
 
-def check_double_pendulum(see, what, theta, phi, gives, hints=()):
+def check_double_pendulum(see, what, theta, phi, gives, hints=(), texture=textures.wood):
     """Check what see takes out of the objects of a double pendulum."""
-    arguments = AXLE, CORD, theta, phi, RED, textures.wood
+    arguments = AXLE, CORD, theta, phi, RED, texture
     expect("make_double_pendulum", *arguments, gives=gives, see=see, what=what, hints=hints)
 
 
@@ -100,10 +103,13 @@ def test_both_bobs_have_the_looks_that_are_given():
     """To customize the bobs, we use VPython's textures and colors."""
 
     def see(objects):
-        return [(bob.color, bob.texture) for bob in objects[1::2]]
+        return [(bob.color, bob.texture, bob.radius, bob.visible) for bob in objects[1::2]]
 
-    gives = [(RED, textures.wood)] * 2
-    check_double_pendulum(see, "color and texture of the upper and of the lower bob", 0.7, 0.4, gives)
+    radius = make_pendulum(AXLE, CORD, 0, RED, None)[1].radius
+    for texture in (textures.wood, None):
+        gives = [(RED, texture, radius, True)] * 2
+        what = "color, texture and radius of the upper and of the lower bob, and whether they can be seen"
+        check_double_pendulum(see, what, 0.7, 0.4, gives, texture=texture)
 
 
 # --- double_angle_update ---------------------------------------------------------------------------------------------
@@ -113,9 +119,9 @@ LENGTH, DT, G = 0.5, 1e-6, 10.0  # m, s, m/s^2: g / R is 20 / s^2
 # omega_theta, omega_phi, theta, phi, and the accelerations of theta and of phi (rad/s^2), by hand, for equal masses.
 ACCELERATIONS = [
     ((0.0, 0.0, 0.0, 0.0), (0.0, 0.0)),  # it hangs at rest
+    ((0.0, 0.0, 0.0, pi / 2), (0.0, -20.0)),  # the upper cord hangs straight down, the lower one is level
     ((0.0, 0.0, pi / 2, 0.0), (-20.0, 20.0)),  # both cords are level: the upper one falls, the lower one only sinks
     ((0.0, 0.0, pi / 2, -pi / 2), (-20.0, 20.0)),  # the upper cord is level, the lower one hangs straight down
-    ((0.0, 0.0, 0.0, pi / 2), (0.0, -20.0)),  # the upper cord hangs straight down, the lower one is level
     ((0.0, 2.0, 0.0, pi / 2), (2.0, -22.0)),  # the lower cord is level and turns: it pulls its upper bob along
     ((2.0, -2.0, 0.0, pi / 2), (0.0, -24.0)),  # the upper bob moves and pulls the lower cord, which is level, along
 ]
@@ -135,12 +141,13 @@ def test_both_angles_are_updated():
     ]
     straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity it goes round evenly
     expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, gives=(3.0, 0.0, 0.9, 0.0), hints=hints)
+    expect("double_angle_update", 20.0, 0.0, 11.0, 0.0, LENGTH, 0.1, 0.0, gives=(20.0, 0.0, 13.0, 0.0))
 
 
 @check("double_angle_update", watched=True)
 def test_the_accelerations_are_those_of_the_laws_of_motion():
     """Here, it is important to choose a valid reference frame (which one is in the function's docstring)."""
-    for state, gives in ACCELERATIONS:
+    for (state, gives), (length, g) in product(ACCELERATIONS, [(LENGTH, G), (2.0, 40.0)]):
 
         def see(came, state=state):
             return tuple(round((new - old) / DT, 2) + 0 for new, old in zip(came[:2], state[:2], strict=True))
@@ -148,11 +155,14 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
         theta, phi = gives
         hints = [
             ((-theta, -phi), "Both have the wrong sign."),
-            ((theta, theta + phi), "Is the second that of theta + phi? phi counts from the upper cord's direction."),
+            (
+                (theta, theta + phi),
+                "The second is the lower cord's; phi counts from the upper one's direction.",
+            ),
             ((theta / DT, phi / DT), "The time step dt is missing."),
         ]
         what = "changes of omega_theta and omega_phi, divided by dt"
-        expect("double_angle_update", *state, LENGTH, DT, G, gives=gives, see=see, what=what, hints=hints)
+        expect("double_angle_update", *state, length, DT, g, gives=gives, see=see, what=what, hints=hints)
 
 
 # theta, phi, m1, m2, and what becomes of them in a tenth of a second from rest, with g = 9.81 m/s^2, from the exact

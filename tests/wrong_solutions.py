@@ -137,6 +137,35 @@ WRONG = {
         "without the texture": "return pd.read_csv(relative_filepath).iloc[:, :5].to_dict(orient='records')",
         "whole numbers": "return pd.read_csv(relative_filepath).astype(int, errors='ignore').round().to_dict(orient='records')",
         "the attributes sorted": "return [sorted(pend) for pend in pd.read_csv(relative_filepath).to_dict(orient='records')]",
+        "the first five rows": "return pd.read_csv(relative_filepath).head().to_dict('records')",
+        "equal rows once": "return pd.read_csv(relative_filepath).drop_duplicates().to_dict('records')",
+        "rounded": "return pd.read_csv(relative_filepath).round(2).to_dict('records')",
+        "zeros left out": "return [{k: v for k, v in p.items() if v} for p in pd.read_csv(relative_filepath).to_dict('records')]",
+        "zeros as None": "return [{k: v or None for k, v in p.items()} for p in pd.read_csv(relative_filepath).to_dict('records')]",
+        "the list appended to itself": """\
+            pend_list = []
+            for pend in pd.read_csv(relative_filepath).to_dict(orient='index').values():
+                pend_list.append(pend_list)
+            return pend_list
+            """,
+        "appended once for each key": """\
+            pend_list = []
+            for pend in pd.read_csv(relative_filepath).to_dict(orient='index').values():
+                for key in pend:
+                    pend_list.append(pend)
+            return pend_list
+            """,
+        "one list for all calls": """\
+            pend_list = extract_and_convert.__dict__.setdefault('pend_list', [])
+            pend_list[:] = pd.read_csv(relative_filepath).to_dict('records')
+            return pend_list
+            """,
+        "remembers what it has read": """\
+            cache = extract_and_convert.__dict__.setdefault('cache', {})
+            if relative_filepath not in cache:
+                cache[relative_filepath] = pd.read_csv(relative_filepath).to_dict('records')
+            return [dict(pend) for pend in cache[relative_filepath]]
+            """,
         "only prints": "print(list(pd.read_csv(relative_filepath).to_dict(orient='index').values()))",
     },
     "uniform_mass_newton_cradle": {
@@ -190,6 +219,19 @@ WRONG = {
         "added": "return [{**pend, 'mass': pend['mass'] + mass} for pend in extract_and_convert(relative_filepath)]",
         "the file given is ignored": "from support.constants import NC_FP; return [{**pend, 'mass': mass} for pend in extract_and_convert(NC_FP)]",
         "whole numbers": "return [{**pend, 'mass': int(mass)} for pend in extract_and_convert(relative_filepath)]",
+        "at most three": """\
+            pend_list = extract_and_convert(relative_filepath)
+            for pend in pend_list[:3]:
+                pend['mass'] = mass
+            return pend_list
+            """,
+        "rounded": "return [{**pend, 'mass': round(mass, 2)} for pend in extract_and_convert(relative_filepath)]",
+        "writes the shipped file": """\
+            from src.pds_helper import write_to_csv
+            pend_list = [{**pend, 'mass': mass} for pend in extract_and_convert(relative_filepath)]
+            write_to_csv(pend_list)
+            return pend_list
+            """,
         "compared, not assigned": """\
             pend_list = extract_and_convert(relative_filepath)
             for pend in pend_list:
@@ -236,6 +278,13 @@ WRONG = {
             pend_list = extract_and_convert(relative_filepath)
             for pend in pend_list:
                 pend['e'] = min(pend['e'], e_val)
+            return pend_list
+            """,
+        "only where e is not 0": """\
+            pend_list = extract_and_convert(relative_filepath)
+            for pend in pend_list:
+                if pend['e']:
+                    pend['e'] = e_val
             return pend_list
             """,
         "0 counts as none": "return [{**pend, 'e': e_val or pend['e']} for pend in extract_and_convert(relative_filepath)]",
@@ -289,6 +338,19 @@ WRONG = {
         "the last is lifted": ("i == 0", "i == len(pend_list) - 1"),
         "the second is lifted": ("i == 0", "i == 1"),
         "all but the first are lifted": ("i == 0", "i != 0"),
+        "0 counts as no angle": ("= theta_init", "= theta_init or pend['theta']"),
+        "at most 90 degrees": ("= theta_init", "= max(-1.5707963, min(1.5707963, theta_init))"),
+        "not if it is alone": ("= theta_init", "= theta_init if len(pend_list) > 1 else 0"),
+        "counted by its mass": ("* i)", "* [other['mass'] for other in pend_list].index(pend['mass']))"),
+        "five at most": ("return pend_list", "return pend_list[:5]"),
+        "bobs that cannot be seen": (
+            "texture)\n        return",
+            "texture)\n            pend['objects'][1].visible = False\n        return",
+        ),
+        "itself as its objects": (
+            "texture)\n        return",
+            "texture)\n            pend['objects'] = pend\n        return",
+        ),
         "degrees": ("= theta_init", "= __import__('math').degrees(theta_init)"),
         "always the shipped angle": ("= theta_init", "= __import__('support.constants').constants.THETA_INIT"),
         "to the other side": ("= theta_init", "= -theta_init"),
@@ -398,6 +460,10 @@ WRONG = {
         "prints the result": ("return (", "print("),
         "rounded": ("(omega_new, theta_new)", "(round(omega_new, 2), round(theta_new, 2))"),
         "at most 90 degrees": ("(omega_new, theta_new)", "(omega_new, max(-1.57, min(1.57, theta_new)))"),
+        "not below -90 degrees": ("(omega_new, theta_new)", "(omega_new, max(-1.5707963, theta_new))"),
+        "never beyond once round": "from math import fmod, pi; omega -= g * sin(theta) / r_param * dt; return omega, fmod(theta + omega * dt, 2 * pi)",
+        "stops if slow": ("(omega_new, theta_new)", "(omega_new if abs(omega_new) > 1e-3 else 0, theta_new)"),
+        "g and dt missing": ("-g * sin(theta) / r_param * dt", "-sin(theta) / r_param"),
         "never negative": ("(omega_new, theta_new)", "(omega_new, abs(theta_new))"),
         "damped": ("(omega_new, theta_new)", "(omega_new * 0.999, theta_new)"),
         "a small angle's sine": ("sin(theta)", "(theta - theta**3 / 6)"),
@@ -420,6 +486,16 @@ WRONG = {
         "every second one": ("in pend_list", "in pend_list[::2]"),
         "the first again and again": ("swing_update(pend,", "swing_update(pend_list[0],"),
         "twice": ("in pend_list", "in pend_list + pend_list"),
+        "five at most": ("in pend_list", "in pend_list[:5]"),
+        "collides, too": """\
+            from src.visualize_cradle_run import handle_two_bobs
+            for pend in pend_list:
+                swing_update(pend, r_param, dt, g)
+            for left, right in zip(pend_list, pend_list[1:]):
+                handle_two_bobs(left, right, r_param)
+            """,
+        "bobs that shrink": ("r_param, dt, g)", "r_param, dt, g); pend['objects'][1].radius *= 0.99"),
+        "sorted by mass": "pend_list.sort(key=lambda pend: pend['mass'])\nfor pend in pend_list: swing_update(pend, r_param, dt, g)",
         "the whole list at once": "swing_update(pend_list, r_param, dt, g)",
         "copies": ("swing_update(pend,", "swing_update(dict(pend),"),
         "only those that move": ("swing_update(", "if pend['omega']: swing_update("),
@@ -502,6 +578,17 @@ WRONG = {
             "v1 = r_param * omega1\n",
             "v1 = r_param * omega1\n        if omega1 <= omega2: return omega1, omega2\n",
         ),
+        "nothing if the first is at rest": (
+            "v1 = r_param",
+            "if omega1 == 0: return omega1, omega2\n        v1 = r_param",
+        ),
+        "nothing if both go to the left": (
+            "v1 = r_param",
+            "if max(omega1, omega2) < 0: return omega1, omega2\n        v1 = r_param",
+        ),
+        "a small e as 0": ("v1 = r_param", "e = e if e > 0.2 else 0; v1 = r_param"),
+        "a heavy one as a wall": ("v1 = r_param", "if m2 > 50 * m1: return -e * omega1, omega2\n        v1 = r_param"),
+        "e in place of 1 + e": "p = e*m1*m2*(omega1 - omega2)/(m1 + m2); return omega1 - p/m1, omega2 + p/m2",
         "only if e is 1": "return (omega2, omega1) if e == 1 else (omega1, omega2)",
         "absolute values": ("(v1_new / r_param, v2_new / r_param)", "(abs(v1_new / r_param), abs(v2_new / r_param))"),
         "rounded": ("(v1_new / r_param, v2_new / r_param)", "(round(v1_new / r_param, 1), round(v2_new / r_param, 1))"),
@@ -553,6 +640,22 @@ WRONG = {
         "the product of both e": ("e = pend1['e']", "e = pend1['e'] * pend2['e']"),
         "e is 1": ("e = pend1['e']", "e = 1"),
         "e is 0": ("e = pend1['e']", "e = 0"),
+        "0 counts as no e": ("e = pend1['e']", "e = pend1['e'] or pend2['e']"),
+        "e of the faster one": ("e = pend1['e']", "e = max(pend1, pend2, key=lambda pend: abs(pend['omega']))['e']"),
+        "e of the left one": (
+            "e = pend1['e']",
+            "e = min(pend1, pend2, key=lambda pend: pend['objects'][1].pos.x)['e']",
+        ),
+        "distance of the axles": ("mag(bob1.pos - bob2.pos)", "mag(pend1['objects'][0].pos - pend2['objects'][0].pos)"),
+        "only if they hang at one angle": ("if mag", "if pend1['theta'] == pend2['theta'] and mag"),
+        "only if neither is at rest": ("if mag", "if omega1 and mag"),
+        "only if they are fast": ("if mag", "if abs(omega1 - omega2) > 0.01 and mag"),
+        "a distance that is rounded": ("mag(bob1.pos - bob2.pos)", "round(mag(bob1.pos - bob2.pos), 2)"),
+        "bobs that grow": ("if mag", "bob1.radius *= 1.05; bob2.radius *= 1.05\n        if mag"),
+        "straightens those that miss": (
+            "pend2['omega'] = new_omega2",
+            "pend2['omega'] = new_omega2\n        else: pend1['theta'] = 0",
+        ),
         "masses exchanged": ("omega2, m1, m2, r_param", "omega2, m2, m1, r_param"),
         "the first mass twice": ("m1, m2 = pend1['mass'], pend2['mass']", "m1 = m2 = pend1['mass']"),
         "masses of 1": ("m1, m2 = pend1['mass'], pend2['mass']", "m1 = m2 = 1"),
@@ -591,7 +694,7 @@ WRONG = {
         "only if both are elastic": ("if mag", "if pend1['e'] == pend2['e'] == 1 and mag"),
         "only if the masses are equal": ("if mag", "if m1 == m2 and mag"),
         "moves the bobs apart": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2; bob2.pos.x += 0.01"),
-        "turns the first back": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2; pend1['theta'] = 0.01"),
+        "turns the first back": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2; pend1['theta'] = 0.5"),
         "twice": (
             "pend2['omega'] = new_omega2",
             "pend1['omega'], pend2['omega'] = handle_collision(e, new_omega1, new_omega2, m1, m2, r_param)",
@@ -622,6 +725,21 @@ WRONG = {
             for i in range(len(pend_list) - 1):
                 handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)
             """,
+        "collides with one that has not swung yet": """\
+            from src.swinging import swing_update
+            for left, right in zip(pend_list, pend_list[1:]):
+                swing_update(left, r_param, dt, g)
+                handle_two_bobs(left, right, r_param)
+            for last in pend_list[-1:]:
+                swing_update(last, r_param, dt, g)
+            """,
+        "one alone does not swing": ("full_swing_update(", "if len(pend_list) > 1: full_swing_update("),
+        "from the right if they come from there": (
+            "range(len(pend_list) - 1)",
+            "list(range(len(pend_list) - 1))[:: -1 if sum(p['omega'] for p in pend_list) < 0 else 1]",
+        ),
+        "only to the right": ("handle_two_bobs(", "if pend_list[i]['omega'] >= 0: handle_two_bobs("),
+        "six pairs at most": ("range(len(pend_list) - 1)", "range(min(6, len(pend_list) - 1))"),
         "the shipped r_param in the swing": ("(pend_list, r_param, dt, g)", "(pend_list, 0.2, dt, g)"),
         "the shipped dt": ("(pend_list, r_param, dt, g)", "(pend_list, r_param, 0.0001, g)"),
         "the shipped g": ("(pend_list, r_param, dt, g)", "(pend_list, r_param, dt, 9.81)"),
@@ -694,6 +812,11 @@ WRONG = {
         "a white lower bob": ("theta + phi, color", "theta + phi, vector(1, 1, 1)"),
         "no texture on the lower bob": ("theta + phi, color, texture", "theta + phi, color, None"),
         "no texture on the upper bob": ("theta, color, texture", "theta, color, None"),
+        "a texture in any case": (
+            "axle, bob1, cord1 =",
+            "texture = texture or ':metal_texture.jpg'; axle, bob1, cord1 =",
+        ),
+        "a lower bob that cannot be seen": ("return (", "bob2.visible = False\n        return ("),
         "degrees": ("theta + phi", "theta + phi * 57.29577951308232"),
     },
     "double_angle_update": {
@@ -722,6 +845,8 @@ WRONG = {
         "the shipped dt": ("b + v * dt", "b + v * 0.00025"),
         "rates forgotten": ("(a, b, u, v, g", "(a, b, 0, 0, g"),
         "accelerations exchanged": ("du, dv =", "dv, du ="),
+        "2 g for g / r_param": ("g / r_param", "2 * g"),
+        "never beyond once round": ("(u, v - u, a, b - a)", "(u, v - u, max(-10, min(10, a)), b - a)"),
         "accelerations of zero": (
             "du, dv = double_accelerations(a, b, u, v, g / r_param, m2 / (m1 + m2))",
             "du = dv = 0",
