@@ -5,6 +5,7 @@ import sys
 from functools import cache, partial
 from importlib import import_module
 from inspect import Signature, signature
+from pathlib import Path
 from textwrap import dedent, indent
 
 import grader
@@ -13,9 +14,10 @@ import watch
 from grader import check, checks, expect, FAILED, FAULT, Grading, PASSED, WAITING
 from handout import FUNCTIONS, needed, SUITES
 from right_solutions import RIGHT
-from telling import python
+from telling import python, ROOT
 from wrong_solutions import PLAIN, WRONG
 
+from support.constants import NC_FP
 from support.text_picture import TextPicture
 
 # All of them first: one that is imported while a solution is in its place would keep it.
@@ -207,6 +209,68 @@ def test_what_never_comes_back_is_stopped_and_not_called_again(solve, monkeypatc
         "not called  angle_update did not come back within 0.2 s before."
     ]
     assert capsys.readouterr().out == "called\n"
+
+
+def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
+    def import_module(name):
+        if name == "src.swinging":
+            exec(compile("\nwhile True: pass", str(ROOT / "src" / "swinging.py"), "exec"), {})
+        return original(name)
+
+    original = grader.importlib.import_module
+    monkeypatch.setattr(grader, "PATIENCE", 0.2)
+    monkeypatch.setattr(grader.importlib, "import_module", import_module)
+    grading = Grading()
+    first, second = (grading.judge(check) for check in checks(function="angle_update"))
+    assert [line.strip() for line in first.message.splitlines()[1:3]] == [
+        "came back   nothing, within 0.2 s; it was stopped here:",
+        "src/swinging.py, line 2, in <module>",
+    ]
+    assert second.message.startswith("not called  src/swinging.py did not come back within 0.2 s before.")
+    assert {grading.judge(check).message for check in checks(function="full_swing_update")} == {
+        "waits for angle_update"
+    }
+
+
+def test_a_solution_that_writes_the_shipped_file_fails_and_the_file_is_put_back(solve):
+    before = Path(NC_FP).read_bytes()
+    solve("uniform_mass_newton_cradle", WRONG["uniform_mass_newton_cradle"]["writes the shipped file"])
+    message = first_failure("uniform_mass_newton_cradle").message
+    assert "came back   newton_cradle_pends.csv had other contents than before; it has them again." in message
+    assert Path(NC_FP).read_bytes() == before
+
+
+@pytest.mark.parametrize(
+    ("body", "line"),
+    [
+        (
+            "return angle_update(omega, theta, r_param, dt, g)",
+            "it raised   RecursionError: maximum recursion depth exceeded",
+        ),
+        ("a = []; a.append(a); return a", "came back   a list that contains itself"),
+        (
+            "return list(range(10**5))",
+            "came back   [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, ... (100000 in all)]",
+        ),
+        ("class Odd:\n    def __repr__(self): return 1 / 0\nreturn Odd()", "came back   a Odd that has no text"),
+        ("class Odd(Exception):\n    def __str__(self): return 1 / 0\nraise Odd", "it raised   Odd, which has no text"),
+        ("return 1 + 1e-12j, 2", "came back   ((1+1e-12j), 2)"),
+        ("return float('nan'), float('inf')", "came back   (nan, inf)"),
+    ],
+)
+def test_strange_values_are_told_in_a_few_lines(solve, body, line):
+    solve("angle_update", body)
+    message = first_failure("angle_update").message
+    assert "\n" + line in message
+    assert message.count("\n") < 15
+
+
+def test_what_differs_beyond_six_digits_is_shown_with_more(solve):
+    solve("angle_update", "return omega + 0.00002, theta")
+    expected = "came back   (2.00002, 2.61799387799149)"
+    assert expected.replace("2.61799387799149", "2.61799") in first_failure("angle_update").message
+    solve("angle_update", "return 1.000002, 5 * 3.141592653589793 / 6 + 0.1")
+    assert "came back   (1.000002, 2.71799387799149)" in first_failure("angle_update").message
 
 
 def test_ctrl_c_is_none_of_the_solutions_doing(solve):

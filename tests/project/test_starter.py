@@ -159,6 +159,35 @@ def test_a_file_that_cannot_be_imported_fails_its_own_functions_only(starter):
     ) == 2
 
 
+@pytest.mark.parametrize(
+    ("before", "after", "line"),
+    [
+        (
+            "import extract_and_convert",
+            "import extract_and_converts",
+            "ImportError: cannot import name 'extract_and_conv",
+        ),
+        ("from src.pds_helper", "from pds_helper", "ModuleNotFoundError: No module named 'pds_helper'"),
+        (
+            "def uniform_mass",
+            "extract_and_convert('nowhere.csv')\n\n\ndef uniform_mass",
+            "ValueError: nowhere.csv: cannot",
+        ),
+    ],
+)
+def test_the_file_at_fault_fails_and_those_that_import_it_wait(starter, before, after, line):
+    put_back(starter, *{function.file for function in FUNCTIONS.values()})
+    special = starter / "src" / "special_cradles.py"
+    special.write_text(special.read_text().replace(before, after))
+    status, lines, graded = grade(starter)
+    table = table_of(lines)
+    assert status == 1
+    assert [row[2] for row in table.values()] == [10, 0, 0, 0, 0]  # elastic and inelastic wait for uniform_e
+    assert graded["next"].startswith("uniform_mass_newton_cradle in src/special_cradles.py")
+    assert len([text for text in lines if text.startswith(f"it raised   {line}")]) == 10
+    assert ("hint        Its name is src.pds_helper." in lines) == line.startswith("Module")
+
+
 def test_one_tier_alone(starter):
     put_back(starter, "src/pds_helper.py", "src/special_cradles.py")
     status, lines, graded = grade(starter, "--tier", "d")
