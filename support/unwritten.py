@@ -13,10 +13,10 @@ STUB = re.compile(r'^ +raise NotImplementedError\("(\w+) is not written yet"\)',
 def unwritten(*modules) -> dict[str, str]:
     """Return where the functions in these modules of src/ are that are not written yet, by their names."""
     places = {}
-    for module in modules:
-        source = (SRC / f"{module}.py").read_text(encoding="utf-8", errors="replace")
+    for file in filter(Path.is_file, (SRC / f"{module}.py" for module in modules)):
+        source = file.read_text(encoding="utf-8", errors="replace")
         for stub in STUB.finditer(source):
-            places[stub[1]] = f"src/{module}.py, line {source.count(chr(10), 0, stub.start()) + 1}"
+            places[stub[1]] = f"src/{file.name}, line {source.count(chr(10), 0, stub.start()) + 1}"
     return places
 
 

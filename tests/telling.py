@@ -178,11 +178,15 @@ def python() -> str:
 
 
 def culprit_of(error) -> str | None:
-    """Return the file of src/ because of which an import failed, or None."""
+    """Return the file of src/ because of which an import failed, or None: the one with a function missing, the one
+    that is missing itself, or the one with the last line that was carried out.
+    """
     missing = re.match(r"cannot import name '(\w+)' from 'src\.", str(error))
     if missing and missing[1] in FUNCTIONS:
         return FUNCTIONS[missing[1]].file
+    if isinstance(error, ModuleNotFoundError) and error.name.startswith("src."):
+        return error.name.replace(".", "/") + ".py"
     places = [place for place, _ in own_places(error)]
-    # Where the file itself is at fault, not what it calls while it is imported.
+    # Of its own lines, not of what they called.
     importing = [place for place in places if place.endswith("in <module>") or ", in " not in place]
     return importing[-1].partition(",")[0] if importing else None
