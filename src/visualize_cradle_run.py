@@ -14,7 +14,6 @@ if __name__ == "__main__":  # started as a file, from any folder: the project's 
 
 from vpython import mag
 
-from src.live_cradle import LiveCradle
 from src.swinging import angle_update, full_swing_update
 from support.constants import BUFFER
 from support.options import read_page_options
@@ -157,6 +156,8 @@ def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
 
 def main() -> None:
     """Show a cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused."""
+    from src.live_cradle import LiveCradle  # only here: the functions above do without it, and all that it brings
+
     options = read_page_options()
     end_if_unwritten("pds_helper", "special_cradles", "swinging", "visualize_cradle_run")
     show_cradle(LiveCradle(advance_cradle, options), options, [options.angle])

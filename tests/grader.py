@@ -102,7 +102,7 @@ def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, fe
     result = run(call, solution, arguments, wanted, feeds)
     for before, path in zip(call.arguments, arguments, strict=True):
         if isinstance(before, PlainFile) and plain(path) != before:
-            lines = [("came back", "The file has other contents than before.")]
+            lines = [("came back", "The file is not as it was before.")]
             raise MistakeError(call, [*lines, ("expected", "The file is read, and stays as it is.")])
     try:
         came = see(result) if see else result
@@ -125,7 +125,7 @@ def find(function) -> Callable:
     try:
         with working_in(ROOT):  # wherever the check is at this moment
             module = importlib.import_module(module_of(file))
-    except (Exception, SystemExit, KeyboardInterrupt) as error:
+    except BaseException as error:  # also SystemExit
         hung = isinstance(error, KeyboardInterrupt)
         if hung and not LATE.is_set():
             raise
@@ -150,7 +150,7 @@ def run(call, solution, arguments, wanted, feeds) -> Any:
             result = solution(*arguments)
             if feeds and isinstance(result, tuple):
                 arguments = (*result, *arguments[len(result) :])
-    except (Exception, SystemExit, KeyboardInterrupt) as error:
+    except BaseException as error:  # also SystemExit
         if not isinstance(error, KeyboardInterrupt):
             raise MistakeError(call, [("it raised", raised(error)), wanted]) from None
         if not LATE.is_set():
@@ -186,26 +186,34 @@ LATE = threading.Event()  # whether a check was stopped because it took too long
 @contextmanager
 def patience():
     """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than PATIENCE."""
-    lock, over = threading.Lock(), False
+    lock, over = threading.Lock(), threading.Event()
 
     def interrupt():
-        with lock:
-            if not over:
-                LATE.set()
-                interrupt_main()
+        in_time = over.wait(PATIENCE)
+        while not in_time:  # again and again, as the first one may be caught
+            with lock:
+                if not over.is_set():
+                    LATE.set()
+                    interrupt_main_thread()
+            in_time = over.wait(0.5)
 
     LATE.clear()
     before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a job in the background ignores interrupts
-    watchdog = threading.Timer(PATIENCE, interrupt)
-    watchdog.daemon = True
-    watchdog.start()
+    threading.Thread(target=interrupt, daemon=True).start()
     try:
         yield
     finally:
         with lock:
-            over = True
-        watchdog.cancel()
+            over.set()
         signal.signal(signal.SIGINT, before)
+
+
+def interrupt_main_thread() -> None:
+    """Do what Ctrl+C does; where there are signals as on Linux and macOS, one that also ends a sleep."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+    else:
+        interrupt_main()
 
 
 # --- comparing -------------------------------------------------------------------------------------------------------
@@ -334,7 +342,7 @@ class Grading:
             if error.hung:
                 self.hung[FUNCTIONS[check.function].file] = str(error)
             return Outcome(WAITING, f"waits for {error}")
-        except (Exception, KeyboardInterrupt) as error:
+        except BaseException as error:
             if isinstance(error, KeyboardInterrupt) and not LATE.is_set():
                 raise
             lines = ["This is a fault of the grader, not of the solution. Please show it to your teacher."]

@@ -12,6 +12,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from support import headless_vpython
+
+headless_vpython.install()
+
 from handout import FUNCTIONS, SUITES
 
 from support.options import OneLineParser

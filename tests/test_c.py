@@ -103,6 +103,10 @@ def test_every_pendulum_swings_once():
         return [(pend["omega"], pend["theta"]) for pend in pend_list]
 
     expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=after, see=see, what=what, hints=hints)
+    other = [hang(theta=-pi / 6, omega=2.0, r_param=0.25)]
+    what = "omega of one pendulum"
+    gives = {"gives": 4.0, "see": lambda _: other[0]["omega"], "what": what}
+    expect("full_swing_update", other, 0.25, 0.2, 5.0, **gives)
     expect("full_swing_update", [], 0.5, 0.1, 10.0, gives=A("no error, without any pendula", lambda _: True))
 
 

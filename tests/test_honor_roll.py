@@ -14,9 +14,9 @@ AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
 # --- make_double_pendulum --------------------------------------------------------------------------------------------
 
 
-def check_double_pendulum(see, what, theta, phi, gives, hints=(), texture=textures.wood):
+def check_double_pendulum(see, what, theta, phi, gives, hints=(), cord=CORD, texture=textures.wood):
     """Check what see takes out of the objects of a double pendulum."""
-    arguments = AXLE, CORD, theta, phi, RED, texture
+    arguments = AXLE, cord, theta, phi, RED, texture
     expect("make_double_pendulum", *arguments, gives=gives, see=see, what=what, hints=hints)
 
 
@@ -81,6 +81,8 @@ def test_bobs_are_where_the_angles_say():
             (places(arm(0), arm(0) + arm(phi)), "theta makes no difference."),
         ]
         check_double_pendulum(see, what, theta, phi, right, hints)
+    longer = AXLE, AXLE + 3 * arm(0.7), AXLE + 3 * arm(0.7) + 3 * arm(1.1)
+    check_double_pendulum(see, what, 0.7, 0.4, longer, cord=3 * CORD)
 
 
 @check("make_double_pendulum", watched=True)

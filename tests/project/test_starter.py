@@ -188,6 +188,23 @@ def test_the_file_at_fault_fails_and_those_that_import_it_wait(starter, before, 
     assert ("hint        Its name is src.pds_helper." in lines) == line.startswith("Module")
 
 
+def test_a_fault_of_the_grader_fails_and_is_no_point(starter):
+    put_back(starter, *{function.file for function in FUNCTIONS.values()})
+    suite = starter / "tests" / "test_c.py"
+    suite.write_text(suite.read_text().replace('expect("angle_update", *STEP', 'expect("angle_update", 1 / 0, *STEP'))
+    status, lines, graded = grade(starter, "--tier", "C")
+    assert status == 1
+    assert table_of(lines) == {"C": [1, 4, 1, "1/6"]}
+    assert "This is a fault of the grader, not of the solution. Please show it to your teacher." in lines
+    assert (graded["grade"], graded["next"]) == (None, "show your teacher the grader's fault in test_angle_update")
+
+
+def test_the_suites_run_in_the_order_of_the_handout(starter):
+    _, lines, _ = grade(starter)
+    files = [line.split()[0] for line in lines if line.startswith("tests/")]
+    assert files == [f"tests/{suite}.py" for suite in SUITES.values()]
+
+
 def test_one_tier_alone(starter):
     put_back(starter, "src/pds_helper.py", "src/special_cradles.py")
     status, lines, graded = grade(starter, "--tier", "d")
