@@ -39,7 +39,9 @@ PATIENCE = 2.0  # s, after which a bar shows the progress
 
 
 def main() -> None:
-    """Show a cradle, or record its data; status 2 if an option, the CSV or the file to be written is refused."""
+    """Show a cradle, or record its data; status 2 if an option, the CSV or the file to be written is
+    refused, or a function is not written yet.
+    """
     options = read_text_options()
     end_if_unwritten("pds_helper", "special_cradles", "swinging", "visualize_cradle_run")
     cradle = LiveCradle(advance_cradle, options)

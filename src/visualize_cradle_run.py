@@ -155,7 +155,9 @@ def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
 
 
 def main() -> None:
-    """Show a cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused."""
+    """Show a cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused, or a
+    function is not written yet.
+    """
     from src.live_cradle import LiveCradle  # only here: the functions above do without it, and all that it brings
 
     options = read_page_options()

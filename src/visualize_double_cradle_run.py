@@ -16,7 +16,9 @@ from support.unwritten import end_if_unwritten
 
 
 def main() -> None:
-    """Show a double cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused."""
+    """Show a double cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused, or a
+    function is not written yet.
+    """
     options = read_double_page_options()
     end_if_unwritten("pds_helper", "special_cradles", "double_cradle")
     show_cradle(LiveDoubleCradle(options), options, [options.angle, options.phi])

@@ -20,9 +20,10 @@ MIXED = [
 ]
 
 
-def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R) -> dict:
-    """Return a pendulum that hangs from axle (x, y, z in m) at theta (rad)."""
+def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R, radius=None) -> dict:
+    """Return a pendulum that hangs from axle (x, y, z in m) at theta (rad), its bob of this radius (m) or as usual."""
     objects = make_pendulum(vector(*axle), r_param, theta, color.white, None)
+    objects[1].radius = radius or objects[1].radius
     values = {"mass": mass, "e": e, "theta": theta, "omega": omega, "color": "white", "texture": "none"}
     return {**values, "objects": objects}
 

@@ -1,4 +1,4 @@
-"""The grader: what is graded, how a check is judged, and what a student is told. conftest.py brings it to pytest.
+"""The grader: what is graded, how a check is judged, and what a student is told. pytest_grader.py brings it to pytest.
 
 A check is a function in test_d.py, test_c.py, test_b.py, test_a.py or test_honor_roll.py with @check("...") above it,
 which names the function of the handout that it is a check of. Its docstring, a sentence of the handout, is its public
@@ -38,9 +38,15 @@ OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, Arith
 class Check(NamedTuple):
     function: str  # the name of the function that is checked
     ask: Callable  # calls it, and raises MistakeError
-    tier: str
-    name: str
     watched: bool  # whether what is wrong can be seen: watch.py plays it
+
+    @property
+    def name(self) -> str:
+        return self.ask.__name__
+
+    @property
+    def tier(self) -> str:
+        return FUNCTIONS[self.function].tier
 
     def title(self) -> str:
         """Return the sentence of the handout that it is about, without line breaks."""
@@ -55,7 +61,7 @@ def check(function, watched=False) -> Callable:
 
     def add(ask):
         ask.is_check = True
-        CHECKS[ask.__name__] = Check(function, ask, FUNCTIONS[function].tier, ask.__name__, watched)
+        CHECKS[ask.__name__] = Check(function, ask, watched)
         return ask
 
     return add
@@ -283,6 +289,7 @@ class Grading:
 
     def __init__(self):
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
+        self.unwritten = unwritten(*{Path(function.file).stem for function in FUNCTIONS.values()})
         self.hung: dict[str, str] = {}  # functions and files that did not come back, and what kept them: mostly they
 
     def judge(self, check) -> Outcome:
@@ -294,9 +301,8 @@ class Grading:
     def outcome_of(self, check) -> Outcome:
         """Return the outcome of a check that has not been made yet."""
         function = FUNCTIONS[check.function]
-        place = unwritten(Path(function.file).stem).get(check.function)
-        if place:
-            return Outcome(FAILED, self.not_written(check, place))
+        if check.function in self.unwritten:
+            return Outcome(FAILED, self.not_written(check, self.unwritten[check.function]))
         waits = [name for name in needed(check.function) if self.has_failed(name)]
         if waits:
             return Outcome(WAITING, f"waits for {', '.join(waits)}")

@@ -88,6 +88,7 @@ def shown(value, digits=6) -> str:
 
 
 def text_of(value, digits) -> str:
+    """Return what shown returns; raises what the value itself raises."""
     if isinstance(value, A):
         return value.words
     if isinstance(value, bool) or value is None:

@@ -22,10 +22,9 @@ def check_tick(pend_list, gives, *, dt=SHORT, g=9.81, hints=()):
 
 def touching(*omegas, radius=R / 8):
     """Return pendula that hang straight down and touch, with these angular velocities (rad/s)."""
-    pend_list = row(len(omegas))
+    pend_list = row(len(omegas), radius=radius)
     for pend, omega in zip(pend_list, omegas, strict=True):
         pend["omega"] = omega
-        pend["objects"][1].radius = radius
     return pend_list
 
 
@@ -108,14 +107,10 @@ def test_bobs_that_do_not_touch_are_left_alone():
 def test_swings_come_before_collisions():
     """Performs a single timestep or tick of the Newton's cradle."""
     check_tick(touching(1.0, 0.0), [0.0, 1.0])
-    pend_list = [hang(theta=-0.1, omega=1.0), hang(axle=(R / 4, 0, 0))]
-    for pend in pend_list:
-        pend["objects"][1].radius = R / 8
+    pend_list = [hang(theta=-0.1, omega=1.0, radius=R / 8), hang(axle=(R / 4, 0, 0), radius=R / 8)]
     hints = [([1.0, 0.0], "The swing brings these bobs together: it comes first, and then the collision.")]
     check_tick(pend_list, [0.0, 1.0], dt=0.1, g=0.0, hints=hints)
-    pend_list = [hang(), hang(theta=0.1, omega=-1.0, axle=(R / 4, 0, 0))]
-    for pend in pend_list:
-        pend["objects"][1].radius = R / 8
+    pend_list = [hang(radius=R / 8), hang(theta=0.1, omega=-1.0, axle=(R / 4, 0, 0), radius=R / 8)]
     hints = [([0.0, -1.0], "It is the second one that comes to the first here: all swing before any collide.")]
     check_tick(pend_list, [-1.0, 0.0], dt=0.1, g=0.0, hints=hints)
 

@@ -118,9 +118,8 @@ LEFT, HITS, MISSES = 4.0, (1.0, 3.0), (4.0, 0.0)  # omega of the left one before
 
 def pair(distance=(1.0, 0.0, 0.0), radius1=0.5, radius2=0.5, values1=None, values2=None):
     """Return two pendula that hang straight down, their axles this far (x, y, z in m) apart; the left one moves."""
-    pend1 = hang(r_param=LENGTH, **{"omega": LEFT, "e": 0.5, **(values1 or {})})
-    pend2 = hang(r_param=LENGTH, axle=distance, **{"e": 0.5, **(values2 or {})})
-    pend1["objects"][1].radius, pend2["objects"][1].radius = radius1, radius2
+    pend1 = hang(r_param=LENGTH, radius=radius1, **{"omega": LEFT, "e": 0.5, **(values1 or {})})
+    pend2 = hang(r_param=LENGTH, axle=distance, radius=radius2, **{"e": 0.5, **(values2 or {})})
     return pend1, pend2
 
 

@@ -158,9 +158,9 @@ def test_a_swing_is_no_collision():
     how each pendulum swings.
     """
     omegas = [1.0, -1.0, 0.5]
-    pend_list = row(3)
+    pend_list = row(3, radius=R / 8)
     for pend, omega in zip(pend_list, omegas, strict=True):
-        pend["omega"], pend["objects"][1].radius = omega, R / 8
+        pend["omega"] = omega
     exchanged = (lambda came: sorted(came) == sorted(omegas), "Bobs that touch are left to the collision functions.")
 
     def see(_):

@@ -140,6 +140,7 @@ def test_any_csv_is_converted():
 
 
 def uniform(rows, **changed):
+    """Return these rows, each with the changed value."""
     return [{**row, **changed} for row in rows]
 
 

@@ -168,9 +168,7 @@ def one_double_pendulum(double_angle_update, given):
 
 def pendulum(r_param, mass, e, theta, omega, axle, radius, **_):
     """Return a pendulum again from what it was as plain values."""
-    pend = hang(theta, omega, mass, e, axle, r_param)
-    pend["objects"][1].radius = radius
-    return pend
+    return hang(theta, omega, mass, e, axle, r_param, radius)
 
 
 SCENES = {

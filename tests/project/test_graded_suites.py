@@ -11,7 +11,7 @@ from textwrap import dedent, indent
 import grader
 import pytest
 import watch
-from grader import check, checks, expect, FAILED, FAULT, Grading, PASSED, WAITING
+from grader import check, checks, expect, FAILED, FAULT, Grading, module_of, PASSED, WAITING
 from handout import FUNCTIONS, needed, SUITES
 from right_solutions import RIGHT
 from telling import python, ROOT
@@ -21,7 +21,7 @@ from support.constants import NC_FP
 from support.text_picture import TextPicture
 
 # All of them first: one that is imported while a solution is in its place would keep it.
-MODULES = {name: import_module(of.file.removesuffix(".py").replace("/", ".")) for name, of in FUNCTIONS.items()}
+MODULES = {name: import_module(module_of(of.file)) for name, of in FUNCTIONS.items()}
 
 CHECKS = [check for tier in SUITES for check in checks(tier=tier)]
 WRONG_ROWS = [(function, mistake) for function, mistakes in WRONG.items() for mistake in mistakes]
