@@ -5,6 +5,7 @@ from array import array
 from collections import deque
 from itertools import count
 from pathlib import Path
+from stat import S_ISREG
 
 from support.whole_file import whole_file
 
@@ -15,10 +16,12 @@ SPAN = 600.0  # s that the viewer remembers
 def check_record(filepath) -> None:
     """Raise a ValueError of one line if this file is there already, and no data of a cradle that may be replaced."""
     try:
-        if not Path(filepath).is_file():
+        if not S_ISREG(Path(filepath).stat().st_mode):
             return  # write_data will say what is wrong with it
         with open(filepath, "rb") as file:
             columns = file.readline().strip()
+    except FileNotFoundError:
+        return  # a new file, or in no folder, which write_data will say
     except OSError as error:
         raise ValueError(f"--record: {filepath}: {error.strerror}") from error
     if columns and not (columns.startswith(b"t,theta_1,") and columns.endswith(b",momentum")):

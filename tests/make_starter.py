@@ -38,7 +38,7 @@ README = """\
 This is the project of the handout, without the functions that are yours to write. Each of them has a place marked with
 *Write your code here*. `pytest` checks them, and says after each run what is next.
 
-**Install**, in this folder, with Python 3.10 to 3.13 (on Windows: `py`, and `.venv\\Scripts` for `.venv/bin`):
+**Install**, in this folder, with Python 3.10 or later (on Windows: `py`, and `.venv\\Scripts` for `.venv/bin`):
 
     python3 -m venv .venv && .venv/bin/pip install -q -e . pytest
 
