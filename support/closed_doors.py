@@ -68,11 +68,16 @@ class PageServer(http.server.ThreadingHTTPServer):
     opened in advance, and not used yet, would keep the page from loading.
     """
 
-    def __init__(self, sockets, address, handler) -> None:
+    def __init__(self, sockets, head, no_webgl, address, handler) -> None:
+        """Serve at these page_sockets; head is HTML that the page begins with, before anything of VPython's.
+
+        no_webgl is text to print as soon as the page finds that its browser has no WebGL.
+        """
         self.page, websocket = sockets
         vpython = sys.modules[handler.__module__]  # where the page's text is, with a websocket port chosen by VPython
-        vpython.glowcomm = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
-        super().__init__(address, own_files_only(handler))
+        page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
+        vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
+        super().__init__(address, own_files_only(handler, no_webgl))
 
     def server_bind(self) -> None:
         """Take the page's socket, whatever the address that VPython asks for."""
@@ -89,8 +94,11 @@ class PageServer(http.server.ThreadingHTTPServer):
         """Say nothing: the browser went away in the middle of an answer."""
 
 
-def own_files_only(handler: Any) -> Any:
-    """Return VPython's request handler, changed to give nothing but its page and the files in its own two folders."""
+def own_files_only(handler: Any, no_webgl) -> Any:
+    """Return VPython's request handler, changed to give nothing but its page and the files in its own two folders.
+
+    The page can say that its browser has no WebGL; the text no_webgl is then printed.
+    """
     files = {
         f"/{file.relative_to(folder).as_posix()}": (content_type, file)
         for ending, (content_type, folder) in handler.mimes.items()
@@ -108,6 +116,10 @@ def own_files_only(handler: Any) -> Any:
                 self.send_header("Content-type", content_type)
                 self.end_headers()
                 self.wfile.write(file.read_bytes())
+            elif self.path == "/no-webgl" and self.headers["Sec-Fetch-Site"] == "same-origin":  # from this page only
+                self.send_response(204)
+                self.end_headers()
+                print(no_webgl, flush=True)
             else:
                 self.send_error(404)
 

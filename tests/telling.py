@@ -1,8 +1,6 @@
 """What a student is told: calls, values and errors as text."""
 
 import re
-import shutil
-import sys
 import traceback
 from collections.abc import Callable
 from itertools import islice
@@ -168,14 +166,6 @@ def raised(error) -> list[str]:
     except Exception:
         text = f"{type(error).__name__}, which has no text"
     return [*text[:LONGEST].split("\n"), *own_lines(error)]
-
-
-def python() -> str:
-    """Return what to type, in the project's folder, for the Python that is running."""
-    running = Path(sys.executable)
-    if running.is_relative_to(ROOT):
-        return str(running.relative_to(ROOT))
-    return "python" if shutil.which("python") == sys.executable else sys.executable
 
 
 def culprit_of(error) -> str | None:

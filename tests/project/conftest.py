@@ -1,11 +1,12 @@
-"""What the project's tests share: they meet VPython itself in other processes, and in a real browser."""
+"""What the project's tests share: they meet VPython itself in other processes, and in real browsers."""
 
 import os
+import shutil
 import subprocess
 import sys
 
 import pytest
-from programs import ARGUMENTS, CHROMIUM, copy_project, PROGRAM, SECONDS
+from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, PROGRAM, SECONDS
 from whole_cradles import FIVE_CSV
 
 
@@ -29,18 +30,38 @@ def run(tmp_path):
 
 
 @pytest.fixture(scope="session")
-def browser():
+def driver():
     playwright = pytest.importorskip("playwright.sync_api")
+    with playwright.sync_playwright() as driver:
+        yield driver
+
+
+@pytest.fixture(scope="session")
+def chromium(driver):
     if CHROMIUM is None:
         pytest.skip("Chromium is not installed")
-    with playwright.sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+    browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+    yield browser
+    browser.close()
+
+
+@pytest.fixture(scope="session")
+def firefox(driver):
+    """Firefox on a screen that is only in memory: without any screen it has no WebGL."""
+    if FIREFOX is None or shutil.which("Xvfb") is None:
+        pytest.skip("Firefox or Xvfb is not installed")
+    with subprocess.Popen(["Xvfb", "-displayfd", "1"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as screen:
+        environment = {**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"}
+        browser = driver.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, headless=False, env=environment)
         yield browser
         browser.close()
+        screen.terminate()
 
 
 @pytest.fixture
-def page(browser):
+def page(request):
+    """A new tab in Chromium, or in the browser that a test asks for (in_both_browsers)."""
+    browser = request.getfixturevalue(getattr(request, "param", "chromium"))
     page = browser.new_page(viewport={"width": 1000, "height": 700})
     page.set_default_timeout(SECONDS * 1000)
     yield page

@@ -16,6 +16,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+FIREFOX = next(filter(None, map(shutil.which, ("firefox-esr", "firefox"))), None)
 ARGUMENTS = [
     *("--no-sandbox", "--no-first-run", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
     "--disable-gpu-compositing",  # without a graphics card it is what slows everything, thirty times
@@ -41,6 +42,8 @@ needs_vpython = [
     pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed"),
     pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS"),
 ]
+
+in_both_browsers = pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
 
 
 def copy_project(folder, csv) -> Path:

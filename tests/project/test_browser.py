@@ -1,17 +1,21 @@
-"""The program as a person meets it: VPython itself, a page in Chromium, Ctrl+C and closed tabs."""
+"""The program as a person meets it: VPython itself, a page in Chromium and Firefox, Ctrl+C and closed tabs."""
 
 import logging
+import shlex
 import signal
 import socket
+import subprocess
 from collections import Counter
 from math import hypot
 
 import pytest
 from programs import (
     BOBS,
+    CHROMIUM,
     copy_project,
     end,
     first_lines,
+    in_both_browsers,
     needs_vpython,
     open_cradle,
     PROGRAM,
@@ -27,6 +31,7 @@ from support.page import is_worth_showing
 pytestmark = needs_vpython
 
 
+@in_both_browsers
 def test_the_cradle_swings_until_the_tab_is_closed(page, program):
     with running(program) as process:
         open_cradle(page, first_lines(process))
@@ -64,6 +69,25 @@ def colors(page, picture):
         }""",
         list(picture),
     )
+
+
+def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, page, program):
+    """On the page and in the terminal; and the cradle is still there for another browser."""
+    folder = program.parents[1]
+    with running(program, folder=folder) as process:
+        address = first_lines(process)
+        with driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-3d-apis"]) as browser:
+            blind = browser.new_page()
+            blind.goto(address, wait_until="commit")
+            words = blind.locator("main").inner_text().splitlines()
+            assert "This browser cannot draw the cradle: WebGL 2 is missing, or is switched off." in words
+            assert blind.title() == "Newton's cradle"
+        complaint, offer = process.stdout.readline(), process.stdout.readline()
+        assert complaint == "That browser cannot draw the cradle: WebGL 2 is missing, or is switched off.\n"
+        assert offer.endswith(f" {words[-1]}\n")
+        done = subprocess.run([*shlex.split(words[-1]), "--seconds", "0.1"], cwd=folder, capture_output=True, text=True)
+        assert "t = 0.10 s" in done.stdout
+        open_cradle(page, address)
 
 
 def test_the_page_loads_while_a_browser_holds_an_idle_connection(page, program):

@@ -140,6 +140,17 @@ def test_vpythons_own_files_are_served(port, path):
     assert get(port, f"/{file.name}") == (200, file.read_bytes())
 
 
+def test_only_the_page_itself_can_say_in_the_terminal_that_it_sees_nothing():
+    """A browser says of each request whose script has made it."""
+    with running() as process:
+        port = int(first_lines(process).rpartition(":")[2])
+        assert get(port, "/no-webgl")[0] == 404
+        for whose in ("cross-site", "same-site", "none"):
+            assert answer(port, f"GET /no-webgl HTTP/1.0\r\nSec-Fetch-Site: {whose}\r\n\r\n".encode())[9:12] == b"404"
+        process.send_signal(signal.SIGINT)
+        assert end(process) == QUIETLY
+
+
 def test_the_page_names_the_port_above_its_own_as_its_websockets(port):
     status, body = get(port, "/")
     assert status == 200

@@ -14,10 +14,11 @@ import watch
 from grader import check, checks, expect, FAILED, FAULT, Grading, module_of, PASSED, WAITING
 from handout import FUNCTIONS, needed, SUITES
 from right_solutions import RIGHT
-from telling import python, ROOT
+from telling import ROOT
 from wrong_solutions import PLAIN, WRONG
 
 from support.constants import NC_FP
+from support.options import command
 from support.text_picture import TextPicture
 
 # All of them first: one that is imported while a solution is in its place would keep it.
@@ -136,7 +137,7 @@ def test_a_failure_says_it_all_in_order(solve):
         "expected    omega of pend1 and of pend2: (1, 3)",
         "hint        This is what e = 1 gives; that of pend1 is 0.5.",
         "read        handout, Handling Collisions (B Tests), and Appendix: Conservation Laws: handle_two_bobs",
-        f"watch       {python()} tests/watch.py test_e_is_the_first_pendulums",
+        f"watch       {command('tests/watch.py', ROOT)} test_e_is_the_first_pendulums",
     ]
 
 
