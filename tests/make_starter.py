@@ -40,7 +40,8 @@ This is the project of the handout, without the functions that are yours to writ
 
 **Install**, in this folder, with Python 3.10 or later (on Windows: `py`, and `.venv\\Scripts` for `.venv/bin`):
 
-    python3 -m venv .venv && .venv/bin/pip install -q -e . pytest
+    python3 -m venv .venv && .venv/bin/pip install -q --no-deps -r support/requirements.txt
+    .venv/bin/pip install -q "pytest>=8.4"
 
 **Write**, in this order:
 

@@ -56,12 +56,12 @@ def copy_project(folder, csv) -> Path:
 
 
 @contextmanager
-def running(program=None, *arguments, folder=os.sep, **environment):
+def running(program=None, *arguments, folder=os.sep, python=sys.executable, **environment):
     """Start the program as a user would, from this folder; yield the process, and end it in any case."""
     environment = {**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment}
     environment.pop("PYTHONUNBUFFERED", None)  # it must not wait for a full buffer with what it has to say
     process = subprocess.Popen(
-        [sys.executable, str(program or PROGRAM), *arguments],
+        [python, str(program or PROGRAM), *arguments],
         cwd=folder,
         env=environment,
         stdout=subprocess.PIPE,

@@ -1,0 +1,74 @@
+"""Make support/requirements.txt: `python tests/make_requirements.py PYTHON ...`.
+
+It lists the packages that the programs really import, each with the bounds that pyproject.toml sets, and below the next
+major version of those that were found: `pip install --no-deps` would not bring what such a version may need besides.
+Each PYTHON has the project installed, as by `pip install -e .`; several Pythons need more packages than one.
+"""
+
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+REQUIREMENTS = ROOT / "support" / "requirements.txt"
+HEAD = """\
+# What the programs import, and no more, for pip install --no-deps -r support/requirements.txt
+# VPython also asks for Jupyter, which a program that is started as a file does without: a hundred more packages.
+# Made by tests/make_requirements.py.
+"""
+PACKAGES = """
+import json
+from importlib import metadata
+names = {module: packages[0] for module, packages in metadata.packages_distributions().items()}
+print(json.dumps({module: (name, metadata.version(name)) for module, name in names.items()}))
+"""
+
+
+def bounds() -> dict[str, str]:
+    """Return the bounds of the packages that pyproject.toml names, as {"setuptools": "<80.9", ...}."""
+    text = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    return dict(re.findall(r'^    "([\w-]+)([<>=][^"]+)",', text, re.MULTILINE))
+
+
+def imported(python) -> dict[str, str]:
+    """Return the packages that a cradle's page imports with this Python, up to where it waits for a browser, as
+    {name: version}.
+    """
+    program = [python, "-X", "importtime", ROOT / "src" / "visualize_cradle_run.py", "--no-browser"]
+    with tempfile.TemporaryFile("w+") as told:
+        with subprocess.Popen(program, stdout=subprocess.PIPE, stderr=told) as process:
+            process.stdout.readline()
+            process.kill()
+        told.seek(0)
+        modules = {line.rpartition("|")[2].strip().partition(".")[0] for line in told}
+    done = subprocess.run([python, "-c", PACKAGES], stdout=subprocess.PIPE, check=True)
+    packages = json.loads(done.stdout)
+    return dict(packages[module] for module in modules & packages.keys())
+
+
+def lines(found) -> list[str]:
+    """Return the requirements for these packages, [(name, version), ...]; a name may come with several versions."""
+    majors: dict[str, int] = {}
+    for name, version in found:
+        majors[name] = max(majors.get(name, 0), int(version.partition(".")[0]))
+    given = bounds()
+    return [requirement(name, given.get(name, ""), major) for name, major in sorted(majors.items())]
+
+
+def requirement(name, bound, major) -> str:
+    """Return a package with its bound, and below the version after this major one if the bound has no upper end."""
+    parts = [bound] if "<" in bound else [*filter(None, [bound]), f"<{major + 1}"]
+    return name + ",".join(parts)
+
+
+def main() -> None:
+    """Write the file for the Pythons on the command line."""
+    found = [package for python in sys.argv[1:] or [sys.executable] for package in imported(python).items()]
+    REQUIREMENTS.write_text(HEAD + "".join(f"{line}\n" for line in lines(found)), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
