@@ -15,6 +15,7 @@ from support.cradle_csv import cleaned
 
 def main() -> None:
     """Print df, bad_rep and pend_list; status 2 if the CSV cannot be read."""
+    sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]  # a pipe on Windows lacks letters
     try:
         df = pd.read_csv(cleaned(NC_FP))
     except ValueError as error:

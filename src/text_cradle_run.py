@@ -23,6 +23,7 @@ headless_vpython.install()  # nothing is shown in a browser, so VPython itself i
 from src.live_cradle import LiveCradle
 from src.visualize_cradle_run import advance_cradle
 from support.cradle_csv import Snapshot
+from support.interrupt import while_it_is_read
 from support.motion import Motion
 from support.options import check_lift, read_text_options
 from support.real_time import RealTime
@@ -42,6 +43,7 @@ def main() -> None:
     """Show a cradle, or record its data; status 2 if an option, the CSV or the file to be written is
     refused, or a function is not written yet.
     """
+    sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]  # a pipe on Windows lacks letters
     options = read_text_options()
     end_if_unwritten("pds_helper", "special_cradles", "swinging", "visualize_cradle_run")
     cradle = LiveCradle(advance_cradle, options)
@@ -57,18 +59,17 @@ def main() -> None:
 
     try:
         stop_on_signals()
-        if options.record is not None:
-            record(motion, options)
-        elif sys.stdout.isatty() and os.environ.get("TERM") != "dumb":
-            show_pictures(motion, options.seconds)
-        else:
-            tell_lines(motion, options.seconds)
+        with while_it_is_read():
+            if options.record is not None:
+                record(motion, options)
+            elif sys.stdout.isatty() and os.environ.get("TERM") != "dumb":
+                show_pictures(motion, options.seconds)
+            else:
+                tell_lines(motion, options.seconds)
     except KeyboardInterrupt:
         if options.record is not None:
             print(f"Ended before it was complete: {options.record} is not written.", file=sys.stderr)
             sys.exit(1)
-    except BrokenPipeError:  # nobody reads on, as after `| head`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except OSError as error:
         refuse(f"{error.filename or 'The output'}: {error.strerror}")
 
@@ -82,9 +83,11 @@ def refuse(message) -> None:
 def stop_on_signals() -> None:
     """Let Ctrl+C, a closed terminal and kill raise a KeyboardInterrupt, once: cleaning up is not interrupted again.
 
+    Windows has no signal for a closed terminal, but one for Ctrl+Break.
+
     A signal that was to be ignored from the start, as with nohup, still is.
     """
-    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name)]
     numbers = [number for number in numbers if signal.getsignal(number) != signal.SIG_IGN]
 
     def stop(*_):

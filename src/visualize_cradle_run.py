@@ -1,9 +1,6 @@
 """Newton's cradle in the browser: collisions, the tick, and the program to play with."""
 
 import sys
-from heapq import heappop, heappush
-from itertools import pairwise
-from math import cos, sin, sqrt
 from pathlib import Path
 
 if __name__ == "__main__":  # started as a file, from any folder: the project's own modules are one folder up
@@ -11,6 +8,10 @@ if __name__ == "__main__":  # started as a file, from any folder: the project's 
     from support.interrupt import end_on_interrupt
 
     end_on_interrupt()  # the imports below take a moment, in which Ctrl+C would print a traceback
+
+from heapq import heappop, heappush
+from itertools import pairwise
+from math import cos, sin, sqrt
 
 from vpython import mag
 

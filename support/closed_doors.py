@@ -44,8 +44,10 @@ def listening_socket(port, whose) -> socket.socket:
     """Return a socket that listens at this port of 127.0.0.1; raises a ValueError that says whose port it would be."""
     listener = socket.socket()
     try:
-        if os.name == "posix":  # a port whose last user has just ended is free; on Windows this would share a used one
-            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        # With SO_REUSEADDR, a port whose last user has just ended is free. On Windows it is so anyway; there the option
+        # would share a port in use, and SO_EXCLUSIVEADDRUSE keeps other programs from sharing this one.
+        option = getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR)
+        listener.setsockopt(socket.SOL_SOCKET, option, 1)
         listener.bind(("127.0.0.1", port))
         listener.listen()  # before that, another program can still bind the same port
         return listener
@@ -145,7 +147,8 @@ def one_tab_only(protocol: Any) -> Any:
     """Return VPython's websocket protocol, changed to accept one connection, which must say its Origin.
 
     Autobahn has checked an Origin before, but lets pass who says none. It calls onClose for a connection that was
-    refused, or never asked for anything, as well; VPython would end the program then.
+    refused, or never asked for anything, as well. VPython would end the program then; and it does so by Ctrl+C, which
+    on Windows goes to all programs of the console.
     """
     from autobahn.websocket.types import ConnectionDeny  # comes with VPython, which the tests can do without
 
@@ -161,6 +164,6 @@ def one_tab_only(protocol: Any) -> Any:
 
         def onClose(self, *how) -> None:  # noqa: N802
             if self is tab:
-                super().onClose(*how)
+                os._exit(0)
 
     return OneTabProtocol

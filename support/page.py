@@ -75,8 +75,9 @@ def open_page(sockets, launch_browser=True):
 
 
 def is_worth_showing(record) -> bool:
-    """Whether a log record is about anything but VPython having talked to a tab that was just being closed."""
-    return not (record.exc_info and type(record.exc_info[1]).__name__ == "Disconnected")
+    """Whether a log record is about anything but a connection that has ended while VPython talked to it."""
+    error = record.exc_info and record.exc_info[1]
+    return not (isinstance(error, ConnectionError) or type(error).__name__ == "Disconnected")
 
 
 @contextmanager

@@ -3,8 +3,12 @@
 import errno
 import os
 import shutil
+import sys
+import time
 from contextlib import contextmanager, suppress
 from pathlib import Path
+
+TRIES, PAUSE = 20, 0.05  # how often a file is put in another one's place that is open, and after which pauses (s)
 
 
 @contextmanager
@@ -25,9 +29,27 @@ def whole_file(filepath):
             os.fsync(file.fileno())
         if target.exists():
             shutil.copymode(target, unfinished)
-        os.replace(unfinished, target)
+        replace(unfinished, target)
     except OSError as error:
         raise OSError(error.errno, f"cannot be written: {error.strerror}", str(filepath)) from error
     finally:
         with suppress(OSError):  # it has its final name by now, or was never there
             unfinished.unlink()
+
+
+def replace(unfinished, target) -> None:
+    """Put the unfinished file in the target's place.
+
+    Windows refuses that while a program has the target open. A cradle that looks at its file is soon done with it; if
+    another program keeps it open, the OSError says so.
+    """
+    for tries_left in reversed(range(TRIES)):
+        try:
+            os.replace(unfinished, target)
+            break
+        except PermissionError as error:
+            if sys.platform != "win32":
+                raise
+            if not tries_left:
+                raise OSError(error.errno, "another program has it open") from error
+            time.sleep(PAUSE)

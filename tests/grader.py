@@ -11,7 +11,6 @@ import os
 import signal
 import threading
 import traceback
-from _thread import interrupt_main
 from collections.abc import Callable
 from contextlib import contextmanager
 from math import isclose
@@ -216,11 +215,11 @@ def patience():
 
 
 def interrupt_main_thread() -> None:
-    """Do what Ctrl+C does; where there are signals as on Linux and macOS, one that also ends a sleep."""
+    """Do what Ctrl+C does, so that it also ends a sleep; on Windows a signal of any thread does that."""
     if hasattr(signal, "pthread_kill"):
         signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
     else:
-        interrupt_main()
+        signal.raise_signal(signal.SIGINT)
 
 
 # --- comparing -------------------------------------------------------------------------------------------------------

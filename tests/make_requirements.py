@@ -67,7 +67,8 @@ def requirement(name, bound, major) -> str:
 def main() -> None:
     """Write the file for the Pythons on the command line."""
     found = [package for python in sys.argv[1:] or [sys.executable] for package in imported(python).items()]
-    REQUIREMENTS.write_text(HEAD + "".join(f"{line}\n" for line in lines(found)), encoding="utf-8")
+    text = HEAD + "".join(f"{line}\n" for line in lines(found))
+    REQUIREMENTS.write_text(text, encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

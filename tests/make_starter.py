@@ -99,9 +99,10 @@ def make_starter(folder) -> None:
             shutil.copy(ROOT / name, made / name)
         for file in {function.file for function in FUNCTIONS.values()}:
             path = made / file
-            path.write_text(emptied(path.read_text(encoding="utf-8")), encoding="utf-8")
+            path.write_text(emptied(path.read_text(encoding="utf-8")), encoding="utf-8", newline="\n")
         rows = (f"| {of.tier} | `{name}` | `{of.file}` |" for name, of in FUNCTIONS.items())
-        (made / "README.md").write_text(README.format(rows="\n".join(rows)), encoding="utf-8")
+        readme = README.format(rows="\n".join(rows))
+        (made / "README.md").write_text(readme, encoding="utf-8", newline="\n")
         shutil.copytree(made, folder, dirs_exist_ok=True)
 
 

@@ -50,7 +50,7 @@ def files() -> Iterator[Path]:
     """Yield a folder with these files."""
     with TemporaryDirectory() as folder:
         for name, text in FILES.items():
-            (Path(folder) / name).write_text(text)
+            (Path(folder) / name).write_text(text, encoding="utf-8")
         yield Path(folder)
 
 

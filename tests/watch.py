@@ -4,7 +4,6 @@ The pendula that the check hands over start as they are then, and swing and coll
 time, tick by tick of DT. Of a function that makes pendula, what it has made is shown.
 """
 
-import os
 import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -25,6 +24,7 @@ from vpython import color, vector
 from support.audit import double_kinetic_energy, double_potential_energy, kinetic_energy, potential_energy
 from support.constants import DT, G
 from support.cradle_csv import to_number
+from support.interrupt import while_it_is_read
 from support.motion import Motion
 from support.options import allowed, OneLineParser
 from support.text_picture import TextPicture
@@ -201,11 +201,10 @@ def main() -> None:
     if not outcome.call:
         sys.exit("There is nothing to watch.")
     try:
-        play(scene_of(outcome.call), options.seconds)
+        with while_it_is_read():
+            play(scene_of(outcome.call), options.seconds)
     except KeyboardInterrupt:
         pass
-    except BrokenPipeError:  # nobody reads on, as after `| head`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except Exception as error:
         sys.exit(f"It cannot be played: {raised(error)[0]}")
 

@@ -34,6 +34,54 @@ def test_pds_tester_refuses_what_is_no_csv(run, tmp_path):
     assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
 
 
+def test_letters_that_the_output_lacks_are_written_out(run, tmp_path, monkeypatch):
+    """As in a pipe on Windows, which has the letters of one language."""
+    monkeypatch.setenv("PYTHONIOENCODING", "cp1252")
+    project = copy_project(tmp_path, MIXED_CSV.replace("omega,", "\u03c9,", 1))
+    done = run(str(project / "pds_tester.py"))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "'\\u03c9': 2.0" in done.stdout
+    data = tmp_path / "\u03c9.csv"
+    done = run(str(project / "src" / "text_cradle_run.py"), "--seconds", "0.01", "--record", str(data))
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.endswith("\\u03c9.csv\n")
+    assert data.exists()
+
+
+@pytest.mark.parametrize("program", ["text_cradle_run", "visualize_cradle_run", "visualize_double_cradle_run"])
+def test_an_older_python_is_told_so_before_it_stumbles(program):
+    code = f"sys.version_info = (3, 9, 6); runpy.run_path('src/{program}.py', run_name='__main__')"
+    done = subprocess.run(
+        [sys.executable, "-c", f"import runpy, sys; {code}"], cwd=ROOT, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("Newton's cradle needs Python 3.10 or later; ")
+    assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("error", "status"),
+    [
+        ("BrokenPipeError", 0),
+        ("OSError(errno.EINVAL, 'Invalid argument')", 0),  # which is how Windows says it
+        ("OSError(errno.EINVAL, 'Invalid argument', 'data.csv')", 1),
+        ("OSError(errno.ENOSPC, 'No space left on device')", 1),
+    ],
+)
+def test_a_program_ends_quietly_where_nobody_reads_it(error, status):
+    code = f"""
+import errno, sys
+from support.interrupt import while_it_is_read
+sys.platform = "win32"
+with while_it_is_read():
+    raise {error}
+print("this, too, nobody reads")
+"""
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (status, "")
+    assert bool(done.stderr) == bool(status)
+
+
 @pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
 def test_importing_the_viewer_starts_nothing():
     """With VPython itself: its server's module is not even loaded, and there is no word on the screen."""

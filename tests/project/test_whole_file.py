@@ -1,5 +1,6 @@
 """What replaces a file only when complete. That write_to_csv goes by it, and how it fails: test_csv.py."""
 
+import errno
 import os
 import subprocess
 import sys
@@ -7,7 +8,7 @@ import sys
 import pytest
 from programs import ROOT
 
-from support.whole_file import whole_file
+from support.whole_file import TRIES, whole_file
 
 
 def test_it_is_made_beside_its_target_under_a_hidden_name_of_its_own(tmp_path, monkeypatch):
@@ -43,3 +44,37 @@ def test_it_is_utf_8_whatever_the_locale(tmp_path):
     environment = {**os.environ, "LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
     subprocess.run([sys.executable, "-c", program, str(tmp_path / "data.csv")], cwd=ROOT, env=environment, check=True)
     assert (tmp_path / "data.csv").read_bytes() == chr(0x3C9).encode()
+
+
+@pytest.mark.parametrize("times", [0, 1, TRIES - 1])
+def test_a_file_that_is_open_for_a_moment_is_replaced_on_windows_too(tmp_path, monkeypatch, times):
+    pauses = open_elsewhere(monkeypatch, times)
+    with whole_file(tmp_path / "data.csv") as file:
+        file.write("new")
+    assert os.listdir(tmp_path) == ["data.csv"]
+    assert len(pauses) == times
+
+
+def test_a_file_that_stays_open_stays_as_it_is(tmp_path, monkeypatch):
+    (tmp_path / "data.csv").write_text("old")
+    open_elsewhere(monkeypatch, TRIES)
+    words = "cannot be written: another program has it open"
+    with pytest.raises(PermissionError, match=words), whole_file(tmp_path / "data.csv") as file:
+        file.write("new")
+    assert os.listdir(tmp_path) == ["data.csv"]
+    assert (tmp_path / "data.csv").read_text() == "old"
+
+
+def open_elsewhere(monkeypatch, times):
+    """Let os.replace fail so often, as on Windows while another program has the target open; return the pauses (s)."""
+    really, pauses = os.replace, []
+
+    def replace(*paths):
+        if len(pauses) < times:
+            raise PermissionError(errno.EACCES, "Access is denied")
+        really(*paths)
+
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr(os, "replace", replace)
+    monkeypatch.setattr("time.sleep", pauses.append)
+    return pauses
