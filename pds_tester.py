@@ -11,11 +11,12 @@ headless_vpython.install()  # nothing is shown here, so VPython itself is not ne
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.cradle_csv import cleaned
+from support.interrupt import spell_out_letters
 
 
 def main() -> None:
     """Print df, bad_rep and pend_list; status 2 if the CSV cannot be read."""
-    sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]  # a pipe on Windows lacks letters
+    spell_out_letters()
     try:
         df = pd.read_csv(cleaned(NC_FP))
     except ValueError as error:

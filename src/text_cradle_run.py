@@ -23,7 +23,7 @@ headless_vpython.install()  # nothing is shown in a browser, so VPython itself i
 from src.live_cradle import LiveCradle
 from src.visualize_cradle_run import advance_cradle
 from support.cradle_csv import Snapshot
-from support.interrupt import while_it_is_read
+from support.interrupt import spell_out_letters, while_it_is_read
 from support.motion import Motion
 from support.options import check_lift, read_text_options
 from support.real_time import RealTime
@@ -43,7 +43,7 @@ def main() -> None:
     """Show a cradle, or record its data; status 2 if an option, the CSV or the file to be written is
     refused, or a function is not written yet.
     """
-    sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]  # a pipe on Windows lacks letters
+    spell_out_letters()
     options = read_text_options()
     end_if_unwritten("pds_helper", "special_cradles", "swinging", "visualize_cradle_run")
     cradle = LiveCradle(advance_cradle, options)
@@ -62,7 +62,7 @@ def main() -> None:
         with while_it_is_read():
             if options.record is not None:
                 record(motion, options)
-            elif sys.stdout.isatty() and os.environ.get("TERM") != "dumb":
+            elif has_terminal():
                 show_pictures(motion, options.seconds)
             else:
                 tell_lines(motion, options.seconds)
@@ -74,6 +74,11 @@ def main() -> None:
         refuse(f"{error.filename or 'The output'}: {error.strerror}")
 
 
+def has_terminal() -> bool:
+    """Return whether there is a terminal that can show pictures. IDLE's shell says that it is one, and cannot."""
+    return sys.stdout.isatty() and sys.stdout is sys.__stdout__ and os.environ.get("TERM") != "dumb"
+
+
 def refuse(message) -> None:
     """End the program with this message, and status 2."""
     print(message, file=sys.stderr)
@@ -83,9 +88,8 @@ def refuse(message) -> None:
 def stop_on_signals() -> None:
     """Let Ctrl+C, a closed terminal and kill raise a KeyboardInterrupt, once: cleaning up is not interrupted again.
 
-    Windows has no signal for a closed terminal, but one for Ctrl+Break.
-
-    A signal that was to be ignored from the start, as with nohup, still is.
+    A signal that was to be ignored from the start, as with nohup, still is. Windows has no signal for a closed
+    terminal, but one for Ctrl+Break.
     """
     numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name)]
     numbers = [number for number in numbers if signal.getsignal(number) != signal.SIG_IGN]
@@ -142,11 +146,16 @@ def show_pictures(motion, seconds) -> None:
         print("\n".join(seen))
 
 
+def switch_on_escapes() -> None:
+    """Let an older console of Windows understand what moves the cursor."""
+    if sys.platform == "win32":
+        os.system("")
+
+
 @contextmanager
 def own_screen():
     """Take a screen of one's own, without a cursor; afterwards the terminal is as it was."""
-    if os.name == "nt":
-        os.system("")  # older consoles then understand what moves the cursor
+    switch_on_escapes()
     print("\x1b[?1049h\x1b[?25l", end="")
     try:
         yield
@@ -234,6 +243,7 @@ def progress_bar(clock=time.monotonic):
         yield progress
     finally:
         if next_look > begin + PATIENCE:
+            switch_on_escapes()
             show_progress("\r\x1b[K")
 
 

@@ -15,11 +15,13 @@ anyone who has connected to the websocket goes away. Here instead:
 """
 
 import asyncio
+import errno
 import http.server
 import logging
 import os
 import socket
 import sys
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -44,6 +46,8 @@ def listening_socket(port, whose) -> socket.socket:
     """Return a socket that listens at this port of 127.0.0.1; raises a ValueError that says whose port it would be."""
     listener = socket.socket()
     try:
+        if port and is_answered(port):
+            raise OSError(errno.EADDRINUSE, "another program answers there")
         # With SO_REUSEADDR, a port whose last user has just ended is free. On Windows it is so anyway; there the option
         # would share a port in use, and SO_EXCLUSIVEADDRUSE keeps other programs from sharing this one.
         option = getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR)
@@ -56,6 +60,17 @@ def listening_socket(port, whose) -> socket.socket:
         reason = error.strerror if isinstance(error, OSError) else "ports are numbers from 1 to 65535"
         choice = "choose another --port, or 0 for any free one"
         raise ValueError(f"port {port} ({whose}) cannot be had: {reason}; {choice}") from error
+
+
+def is_answered(port) -> bool:
+    """Return whether some program answers at this port of localhost, which browsers look for at ::1, too.
+
+    macOS and Windows let 127.0.0.1 be bound beside a program that listens at all addresses.
+    """
+    for host in ("::1", "127.0.0.1"):
+        with suppress(OSError), socket.create_connection((host, port), timeout=0.2):
+            return True
+    return False
 
 
 def port_of(listener) -> int:

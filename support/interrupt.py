@@ -1,4 +1,4 @@
-"""What ends a program before its time: Ctrl+C, from the first moment on, and output that nobody reads any more."""
+"""What could end a program with a traceback: Ctrl+C, from the first moment on, and output that cannot be written."""
 
 import errno
 import os
@@ -26,3 +26,9 @@ def while_it_is_read():
         if not (is_unread or isinstance(error, BrokenPipeError)):
             raise
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def spell_out_letters() -> None:
+    """Let a letter that the output does not have, as in a pipe on Windows, be written as its number."""
+    if hasattr(sys.stdout, "reconfigure"):  # not in IDLE's shell, which has all letters
+        sys.stdout.reconfigure(errors="backslashreplace")

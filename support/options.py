@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import re
 import shutil
 import sys
 from math import copysign, degrees, inf
@@ -44,7 +45,7 @@ def command(program, folder) -> str:
 
     def typed(path):
         path = path.relative_to(folder) if path.is_relative_to(folder) else path
-        return f'"{path}"' if " " in str(path) else str(path)
+        return str(path) if re.fullmatch(r"[\w./\\:+~-]+", str(path)) else f'"{path}"'
 
     running = Path(sys.executable)
     found = shutil.which("python")

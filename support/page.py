@@ -66,6 +66,8 @@ def open_page(sockets, launch_browser=True):
             replaced(signal, "signal", lambda *_: None),
             replaced(http.server, "HTTPServer", partial(PageServer, sockets, head, no_webgl)),
             replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets)),
+            # Windows's own loop stops listening for good after a connection that ends before it is accepted.
+            replaced(asyncio, "new_event_loop", asyncio.SelectorEventLoop),
         ):
             importlib.import_module("vpython.no_notebook")  # starts the servers, and returns when a browser is there
         yield
@@ -75,9 +77,8 @@ def open_page(sockets, launch_browser=True):
 
 
 def is_worth_showing(record) -> bool:
-    """Whether a log record is about anything but a connection that has ended while VPython talked to it."""
-    error = record.exc_info and record.exc_info[1]
-    return not (isinstance(error, ConnectionError) or type(error).__name__ == "Disconnected")
+    """Whether a log record is about anything but VPython having talked to a tab that was just being closed."""
+    return not (record.exc_info and type(record.exc_info[1]).__name__ == "Disconnected")
 
 
 @contextmanager

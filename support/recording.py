@@ -18,7 +18,7 @@ def check_record(filepath) -> None:
     try:
         if not S_ISREG(Path(filepath).stat().st_mode):
             return  # write_data will say what is wrong with it
-        with open(filepath, "rb") as file:
+        with open(filepath, "r+b") as file:  # not only to be read: another program may have it open
             columns = file.readline().strip()
     except FileNotFoundError:
         return  # a new file, or in no folder, which write_data will say

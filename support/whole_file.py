@@ -8,7 +8,8 @@ import time
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-TRIES, PAUSE = 20, 0.05  # how often a file is put in another one's place that is open, and after which pauses (s)
+# Windows: how often to try to replace a file that a program has open, and how long to wait in between (s).
+TRIES, PAUSE = 20, 0.05
 
 
 @contextmanager
@@ -19,7 +20,7 @@ def whole_file(filepath):
     Raises an OSError if filepath cannot be written.
     """
     target = Path(os.path.realpath(filepath))  # behind a link: the link is to stay
-    unfinished = target.with_name(f".{target.name}.{os.getpid()}.tmp")
+    unfinished = target.parent / f".{target.name}.{os.getpid()}.tmp"
     try:
         if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):
             raise OSError(errno.EACCES, "it is not a file, or is write-protected")

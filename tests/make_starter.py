@@ -38,10 +38,16 @@ README = """\
 This is the project of the handout, without the functions that are yours to write. Each of them has a place marked with
 *Write your code here*. `pytest` checks them, and says after each run what is next.
 
-**Install**, in this folder, with Python 3.10 or later (on Windows: `py`, and `.venv\\Scripts` for `.venv/bin`):
+**Install**, in this folder, with Python 3.10 or later:
 
     python3 -m venv .venv && .venv/bin/pip install -q --no-deps -r support/requirements.txt
     .venv/bin/pip install -q "pytest>=8.4"
+
+On Windows, line by line (`python` if there is no `py`), and further down `.venv\\Scripts\\` for `.venv/bin/`:
+
+    py -m venv .venv
+    .venv\\Scripts\\pip install -q --no-deps -r support\\requirements.txt
+    .venv\\Scripts\\pip install -q "pytest>=8.4"
 
 **Write**, in this order:
 

@@ -141,15 +141,15 @@ def message(lines) -> str:
 def own_places(error) -> list[tuple[str, str]]:
     """Return where in the student's own lines an error arose, the last place last: each as a place and its code."""
     places = [
-        (frame.filename, f", line {frame.lineno}, in {frame.name}", frame.line or "")
+        (Path(frame.filename).resolve(), f", line {frame.lineno}, in {frame.name}", frame.line or "")
         for frame in traceback.extract_tb(error.__traceback__)
     ]
     if isinstance(error, SyntaxError) and error.filename:
-        places.append((error.filename, f", line {error.lineno}", (error.text or "").strip()))
+        places.append((Path(error.filename).resolve(), f", line {error.lineno}", (error.text or "").strip()))
     return [
-        (Path(filename).relative_to(ROOT).as_posix() + place, code)
-        for filename, place, code in places
-        if Path(filename).is_relative_to(ROOT / "src")
+        (file.relative_to(ROOT).as_posix() + place, code)
+        for file, place, code in places
+        if file.is_relative_to(ROOT / "src")
     ]
 
 

@@ -78,7 +78,7 @@ def scene_of(call) -> Scene:
 
 
 def made_cradle(make_newton_cradle, given):
-    with TemporaryDirectory() as folder:
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         file = Path(folder) / "cradle.csv"
         file.write_text(given["relative_filepath"].text)
         return Scene(make_newton_cradle(str(file), given["r_param"], given["theta_init"]), given["r_param"], G)
@@ -211,11 +211,11 @@ def main() -> None:
 
 def play(scene, seconds) -> None:
     """Show a scene for so many seconds, or as it is if nothing moves in it."""
-    from src.text_cradle_run import show_pictures, tell_lines
+    from src.text_cradle_run import has_terminal, show_pictures, tell_lines
 
     if scene.tick is None:
         print("", *TextPicture().lines(scene, COLUMNS, ROWS), sep="\n")
-    elif sys.stdout.isatty():
+    elif has_terminal():
         show_pictures(Motion(scene, IMPACTS), seconds)
     else:
         tell_lines(Motion(scene, IMPACTS), seconds)

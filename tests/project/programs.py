@@ -15,7 +15,11 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+CHROMIUMS = [
+    *("chromium", "chromium-browser", "google-chrome"),
+    "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+]
+CHROMIUM = next(filter(None, map(shutil.which, CHROMIUMS)), None)
 FIREFOX = next(filter(None, map(shutil.which, ("firefox-esr", "firefox"))), None)
 ARGUMENTS = [
     *("--no-sandbox", "--no-first-run", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
@@ -51,7 +55,7 @@ def copy_project(folder, csv) -> Path:
     for name in ("src", "support"):
         shutil.copytree(ROOT / name, folder / name)
     shutil.copy(ROOT / "pds_tester.py", folder)
-    (folder / "newton_cradle_pends.csv").write_text(csv)
+    (folder / "newton_cradle_pends.csv").write_text(csv, encoding="utf-8")
     return folder
 
 

@@ -129,7 +129,6 @@ def test_only_talking_to_a_closing_tab_is_no_news():
     assert is_worth_showing(logging.makeLogRecord({}))
     assert is_shown(ValueError("a student's own"))
     assert not is_shown(Disconnected("Attempt to send on a closed protocol"))
-    assert not is_shown(ConnectionResetError("as the event loop of Windows says it"))
 
 
 def test_ctrl_c_ends_it_while_it_waits_for_a_browser():

@@ -248,6 +248,17 @@ def test_a_taken_port_is_refused(above, whose):
         assert refusal(process).startswith(problem)
 
 
+def test_a_port_where_another_program_answers_at_another_address_of_localhost_is_refused():
+    """Browsers try ::1 first, and would show that program's page."""
+    port = free_port()
+    try:
+        other = socket.create_server(("::1", port), family=socket.AF_INET6)
+    except OSError as error:
+        pytest.skip(f"this machine has no such address: {error}")
+    with other, pytest.raises(ValueError, match=f"port {port} .*: another program answers there; choose another"):
+        page_sockets(port)
+
+
 def test_ports_are_taken_from_the_start_and_free_at_the_end():
     page, websocket = page_sockets(0)
     with page, websocket:

@@ -320,8 +320,9 @@ def test_only_a_file_is_replaced(tmp_path):
     """Not a folder, and not a device such as /dev/full."""
     with pytest.raises(OSError, match="cannot be written: it is not a file, or is write-protected"):
         write_to_csv(MIXED, tmp_path)
-    with pytest.raises(OSError, match="cannot be written: it is not a file, or is write-protected"):
-        write_to_csv(MIXED, os.devnull)
+    for name in (os.devnull, os.path.abspath(os.sep)):
+        with pytest.raises(OSError, match="cannot be written: it is not a file, or is write-protected"):
+            write_to_csv(MIXED, name)
 
 
 def test_a_write_protected_file_is_not_replaced(tmp_path, monkeypatch):
@@ -346,5 +347,5 @@ def test_a_file_that_cannot_even_be_begun(tmp_path, monkeypatch):
 
 
 def test_a_missing_folder_is_named(tmp_path):
-    with pytest.raises(OSError, match=r"cannot be written: No such file or directory: '.*gone/cradle\.csv'"):
+    with pytest.raises(OSError, match=r"cannot be written: No such file or directory: '.*gone[/\\]+cradle\.csv'"):
         write_to_csv(MIXED, tmp_path / "gone" / "cradle.csv")

@@ -79,7 +79,7 @@ def outcomes_of(function, mistake):
 # watch it.
 FORM = re.compile(
     r"called      .+?\n(came back|it raised)   .+?\nexpected    .+?\n(hint        [^\n]+\n)?"
-    r"read        handout, [^\n]+(\nwatch       \S+ tests/watch\.py \w+)?",
+    r"read        handout, [^\n]+(\nwatch       [^\n]+ tests[/\\]watch\.py \w+)?",
     re.DOTALL,
 )
 
@@ -335,7 +335,7 @@ def test_there_is_a_scene_for_all_that_can_be_watched():
 def test_a_failure_that_can_be_watched_is_played_by_the_solution(solve, function, mistake):
     solve(function, WRONG[function][mistake])
     outcome = first_failure(function)
-    assert re.fullmatch(r"watch       \S+ tests/watch.py test_\w+", outcome.message.splitlines()[-1])
+    assert re.fullmatch(r"watch       .+ tests[/\\]watch\.py test_\w+", outcome.message.splitlines()[-1])
     places = []
     for version in (WRONG[function][mistake], PLAIN[function]):
         solve(function, version)

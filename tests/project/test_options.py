@@ -251,6 +251,7 @@ def test_as_many_bobs_as_there_are_may_be_lifted(tmp_path):
         ("/usr/bin/python", "/usr/bin/python", "/project", "python tests/watch.py"),
         ("/opt/3.14/bin/python", None, "/project", "/opt/3.14/bin/python tests/watch.py"),
         ("/opt/my own/bin/python", "/usr/bin/python", "/project", '"/opt/my own/bin/python" tests/watch.py'),
+        ("/opt/(old)/bin/python", None, "/project", '"/opt/(old)/bin/python" tests/watch.py'),
         ("/usr/bin/python", "/usr/bin/python", "/elsewhere", "python /project/tests/watch.py"),
     ],
 )

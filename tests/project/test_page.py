@@ -175,8 +175,10 @@ def test_keys_that_mean_nothing_are_no_news(page, play):
         page.keyboard.press(key)
     for code in (0, 173, 229):  # as of a keyboard for another language
         page.evaluate(f"document.body.dispatchEvent(new KeyboardEvent('keydown', {{keyCode: {code}, bubbles: true}}))")
+    page.keyboard.press("Meta+2")  # another tab, on a Mac
     page.keyboard.press("Space")  # which comes after them
     page.get_by_role("button", name="Run").wait_for()
+    assert values(page)[LIFTED] == "1 of 5"
     page.close()
     assert end(process) == QUIETLY
 

@@ -15,6 +15,7 @@ from whole_cradles import components
 from src import visualize_cradle_run, visualize_double_cradle_run
 from src.special_cradles import make_newton_cradle
 from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.interrupt import spell_out_letters
 from support.viewer import Viewer
 
 
@@ -46,6 +47,12 @@ def test_letters_that_the_output_lacks_are_written_out(run, tmp_path, monkeypatc
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.endswith("\\u03c9.csv\n")
     assert data.exists()
+
+
+def test_an_output_that_is_no_file_is_left_as_it_is(monkeypatch):
+    """As that of IDLE's shell."""
+    monkeypatch.setattr(sys, "stdout", object())
+    spell_out_letters()
 
 
 @pytest.mark.parametrize("program", ["text_cradle_run", "visualize_cradle_run", "visualize_double_cradle_run"])

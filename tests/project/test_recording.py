@@ -1,6 +1,7 @@
 """Data to take away: which samples are kept, and the files that they are written to."""
 
 import os
+import re
 
 import pandas as pd
 import pytest
@@ -66,7 +67,11 @@ def test_data_may_be_replaced_by_data_and_nothing_else(tmp_path):
     assert file.read_bytes() == b"t,theta_1,momentum\n0.0,1.0,2.0\n"
     for other in (MIXED_CSV, "t,theta_1,mine\n", "t,mine,momentum\n"):
         file.write_text(other)
-        with pytest.raises(ValueError, match=f"^--record: found '{file}', which holds something else; allowed is "):
+        with pytest.raises(ValueError, match=f"^--record: found '{re.escape(str(file))}', which holds something"):
             check_record(file)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="names may be longer, and the words are others")
+def test_a_name_that_is_too_long_is_refused_before_anything_is_made(tmp_path):
     with pytest.raises(ValueError, match=f"^--record: {tmp_path}/n+: File name too long$"):
         check_record(tmp_path / ("n" * 300))

@@ -182,10 +182,12 @@ class Terminal:
         while not condition(self.said):
             assert time.monotonic() < self.deadline, self.said
             if select.select([self.terminal], [], [], 1)[0]:
-                try:
-                    self.said += os.read(self.terminal, 65536).decode()
-                except OSError:  # it has ended
+                data = b""
+                with suppress(OSError):  # which is how Linux says that it has ended; macOS reads nothing
+                    data = os.read(self.terminal, 65536)
+                if not data:
                     return condition(self.said)
+                self.said += data.decode()
         return True
 
     def end(self, keys=b""):
