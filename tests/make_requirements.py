@@ -19,11 +19,12 @@ HEAD = """\
 # VPython also asks for Jupyter, which a program that is started as a file does without: a hundred more packages.
 # Made by tests/make_requirements.py.
 """
+# Prints which package each module comes from: {module: (name, version)}.
 PACKAGES = """
 import json
 from importlib import metadata
-names = {module: packages[0] for module, packages in metadata.packages_distributions().items()}
-print(json.dumps({module: (name, metadata.version(name)) for module, name in names.items()}))
+packages = [(package, file) for package in metadata.distributions() for file in package.files or ()]
+print(json.dumps({file.parts[0].partition(".")[0]: (package.name, package.version) for package, file in packages}))
 """
 
 
