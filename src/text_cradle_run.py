@@ -23,9 +23,9 @@ headless_vpython.install()  # nothing is shown in a browser, so VPython itself i
 from src.live_cradle import LiveCradle
 from src.visualize_cradle_run import advance_cradle
 from support.cradle_csv import Snapshot
-from support.interrupt import spell_out_letters, while_it_is_read
 from support.motion import Motion
 from support.options import check_lift, read_text_options
+from support.output import spell_out_letters, while_it_is_read
 from support.real_time import RealTime
 from support.recording import check_record, write_data
 from support.text_picture import TextPicture

@@ -9,6 +9,7 @@ if __name__ == "__main__":  # started as a file, from any folder: the project's 
 
     end_on_interrupt()  # the imports below take a moment, in which Ctrl+C would print a traceback
 
+# Python 3.9 has no pairwise; support, which comes before, has then said that it is too old.
 from heapq import heappop, heappush
 from itertools import pairwise
 from math import cos, sin, sqrt

@@ -6,7 +6,8 @@ anyone who has connected to the websocket goes away. Here instead:
 
 - Both listen on 127.0.0.1 only, at neighbouring ports, page and page + 1, so that two `ssh -L` options reach them from
   afar. The ports are taken once, before anything else starts, and kept: nobody can take one in between.
-- A request gets VPython's page or one of the files in VPython's own two folders. Its path is looked up in a list of
+- A request gets VPython's page or one of the files in VPython's own two folders; and the page, but no other, can say by
+  /no-webgl that its browser cannot draw. A path is looked up in a list of
   these, never joined to a folder, so that no way of writing it leads elsewhere.
 - The websocket is for the page: a browser says of each connection which page's script has made it, its Origin, and a
   script cannot change that. It is for one tab, as VPython can show a cradle only once, and only that tab's closing ends
@@ -46,13 +47,13 @@ def listening_socket(port, whose) -> socket.socket:
     """Return a socket that listens at this port of 127.0.0.1; raises a ValueError that says whose port it would be."""
     listener = socket.socket()
     try:
-        if port and is_answered(port):
-            raise OSError(errno.EADDRINUSE, "another program answers there")
-        # With SO_REUSEADDR, a port whose last user has just ended is free. On Windows it is so anyway; there the option
-        # would share a port in use, and SO_EXCLUSIVEADDRUSE keeps other programs from sharing this one.
+        # With SO_REUSEADDR, a port whose last user has just ended is free. On Windows it would share a port in use;
+        # SO_EXCLUSIVEADDRUSE lets nobody share this one.
         option = getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR)
         listener.setsockopt(socket.SOL_SOCKET, option, 1)
         listener.bind(("127.0.0.1", port))
+        if is_answered(port_of(listener)):
+            raise OSError(errno.EADDRINUSE, "another program answers there")
         listener.listen()  # before that, another program can still bind the same port
         return listener
     except (OSError, OverflowError) as error:
@@ -63,13 +64,9 @@ def listening_socket(port, whose) -> socket.socket:
 
 
 def is_answered(port) -> bool:
-    """Return whether some program answers at this port of localhost, which browsers look for at ::1, too.
-
-    macOS and Windows let 127.0.0.1 be bound beside a program that listens at all addresses.
-    """
-    for host in ("::1", "127.0.0.1"):
-        with suppress(OSError), socket.create_connection((host, port), timeout=0.2):
-            return True
+    """Return whether a program answers at this port of ::1. Browsers try that before 127.0.0.1."""
+    with suppress(OSError), socket.create_connection(("::1", port), timeout=0.2):
+        return True
     return False
 
 
@@ -162,8 +159,8 @@ def one_tab_only(protocol: Any) -> Any:
     """Return VPython's websocket protocol, changed to accept one connection, which must say its Origin.
 
     Autobahn has checked an Origin before, but lets pass who says none. It calls onClose for a connection that was
-    refused, or never asked for anything, as well. VPython would end the program then; and it does so by Ctrl+C, which
-    on Windows goes to all programs of the console.
+    refused, or never asked for anything, as well. VPython would then end the program, by a Ctrl+C that on Windows
+    reaches every program of the console.
     """
     from autobahn.websocket.types import ConnectionDeny  # comes with VPython, which the tests can do without
 

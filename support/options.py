@@ -2,17 +2,12 @@
 
 import argparse
 import os
-import re
-import shutil
 import sys
 from math import copysign, degrees, inf
-from pathlib import Path
 
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.cradle_csv import read_cells, RULES, to_number
 from support.recording import EVERY
-
-ROOT = Path(NC_FP).parent  # the project's folder
 
 # What VPython takes the page's port from; --port comes before it.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
@@ -35,22 +30,6 @@ def allowed(kind, is_allowed, words):
         return kind(text)
 
     return convert
-
-
-def command(program, folder) -> str:
-    """Return what to type in this folder to start a program of the project with the Python that is running.
-
-    program is the path of its file in the project's folder.
-    """
-
-    def typed(path):
-        path = path.relative_to(folder) if path.is_relative_to(folder) else path
-        return str(path) if re.fullmatch(r"[\w./\\:+~-]+", str(path)) else f'"{path}"'
-
-    running = Path(sys.executable)
-    found = shutil.which("python")
-    is_plain = found is not None and Path(found) == running and not running.is_relative_to(folder)
-    return f"{'python' if is_plain else typed(running)} {typed(ROOT / program)}"
 
 
 def cradle_options(description) -> OneLineParser:

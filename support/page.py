@@ -14,17 +14,18 @@ from html import escape
 from pathlib import Path
 
 from support.closed_doors import page_sockets, page_websocket, PageServer, port_of
+from support.command_line import command_line
 from support.cradle_csv import check_cradle
 from support.interrupt import end_on_interrupt
 from support.live_file import LiveFile
-from support.options import check_lift, command
+from support.options import check_lift
 
 # What the page begins with: its title, and what it needs of a browser.
 PAGE_HEAD = Path(__file__).with_name("page_head.html")
 
 NO_WEBGL = """\
-That browser cannot draw the cradle: WebGL 2 is missing, or is switched off.
-Open the page in another browser, or press Ctrl+C and see the cradle here:"""
+Your browser cannot draw the cradle: WebGL 2 is missing or switched off.
+Use another browser. Or press Ctrl+C and type this, to see the single cradle as text:"""
 
 
 def show_cradle(cradle, options, angles) -> None:
@@ -57,16 +58,16 @@ def open_page(sockets, launch_browser=True):
     if not launch_browser:
         os.environ["VPYTHON_NO_LAUNCH_BROWSER"] = "1"
     logging.getLogger("asyncio").addFilter(is_worth_showing)
-    terminal_cradle = command("src/text_cradle_run.py", Path.cwd())
+    terminal_cradle = command_line("src/text_cradle_run.py", Path.cwd())
     head = PAGE_HEAD.read_text(encoding="utf-8").replace("TERMINAL_CRADLE", escape(terminal_cradle))
-    no_webgl = f"{NO_WEBGL} {terminal_cradle}"
+    no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"
     end_on_interrupt()
     try:
         with (
             replaced(signal, "signal", lambda *_: None),
             replaced(http.server, "HTTPServer", partial(PageServer, sockets, head, no_webgl)),
             replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets)),
-            # Windows's own loop stops listening for good after a connection that ends before it is accepted.
+            # On Windows the usual loop stops listening if a connection ends before it is accepted.
             replaced(asyncio, "new_event_loop", asyncio.SelectorEventLoop),
         ):
             importlib.import_module("vpython.no_notebook")  # starts the servers, and returns when a browser is there

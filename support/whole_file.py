@@ -41,16 +41,17 @@ def whole_file(filepath):
 def replace(unfinished, target) -> None:
     """Put the unfinished file in the target's place.
 
-    Windows refuses that while a program has the target open. A cradle that looks at its file is soon done with it; if
-    another program keeps it open, the OSError says so.
+    Windows refuses that while a program has the target open. A cradle closes its file within moments; if another
+    program keeps it open, the OSError says so.
     """
-    for tries_left in reversed(range(TRIES)):
+    for _ in range(TRIES - 1 if sys.platform == "win32" else 0):
         try:
-            os.replace(unfinished, target)
-            break
-        except PermissionError as error:
-            if sys.platform != "win32":
-                raise
-            if not tries_left:
-                raise OSError(error.errno, "another program has it open") from error
+            return os.replace(unfinished, target)
+        except PermissionError:
             time.sleep(PAUSE)
+    try:
+        return os.replace(unfinished, target)
+    except PermissionError as error:
+        if sys.platform != "win32":
+            raise
+        raise OSError(error.errno, "another program has it open") from error

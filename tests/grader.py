@@ -22,8 +22,8 @@ from handout import FUNCTIONS, needed, SUITES
 from telling import A, about, Call, culprit_of, message, own_lines, plain, PlainFile, raised, ROOT, shown
 from vpython import vector
 
+from support.command_line import command_line
 from support.constants import NC_FP
-from support.options import command
 from support.unwritten import unwritten
 
 PATIENCE = 5.0  # s after which a function that has not come back counts as one that never does
@@ -342,7 +342,7 @@ class Grading:
                 self.hung[name] = name
             lines, is_scene = [where_to_read(check)], check.watched and mistake.playable
             if is_scene:
-                lines.append(("watch", f"{command('tests/watch.py', ROOT)} {check.name}"))
+                lines.append(("watch", f"{command_line('tests/watch.py', ROOT)} {check.name}"))
             return Outcome(FAILED, f"{mistake}\n{message(lines)}", mistake.call if is_scene else None)
         except WaitError as error:
             if error.hung:

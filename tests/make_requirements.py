@@ -1,8 +1,9 @@
 """Make support/requirements.txt: `python tests/make_requirements.py PYTHON ...`.
 
-It lists the packages that the programs really import, each with the bounds that pyproject.toml sets, and below the next
-major version of those that were found: `pip install --no-deps` would not bring what such a version may need besides.
-Each PYTHON has the project installed, as by `pip install -e .`; several Pythons need more packages than one.
+It lists the packages that the programs really import, with the bounds of pyproject.toml. A new major version may need
+a package that `pip install --no-deps` would not bring, so each bound ends below it. Each PYTHON can start the programs;
+several Pythons need more packages than one. Some packages import others only if they are there. To leave those out,
+take Pythons that have nothing but the packages of the present list.
 """
 
 import json
@@ -41,10 +42,12 @@ def imported(python) -> dict[str, str]:
     program = [python, "-X", "importtime", ROOT / "src" / "visualize_cradle_run.py", "--no-browser"]
     with tempfile.TemporaryFile("w+") as told:
         with subprocess.Popen(program, stdout=subprocess.PIPE, stderr=told) as process:
-            process.stdout.readline()
+            if not process.stdout.readline():
+                sys.exit(f"{python}: the program does not start")
             process.kill()
         told.seek(0)
-        modules = {line.rpartition("|")[2].strip().partition(".")[0] for line in told}
+        imports = (line for line in told if line.startswith("import time:"))
+        modules = {line.rpartition("|")[2].strip().partition(".")[0] for line in imports}
     done = subprocess.run([python, "-c", PACKAGES], stdout=subprocess.PIPE, check=True)
     packages = json.loads(done.stdout)
     return dict(packages[module] for module in modules & packages.keys())

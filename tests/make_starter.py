@@ -43,7 +43,8 @@ This is the project of the handout, without the functions that are yours to writ
     python3 -m venv .venv && .venv/bin/pip install -q --no-deps -r support/requirements.txt
     .venv/bin/pip install -q "pytest>=8.4"
 
-On Windows, line by line (`python` if there is no `py`), and further down `.venv\\Scripts\\` for `.venv/bin/`:
+On Windows, type these lines one by one. If there is no `py`, type `python`. Everywhere below, type `.venv\\Scripts\\`
+in place of `.venv/bin/`.
 
     py -m venv .venv
     .venv\\Scripts\\pip install -q --no-deps -r support\\requirements.txt

@@ -141,14 +141,16 @@ def message(lines) -> str:
 def own_places(error) -> list[tuple[str, str]]:
     """Return where in the student's own lines an error arose, the last place last: each as a place and its code."""
     places = [
-        (Path(frame.filename).resolve(), f", line {frame.lineno}, in {frame.name}", frame.line or "")
+        (frame.filename, f", line {frame.lineno}, in {frame.name}", frame.line or "")
         for frame in traceback.extract_tb(error.__traceback__)
     ]
     if isinstance(error, SyntaxError) and error.filename:
-        places.append((Path(error.filename).resolve(), f", line {error.lineno}", (error.text or "").strip()))
+        places.append((error.filename, f", line {error.lineno}", (error.text or "").strip()))
+    # ROOT is resolved: to the share behind a drive of Windows, for one. "<string>" is no file.
+    files = [(Path(name).resolve(), place, code) for name, place, code in places if Path(name).is_absolute()]
     return [
         (file.relative_to(ROOT).as_posix() + place, code)
-        for file, place, code in places
+        for file, place, code in files
         if file.is_relative_to(ROOT / "src")
     ]
 

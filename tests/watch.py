@@ -24,9 +24,9 @@ from vpython import color, vector
 from support.audit import double_kinetic_energy, double_potential_energy, kinetic_energy, potential_energy
 from support.constants import DT, G
 from support.cradle_csv import to_number
-from support.interrupt import while_it_is_read
 from support.motion import Motion
 from support.options import allowed, OneLineParser
+from support.output import while_it_is_read
 from support.text_picture import TextPicture
 
 COLUMNS, ROWS = 80, 20  # of a picture that does not move
@@ -80,7 +80,7 @@ def scene_of(call) -> Scene:
 def made_cradle(make_newton_cradle, given):
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         file = Path(folder) / "cradle.csv"
-        file.write_text(given["relative_filepath"].text)
+        file.write_text(given["relative_filepath"].text, encoding="utf-8")
         return Scene(make_newton_cradle(str(file), given["r_param"], given["theta_init"]), given["r_param"], G)
 
 

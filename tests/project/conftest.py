@@ -51,11 +51,13 @@ def firefox(driver):
     if FIREFOX is None or shutil.which("Xvfb") is None:
         pytest.skip("Firefox or Xvfb is not installed")
     with subprocess.Popen(["Xvfb", "-displayfd", "1"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as screen:
-        environment = {**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"}
-        browser = driver.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, headless=False, env=environment)
-        yield browser
-        browser.close()
-        screen.terminate()
+        try:
+            display = {**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"}
+            browser = driver.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, headless=False, env=display)
+            yield browser
+            browser.close()
+        finally:
+            screen.terminate()
 
 
 @pytest.fixture

@@ -42,10 +42,9 @@ MOVES = f"""async () => {{
     return moves;
 }}"""
 
-needs_vpython = [
-    pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed"),
-    pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS"),
-]
+with_vpython = pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
+on_posix = pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS")
+needs_vpython = [with_vpython, on_posix]
 
 in_both_browsers = pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
 

@@ -243,7 +243,7 @@ def test_the_ports_asked_for_are_used():
 @pytest.mark.parametrize("above, whose", [(0, "the page's"), (1, "the websocket's, one above the page's")])
 def test_a_taken_port_is_refused(above, whose):
     port = free_port()
-    with socket.create_server(("", port + above)), running(VPYTHON_HTTP_PORT=str(port)) as process:
+    with socket.create_server(("127.0.0.1", port + above)), running(VPYTHON_HTTP_PORT=str(port)) as process:
         problem = f"port {port + above} ({whose}) cannot be had: "
         assert refusal(process).startswith(problem)
 

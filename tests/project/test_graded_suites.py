@@ -14,11 +14,11 @@ import watch
 from grader import check, checks, expect, FAILED, FAULT, Grading, module_of, PASSED, WAITING
 from handout import FUNCTIONS, needed, SUITES
 from right_solutions import RIGHT
-from telling import ROOT
+from telling import own_lines, ROOT
 from wrong_solutions import PLAIN, WRONG
 
+from support.command_line import command_line
 from support.constants import NC_FP
-from support.options import command
 from support.text_picture import TextPicture
 
 # All of them first: one that is imported while a solution is in its place would keep it.
@@ -137,7 +137,7 @@ def test_a_failure_says_it_all_in_order(solve):
         "expected    omega of pend1 and of pend2: (1, 3)",
         "hint        This is what e = 1 gives; that of pend1 is 0.5.",
         "read        handout, Handling Collisions (B Tests), and Appendix: Conservation Laws: handle_two_bobs",
-        f"watch       {command('tests/watch.py', ROOT)} test_e_is_the_first_pendulums",
+        f"watch       {command_line('tests/watch.py', ROOT)} test_e_is_the_first_pendulums",
     ]
 
 
@@ -294,6 +294,16 @@ def test_ctrl_c_is_none_of_the_solutions_doing(solve):
 def test_a_solution_that_ends_the_program_ends_its_check_only(solve, ending):
     solve("angle_update", ending)
     assert re.search("it raised   (SystemExit|GeneratorExit|Skipped): ", first_failure("angle_update").message)
+
+
+@pytest.mark.parametrize("code", ["1 / 0", "import nothing_of_that_name"])
+def test_only_lines_of_files_are_a_students(monkeypatch, code):
+    """Not "<string>", and not the importing machinery, even where the tests are started in src/."""
+    monkeypatch.chdir(ROOT / "src")
+    try:
+        exec(code)
+    except (ZeroDivisionError, ModuleNotFoundError) as error:
+        assert own_lines(error) == []
 
 
 def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):

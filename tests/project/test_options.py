@@ -1,10 +1,6 @@
 """The command line: what it takes, what it refuses and in which words."""
 
-import os
-import shutil
-import sys
 from math import degrees, inf
-from pathlib import Path
 
 import pytest
 from whole_cradles import FIVE_CSV
@@ -12,7 +8,6 @@ from whole_cradles import FIVE_CSV
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.options import (
     check_lift,
-    command,
     PORT_VARIABLE,
     read_double_page_options,
     read_page_options,
@@ -239,24 +234,3 @@ def test_as_many_bobs_as_there_are_may_be_lifted(tmp_path):
     check_lift(5, csv)
     with pytest.raises(ValueError, match="^--lift: found '6', allowed is at most 5, the number of pendula in "):
         check_lift(6, csv)
-
-
-# --- what it advises to type -----------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("running", "on_the_path", "folder", "words"),
-    [
-        ("/project/.venv/bin/python", "/usr/bin/python", "/project", ".venv/bin/python tests/watch.py"),
-        ("/usr/bin/python", "/usr/bin/python", "/project", "python tests/watch.py"),
-        ("/opt/3.14/bin/python", None, "/project", "/opt/3.14/bin/python tests/watch.py"),
-        ("/opt/my own/bin/python", "/usr/bin/python", "/project", '"/opt/my own/bin/python" tests/watch.py'),
-        ("/opt/(old)/bin/python", None, "/project", '"/opt/(old)/bin/python" tests/watch.py'),
-        ("/usr/bin/python", "/usr/bin/python", "/elsewhere", "python /project/tests/watch.py"),
-    ],
-)
-def test_the_command_that_starts_a_program_with_the_same_python(monkeypatch, running, on_the_path, folder, words):
-    monkeypatch.setattr("support.options.ROOT", Path("/project"))
-    monkeypatch.setattr(sys, "executable", running)
-    monkeypatch.setattr(shutil, "which", lambda _: on_the_path)
-    assert command("tests/watch.py", Path(folder)) == words.replace("/", os.sep)

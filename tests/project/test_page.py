@@ -278,17 +278,20 @@ def energy_after(page, seconds):
 
 @pytest.mark.parametrize(("part", "speed"), [(0.01, 0.1), (0.475, 1.0), (0.99, 2.0)])
 def test_simulated_time_keeps_step_with_the_wall(page, play, part, speed):
-    """Within 0.5 % over twenty seconds; the slope of all readings, as each of them is rounded to 0.01 s."""
+    """Within 0.5 % over fifteen seconds.
+
+    A busy machine brings a reading to the page late, and none early. So the promptest one of the first five seconds is
+    held against that of the last five.
+    """
     play()
     slide(page, SPEED, part)
     wait_until(lambda: values(page)[SPEED] == f"{speed:.1f}x")
     times = page.evaluate(TIMES, 20)
-    assert times[-1][1] - times[0][1] > 19
-    simulated, wall = ([time[i] for time in times] for i in (0, 1))
-    middle, mean = sum(wall) / len(wall), sum(simulated) / len(simulated)
-    slope = sum((w - middle) * (s - mean) for w, s in zip(wall, simulated, strict=True))
-    slope /= sum((w - middle) ** 2 for w in wall)
-    assert slope == pytest.approx(speed, rel=0.005)
+    begin, end = times[0][1], times[-1][1]
+    assert end - begin > 19
+    first = min(wall - simulated / speed for simulated, wall in times if wall < begin + 5)
+    last = min(wall - simulated / speed for simulated, wall in times if wall > end - 5)
+    assert last - first == pytest.approx(0, abs=0.005 * 15)
 
 
 def test_the_readout_and_the_strip_are_there_to_be_read(page, play):

@@ -15,7 +15,7 @@ from whole_cradles import components
 from src import visualize_cradle_run, visualize_double_cradle_run
 from src.special_cradles import make_newton_cradle
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.interrupt import spell_out_letters
+from support.output import spell_out_letters
 from support.viewer import Viewer
 
 
@@ -57,9 +57,12 @@ def test_an_output_that_is_no_file_is_left_as_it_is(monkeypatch):
 
 @pytest.mark.parametrize("program", ["text_cradle_run", "visualize_cradle_run", "visualize_double_cradle_run"])
 def test_an_older_python_is_told_so_before_it_stumbles(program):
-    code = f"sys.version_info = (3, 9, 6); runpy.run_path('src/{program}.py', run_name='__main__')"
+    """Python 3.9 has no pairwise, for one."""
+    code = (
+        f"del itertools.pairwise; sys.version_info = (3, 9, 6); runpy.run_path('src/{program}.py', run_name='__main__')"
+    )
     done = subprocess.run(
-        [sys.executable, "-c", f"import runpy, sys; {code}"], cwd=ROOT, capture_output=True, text=True
+        [sys.executable, "-c", f"import itertools, runpy, sys; {code}"], cwd=ROOT, capture_output=True, text=True
     )
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr.startswith("Newton's cradle needs Python 3.10 or later; ")
@@ -78,7 +81,7 @@ def test_an_older_python_is_told_so_before_it_stumbles(program):
 def test_a_program_ends_quietly_where_nobody_reads_it(error, status):
     code = f"""
 import errno, sys
-from support.interrupt import while_it_is_read
+from support.output import while_it_is_read
 sys.platform = "win32"
 with while_it_is_read():
     raise {error}

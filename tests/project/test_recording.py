@@ -71,6 +71,20 @@ def test_data_may_be_replaced_by_data_and_nothing_else(tmp_path):
             check_record(file)
 
 
+def test_a_file_that_another_program_has_open_is_refused_before_anything_is_made(tmp_path, monkeypatch):
+    """Excel lets others read it, and not write it."""
+    file = tmp_path / "data.csv"
+    write_data(file, ["t", "theta_1", "momentum"], [])
+
+    def fail(path, mode):
+        assert mode == "r+b"
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr("builtins.open", fail)
+    with pytest.raises(ValueError, match="^--record: .*: Permission denied$"):
+        check_record(file)
+
+
 @pytest.mark.skipif(os.name != "posix", reason="names may be longer, and the words are others")
 def test_a_name_that_is_too_long_is_refused_before_anything_is_made(tmp_path):
     with pytest.raises(ValueError, match=f"^--record: {tmp_path}/n+: File name too long$"):

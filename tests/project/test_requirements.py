@@ -1,7 +1,6 @@
 """What has to be installed: the short list, held against pyproject.toml, and environments with no more than that."""
 
 import json
-import os
 import re
 import subprocess
 import sys
@@ -11,7 +10,8 @@ from pathlib import Path
 import make_requirements
 import pytest
 from make_requirements import bounds, imported, lines, REQUIREMENTS
-from programs import BOBS, end, first_lines, needs_vpython, open_cradle, QUIETLY, ROOT, running
+from programs import BOBS, copy_project, end, first_lines, on_posix, open_cradle, QUIETLY, ROOT, running, with_vpython
+from whole_cradles import FIVE_CSV
 
 from support.constants import R_PARAM
 
@@ -75,16 +75,16 @@ def test_the_bounds_that_are_written(monkeypatch, found, expected):
     assert lines(found) == expected
 
 
-@needs_vpython[0]
-@needs_vpython[1]
+@with_vpython
+@on_posix
 def test_what_the_program_imports_is_found(environment):
     found = imported(environment(listed()))
     assert {"autobahn", "hyperlink", "numpy", "pandas", "vpython"} <= found.keys() <= listed().keys()
     assert found == {name: metadata.version(name) for name in found}
 
 
-@needs_vpython[0]
-@needs_vpython[1]
+@with_vpython
+@on_posix
 def test_the_page_works_with_the_short_list_alone(page, program, environment):
     python = environment(listed())
     done = subprocess.run([python, "-c", "import ipykernel"], capture_output=True, text=True)
@@ -96,17 +96,22 @@ def test_the_page_works_with_the_short_list_alone(page, program, environment):
         assert end(process) == QUIETLY
 
 
-@pytest.mark.skipif(os.name != "posix", reason="links are made as on Linux and macOS")
-def test_what_shows_nothing_in_a_browser_needs_pandas_only(environment):
-    python = environment([*PANDAS, *PYTEST])
+@on_posix
+def test_what_shows_nothing_in_a_browser_needs_pandas_only(environment, tmp_path):
+    python, project = environment([*PANDAS, *PYTEST]), copy_project(tmp_path / "project", FIVE_CSV)
 
-    def run(*arguments):
-        return subprocess.run([python, *arguments], cwd=ROOT, capture_output=True, text=True)
+    def run(folder, *arguments):
+        return subprocess.run([python, *arguments], cwd=folder, capture_output=True, text=True)
 
-    assert "pend_list: what extract_and_convert returns" in run("pds_tester.py").stdout
-    assert "t = 0.10 s" in run("src/text_cradle_run.py", "--seconds", "0.1").stdout
-    graded = run("-m", "pytest", "-q", *(f"tests/test_{suite}.py" for suite in ("d", "c", "b", "a", "honor_roll")))
-    assert (graded.returncode, graded.stdout.splitlines()[-2]) == (
-        0,
-        "Next:  nothing is left to write; show it to someone.",
+    assert "pend_list: what extract_and_convert returns" in run(project, "pds_tester.py").stdout
+    assert "t = 0.10 s" in run(project, "src/text_cradle_run.py", "--seconds", "0.1").stdout
+    graded = run(
+        ROOT,
+        "-m",
+        "pytest",
+        "-p",
+        "no:cacheprovider",
+        *(f"tests/test_{suite}.py" for suite in ("d", "c", "b", "a", "honor_roll")),
     )
+    assert graded.returncode == 0
+    assert "Next:  nothing is left to write" in graded.stdout

@@ -1,0 +1,23 @@
+"""What to type in a terminal."""
+
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+def command_line(program, folder) -> str:
+    """Return the command that starts a program of the project from this folder, with the Python that is running.
+
+    program is the path of its file in the project's folder.
+    """
+    running, found = Path(sys.executable), shutil.which("python")
+    is_plain = found is not None and Path(found) == running and not running.is_relative_to(folder)
+    paths = [running, ROOT / program]
+    words = [str(path.relative_to(folder) if path.is_relative_to(folder) else path) for path in paths]
+    if is_plain:
+        words[0] = "python"
+    return subprocess.list2cmdline(words) if sys.platform == "win32" else shlex.join(words)
