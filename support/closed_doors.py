@@ -6,9 +6,9 @@ anyone who has connected to the websocket goes away. Here instead:
 
 - Both listen on 127.0.0.1 only, at neighbouring ports, page and page + 1, so that two `ssh -L` options reach them from
   afar. The ports are taken once, before anything else starts, and kept: nobody can take one in between.
-- A request gets VPython's page or one of the files in VPython's own two folders; and the page, but no other, can say by
-  /no-webgl that its browser cannot draw. A path is looked up in a list of
-  these, never joined to a folder, so that no way of writing it leads elsewhere.
+- A request gets VPython's page or one of the files in VPython's own two folders. Its path is looked up in a list of
+  these, never joined to a folder, so that no way of writing it leads elsewhere. One more path, /no-webgl, lets the
+  page, and no other, say in the terminal that its browser cannot draw.
 - The websocket is for the page: a browser says of each connection which page's script has made it, its Origin, and a
   script cannot change that. It is for one tab, as VPython can show a cradle only once, and only that tab's closing ends
   the program.
