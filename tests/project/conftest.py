@@ -53,11 +53,21 @@ def firefox(driver):
     with subprocess.Popen(["Xvfb", "-displayfd", "1"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as screen:
         try:
             display = {**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"}
-            browser = driver.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, headless=False, env=display)
+            browser = launch_firefox(driver, display)
             yield browser
             browser.close()
         finally:
             screen.terminate()
+
+
+def launch_firefox(driver, environment):
+    """Start Firefox. One that Playwright cannot speak with, as 1.60 cannot with 140, is no reason to fail but in CI."""
+    try:
+        return driver.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, headless=False, env=environment)
+    except Exception as error:
+        if "unknown command" not in str(error) or "CI" in os.environ:
+            raise
+        pytest.skip("Playwright does not know this version of Firefox")
 
 
 @pytest.fixture
