@@ -38,22 +38,15 @@ def make_newton_cradle(relative_filepath, r_param, theta_init) -> list[PendulumE
     """Return the pend_list of a CSV, ready to swing: with theta, omega and objects (axle, bob, cord).
 
     The first pendulum is lifted to theta_init (rad), the others hang straight down; all are at rest. r_param is the
-    cord length (m). Raises a ValueError of one line, before any object is made, if the CSV makes no cradle.
+    cord length (m).
+    Raises a ValueError of one line, before any object is made, if the CSV makes no cradle.
     """
     check_cradle(relative_filepath)
     pend_list = extract_and_convert(relative_filepath)
     for i, pend_dict in enumerate(pend_list):
         pend_dict["theta"] = theta_init if i == 0 else 0
         pend_dict["omega"] = 0
-        pend_dict["objects"] = make_pendulum(axle_place(i, r_param), r_param, pend_dict["theta"], *looks(pend_dict))
+        axle_pos = vector(-0.1 + r_param / 4 * i, r_param / 5, 0)
+        color, texture = COLOR_MAP[pend_dict["color"]], TEXTURE_MAP[pend_dict["texture"]]
+        pend_dict["objects"] = make_pendulum(axle_pos, r_param, pend_dict["theta"], color, texture)
     return pend_list
-
-
-def axle_place(i, r_param) -> vector:
-    """Return where the axle of the i-th pendulum is (m), from 0 on, with cords of r_param (m)."""
-    return vector(-0.1 + r_param / 4 * i, r_param / 5, 0)
-
-
-def looks(pend_dict) -> tuple:
-    """Return the VPython color and texture of which a pendulum of the CSV has the names."""
-    return COLOR_MAP[pend_dict["color"]], TEXTURE_MAP[pend_dict["texture"]]

@@ -4,6 +4,7 @@ import os
 import shutil
 import signal
 import sys
+import textwrap
 import time
 from contextlib import contextmanager, suppress
 from math import degrees, inf, pi, remainder
@@ -20,16 +21,17 @@ from support import headless_vpython
 
 headless_vpython.install()  # nothing is shown in a browser, so VPython itself is not needed
 
-from src.live_cradle import LiveCradle
-from src.visualize_cradle_run import advance_cradle
-from support.cradle_csv import Snapshot
-from support.motion import Motion
+from src.beyond.live_cradle import LiveCradle
+from src.beyond.many_ticks import many_ticks
+from src.beyond.preview import what_there_is
+from src.visualize_cradle_run import main as cradle_main
+from support.cradle_csv import check_cradle, Snapshot
+from support.mistake import own_frames, tell_mistake
 from support.options import check_lift, read_text_options
 from support.output import spell_out_letters, while_it_is_read
-from support.real_time import RealTime
-from support.recording import check_record, write_data
+from support.player import Player, run
+from support.recording import check_record, data_file
 from support.text_picture import TextPicture
-from support.unwritten import end_if_unwritten
 
 PICTURE = 1 / 20  # s from picture to picture
 LINE = 0.5  # s from line to line
@@ -37,41 +39,48 @@ WIDTH = 80  # columns that are used, where there are as many
 IMPACTS = 4  # lines of the contact strip
 LOW = 18  # lines, and with fewer a terminal has room for the cradle only
 PATIENCE = 2.0  # s, after which a bar shows the progress
+PART = 1000  # ticks from one look at the progress to the next
 
 
 def main() -> None:
-    """Show a cradle, or record its data; status 2 if an option, the CSV or the file to be written is
-    refused, or a function is not written yet.
+    """Show the cradle of src/visualize_cradle_run.py, or record its data.
+
+    Status 2 if an option, the CSV or the file for the data is refused, or too little is written for a cradle; 1 if a
+    function makes a mistake.
     """
     spell_out_letters()
     options = read_text_options()
-    end_if_unwritten("pds_helper", "special_cradles", "swinging", "visualize_cradle_run")
-    cradle = LiveCradle(advance_cradle, options)
+    loop, remark = what_there_is(cradle_main)
+    csv = Snapshot(options.csv)
     try:
-        cradle.load(Snapshot(options.csv))
-        check_lift(options.lift, cradle.csv)
+        check_cradle(csv)
+        check_lift(options.lift, csv)
         if options.record is not None:
             check_record(options.record)
     except ValueError as error:
         refuse(error)
-    cradle.release([options.angle], options.lift)
-    motion = Motion(cradle, IMPACTS)
+    cradle = LiveCradle(cradle_main.__globals__, options, many_ticks)
 
     try:
         stop_on_signals()
         with while_it_is_read():
             if options.record is not None:
-                record(motion, options)
+                record(loop, cradle, csv, options, remark)
             elif has_terminal():
-                show_pictures(motion, options.seconds)
+                show_pictures(loop, Pictures(cradle, csv, options, remark))
             else:
-                tell_lines(motion, options.seconds)
+                print(remark, end="\n" if remark else "", flush=True)
+                run(loop, Lines(cradle, csv, options))
     except KeyboardInterrupt:
         if options.record is not None:
             print(f"Ended before it was complete: {options.record} is not written.", file=sys.stderr)
             sys.exit(1)
-    except OSError as error:
-        refuse(f"{error.filename or 'The output'}: {error.strerror}")
+    except (Exception, SystemExit) as error:
+        cause = error.__cause__ or error  # whole_file says of every OSError that the file cannot be written
+        if isinstance(error, OSError) and not own_frames(cause):
+            refuse(f"{error.filename or 'The output'}: {error.strerror}")
+        tell_mistake(cause)
+        sys.exit(1)
 
 
 def has_terminal() -> bool:
@@ -103,47 +112,63 @@ def stop_on_signals() -> None:
         signal.signal(number, stop)
 
 
-def play(motion, pace, seconds, step, show) -> None:
-    """Let a cradle swing for so many seconds in step with the clock of pace (a RealTime).
+class TextPlayer(Player):
+    """Plays a cradle in step with the clock, and shows it at the start, after each step (s), and at the end."""
 
-    show() is called at the start, after each step (s) of simulated time, and at the end.
-    """
-    last = seconds if seconds == inf else round(seconds / motion.cradle.dt)  # tick
-    step_ticks = max(1, round(step / motion.cradle.dt))
+    step_seconds: float
 
-    def advance(ticks):
-        for part in motion.parts(min(ticks, last - motion.ticks), step_ticks):
-            motion.advance(part)
-            if motion.ticks % step_ticks == 0 or motion.ticks == last:
-                show()
+    def __init__(self, cradle, csv, options):
+        """Play the cradle of this CSV (a Snapshot); options has angle, lift and seconds, as the options of main do."""
+        super().__init__(cradle, csv, [options.angle], options.lift, IMPACTS)
+        self.step = max(1, round(self.step_seconds / cradle.dt))
+        self.last = options.seconds if options.seconds == inf else round(options.seconds / cradle.dt)  # tick
 
-    show()
-    pace.restart()
-    while motion.ticks < last:
-        pace.frame(advance)
-        pace.rest()
+    def script(self):
+        """Play the cradle from its start to its end."""
+        yield from self.make()
+        yield from self.play()
+
+    def play(self):
+        """Play the cradle that is there to its end."""
+        self.note()
+        self.pace.restart()
+        while self.motion.ticks < self.last:
+            yield from self.keep_time(self.last - self.motion.ticks)
+            self.pace.rest()
+        if self.last % self.step:
+            self.note()
 
 
 # --- on a terminal ---------------------------------------------------------------------------------------------------
 
 
-def show_pictures(motion, seconds) -> None:
-    """Show the cradle as a picture that moves, and leave the last one on the screen."""
-    picture, pace = TextPicture(), RealTime(motion.cradle.dt)
-    seen: list[str] = []
+class Pictures(TextPlayer):
+    """Shows the cradle as a picture that moves."""
 
-    def show():
-        lines = screen(motion, picture, pace.remark())
+    step_seconds = PICTURE
+
+    def __init__(self, cradle, csv, options, remark=""):
+        """The remark, if there is one, stands below the picture; for the rest see TextPlayer."""
+        super().__init__(cradle, csv, options)
+        self.picture, self.remark = TextPicture(), remark
+        self.seen: list[str] = []
+
+    def note(self) -> None:
+        """Show a picture."""
         # To the top left corner; clear each line, and in the end what is below.
+        lines = screen(self.motion, self.picture, self.pace.remark(), self.remark)
         text = "\n".join("\x1b[K" + line for line in lines)
-        seen[:] = lines  # before it is shown: Ctrl+C is often pressed just when it is
+        self.seen = lines  # before it is shown: Ctrl+C is often pressed just when it is
         print(f"\x1b[H{text}\x1b[J", end="", flush=True)
 
+
+def show_pictures(loop, player) -> None:
+    """Let the loop run with a player of Pictures, and leave the last one on the screen."""
     try:
         with own_screen():
-            play(motion, pace, seconds, PICTURE, show)
+            run(loop, player)
     finally:
-        print("\n".join(seen))
+        print("\n".join(player.seen))
 
 
 def switch_on_escapes() -> None:
@@ -163,16 +188,20 @@ def own_screen():
         print("\x1b[?25h\x1b[?1049l", end="", flush=True)
 
 
-def screen(motion, picture, remark) -> list[str]:
-    """Return what is to be seen, line by line, for the terminal as large as it is at this moment."""
+def screen(motion, picture, speed, remark="") -> list[str]:
+    """Return what is to be seen, line by line, for the terminal as large as it is at this moment.
+
+    speed is the remark about the speed, and remark the one about the cradle.
+    """
     size = shutil.get_terminal_size()
     columns = min(WIDTH, size.columns)
-    lines = [f"{motion.reading()}   {remark}", ""]
+    lines = [f"{motion.reading()}   {speed}", *textwrap.wrap(remark, columns), ""]
+    rest = size.lines - len(lines)
     if size.lines < LOW:
-        lines += picture.lines(motion.cradle, columns, size.lines - 2)
+        lines += picture.lines(motion.cradle, columns, rest)
     else:
         impacts = motion.trains.lines(columns)
-        lines += picture.lines(motion.cradle, columns, size.lines - IMPACTS - 6)
+        lines += picture.lines(motion.cradle, columns, rest - IMPACTS - 4)
         lines += ["", "Impacts", *impacts, *[""] * (IMPACTS - len(impacts)), "", "Ctrl+C ends it."]
     return [line[:columns].rstrip() for line in lines[: size.lines]]
 
@@ -180,14 +209,15 @@ def screen(motion, picture, remark) -> list[str]:
 # --- without one -----------------------------------------------------------------------------------------------------
 
 
-def tell_lines(motion, seconds) -> None:
-    """Print a line every half second."""
+class Lines(TextPlayer):
+    """Prints a line every half second."""
 
-    def show():
-        print(summary(motion), flush=True)
-        motion.trains.clear()
+    step_seconds = LINE
 
-    play(motion, RealTime(motion.cradle.dt), seconds, LINE, show)
+    def note(self) -> None:
+        """Print a line."""
+        print(summary(self.motion), flush=True)
+        self.motion.trains.clear()
 
 
 def summary(motion) -> str:
@@ -204,25 +234,41 @@ def summary(motion) -> str:
 # --- into a file -----------------------------------------------------------------------------------------------------
 
 
-def record(motion, options) -> None:
-    """Write the data of the next seconds to a file, as fast as the machine can."""
-    count = int(options.seconds / options.every + 1e-9) + 1
-    with progress_bar() as progress:
-        write_data(options.record, list(motion.sample()), rows(motion, options.every, count, progress))
-    print(f"{count} rows, from t = 0 to {motion.time():g} s, are in {options.record}")
+class Recorder(Player):
+    """Writes a row of data after each so many seconds of simulated time, as fast as the machine can."""
+
+    def __init__(self, cradle, csv, options, writer, progress):
+        """Write by this writer (of data_file); progress(part) is told again and again how much is done.
+
+        options has angle, lift, seconds and every, as the options of main do.
+        """
+        super().__init__(cradle, csv, [options.angle], options.lift, IMPACTS)
+        self.at_once, self.step = True, round(options.every / cradle.dt)
+        self.count = int(options.seconds / options.every + 1e-9) + 1  # rows
+        self.writer, self.progress = writer, progress
+
+    def script(self):
+        """Write all rows, the first at once."""
+        yield from self.make()
+        self.writer.writerow(self.motion.sample())
+        self.note()
+        last = (self.count - 1) * self.step
+        while self.motion.ticks < last:
+            yield from self.advance(min(PART, last - self.motion.ticks))
+            self.progress(self.motion.ticks / last)
+
+    def note(self) -> None:
+        """Write a row."""
+        self.writer.writerow(self.motion.sample().values())
 
 
-def rows(motion, every, count, progress):
-    """Yield so many rows of data, the first at once, then one after each so many seconds of simulated time.
-
-    progress(part) is told again and again how much is done.
-    """
-    between = round(every / motion.cradle.dt)  # ticks
-    for number in range(count):
-        for part in motion.parts(number * between - motion.ticks, 1000):
-            motion.advance(part)
-            progress(motion.ticks / between / (count - 1))
-        yield motion.sample().values()
+def record(loop, cradle, csv, options, remark="") -> None:
+    """Write the data of the next seconds to a file, whole or not at all."""
+    with data_file(options.record) as writer, progress_bar() as progress:
+        recorder = Recorder(cradle, csv, options, writer, progress)
+        run(loop, recorder)
+    print(remark, end="\n" if remark else "")
+    print(f"{recorder.count} rows, from t = 0 to {recorder.motion.time():g} s, are in {options.record}")
 
 
 @contextmanager

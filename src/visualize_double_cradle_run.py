@@ -9,20 +9,26 @@ if __name__ == "__main__":  # started as a file, from any folder: the project's 
 
     end_on_interrupt()  # the imports below take a moment, in which Ctrl+C would print a traceback
 
-from src.live_double_cradle import LiveDoubleCradle
-from support.options import read_double_page_options
-from support.page import show_cradle
-from support.unwritten import end_if_unwritten
+from src.double_cradle import double_cradle_tick, make_double_newton_cradle
+from support.constants import DOUBLE_DT, G, PHI_INIT, R_PARAM, THETA_INIT
 
 
-def main() -> None:
-    """Show a double cradle in the browser until the tab is closed; status 2 if an option or the CSV is refused, or a
-    function is not written yet.
+def main(page) -> None:
+    """Make the double cradle, and let it tick as long as the simulation runs.
+
+    page is the cradle's page in the browser. It says what is due (support/player.py).
+    page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file that was named.
+    page.rule says whether separating bobs collide, if the functions can be told so.
     """
-    options = read_double_page_options()
-    end_if_unwritten("pds_helper", "special_cradles", "double_cradle")
-    show_cradle(LiveDoubleCradle(options), options, [options.angle, options.phi])
+    while page.is_running():
+        if page.wants_cradle():  # at the start, at a restart, and when the CSV was saved
+            pend_list = make_double_newton_cradle(page.csv, R_PARAM, THETA_INIT, PHI_INIT)
+            page.show(pend_list)
+        while page.wants_tick():  # in step with the clock
+            double_cradle_tick(pend_list, R_PARAM, DOUBLE_DT, G, **page.rule)
 
 
 if __name__ == "__main__":
-    main()
+    from src.beyond.in_browser import show_double_cradle
+
+    show_double_cradle(main)

@@ -1,6 +1,7 @@
 """What a cradle is to the programs that show it."""
 
 from collections.abc import Mapping
+from contextlib import contextmanager
 from typing import Any, Protocol
 
 
@@ -13,18 +14,49 @@ class Cradle(Protocol):
     collisions: dict[str, Any]  # the names of the ways in which it can collide are the keys
     collision: str  # the present one of them
     held: int | None  # which of its bobs is held
+    takes_rule: bool  # whether its tick can be told that only approaching bobs collide
+    hits: list[tuple[int, int, bool]]  # noted, and not told yet: the two pendula (indices), whether they moved right
 
-    def load(self, csv) -> None:
-        """Build the cradle anew from a Snapshot, or raise a ValueError and stay as it was."""
+    def give_back(self) -> None:
+        """Hide the objects of the present pendula, so that new ones are made of them."""
+
+    def take(self, pend_list, csv) -> None:
+        """Become the cradle of these pendula, made of the file at the path csv; raise a MistakeError if they are none.
+
+        pend_list is the loop's own list, which its ticks change.
+        """
 
     def release(self, angles, lifted) -> None:
-        """Lift the first pendula to these angles (degrees), let the others hang, all at rest."""
+        """Lift the first pendula to these angles (degrees), let the others hang, all at rest.
 
-    def collide(self, collision) -> None:
-        """Collide from now on in this way, one of collisions."""
+        An angle that is None, or a number of lifted ones that is None, is as the cradle was made. If all are None, the
+        pendula are left as they were made.
+        """
 
-    def advance(self, ticks, approaching_only) -> list[tuple[int, int, int]]:
-        """Move on by so many ticks; return the contacts as (tick, left, right), indices of pendula."""
+    def as_made(self) -> tuple[list[float], int]:
+        """Return the angles (degrees) to which the cradle was lifted as it was made, and of how many pendula."""
+
+    def collide(self, collision, csv) -> None:
+        """Collide from now on in this way, one of collisions; csv is the path of the cradle's file."""
+
+    @contextmanager
+    def held_still(self):
+        """Hold the bob that is held, if there is one, while the body of the with statement does a few ticks."""
+        yield
+
+    @contextmanager
+    def noting_hits(self):
+        """Note who hits whom while the body of the with statement does ticks."""
+        yield
+
+    def tick_at_once(self, ticks, rule) -> list[tuple[int, int, int, bool]] | None:
+        """Do so many ticks with this rule at once, and return the contacts as (tick, left, right, to the right).
+
+        Return None, and do nothing, if that is not certain to be the same as single ticks.
+        """
+
+    def check(self) -> None:
+        """Raise a MistakeError if a tick has made something of a pendulum that is no number."""
 
     def axles(self) -> list:
         """Return the axles, from left to right."""
@@ -49,9 +81,6 @@ class Cradle(Protocol):
 
     def energies(self) -> tuple[float, float]:
         """Return the kinetic and the potential energy (J)."""
-
-    def velocities(self) -> list[float]:
-        """Return the velocities of the pendula's bobs to the right (m/s); of double ones, the mean of their two."""
 
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""

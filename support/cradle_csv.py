@@ -2,8 +2,10 @@
 
 import csv
 import io
+from contextlib import contextmanager
 from math import nan
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from support.constants import COLOR_MAP, TEXTURE_MAP
 
@@ -79,6 +81,18 @@ def cleaned(filepath) -> io.StringIO:
     csv.writer(text).writerows(cells for _, cells in read_cells(filepath))
     text.seek(0)
     return text
+
+
+@contextmanager
+def clean_copy(csv):
+    """Yield the path of a copy of this CSV for the body of the with statement, in the form that pandas reads best.
+
+    It has the rows of read_cells, which raises a ValueError where it cannot read them.
+    """
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        copy = Path(folder) / Path(str(csv)).name
+        copy.write_text(cleaned(csv).getvalue(), encoding="utf-8", newline="")
+        yield str(copy)
 
 
 def separator_hint(rows) -> str:

@@ -1,9 +1,8 @@
 """A stand-in for VPython that needs no VPython and no browser: its vector, box, sphere and cylinder, as numbers only.
 
 install() makes it what `import vpython` finds. It shows nothing, and does otherwise what VPython 7.6.5 does with what
-a pendulum is made of; tests/project/test_headless_vpython.py holds the two together. Of the shapes, `up` does not
-follow when `axis` turns. Of the page (canvas, light, widgets, graph) there is what the viewer uses, and it only keeps
-what it is told.
+a pendulum is made of; the project's tests hold the two together. Of the shapes, `up` does not follow when `axis` turns.
+Of the page (canvas, light, widgets, graph) there is what the viewer uses, and it only keeps what it is told.
 """
 
 import sys

@@ -3,11 +3,9 @@
 from support.cradle import Cradle
 from support.impacts import ImpactTrains
 
-ONE_WAY = 0.03  # s: so short that a bob hardly turns back meanwhile, so that hits go where it went at the beginning
-
 
 class Motion:
-    """Advances a cradle, and keeps account of what happens."""
+    """Keeps account of what a cradle does."""
 
     def __init__(self, cradle: Cradle, impacts):
         """Begin at time 0; the last trains of impacts, as many as impacts says, are remembered."""
@@ -28,19 +26,26 @@ class Motion:
         """Return the simulated time since the start (s)."""
         return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004
 
-    def advance(self, ticks, approaching_only=True) -> None:
-        """Move on by so many ticks."""
-        for part in self.parts(ticks, max(1, round(ONE_WAY / self.cradle.dt))):
-            velocities = self.cradle.velocities()
-            for tick, left, right in self.cradle.advance(part, approaching_only):
-                rightwards = velocities[left] + velocities[right] > 0
-                self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, right, rightwards)
-            self.ticks += part
+    def note_hits(self) -> None:
+        """Add the hits that the cradle has noted to the trains, as of this moment."""
+        for left, right, rightwards in self.cradle.hits:
+            self.trains.add(self.ticks * self.cradle.dt, left, right, rightwards)
+        self.cradle.hits.clear()
+
+    def do_at_once(self, ticks, rule) -> bool:
+        """Move on by so many ticks if the cradle can do them at once; return whether it could."""
+        contacts = self.cradle.tick_at_once(ticks, rule)
+        if contacts is None:
+            return False
+        for tick, left, right, rightwards in contacts:
+            self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, right, rightwards)
+        self.ticks += ticks
+        return True
 
     def parts(self, ticks, step):
         """Yield so many ticks in parts, each of which ends at a multiple of step ticks since the start, or at the last.
 
-        The caller is to advance by each part before it takes the next one.
+        The caller must move on by each part before it takes the next one.
         """
         while ticks > 0:
             part = min(ticks, step - self.ticks % step)

@@ -46,9 +46,9 @@ def cradle_options(description) -> OneLineParser:
     kinds.add_argument("--inelastic", action="store_true", help="e = 0 for all pendula: bobs leave a hit together")
     kinds.add_argument("--e", type=e, metavar="E", help="one e, from 0 to 1, for all pendula (default: the CSV's)")
     add("--mass", type=mass, metavar="KG", help="one mass, above 0 kg, for all pendula (default: the CSV's)")
-    text = "how far the first bobs are lifted, from 0 to 180 degrees (default: %(default)g)"
-    add("--angle", type=angle, metavar="DEGREES", default=abs(degrees(THETA_INIT)), help=text)
-    add("--lift", type=lift, metavar="K", default=1, help="how many bobs are lifted (default: %(default)d)")
+    text = f"how far the first bobs are lifted, from 0 to 180 degrees (default: {abs(degrees(THETA_INIT)):g})"
+    add("--angle", type=angle, metavar="DEGREES", help=text)
+    add("--lift", type=lift, metavar="K", help="how many bobs are lifted (default: 1)")
     return parser
 
 
@@ -66,18 +66,19 @@ def page_options(description) -> OneLineParser:
 
 def read_page_options(arguments=None) -> argparse.Namespace:
     """Return the options of the viewer, on the command line or in arguments: csv, elastic, inelastic, e, mass, angle
-    (degrees), lift, port and browser; e and mass are None where the CSV's are to be kept.
+    (degrees), lift, port and browser; e and mass are None where the CSV's stay, angle and lift where the cradle is left
+    as it is made.
     """
     return page_options("Newton's cradle in the browser, to play with.").parse_args(arguments)
 
 
 def read_double_page_options(arguments=None) -> argparse.Namespace:
-    """Return the options of the double cradle's viewer: those of the viewer, and phi (degrees)."""
+    """Return the options of the double cradle's viewer: those of the viewer, and phi (degrees), or None like angle."""
     parser = page_options("The double Newton's cradle in the browser, to play with.")
     phi = allowed(float, lambda text: -180 <= to_number(text) <= 180, "a number from -180 to 180 (degrees)")
     outwards = degrees(copysign(1, THETA_INIT) * PHI_INIT)
-    text = "how far their lower cords are bent further out than the upper ones, from -180 to 180 (default: %(default)g)"
-    parser.add_argument("--phi", type=phi, metavar="DEGREES", default=outwards, help=text)
+    text = "how far their lower cords are bent further out than the upper ones, from -180 to 180"
+    parser.add_argument("--phi", type=phi, metavar="DEGREES", help=f"{text} (default: {outwards:g})")
     return parser.parse_args(arguments)
 
 
@@ -111,7 +112,7 @@ def is_in_ticks(text) -> bool:
 
 
 def check_lift(lift, csv) -> None:
-    """Raise a ValueError of one line if the cradle of this CSV has fewer bobs than are to be lifted."""
+    """Raise a ValueError of one line if the cradle of this CSV has fewer bobs than must be lifted (None: as made)."""
     count = len(read_cells(csv)) - 1  # without the header
-    if lift > count:
+    if lift is not None and lift > count:
         raise ValueError(f"--lift: found '{lift}', allowed is at most {count}, the number of pendula in {csv}")

@@ -7,7 +7,6 @@ import logging
 import os
 import signal
 import sys
-import traceback
 from contextlib import contextmanager
 from functools import partial
 from html import escape
@@ -18,7 +17,9 @@ from support.command_line import command_line
 from support.cradle_csv import check_cradle
 from support.interrupt import end_on_interrupt
 from support.live_file import LiveFile
+from support.mistake import tell_mistake
 from support.options import check_lift
+from support.player import run
 
 # What the page begins with: its title, and what it needs of a browser.
 PAGE_HEAD = Path(__file__).with_name("page_head.html")
@@ -28,31 +29,38 @@ Your browser cannot draw the cradle: WebGL 2 is missing or switched off.
 Use another browser. Or press Ctrl+C and type this, to see the single cradle as text:"""
 
 
-def show_cradle(cradle, options, angles) -> None:
-    """Show a cradle with these release angles (degrees) until the tab is closed; status 2 if something is refused.
+def show_page(main, cradle, options, angles, remark="") -> None:
+    """Let main run with the page of a cradle, until the tab is closed; status 2 if something is refused.
 
-    cradle is as support/cradle.py says, still without pendula; options are the viewer's, from support/options.py.
+    cradle is as support/cradle.py says, still without pendula; options are the viewer's, from support/options.py, and
+    angles the release angles (degrees), each None to leave it as the cradle is made. The page shows the remark, a line.
     """
     file = LiveFile(options.csv)
     try:
-        check_cradle(file.current)  # the viewer does so too, but by then a browser has been opened
+        check_cradle(file.current)  # here, as later on it would be said on the page only
         check_lift(options.lift, file.current)
         sockets = page_sockets(options.port)
     except ValueError as error:
         print(error, file=sys.stderr)
         sys.exit(2)
-    with open_page(sockets, options.browser):
+    viewer = None
+    try:
+        open_page(sockets, options.browser)
         from support.viewer import Viewer  # needs VPython's canvas and widgets, which all of the above does without
 
-        Viewer(cradle, file, angles, options.lift).run()
+        viewer = Viewer(cradle, file, angles, options.lift, remark)
+        run(main, viewer)
+    except BaseException as error:
+        words = tell_mistake(error)
+        if viewer:
+            viewer.end(words)
+    os._exit(1)  # VPython's threads would keep the process alive
 
 
-@contextmanager
-def open_page(sockets, launch_browser=True):
-    """Open VPython's page at these page_sockets, wait for a browser, and run the body of the with statement.
+def open_page(sockets, launch_browser=True) -> None:
+    """Open VPython's page at these page_sockets, and wait for a browser.
 
-    Ctrl+C and the closing of the tab end the process with status 0. A mistake in the body ends it with a traceback and
-    status 1, where VPython's threads would have kept the process alive.
+    From then on Ctrl+C and the closing of the tab end the process with status 0.
     """
     os.environ["VPYTHON_HTTP_PORT"] = str(port_of(sockets[0]))  # where VPython sends the browser that it opens
     if not launch_browser:
@@ -62,19 +70,14 @@ def open_page(sockets, launch_browser=True):
     head = PAGE_HEAD.read_text(encoding="utf-8").replace("TERMINAL_CRADLE", escape(terminal_cradle))
     no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"
     end_on_interrupt()
-    try:
-        with (
-            replaced(signal, "signal", lambda *_: None),
-            replaced(http.server, "HTTPServer", partial(PageServer, sockets, head, no_webgl)),
-            replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets)),
-            # On Windows the usual loop stops listening if a connection ends before it is accepted.
-            replaced(asyncio, "new_event_loop", asyncio.SelectorEventLoop),
-        ):
-            importlib.import_module("vpython.no_notebook")  # starts the servers, and returns when a browser is there
-        yield
-    except BaseException:
-        traceback.print_exc()
-        os._exit(1)
+    with (
+        replaced(signal, "signal", lambda *_: None),
+        replaced(http.server, "HTTPServer", partial(PageServer, sockets, head, no_webgl)),
+        replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets)),
+        # On Windows the usual loop stops listening if a connection ends before it is accepted.
+        replaced(asyncio, "new_event_loop", asyncio.SelectorEventLoop),
+    ):
+        importlib.import_module("vpython.no_notebook")  # starts the servers, and returns when a browser is there
 
 
 def is_worth_showing(record) -> bool:

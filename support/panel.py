@@ -13,6 +13,7 @@ PAGE = Path(__file__).with_name("panel.html")
 KEYS_HINT = "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs. Drag a bob with the mouse."
 SEPARATING = "Separating bobs collide too"
 SEPARATING_HINT = "as in the handout: with e below 1 they then stick together"
+FIXED_HINT = "fixed: the functions take no approaching_only"
 SAVING = "a CSV of what has been seen since the last restart, ten minutes at most"
 IMPACTS = 7  # lines of the contact strip
 
@@ -23,10 +24,15 @@ class Panel:
     The texts change only where something has changed, so that nothing flickers, and are as wide as before.
     """
 
-    def __init__(self, give, cradle):
-        """Make the panel for this cradle. give(command, value) takes the commands; another thread calls it."""
+    def __init__(self, give, cradle, remark=""):
+        """Make the panel for this cradle, below a remark, if there is one.
+
+        give(command, value) takes the commands; another thread calls it.
+        """
         scene.append_to_caption(PAGE.read_text(encoding="utf-8"))
         self.error = wtext()
+        if remark:
+            wtext(text=f'<div class="remark" role="note">{escape(remark)}</div>')
 
         self.pause = button(text="Pause", bind=lambda: give(Command.PAUSE))
         self.step = button(text="Step", bind=lambda: give(Command.STEP))
@@ -50,7 +56,11 @@ class Panel:
         )
         end_row()
         self.separating = checkbox(text=SEPARATING, bind=lambda box: give(Command.SEPARATING, box.checked))
-        add_hint(SEPARATING_HINT)
+        if cradle.takes_rule:
+            add_hint(SEPARATING_HINT)
+        else:
+            self.separating.checked = self.separating.disabled = True
+            add_hint(FIXED_HINT)
         self.readout, self.impacts = wtext(), wtext()
         end_row()
         self.graph = checkbox(text="Energy graph", checked=True, bind=lambda box: give(Command.GRAPH, box.checked))
@@ -61,6 +71,11 @@ class Panel:
     def show_error(self, message) -> None:
         """Show this message above everything else, until it is shown an empty one."""
         set_text(self.error, f'<div class="error" role="alert">{escape(message)}</div>' if message else "")
+
+    def show_end(self, words) -> None:
+        """Show that the program has ended, and why; what stands there no longer moves."""
+        text = f"<strong>The program has ended.</strong> {escape(words)}"
+        set_text(self.error, f'<div class="error ended" role="alert">{text}</div>')
 
     def show_settings(self, running, speed, angles, lifted, count) -> None:
         """Show whether the cradle runs, its speed (times real time), its release angles (degrees), and how many bobs

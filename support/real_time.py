@@ -1,6 +1,7 @@
 """The pace of a simulation, in step with the clock on the wall."""
 
 import time
+from math import inf
 
 # One picture (s): the page asks for new positions about sixty times a second.
 FRAME = 1 / 60
@@ -15,6 +16,9 @@ MAX_BEHIND = 0.25
 # A tick may seem to be this much slower than in the frame before, and no more: a frame in which the machine was busy
 # with something else says little about the next one.
 SLOWER = 1.25
+
+# In how many frames it is measured what a tick costs, before that counts as too much.
+ENOUGH = 10
 
 # Over how long (s) it is measured how well the machine keeps up.
 SPAN = 1.0
@@ -31,7 +35,8 @@ class RealTime:
         """Begin now; dt (s) is one tick. clock() and sleep(seconds) may be replaced by a test's."""
         self.dt, self.clock, self.sleep = dt, clock, sleep
         self.speed = 1.0
-        self.tick_cost = 0.0  # s, 0 as long as it is not known
+        self.tick_cost, self.least_cost, self.measured = 0.0, inf, 0
+        self.forget_costs()
         self.restart()
 
     def restart(self) -> None:
@@ -41,25 +46,38 @@ class RealTime:
         self.span_due = self.span_done = 0.0  # ticks
         self.kept_up = 1.0  # the part of the ticks due that the machine did over the last SPAN
 
-    def frame(self, advance) -> None:
-        """Call advance(ticks) with the ticks that are due since the last frame, unless none is."""
+    def due(self) -> int:
+        """Begin a frame, and return how many ticks must be done in it; call did(ticks) after them."""
         now = self.clock()
         per_second = self.speed / self.dt
         due = (now - self.frame_start) * per_second
         self.frame_start = now
         self.owed = min(self.owed + due, MAX_BEHIND * per_second)
         ticks = int(min(self.owed, max(1, BUSY / self.tick_cost) if self.tick_cost else 1))
-        if ticks:
-            advance(ticks)
-            cost = max(self.clock() - now, 1e-9) / ticks
-            self.tick_cost = min(cost, SLOWER * self.tick_cost) if self.tick_cost else cost
-            self.owed -= ticks
+        self.owed -= ticks
         self.span_due += due
         self.span_done += ticks
         if now - self.span_start >= SPAN:
             self.kept_up = self.span_done / self.span_due
             self.span_start = now
             self.span_due = self.span_done = 0.0
+        return ticks
+
+    def did(self, ticks) -> None:
+        """Learn what ticks cost: so many, more than none, have been done since due()."""
+        cost = max(self.clock() - self.frame_start, 1e-9) / ticks
+        self.tick_cost = min(cost, SLOWER * self.tick_cost) if self.tick_cost else cost
+        self.least_cost = min(cost, self.least_cost)
+        self.measured += 1
+
+    def is_too_slow(self) -> bool:
+        """Return whether ticks cost too much for this speed, the least in ENOUGH frames: others may have disturbed."""
+        return self.measured >= ENOUGH and self.least_cost * self.speed / self.dt > BUSY / FRAME
+
+    def forget_costs(self) -> None:
+        """Forget what ticks cost: they will be others."""
+        self.tick_cost = 0.0  # s, 0 as long as it is not known
+        self.least_cost, self.measured = inf, 0  # s, and in how many frames it was measured
 
     def rest(self) -> None:
         """Sleep until the next frame is due."""

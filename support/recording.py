@@ -3,6 +3,7 @@
 import csv
 from array import array
 from collections import deque
+from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
 from stat import S_ISREG
@@ -29,15 +30,13 @@ def check_record(filepath) -> None:
         raise ValueError(f"--record: found '{filepath}', which holds something else; allowed is {allowed}")
 
 
-def write_data(filepath, columns, rows) -> None:
-    """Write a CSV with these names of columns and these rows, which may be made meanwhile; whole, or not at all.
-
-    Raises an OSError if filepath cannot be written.
+@contextmanager
+def data_file(filepath):
+    """Yield a writer of the rows of a CSV: first the names of the columns, then the data. It is written whole, or not
+    at all. Raises an OSError if filepath cannot be written.
     """
     with whole_file(filepath) as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        writer.writerows(rows)
+        yield csv.writer(file, lineterminator="\n")
 
 
 class Recording:
@@ -61,5 +60,7 @@ class Recording:
         """Write all samples to a new file in this folder, and return its path; raises an OSError if that fails."""
         names = (Path(folder, f"cradle_data_{number}.csv") for number in count(1))
         path = next(path for path in names if not path.exists())
-        write_data(path, self.columns, self.rows)
+        with data_file(path) as writer:
+            writer.writerow(self.columns)
+            writer.writerows(self.rows)
         return path

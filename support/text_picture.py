@@ -18,12 +18,13 @@ class TextPicture:
     def lines(self, cradle: Cradle, columns, rows) -> list[str]:
         """Return the lines of a picture that is at most so many columns wide and rows high."""
         axles, bobs = [axle.pos for axle in cradle.axles()], [bob.pos for bob in cradle.bobs()]
-        self.above = max(self.above, *(bob.y - axles[0].y for bob in bobs))
-        left, width = axles[0].x - cradle.reach, axles[-1].x - axles[0].x + 2 * cradle.reach
-        top, height = axles[0].y + self.above, cradle.reach + self.above
+        xs, ys = sorted(axle.x for axle in axles), sorted(axle.y for axle in axles)
+        self.above = max(self.above, *(bob.y - ys[-1] for bob in bobs))
+        left, width = xs[0] - cradle.reach, xs[-1] - xs[0] + 2 * cradle.reach
+        top, height = ys[-1] + self.above, ys[-1] - ys[0] + cradle.reach + self.above
         # Columns for a metre. Three columns and a row are left for what is rounded up, and for the brackets of a bob.
         scale = min(CORD / cradle.reach, (columns - 3) / width, 2 * (rows - 1) / height)
-        apart = (axles[-1].x - axles[0].x) / max(1, len(axles) - 1)
+        apart = (xs[-1] - xs[0]) / max(1, len(axles) - 1)
         if apart * scale >= 1:  # whole columns from bob to bob: others look like groups of bobs
             scale = int(apart * scale + 1e-9) / apart
         grid = [[" "] * columns for _ in range(round(height * scale / 2) + 1)]
@@ -39,10 +40,11 @@ class TextPicture:
             for step in range(steps):
                 grid[row + round(down * step / steps)][column + round(aside * step / steps)] = stroke
 
-        (bar, first), (_, last) = cell(axles[0]), cell(axles[-1])
+        places = sorted(map(cell, axles), key=lambda place: place[1])
+        bar, first, last = places[0][0], places[0][1], places[-1][1]
         grid[bar][first - 1 : last + 2] = "=" * (last - first + 3)
-        for axle in axles:
-            grid[bar][cell(axle)[1]] = "+"
+        for row, column in places:
+            grid[row][column] = "+"
 
         names = [f"({number})" for number in range(1, len(bobs) + 1)]
         there_is_room = len(axles) == 1 or len(names[-1]) <= apart * scale + 1e-9

@@ -1,4 +1,4 @@
-"""The viewer: shows a cradle in step with the clock, and does with it what the person in front of the page asks for."""
+"""The viewer: plays a cradle in step with the clock, and does with it what the person in front of the page asks for."""
 
 import time
 from math import inf
@@ -9,63 +9,83 @@ from vpython import baseObj, cross, dot, mag, scene
 
 from support.commands import Command, KEYS
 from support.cradle import Cradle
+from support.cradle_csv import check_cradle
 from support.energy_graph import EnergyGraph
-from support.motion import Motion
 from support.panel import IMPACTS, Panel
-from support.real_time import FRAME, RealTime
+from support.player import Player
+from support.real_time import FRAME
 from support.recording import EVERY, Recording
 from support.scenery import CANVAS_WIDTH, Scenery
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
+GOODBYE = 2.0  # s for which the page may take to fetch the program's last words
 
 
-class Viewer:
-    """The page with a cradle, its panel and its graph, and the loop that keeps them going."""
+class Viewer(Player):
+    """The page with a cradle, its panel and its graph: what main is given as page."""
 
-    def __init__(self, cradle: Cradle, file, angles, lifted):
-        """Show the cradle of this file (a LiveFile) with the first lifted pendula at these angles (degrees).
+    def __init__(self, cradle: Cradle, file, angles, lifted, remark=""):
+        """Build the page of the cradle of this file (a LiveFile), with a remark, if there is one.
 
-        Raises the ValueError of cradle.load. Returns when the page has all this, so that the release will be seen.
+        angles (degrees) are the release angles and lifted is the number of bobs to lift, each None to leave it as the
+        cradle is made.
         """
-        self.cradle, self.file = cradle, file
+        super().__init__(cradle, file.current, angles, lifted, IMPACTS)
+        self.file = file
         self.commands: SimpleQueue = SimpleQueue()
-        self.pace = RealTime(cradle.dt)
-        self.running, self.separating = True, False
-        self.angles, self.lifted = list(angles), lifted
+        self.running = True
+        self.step = max(1, round(EVERY / cradle.dt))
         self.recording = Recording()
         self.next_refresh = -inf
 
         self.scenery = Scenery()
-        self.panel = Panel(self.give, cradle)
+        self.panel = Panel(self.give, cradle, remark)
         self.graph = EnergyGraph(CANVAS_WIDTH - 26)  # its borders, in panel.html
-        self.motion = Motion(cradle, IMPACTS)
-        self.load()
-        self.listen()
-        while not baseObj.empty():  # what the page has not fetched yet
-            time.sleep(FRAME)
 
-    def run(self) -> None:
-        """Keep the cradle going for ever."""
-        self.pace.restart()
+    def script(self):
+        """Show the cradle, and keep it going for ever."""
+        yield from self.open()
         while True:
-            self.frame()
+            yield from self.frame()
             self.pace.rest()
 
-    def frame(self) -> None:
-        """Do what is to be done for one picture."""
+    def open(self):
+        """Show the cradle; go on when the page has it, so that the release is seen."""
+        yield from self.make()
+        self.listen()
+        self.wait_for_page()
+        self.pace.restart()
+
+    def wait_for_page(self, patience=inf) -> None:
+        """Wait until the page has fetched all that is new, or for so long (s)."""
+        begin = time.monotonic()
+        while not baseObj.empty() and time.monotonic() - begin < patience:
+            time.sleep(FRAME)
+
+    def frame(self):
+        """Do what must be done for one picture."""
         while not self.commands.empty():
-            command, value = self.commands.get()
-            self.carry_out(command, value)
+            yield from self.carry_out(*self.commands.get())
         if self.file.changed():
-            self.reload()
+            yield from self.reload()
         if self.running:
-            self.pace.frame(self.advance)
+            yield from self.keep_time()
         else:
             self.pace.restart()
         if self.cradle.held is not None:
             self.motion.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
         self.show_motion()
+
+    def try_single_ticks(self) -> None:
+        """Find out anew whether the machine is fast enough for single ticks."""
+        self.at_once = False
+        self.pace.forget_costs()
+
+    def end(self, words) -> None:
+        """Say on the page that the program has ended, and why, and wait a moment until the page has that."""
+        self.panel.show_end(words)
+        self.wait_for_page(GOODBYE)
 
     # --- commands ----------------------------------------------------------------------------------------------------
 
@@ -89,26 +109,27 @@ class Viewer:
         scene.bind("mouseup", lambda: self.give(Command.LET_GO))
         scene.bind("resize", lambda: self.give(Command.RESIZE))
 
-    def carry_out(self, command, value) -> None:
+    def carry_out(self, command, value):
         """Do what a command says."""
         match command:
             case Command.PAUSE:
                 self.running = not self.running
             case Command.STEP if not self.running:
-                self.advance(round(FRAME * self.pace.speed / self.cradle.dt))
+                yield from self.advance(round(FRAME * self.pace.speed / self.cradle.dt))
             case Command.RESTART:
-                self.restart()
+                yield from self.make()
             case Command.SPEED:
                 self.pace.speed = value
+                self.try_single_ticks()
             case Command.ANGLE:
                 number, angle = value
                 self.angles[number] = angle
-                self.restart()
+                yield from self.make()
             case Command.LIFT:
                 self.lifted = value
-                self.restart()
+                yield from self.make()
             case Command.COLLISIONS:
-                self.cradle.collide(value)
+                self.collide(value)
             case Command.SEPARATING:
                 self.separating = value
             case Command.GRAPH:
@@ -126,15 +147,15 @@ class Viewer:
                 self.scenery.point_camera()
         self.show_settings()
 
-    def restart(self) -> None:
-        """Lift the bobs as it is set, and let them go anew."""
-        self.cradle.let_go()
-        self.cradle.release(self.angles, self.lifted)
+    def make(self):
+        """Have the cradle made anew, lifted as it is set, and let go."""
+        yield from super().make()
+        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach)
         self.scenery.come_closer()
-        self.motion.restart()
         self.recording.clear()
         self.graph.clear()
         self.note()
+        self.show_settings()
 
     def save(self) -> None:
         """Write what has happened since the last restart to a file in the folder where the program was started."""
@@ -165,42 +186,33 @@ class Viewer:
 
     # --- time, and the file ------------------------------------------------------------------------------------------
 
-    def advance(self, ticks) -> None:
-        """Move the cradle on by so many ticks, from sample to sample."""
-        step = max(1, round(EVERY / self.cradle.dt))
-        for part in self.motion.parts(ticks, step):
-            self.motion.advance(part, not self.separating)
-            if self.motion.ticks % step == 0:
-                self.note()
-
     def note(self) -> None:
         """Add this moment to the recording and to the graph."""
         sample = self.motion.sample()
         self.recording.add(sample)
         self.graph.add(sample["t"], sample["kinetic"], sample["potential"])
 
-    def load(self) -> None:
-        """Build the cradle of the file as it is now, and let it go."""
-        self.cradle.load(self.file.current)
-        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach)
-        self.restart()
-        self.show_settings()
-
-    def reload(self) -> None:
-        """Build the cradle anew, or say why the file makes none; the old one then swings on."""
+    def reload(self):
+        """Have the cradle of the new file made, or say why the file makes none; the old one then swings on."""
         try:
-            self.load()
+            check_cradle(self.file.current)
         except ValueError as error:
             self.panel.show_error(str(error))
-        else:
-            self.panel.show_error("")
+            return
+        self.panel.show_error("")
+        self.snapshot = self.file.current
+        self.try_single_ticks()
+        yield from self.make()
 
     # --- what is to be read ------------------------------------------------------------------------------------------
 
     def show_settings(self) -> None:
         """Show what is set."""
+        made_angles, made_lifted = self.cradle.as_made()
+        angles = [made if angle is None else angle for angle, made in zip(self.angles, made_angles, strict=True)]
         count = len(self.cradle.axles())
-        self.panel.show_settings(self.running, self.pace.speed, self.angles, min(self.lifted, count), count)
+        lifted = made_lifted if self.lifted is None else min(self.lifted, count)
+        self.panel.show_settings(self.running, self.pace.speed, angles, lifted, count)
 
     def show_motion(self) -> None:
         """Show time, energy, momentum, impacts and graph, ten times a second."""

@@ -15,7 +15,7 @@ from math import cos, inf, sin
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT))
+sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "project")]
 
 import numpy as np
 
@@ -24,8 +24,10 @@ from support import headless_vpython
 if "vpython" not in sys.argv:
     headless_vpython.install()
 
+from src import visualize_cradle_run
+from src.beyond.many_ticks import many_ticks
 from src.special_cradles import make_newton_cradle
-from src.visualize_cradle_run import advance_cradle, newton_cradle_tick
+from src.visualize_cradle_run import newton_cradle_tick
 from support.audit import kinetic_energy, potential_energy
 from support.constants import DT, G, R_PARAM, THETA_INIT
 
@@ -49,8 +51,15 @@ def cradle_of(count, e=1):
         csv.write_text(csv_of(count, e))
         pend_list = make_newton_cradle(csv, R_PARAM, THETA_INIT)
     if e == 0:
-        advance_cradle(pend_list, R_PARAM, DT, G, round(CLING / DT), approaching_only=True)
+        do_at_once(pend_list, DT, round(CLING / DT))
     return pend_list
+
+
+def do_at_once(pend_list, dt, ticks) -> None:
+    """Do so many ticks of dt (s) by many_ticks, with the rule of the programs."""
+    scope = {**vars(visualize_cradle_run), "DT": dt}
+    if many_ticks(scope, pend_list, ticks, {"approaching_only": True}) is None:
+        raise ValueError("many_ticks does not know what it stands in for: see tests/project/test_many_ticks.py")
 
 
 def cpu_time(make, run) -> float:
@@ -87,7 +96,7 @@ def show_table(*rows) -> None:
 
 
 def tick_costs() -> list[tuple[float, float]]:
-    """Return the costs (s) of a tick by newton_cradle_tick and by advance_cradle, for each of CRADLES."""
+    """Return the costs (s) of a tick by newton_cradle_tick and by many_ticks, for each of CRADLES."""
     costs = []
     for count, e in CRADLES:
         ticks, more_ticks = 20_000 // count, 1_000_000 // count
@@ -97,7 +106,7 @@ def tick_costs() -> list[tuple[float, float]]:
                 newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
 
         def at_once(pend_list, ticks=more_ticks):
-            advance_cradle(pend_list, R_PARAM, DT, G, ticks, approaching_only=True)
+            do_at_once(pend_list, DT, ticks)
 
         make = partial(cradle_of, count, e)
         costs.append((cpu_time(make, one_by_one) / ticks, cpu_time(make, at_once) / more_ticks))
@@ -112,12 +121,12 @@ def tick_costs_on_vpython() -> list[tuple[float, float]]:
 
 def show_ticks() -> None:
     """Print how many ticks a second can be done."""
-    rows = [("pendula", "newton_cradle_tick", "without VPython", "advance_cradle", "times", "us a pendulum and tick")]
+    rows = [("pendula", "newton_cradle_tick", "without VPython", "many_ticks", "times", "us a pendulum and tick")]
     for (count, e), (single, at_once), (stub, _) in zip(CRADLES, tick_costs_on_vpython(), tick_costs(), strict=True):
         speeds = (f"{1 / cost:,.0f}" for cost in (single, stub, at_once))
         name = count if e else f"{count}, clinging (e = {e})"
         rows.append((name, *speeds, f"{single / at_once:.1f}", f"{1e6 * at_once / count:.3f}"))
-    print("Ticks a second on VPython's objects; times: advance_cradle against single ticks.\n")
+    print("Ticks a second on VPython's objects; times: many_ticks against single ticks.\n")
     show_table(*rows)
 
 
@@ -128,7 +137,7 @@ def our_minute(dt) -> tuple[float, float]:
     """Return the processor time (s) and the energy error of a minute in ticks of dt (s)."""
 
     def advance(pend_list, seconds=MINUTE):
-        advance_cradle(pend_list, R_PARAM, dt, G, round(seconds / dt), approaching_only=True)
+        do_at_once(pend_list, dt, round(seconds / dt))
 
     pend_list = cradle_of(5)
     error = energy_error(
@@ -197,7 +206,7 @@ def best_settings(dt) -> dict:
 def show_minutes() -> None:
     """Print processor time and energy error of a minute, ours and pymunk's, and how they compare."""
     ours = [our_minute(dt) for dt in TICKS]
-    rows = [("advance_cradle, tick", "processor time", "energy error")]
+    rows = [("many_ticks, tick", "processor time", "energy error")]
     rows += [(f"{1000 * dt:g} ms", *shown(*minute)) for dt, minute in zip(TICKS, ours, strict=True)]
     print(f"{MINUTE:g} simulated seconds of five pendula. Energy error: the largest at any {SAMPLE:g} s.\n")
     show_table(*rows)
@@ -249,15 +258,46 @@ def viewer_load(program, count, seconds=40) -> tuple[float, float]:
     return cpu / passed, simulated / passed
 
 
-def show_viewer() -> None:
-    """Print what the viewer takes."""
-    rows = [("pendula", "of a core", "simulated seconds in one")]
-    for name, kind, counts in (("cradle", "", (5, 50, 100)), ("double_cradle", " double", (5, 10))):
-        for count in counts:
-            load, pace = viewer_load(ROOT / "src" / f"visualize_{name}_run.py", count)
-            rows.append((f"{count}{kind}", f"{load:.1%}", f"{pace:.2f}"))
+def show_viewer(plain) -> None:
+    """Print what the viewer takes, with the fast path, and in the project plain, which does without."""
+    rows = [("pendula", "of a core", "simulated seconds in one", "single ticks: of a core", "simulated seconds in one")]
+    for count in (5, 50, 100):
+        loads = [viewer_load(root / "src" / "visualize_cradle_run.py", count) for root in (ROOT, plain)]
+        rows.append((str(count), *(text for load, pace in loads for text in (f"{load:.1%}", f"{pace:.2f}"))))
+    for count in (5, 10):
+        load, pace = viewer_load(ROOT / "src" / "visualize_double_cradle_run.py", count)
+        rows.append((f"{count} double", "", "", f"{load:.1%}", f"{pace:.2f}"))
     print("The viewer, VPython's serving included, in Chromium.\n")
     show_table(*rows)
+
+
+def show_recording(plain) -> None:
+    """Print what it takes to record a minute, with the fast path, and in the project plain, which does without."""
+    rows = [("pendula", "--record of a minute", "by single ticks")]
+    for count in (5, 100):
+        times = []
+        for root in (ROOT, plain):
+            with tempfile.TemporaryDirectory() as folder:
+                Path(folder, "cradle.csv").write_text(csv_of(count))
+                options = ["cradle.csv", "--record", "data.csv", "--seconds", f"{MINUTE:g}"]
+                before = os.times()
+                command = [sys.executable, str(root / "src" / "text_cradle_run.py"), *options]
+                subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, check=True)
+                times.append(os.times().children_user - before.children_user)
+        rows.append((str(count), *(f"{time:.1f} s" for time in times)))
+    print("Processor time.\n")
+    show_table(*rows)
+
+
+def project_without_fast_path(folder) -> Path:
+    """Return a copy of the project, in this folder, in which the tick has one more line, that does nothing."""
+    from programs import copy_project
+
+    project = copy_project(Path(folder), csv_of(5))
+    file = project / "src" / "visualize_cradle_run.py"
+    line = "    full_swing_update(pend_list, r_param, dt, g)\n"
+    file.write_text(file.read_text().replace(line, f"    pass\n{line}"))
+    return project
 
 
 if __name__ == "__main__":
@@ -269,4 +309,7 @@ if __name__ == "__main__":
     else:
         show_ticks()
         show_minutes()
-        show_viewer()
+        with tempfile.TemporaryDirectory() as folder:
+            plain = project_without_fast_path(folder)
+            show_recording(plain)
+            show_viewer(plain)

@@ -6,7 +6,7 @@ from support.pendulum import make_pendulum
 
 R = 0.4  # m, not the shipped cord length, so that a constant in place of the parameter shows
 
-# No two pendula alike, no value a default, and none of theta and omega what make_newton_cradle is to set.
+# No two pendula alike, no value a default, and neither theta nor omega what make_newton_cradle must set.
 MIXED_CSV = """\
 mass,e,theta,omega,color,texture
 1.5,0.9,0.3,2.0,red,metal

@@ -35,7 +35,7 @@ def next_step(outcomes) -> str:
         function, outcome = FUNCTIONS[check.function], outcomes[check.name]
         if outcome.state == FAULT:
             return f"show your teacher the grader's fault in {check.name}"
-        if outcome.state == FAILED:
+        if outcome.state == FAILED or outcome.place:
             return f"{check.function} in {function.file}; read in the handout: {function.read}"
     for check in made:
         if outcomes[check.name].state == WAITING:
@@ -44,6 +44,21 @@ def next_step(outcomes) -> str:
         if len([check for check in made if check.tier == tier]) < len(checks(tier=tier)):
             return f"all checks of tier {tier}, which were not all run"
     return "nothing is left to write; show it to someone"
+
+
+def unwritten(outcomes) -> list[str]:
+    """Return where the functions are that are not written yet, in the order of the handout, each as a line of text."""
+    made = [check for tier in SUITES for check in checks(tier=tier) if check.name in outcomes]
+    places = {check.function: outcomes[check.name].place for check in made}
+    return [f"{function} in {place}" for function, place in places.items() if place]
+
+
+def verdict(graded) -> list[str]:
+    """Return what a grade says: the tiers that were run, each by itself, if they do not begin with the first one."""
+    if next(iter(SUITES)) in graded["tiers"]:
+        return [f"Grade: {graded['grade'] or 'none yet'}."]
+    tiers = graded["tiers"].items()
+    return [f"Tier {tier} is {'' if of['points'] == of['of'] else 'not '}complete." for tier, of in tiers]
 
 
 def lines(outcomes) -> list[tuple[str, str]]:
@@ -55,6 +70,9 @@ def lines(outcomes) -> list[tuple[str, str]]:
         line = f"{tier:<12}{counts['passed']:>8}{counts['waiting']:>9}{counts['failed']:>8}{points:>10}"
         color = "green" if counts["points"] == counts["of"] else "red" if counts["failed"] else "yellow"
         table.append((line, color))
-    waits = Counter(outcome.message for outcome in outcomes.values() if outcome.state == WAITING)
+    waits = Counter(of.message for of in outcomes.values() if of.state == WAITING and not of.place)
     table += [(f"{count} wait {message.removeprefix('waits ')}", "yellow") for message, count in waits.items()]
-    return [*table, (f"Grade: {graded['grade'] or 'none yet'}.", "bold"), (f"Next:  {graded['next']}.", "bold")]
+    what_next = graded["next"]
+    if any(of.state == FAILED for of in outcomes.values()) and not unwritten(outcomes):
+        what_next = what_next.partition("; ")[0]  # where to read stands in the message that is shown
+    return [*table, *((line, "bold") for line in [*verdict(graded), f"Next:  {what_next}."])]

@@ -3,7 +3,7 @@
 A check is a function in test_d.py, test_c.py, test_b.py, test_a.py or test_honor_roll.py with @check("...") above it,
 which names the function of the handout that it is a check of. Its docstring, a sentence of the handout, is its public
 name. It calls that function through expect, which compares what it returned or changed with what was expected; how the
-function is written is nobody's business here.
+function is written does not matter here.
 """
 
 import importlib
@@ -18,15 +18,31 @@ from numbers import Real
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import pandas  # noqa: F401  here, as its first import takes long, and the patience with a solution is short
 from handout import FUNCTIONS, needed, SUITES
-from telling import A, about, Call, culprit_of, message, own_lines, plain, PlainFile, raised, ROOT, shown
+from telling import (
+    A,
+    about,
+    Call,
+    culprit_of,
+    import_hint,
+    message,
+    own_lines,
+    place_of,
+    plain,
+    PlainFile,
+    raised,
+    ROOT,
+    shown,
+    unwritten,
+)
 from vpython import vector
 
 from support.command_line import command_line
 from support.constants import NC_FP
-from support.unwritten import unwritten
 
 PATIENCE = 5.0  # s after which a function that has not come back counts as one that never does
+LONG = 130  # characters of a list: of longer ones only the first difference is shown
 
 # What is raised where something is looked for in a value that has another form.
 OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
@@ -81,7 +97,7 @@ class MistakeError(Exception):
     """What came back, or was changed, is not what the handout asks for."""
 
     def __init__(self, call, lines, hung=False, playable=False):
-        """lines are what a student is to read below the call, each as (label, text)."""
+        """lines are what a student must read below the call, each as (label, text)."""
         super().__init__(message([("called", call.lines()), *lines]))
         self.call, self.hung, self.playable = call, hung, playable
 
@@ -94,18 +110,26 @@ class WaitError(Exception):
         self.hung = hung
 
 
+class UnwrittenError(Exception):
+    """The function of a check is not written yet; the place is named at which it must be."""
+
+
+CALLS: list[Call] = []  # those of the check that is made
+
+
 def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, feeds=False) -> Any:
-    """Call a student's function; raise MistakeError if what comes of it is not what it is to give.
+    """Call a student's function; raise MistakeError if what comes of it is not what it must give.
 
     see(result) takes out of the result, or out of the arguments, what is compared with gives (an A, or a value that is
-    compared by same); what says in words what that is. hints are pairs of what a certain mistake gives, or a test of
-    that, and the sentence that names the mistake. It is called so many times; if it feeds itself, what it returns are
-    the first arguments of the next call. Returns the last result.
+    compared by same); what says in words what that is. hints are pairs of what a certain mistake gives (a value, an
+    error, or a test of that) and the sentence that names the mistake. times says how often it is called; if it feeds
+    itself, what it returns are the first arguments of the next call. Returns the last result.
     """
     call = Call(function, tuple(plain(argument) for argument in arguments), times)
+    CALLS.append(call)
     wanted = ("expected", about(what, gives))
     solution = find(function)
-    result = run(call, solution, arguments, wanted, feeds)
+    result = run(call, solution, arguments, wanted, feeds, hints)
     for before, path in zip(call.arguments, arguments, strict=True):
         if isinstance(before, PlainFile) and plain(path) != before:
             lines = [("came back", "The file is not as it was before.")]
@@ -120,7 +144,10 @@ def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, fe
         raise MistakeError(call, [("came back", lines), wanted, *hint(result, gives, hints)]) from None
     if not fits(came, gives):
         digits = 6 if shown(came) != shown(gives) else 15  # or they would look alike
-        lines = [("came back", about(what, came, digits)), ("expected", about(what, gives, digits))]
+        at, *values = first_difference(what, came, gives)
+        lines = [
+            (label, about(at, value, digits)) for label, value in zip(("came back", "expected"), values, strict=True)
+        ]
         raise MistakeError(call, [*lines, *hint(came, gives, hints)], playable=has_form_of(came, gives))
     return result
 
@@ -139,29 +166,34 @@ def find(function) -> Callable:
         if culprit != file and culprit in {other.file for other in FUNCTIONS.values()}:
             raise WaitError(culprit, hung) from None
         lines = [("came back", stopped(error))] if hung else [("it raised", raised(error))]
-        if isinstance(error, ModuleNotFoundError):
-            is_here = (ROOT / "src" / f"{error.name}.py").is_file()
-            not_here = "Is its name right, and is it installed for the Python that runs this?"
-            lines.append(("hint", f"Its name is src.{error.name}." if is_here else not_here))
-        raise MistakeError(Call(function), lines, hung) from None
+        raise MistakeError(Call(function), [*lines, *import_hint(error)], hung) from None
     if not callable(getattr(module, function, None)):
         raise MistakeError(Call(function), [("came back", f"There is no such function in {file}.")])
     return getattr(module, function)
 
 
-def run(call, solution, arguments, wanted, feeds) -> Any:
-    """Return what a student's function returns; raise MistakeError if it raises something, or does not come back."""
+def run(call, solution, arguments, wanted, feeds, hints) -> Any:
+    """Return what a student's function returns; raise MistakeError if it raises something, or does not come back, and
+    UnwrittenError or WaitError if it, or one that it calls, is not written yet.
+    """
     try:
         for _ in range(call.times):
             result = solution(*arguments)
             if feeds and isinstance(result, tuple):
                 arguments = (*result, *arguments[len(result) :])
     except BaseException as error:  # also SystemExit
-        if not isinstance(error, KeyboardInterrupt):
-            raise MistakeError(call, [("it raised", raised(error)), wanted]) from None
-        if not LATE.is_set():
-            raise
-        raise MistakeError(call, [("came back", stopped(error)), wanted], hung=True) from None
+        if isinstance(error, KeyboardInterrupt):
+            if not LATE.is_set():
+                raise
+            raise MistakeError(call, [("came back", stopped(error)), wanted], hung=True) from None
+        stub = unwritten(error)
+        if stub not in (None, call.function):
+            raise WaitError(stub) from None
+        if stub and call.arguments == tuple(map(plain, arguments)):
+            raise UnwrittenError(place_of(error, FUNCTIONS[stub].file)) from None
+        has_worked = [("hint", "What you wrote has worked. Now delete this line.")] if stub else []
+        lines = [("it raised", raised(error)), wanted, *has_worked, *hint(error, None, hints)]
+        raise MistakeError(call, lines) from None
     return result
 
 
@@ -250,9 +282,21 @@ def same(came, wanted) -> bool:
     return type(came) is type(wanted) and bool(came == wanted)
 
 
+def first_difference(what, came, wanted) -> tuple:
+    """Return what, came and wanted: if they are long lists, those of the first element that is not right."""
+    are_lists = isinstance(came, list) and isinstance(wanted, list) and len(came) == len(wanted)
+    are_long = are_lists and max(len(shown(came)), len(shown(wanted))) > LONG
+    if are_long or (are_lists and isinstance(wanted[0], dict)):
+        i = [same(*pair) for pair in zip(came, wanted, strict=True)].index(False)
+        return f"{what} at index {i}".lstrip(), came[i], wanted[i]
+    return what, came, wanted
+
+
 def has_form_of(came, wanted) -> bool:
     """Return whether what came back is wrong by its numbers only, so that a scene can be played with it."""
-    if isinstance(wanted, tuple):
+    if isinstance(wanted, A):
+        return has_form_of(came, wanted.like)
+    if isinstance(wanted, (tuple, list)):
         is_row = isinstance(came, (tuple, list)) and len(came) == len(wanted)
         return is_row and all(map(has_form_of, came, wanted))
     return isinstance(came, Real) if isinstance(wanted, Real) else came is not None
@@ -281,7 +325,8 @@ PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
 class Outcome(NamedTuple):
     state: str
     message: str = ""
-    call: Call | None = None  # the one that failed, if it can be watched
+    call: Call | None = None  # the one that failed, or the first one if none did, if it can be watched
+    place: str = ""  # where the function of the check must be written, if it is not
 
 
 class Grading:
@@ -289,11 +334,10 @@ class Grading:
 
     def __init__(self):
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
-        self.unwritten = unwritten(*{Path(function.file).stem for function in FUNCTIONS.values()})
         self.hung: dict[str, str] = {}  # functions and files that did not come back, and what kept them: mostly they
 
     def judge(self, check) -> Outcome:
-        """Return the outcome of a check. It waits if a function that its own one uses has failed checks of its own."""
+        """Return the outcome of a check. It waits if a function that its own one uses is not right itself."""
         if check.name not in self.outcomes:
             self.outcomes[check.name] = self.outcome_of(check)
         return self.outcomes[check.name]
@@ -301,11 +345,12 @@ class Grading:
     def outcome_of(self, check) -> Outcome:
         """Return the outcome of a check that has not been made yet."""
         function = FUNCTIONS[check.function]
-        if check.function in self.unwritten:
-            return Outcome(FAILED, self.not_written(check, self.unwritten[check.function]))
-        waits = [name for name in needed(check.function) if self.has_failed(name)]
+        waits = [name for name in needed(check.function) if self.is_wrong(name)]
         if waits:
-            return Outcome(WAITING, f"waits for {', '.join(waits)}")
+            # Only to see whether it is written at all; not again where something hangs.
+            outcome = None if self.hung else self.make(checks(function=check.function)[0])
+            is_written = outcome is None or not outcome.place
+            return Outcome(WAITING, f"waits for {', '.join(waits)}") if is_written else outcome
         for name in (function.file, check.function):
             if self.hung.get(name) == name:
                 lines = [("not called", f"{name} did not come back within {PATIENCE:g} s before.")]
@@ -314,19 +359,14 @@ class Grading:
                 return Outcome(WAITING, f"waits for {self.hung[name]}")
         return self.make(check)
 
-    def not_written(self, check, place) -> str:
-        """Return the message of a check whose function is not written yet: in full for the first one only."""
-        if any(other.name in self.outcomes for other in checks(function=check.function)):
-            return f"not written yet: {place}"
-        lines = [f"{check.function} is not written yet.", f"What you write takes the place of {place}."]
-        return message([("called", Call(check.function).lines()), ("came back", lines), where_to_read(check)])
-
-    def has_failed(self, function) -> bool:
-        """Return whether any of the function's own checks fails."""
-        return any(self.judge(check).state in (FAILED, FAULT) for check in checks(function=function))
+    def is_wrong(self, function) -> bool:
+        """Return whether the function is not written, or any of its own checks fails."""
+        outcomes = map(self.judge, checks(function=function))
+        return any(outcome.place or outcome.state in (FAILED, FAULT) for outcome in outcomes)
 
     def make(self, check) -> Outcome:
-        """Return what comes of a check that is to be made."""
+        """Return what comes of a check that must be made."""
+        CALLS.clear()
         shipped = Path(NC_FP)
         before = shipped.read_bytes() if shipped.is_file() else None
         try:
@@ -344,6 +384,8 @@ class Grading:
             if is_scene:
                 lines.append(("watch", f"{command_line('tests/watch.py', ROOT)} {check.name}"))
             return Outcome(FAILED, f"{mistake}\n{message(lines)}", mistake.call if is_scene else None)
+        except UnwrittenError as place:
+            return Outcome(WAITING, f"waits for you to write {check.function} in {place}", place=str(place))
         except WaitError as error:
             if error.hung:
                 self.hung[FUNCTIONS[check.function].file] = str(error)
@@ -353,7 +395,7 @@ class Grading:
                 raise
             lines = ["This is a fault of the grader, not of the solution. Please show it to your teacher."]
             return Outcome(FAULT, "\n".join([*lines, traceback.format_exc().rstrip()]))
-        return Outcome(PASSED)
+        return Outcome(PASSED, call=CALLS[0] if check.watched else None)
 
 
 def where_to_read(check) -> tuple[str, str]:

@@ -11,14 +11,15 @@ class Function(NamedTuple):
     file: str
     parameters: str
     read: str  # where in the handout
-    calls: tuple[str, ...] = ()  # the other functions here that it is to use
+    calls: tuple[str, ...] = ()  # the other functions here that it must use
+    reads: tuple[str, ...] = ()  # of a pendulum
 
 
 SPECIAL, SWINGING = "src/special_cradles.py", "src/swinging.py"
 RUN, DOUBLE = "src/visualize_cradle_run.py", "src/double_cradle.py"
 
 CONVERTER, CREATION = "A CVS to pend_list converter (D Tests)", "Pendulum Creation (D Tests)"
-SWING = "Swing Implementation (C Tests), and Appendix: Physics Derivations!"
+SWING = "Swing Implementation (C Tests), and Appendix: Physics Derivations"
 COLLISIONS = "Handling Collisions (B Tests), and Appendix: Conservation Laws"
 RUNNING, CHALLENGE = "Running the Simulation (A Tests)", "Honor Roll Challenge"
 
@@ -33,12 +34,19 @@ FUNCTIONS = {
         "D", SPECIAL, "relative_filepath, r_param, theta_init", CREATION, ("extract_and_convert",)
     ),
     "angle_update": Function("C", SWINGING, "omega, theta, r_param, dt, g", SWING),
-    "full_swing_update": Function("C", SWINGING, "pend_list, r_param, dt, g", SWING, ("angle_update",)),
-    "handle_collision": Function("B", RUN, "e, omega1, omega2, m1, m2, r_param", COLLISIONS),
-    "handle_two_bobs": Function("B", RUN, "pend1, pend2, r_param", COLLISIONS, ("handle_collision",)),
-    "newton_cradle_tick": Function(
-        "A", RUN, "pend_list, r_param, dt, g", RUNNING, ("full_swing_update", "handle_two_bobs")
+    "full_swing_update": Function(
+        "C", SWINGING, "pend_list, r_param, dt, g", SWING, ("angle_update",), ("theta", "omega")
     ),
+    "handle_collision": Function("B", RUN, "e, omega1, omega2, m1, m2, r_param", COLLISIONS),
+    "handle_two_bobs": Function(
+        *("B", RUN, "pend1, pend2, r_param", COLLISIONS, ("handle_collision",)),
+        reads=("mass", "e", "omega", "bob", "radius"),
+    ),
+    "newton_cradle_tick": Function(
+        *("A", RUN, "pend_list, r_param, dt, g", RUNNING, ("full_swing_update", "handle_two_bobs")),
+        reads=("mass", "e", "theta", "omega", "bob"),
+    ),
+    "main": Function("A", RUN, "page", RUNNING, ("make_newton_cradle", "newton_cradle_tick")),
     "make_double_pendulum": Function(HONOR, DOUBLE, "axle_pos, r_param, theta, phi, color, texture", CHALLENGE),
     "double_angle_update": Function(
         HONOR, DOUBLE, "omega_theta, omega_phi, theta, phi, r_param, dt, g, m1, m2", CHALLENGE

@@ -4,6 +4,7 @@ It is the project with the bodies of the handout's functions taken out, and of t
 """
 
 import ast
+import re
 import shutil
 import sys
 import tempfile
@@ -27,8 +28,45 @@ FILES = [
     *(f"tests/{suite}.py" for suite in SUITES.values()),
 ]
 FOLDERS = ["src", "support"]
-UNUSED = ["__pycache__", "double.png", "swing.png"]
+# Pictures of the README, and what holds answers: the fast path, and the collisions of the double cradle.
+UNUSED = ["__pycache__", "double.png", "swing.png", "many_ticks.py", "double_collisions.py"]
 PROVIDED = {"extract_and_convert": 2}  # how many statements the handout provides, at the beginning of a body
+
+RUN, DOUBLE_RUN = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"
+# Functions of the honor roll that no check is for, by their file.
+UNGRADED = {"src/double_cradle.py": ["double_cradle_tick"], DOUBLE_RUN: ["main"]}
+# What a body that is taken out needs, as the handout says it: the file still imports that.
+OFFERED = {
+    *("COLOR_MAP", "DOUBLE_DT", "DT", "G", "PHI_INIT", "R_PARAM", "TEXTURE_MAP", "THETA_INIT", "mag"),
+    *(
+        "double_cradle_tick",
+        "extract_and_convert",
+        "full_swing_update",
+        "make_bob_and_cord",
+        "make_double_newton_cradle",
+    ),
+    *("make_newton_cradle", "make_pendulum", "vector"),
+}
+RULE = "    page.rule says whether separating bobs collide, if the functions can be told so.\n"
+# What a student's file says otherwise: the lines of the handout, and nothing of what is beyond it.
+CHANGES = [
+    ("pyproject.toml", re.compile(r"\n\[tool\.ruff\].*", re.DOTALL), ""),
+    ("src/pds_helper.py", "pd.read_csv(cleaned(relative_filepath), **EXACT_FLOATS)", "pd.read_csv(relative_filepath)"),
+    ("src/pds_helper.py", re.compile(r"# pandas reads floats .*?\n\n\n", re.DOTALL), "\n"),
+    ("src/pds_helper.py", re.compile(r"\n\n    Spaces around names .*?\n    (?=\"\"\")", re.DOTALL), ""),
+    ("src/special_cradles.py", re.compile(r"    Raises a ValueError .*?\n"), ""),
+    (RUN, re.compile(r"# Python 3.9 has no pairwise.*?\n"), ""),
+    (RUN, re.compile(r", approaching_only=False(?=\))"), ""),
+    (RUN, re.compile(r"    With approaching_only.*?\n"), ""),
+    (RUN, RULE, ""),
+    (RUN, re.compile(r" *from src.beyond.many_ticks import many_ticks\n"), ""),
+    (RUN, "show_cradle(main, many_ticks)", "show_cradle(main)"),
+    ("src/text_cradle_run.py", "from src.beyond.many_ticks import many_ticks\n", ""),
+    ("src/text_cradle_run.py", ", many_ticks)", ")"),
+    ("src/double_cradle.py", ", approaching_only=True)", ")"),
+    ("src/double_cradle.py", re.compile(r"\n\n    With approaching_only.*?\n    (?=\"\"\")"), ""),
+    (DOUBLE_RUN, RULE, ""),
+]
 
 README = """\
 # Newton's cradle
@@ -64,7 +102,9 @@ in place of `.venv/bin/`.
 
 Where what is wrong can be watched, the message ends with the command that plays it in the terminal.
 
-**See** the data as soon as you like, and the cradle once all but the honor roll is written; in the terminal, too:
+**See** what there is, in the browser or in the terminal: the data at once, and the cradle as soon as the functions for
+D are written. It swings with those for C, and its bobs collide with those for B and A. A line says what is still to be
+written.
 
     .venv/bin/python pds_tester.py
     .venv/bin/python src/visualize_cradle_run.py
@@ -74,9 +114,11 @@ and the double cradle once the honor roll is written:
 
     .venv/bin/python src/visualize_double_cradle_run.py
 
-The programs do many ticks at once, by `advance_cradle` with your `angle_update` and `handle_collision`; your
-`handle_two_bobs` and `newton_cradle_tick` say what such ticks have to do, and are checked by `pytest`. The cradle's CSV
-is `newton_cradle_pends.csv`, in this folder.
+The programs run your functions, as you have written them: change one, start the program again, and see what it does.
+The cradle's CSV is `newton_cradle_pends.csv`, in this folder.
+
+The honor roll has three more places, which no check is for: `double_cradle_tick`, in which you decide what happens to
+two double pendula that touch, and the two calls in `main` of `src/visualize_double_cradle_run.py`.
 """
 
 
@@ -104,25 +146,72 @@ def make_starter(folder) -> None:
         for name in FILES:
             (made / name).parent.mkdir(exist_ok=True)
             shutil.copy(ROOT / name, made / name)
-        for file in {function.file for function in FUNCTIONS.values()}:
+        for file in sorted({change[0] for change in CHANGES} | {function.file for function in FUNCTIONS.values()}):
             path = made / file
-            path.write_text(emptied(path.read_text(encoding="utf-8")), encoding="utf-8", newline="\n")
+            path.write_text(for_students(file, path.read_text(encoding="utf-8")), encoding="utf-8", newline="\n")
         rows = (f"| {of.tier} | `{name}` | `{of.file}` |" for name, of in FUNCTIONS.items())
         readme = README.format(rows="\n".join(rows))
         (made / "README.md").write_text(readme, encoding="utf-8", newline="\n")
         shutil.copytree(made, folder, dirs_exist_ok=True)
 
 
-def emptied(source) -> str:
-    """Return the source of a module without the bodies of the handout's functions, but with their docstrings."""
+def for_students(file, source) -> str:
+    """Return the source of a file as students get it."""
+    for of, before, after in CHANGES:
+        if of == file:
+            source, count = re.subn(before if isinstance(before, re.Pattern) else re.escape(before), after, source)
+            assert count, f"{file} has no {before}"
+    if not file.endswith(".py"):
+        return source
+    graded = [name for name, function in FUNCTIONS.items() if function.file == file]
+    return without_imports(emptied(source, graded + UNGRADED.get(file, [])))
+
+
+def emptied(source, names) -> str:
+    """Return the source of a module without the bodies of these functions, but with their docstrings.
+
+    Of main, only the two calls of functions that are a student's own are taken out.
+    """
     lines = source.splitlines()
     for node in reversed(ast.parse(source).body):
-        if isinstance(node, ast.FunctionDef) and node.name in FUNCTIONS:
-            kept = node.body[PROVIDED.get(node.name, 0)]  # the docstring is the first statement
-            lines[kept.end_lineno : node.end_lineno] = [
-                "    # Write your code here, in place of the next line.",
-                f'    raise NotImplementedError("{node.name} is not written yet")',
-            ]
+        if isinstance(node, ast.FunctionDef) and node.name in names:
+            first = node.body[PROVIDED.get(node.name, 0)].end_lineno  # the docstring is the first statement
+            taken = own_calls(node) if node.name == "main" else [(first, node.end_lineno, 4, "")]
+            for start, end, indent, what in reversed(taken):
+                lines[start:end] = [
+                    " " * indent + f"# Write your code here, in place of the next line{what}.",
+                    " " * indent + f'raise NotImplementedError("{node.name} is not written yet")',
+                ]
+    return "\n".join(lines) + "\n"
+
+
+def own_calls(main) -> list[tuple[int, int, int, str]]:
+    """Return the statements of main that call a student's own function.
+
+    Each is (line before, last line, indentation, words for what it does).
+    """
+    return [
+        (
+            node.lineno - 1,
+            node.end_lineno,
+            node.col_offset,
+            ": make pend_list" if isinstance(node, ast.Assign) else ": one tick",
+        )
+        for node in ast.walk(main)
+        if isinstance(node, (ast.Assign, ast.Expr)) and isinstance(node.value, ast.Call)
+        if isinstance(node.value.func, ast.Name)
+    ]
+
+
+def without_imports(source) -> str:
+    """Return the source of a module without the imports that neither it nor its student needs."""
+    tree = ast.parse(source)
+    used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} | OFFERED
+    lines = source.splitlines()
+    for node in reversed([node for node in tree.body if isinstance(node, ast.ImportFrom)]):
+        names = [alias.name for alias in node.names if alias.name in used]
+        if len(names) < len(node.names):
+            lines[node.lineno - 1 : node.end_lineno] = [f"from {node.module} import {', '.join(names)}"] * bool(names)
     return "\n".join(lines) + "\n"
 
 

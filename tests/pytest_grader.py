@@ -1,7 +1,9 @@
 """The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table ends a run."""
 
 import json
+from collections import Counter
 from pathlib import Path
+from shutil import get_terminal_size
 
 import pytest
 
@@ -9,20 +11,26 @@ from support import headless_vpython
 
 headless_vpython.install()
 
-from grade import grade, lines
-from grader import CHECKS, FAILED, FAULT, Grading, WAITING
+from grade import grade, lines, unwritten
+from grader import CHECKS, FAILED, FAULT, Grading, PASSED, WAITING
 from handout import SUITES
 
 from support.whole_file import whole_file
 
+PRINTED = 10  # lines that are shown of what a solution has printed
 TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes them
 
 
 def pytest_addoption(parser):
     group = parser.getgroup("graded suites")
     text = "run the graded suite of one tier only: D, C, B, A or honor"
-    group.addoption("--tier", type=str.upper, choices=list(TIERS), metavar="TIER", help=text)
+    group.addoption("--tier", type=tier_name, choices=list(TIERS), metavar="TIER", help=text)
     group.addoption("--grade-json", metavar="FILE", help="write the grade to FILE")
+
+
+def tier_name(text) -> str:
+    """Return the name of a tier as TIERS has it: HONOR for honor, and for "Honor roll"."""
+    return text.upper().partition(" ")[0]
 
 
 def pytest_configure(config):
@@ -58,6 +66,8 @@ class Item(pytest.Item):
     def runtest(self):
         outcome = self.config.ran[self.name] = self.config.grading.judge(self.check)
         if outcome.state == WAITING:
+            if self.config.option.maxfail == 1:  # -x
+                self.session.shouldfail = "stopping at the first check that waits"
             pytest.skip(outcome.message)
         if outcome.state in (FAILED, FAULT):
             pytest.fail(outcome.message, pytrace=False)
@@ -66,20 +76,29 @@ class Item(pytest.Item):
         return self.path, self.check.ask.__code__.co_firstlineno - 1, self.check.title()
 
 
+def outcome_of(report, config):
+    """Return the outcome of the check that a report is about, or None if it is about another test."""
+    return config.ran.get(report.nodeid.rpartition("::")[2])
+
+
 def pytest_report_teststatus(report, config):
-    outcome = config.ran.get(report.nodeid.rpartition("::")[2])
+    outcome = outcome_of(report, config)
     if outcome and outcome.state == WAITING and report.skipped:
         return WAITING, "w", "WAITING"
     return None
 
 
 def pytest_sessionfinish(session):
-    """Write the grade. If the file cannot be written the exit status says so, which else is pytest's own."""
-    file = session.config.option.grade_json
-    if file and session.config.ran:
+    """Write the grade. The exit status, else pytest's own, is 1 also if checks wait, and says if the file cannot be
+    written.
+    """
+    ran, file = session.config.ran, session.config.option.grade_json
+    if session.exitstatus == pytest.ExitCode.OK and any(outcome.state != PASSED for outcome in ran.values()):
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+    if file and ran:
         try:
             with whole_file(file) as out:
-                json.dump(grade(session.config.ran), out, indent=4)
+                json.dump(grade(ran), out, indent=4)
                 out.write("\n")
         except OSError as error:
             session.exitstatus = pytest.ExitCode.USAGE_ERROR
@@ -88,11 +107,47 @@ def pytest_sessionfinish(session):
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_terminal_summary(terminalreporter, config):
-    """Show the table below everything else."""
+    """Show the checks that fail below everything else, and the table below them."""
+    failed = terminalreporter.stats.get("failed", [])
+    mistakes = [report for report in failed if outcome_of(report, config)]
+    if mistakes:
+        terminalreporter.stats["failed"] = [report for report in failed if report not in mistakes]
     yield
+    if mistakes:
+        terminalreporter.stats["failed"] = failed
+    terminalreporter.currentfspath = None  # no line is begun: or an empty one would be put in
     if config.ran:
+        show_unwritten(terminalreporter, unwritten(config.ran))
+        show_mistakes(terminalreporter, config, mistakes)
         terminalreporter.section("Grade")
         for line, color in lines(config.ran):
-            terminalreporter.write_line(line, **{color: True})
+            terminalreporter.line(line, **{color: True})
     if hasattr(config, "not_written"):
         terminalreporter.write_line(config.not_written, red=True)
+
+
+def show_unwritten(terminal, places) -> None:
+    """Show which functions are not written yet, each in a line."""
+    if places:
+        terminal.section("Not written yet")
+        for place in places:
+            terminal.line(place, yellow=True)
+
+
+def show_mistakes(terminal, config, mistakes) -> None:
+    """Show the first check that fails, and above it, from the last one on, how many more fail of each function."""
+    if not mistakes:
+        return
+    terminal.section("Failures")
+    first, *others = mistakes
+    more = Counter(CHECKS[report.nodeid.rpartition("::")[2]].function for report in others)
+    for function, count in reversed(more.items()):
+        terminal.line(f"{count} more fail{'s' if count == 1 else ''}: {function}", red=True)
+    title, width = first.location[2], get_terminal_size().columns - 4
+    terminal.section(title if len(title) <= width else f"{title[: width - 3]}...", "_", red=True)
+    printed = first.capstdout.splitlines()
+    for line in printed[:PRINTED]:
+        terminal.line(f"printed     {line}")
+    if len(printed) > PRINTED:
+        terminal.line(f"printed     ... ({len(printed)} lines in all)")
+    terminal.line(outcome_of(first, config).message)

@@ -226,7 +226,11 @@ RIGHT = {
         "the vector's own magnitude": ("mag(bob1.pos - bob2.pos)", "(bob1.pos - bob2.pos).mag"),
         "math's square root": (
             "mag(bob1.pos - bob2.pos)",
-            "sqrt((bob1.pos.x - bob2.pos.x)**2 + (bob1.pos.y - bob2.pos.y)**2 + (bob1.pos.z - bob2.pos.z)**2)",
+            "__import__('math').sqrt(sum(d**2 for d in (bob1.pos - bob2.pos).value))",
+        ),
+        "the distance in the plane of swing": (
+            "mag(bob1.pos - bob2.pos)",
+            "((bob1.pos.x - bob2.pos.x)**2 + (bob1.pos.y - bob2.pos.y)**2)**0.5",
         ),
         "squares compared": (
             "mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)",
@@ -283,6 +287,54 @@ RIGHT = {
             """,
         "returns the list, too": ("r_param)\n        ", "r_param)\n        return pend_list\n        "),
         "returns a tuple, too": ("r_param)\n        ", "r_param)\n        return tuple(pend_list)\n        "),
+    },
+    "main": {
+        "plainly": ("", ""),
+        "the rule handed on": ("DT, G)", "DT, G, **page.rule)"),
+        "NC_FP": ("page.csv", "__import__('support.constants').constants.NC_FP"),
+        "by names": """\
+            while page.is_running():
+                if page.wants_cradle():
+                    cradle = make_newton_cradle(relative_filepath=page.csv, theta_init=THETA_INIT, r_param=R_PARAM)
+                    page.show(cradle)
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list=cradle, g=G, dt=DT, r_param=R_PARAM)
+            """,
+        "the module of the constants": """\
+            from support import constants
+            length, angle = constants.R_PARAM, constants.THETA_INIT
+            while page.is_running():
+                if page.wants_cradle():
+                    pend_list = make_newton_cradle(constants.NC_FP, length, angle)
+                    page.show(pend_list)
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list, length, constants.DT, constants.G)
+            """,
+        "made and shown at once": """\
+            while page.is_running():
+                if page.wants_cradle():
+                    page.show(pend_list := make_newton_cradle(page.csv, R_PARAM, THETA_INIT))
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
+            """,
+        "a list that stays": """\
+            pend_list = []
+            while page.is_running():
+                if page.wants_cradle():
+                    pend_list[:] = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+                    page.show(pend_list)
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
+            """,
+        "made before the loop, too": """\
+            pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+            while page.is_running():
+                if page.wants_cradle():
+                    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+                    page.show(pend_list)
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
+            """,
     },
     "make_double_pendulum": {
         "plainly": ("", ""),

@@ -3,25 +3,33 @@
 import re
 import traceback
 from collections.abc import Callable
+from dataclasses import dataclass
 from itertools import islice
 from numbers import Real
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from handout import FUNCTIONS
 from vpython import box, cylinder, sphere, vector
 
 ROOT = Path(__file__).resolve().parents[1]
 LABEL = 12  # columns of the words at the left of a message
+WIDTH = 62  # columns of what stands to the right of them, where it can be broken: a terminal has 80
 MOST = 20  # elements of a list that are shown
+PENDULA = 3  # pendula of a call that are shown
+DICTIONARIES = 1  # of a list that are shown
+ROWS = 4  # lines of a file that are shown
+LINES = 5  # lines of what came back, and of what was expected, that are shown
 LONGEST = 300  # characters of a text that are shown
 
 
-class A(NamedTuple):
+@dataclass(frozen=True)
+class A:
     """Something that is expected of which there is more than one: how to say it, and a test of what came back."""
 
     words: str
     is_one: Callable
+    like: Any = None  # a value of its form
 
 
 class PlainFile(NamedTuple):
@@ -39,15 +47,16 @@ class Call(NamedTuple):
     times: int = 1
 
     def lines(self) -> list[str]:
-        """Return it as text: the call, and below it the pendula and files that it was given."""
+        """Return it as text: the call, and below it of the pendula and files that it was given what it reads."""
+        function = FUNCTIONS[self.function]
         if self.arguments is None:
-            return [f"{self.function}({FUNCTIONS[self.function].parameters})"]
+            return [f"{self.function}({function.parameters})"]
         words: list[str] = []
         below = [f"{self.times} times in a row"] if self.times > 1 else []
-        for name, value in zip(FUNCTIONS[self.function].parameters.split(", "), self.arguments, strict=False):
-            if isinstance(value, (PlainFile, dict, list)):
+        for name, value in zip(function.parameters.split(", "), self.arguments, strict=False):
+            if value and isinstance(value, (PlainFile, dict, list)):
                 words.append(name)
-                below += told(name, value)
+                below += told(name, value, function.reads)
             else:
                 words.append(f"{name}={shown(value)}")
         return [f"{self.function}({', '.join(words)})", *below]
@@ -66,17 +75,25 @@ def plain(value):
     return value
 
 
-def told(name, value) -> list[str]:
-    """Return lines about an argument that is too long to stand in a call: a file, a pendulum, or a list of those."""
+def told(name, value, keys) -> list[str]:
+    """Return lines about an argument that is too long to stand in a call: a file, a pendulum, or a list of those.
+
+    keys are what is told of a pendulum.
+    """
     if isinstance(value, PlainFile):
-        return [f"{name} is the path of {Path(value.path).name}:", *(f"    {line}" for line in value.text.splitlines())]
+        rows = value.text.splitlines()
+        if len(rows) > ROWS:
+            rows[ROWS - 1 :] = [f"... ({len(rows)} lines in all)"]
+        return [f"{name} is the path of {Path(value.path).name}:", *(f"    {row}" for row in rows)]
     if isinstance(value, list):
-        return [line for i, pendulum in enumerate(value) for line in told(f"{name}[{i}]", pendulum)]
-    return [f"{name}: " + ", ".join(f"{key} {shown(part)}" for key, part in value.items())]
+        more = [f"... ({len(value)} in all)"] if len(value) > PENDULA else []
+        lines = [line for i, pend in enumerate(value[:PENDULA]) for line in told(f"{name}[{i}]", pend, keys)]
+        return [*lines, *more]
+    return [f"{name}: " + ", ".join(f"{key} {shown(value[key])}" for key in keys)]
 
 
 def shown(value, digits=6) -> str:
-    """Return any value as text, numbers with so many digits, a list of dictionaries with one a line."""
+    """Return any value as text, numbers with this many digits, a list of dictionaries with one a line."""
     try:
         return text_of(value, digits)
     except RecursionError:
@@ -96,14 +113,15 @@ def text_of(value, digits) -> str:
     if isinstance(value, vector):
         return f"vector({', '.join(text_of(number, digits) for number in value.value)})"
     if isinstance(value, sphere):
-        return f"a bob at {text_of(value.pos, digits)}"
+        return "a bob"
     if isinstance(value, (box, cylinder)):
-        return f"{'an axle' if isinstance(value, box) else 'a cord'} at {text_of(value.pos, digits)}"
+        return "an axle" if isinstance(value, box) else "a cord"
     if isinstance(value, dict):
         parts = [f"{text_of(key, digits)}: {text_of(part, digits)}" for key, part in islice(value.items(), MOST)]
         return "{" + joined(parts, value, value.values()) + "}"
     if isinstance(value, list):
-        return "[" + joined([text_of(part, digits) for part in value[:MOST]], value, value) + "]"
+        most = DICTIONARIES if any(isinstance(part, dict) for part in value) else MOST
+        return "[" + joined([text_of(part, digits) for part in value[:most]], value, value) + "]"
     if isinstance(value, tuple):
         comma = "," if len(value) == 1 else ""
         return "(" + joined([text_of(part, digits) for part in value[:MOST]], value, value) + comma + ")"
@@ -112,18 +130,25 @@ def text_of(value, digits) -> str:
 
 
 def joined(parts, whole, elements) -> str:
-    """Return the parts of a list, tuple or dictionary in one text, and how many there are if these are not all."""
-    more = [f"... ({len(whole)} in all)"] if len(whole) > len(parts) else []
-    long = sum(map(len, parts)) > 100 and all(isinstance(element, (list, tuple)) for element in elements)
-    return (",\n " if long or any(isinstance(element, dict) for element in elements) else ", ").join([*parts, *more])
+    """Return the parts of a list, tuple or dictionary in lines, and how many there are if these are not all."""
+    has_pendula = any(isinstance(element, dict) for element in elements)
+    if len(whole) > len(parts):
+        parts = [*parts, f"... ({len(whole)} in all)"]
+    text = "".join(parts[:1])
+    for part in parts[1:]:
+        line = text.rpartition("\n")[2]
+        text += (",\n " if has_pendula or len(line) + len(part) > WIDTH else ", ") + part
+    return text
 
 
 def about(what, value, digits=6) -> list[str]:
     """Return a value as lines, after the words for what it is: in one line if that is not long."""
     lines = shown(value, digits).split("\n")
+    if len(lines) > LINES:
+        lines[LINES - 1 :] = [" ..."]
     if not what:
         return lines
-    return [f"{what}: {lines[0]}"] if len(lines) == 1 and len(what + lines[0]) < 100 else [f"{what}:", *lines]
+    return [f"{what}: {lines[0]}"] if len(lines) == 1 and len(what + lines[0]) < WIDTH else [f"{what}:", *lines]
 
 
 def message(lines) -> str:
@@ -170,16 +195,53 @@ def raised(error) -> list[str]:
     return [*text[:LONGEST].split("\n"), *own_lines(error)]
 
 
+def unwritten(error) -> str | None:
+    """Return the function whose place in the starter raised this error, as it is not written yet, or None."""
+    stub = re.fullmatch(r"(\w+) is not written yet", str(error)) if isinstance(error, NotImplementedError) else None
+    return stub[1] if stub and stub[1] in FUNCTIONS else None
+
+
+def place_of(error, file) -> str:
+    """Return where in this file of src/ the error arose, as "FILE, line N"."""
+    places = [place for place, _ in own_places(error) if place.startswith(file)]
+    return places[-1].rpartition(", in ")[0] if places else file
+
+
 def culprit_of(error) -> str | None:
     """Return the file of src/ because of which an import failed, or None: the one with a function missing, the one
-    that is missing itself, or the one with the last line that was carried out.
+    that is missing itself, the first one of a circle, or the one with the last line that was carried out.
     """
     missing = re.match(r"cannot import name '(\w+)' from 'src\.", str(error))
     if missing and missing[1] in FUNCTIONS:
         return FUNCTIONS[missing[1]].file
     if isinstance(error, ModuleNotFoundError) and error.name.startswith("src."):
         return error.name.replace(".", "/") + ".py"
+    files = importing(error)
+    if is_circle(error):
+        order = [*{function.file: None for function in FUNCTIONS.values()}]
+        # It is the first one in the order of the handout that imports from a later one.
+        return min(files, key=lambda file: order.index(file) if file in order else len(order), default=None)
+    return files[-1] if files else None
+
+
+def importing(error) -> list[str]:
+    """Return the files of src/ that were being imported when an error arose, the last one last."""
     places = [place for place, _ in own_places(error)]
-    # Of its own lines, not of what they called.
-    importing = [place for place in places if place.endswith("in <module>") or ", in " not in place]
-    return importing[-1].partition(",")[0] if importing else None
+    # Of their own lines, not of what they called.
+    return [place.partition(",")[0] for place in places if place.endswith("in <module>") or ", in " not in place]
+
+
+def is_circle(error) -> bool:
+    """Return whether an import failed because files import from each other."""
+    return "circular import" in str(error)
+
+
+def import_hint(error) -> list[tuple[str, str]]:
+    """Return the hint that fits an import that failed, or none."""
+    if is_circle(error):
+        return [("hint", f"Imports go round in a circle here: leave out the one in {culprit_of(error)}.")]
+    if isinstance(error, ModuleNotFoundError):
+        is_here = (ROOT / "src" / f"{error.name}.py").is_file()
+        not_here = "Is its name right, and is it installed for the Python that runs this?"
+        return [("hint", f"Its name is src.{error.name}." if is_here else not_here)]
+    return []

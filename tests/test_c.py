@@ -3,7 +3,7 @@
 from math import cos, pi, sin
 
 from cradles import hang, R, row
-from grader import check, expect
+from grader import check, expect, same
 from telling import A
 from vpython import vector
 
@@ -42,8 +42,15 @@ MISTAKES = [
     ((1.0, 5 * pi / 6), "theta has not moved."),
     ((2.0, 5 * pi / 6 + 0.2), "omega has not changed."),
     ((2.0, 5 * pi / 6), "These are the old values."),
+    ((-0.8, 5 * pi / 6 - 0.08), "In the first formula, only the acceleration is multiplied by dt, not the old omega."),
+    ((1.0, pi / 12 + 0.1), "In the second formula, only the new omega is multiplied by dt, not the old theta."),
+    ((1.792945, 5 * pi / 6 + 0.179294), "r_param divides the sine of theta; it does not divide theta."),
     ((-10.0, 5 * pi / 6 + 0.1), "The first is the angular acceleration, not the new omega."),
 ]
+
+
+# What // makes of the first two of STEPS, by hand: with the minus before g, and before all of it.
+ROUNDED = [(2.9, -pi / 6 + 0.29), (-0.05, pi / 2 - 0.0005), (-0.04, pi / 2 - 0.0004)]
 
 
 def nearly(mistaken):
@@ -69,40 +76,66 @@ def test_angle_update_of_other_swings():
     """omega' = -g sin(theta) / R where g is the gravitational acceleration and theta is the angle formed by the cord
     normal to the axle.
     """
+    hints = [(nearly(mistaken), "// divides and rounds down; / only divides.") for mistaken in ROUNDED]
     for arguments, gives in STEPS:
-        expect("angle_update", *arguments, gives=gives)
+        expect("angle_update", *arguments, gives=gives, hints=hints)
 
 
-def swinging_row():
-    """Return seven pendula on cords of 0.5 m, and their omegas and thetas after a tick of 0.1 s with g = 10 m/s^2."""
+def swinging_row(count):
+    """Return up to 7 pendula on cords of 0.5 m, and their omegas and thetas after a tick of 0.1 s with g = 10 m/s^2."""
     thetas, omegas = (pi / 6, -pi / 6, pi / 2, 0.0, 0.0, 0.0, 3 * pi / 2), (2.0, 2.0, 0.0, 1.5, 0.0, 1e-3, 20.0)
     pend_list = [
         hang(theta=theta, omega=omega, axle=(i * 0.1, 0.05, 0), r_param=0.5, mass=7.0 - i, e=0.5)
         for i, (theta, omega) in enumerate(zip(thetas, omegas, strict=True))
     ]
     after = [pi / 6 + 0.1, -pi / 6 + 0.3, pi / 2 - 0.2, 0.15, 0.0, 1e-4, 3 * pi / 2 + 2.2]
-    return pend_list, [1.0, 3.0, -2.0, 1.5, 0.0, 1e-3, 22.0], after
+    return pend_list[:count], [1.0, 3.0, -2.0, 1.5, 0.0, 1e-3, 22.0][:count], after[:count]
+
+
+# What becomes of the first of them if r_param, dt and g are handed on in another order, by hand.
+OTHER_ORDERS = [
+    (1.0, pi / 6 + 10.0),
+    (-23.0, pi / 6 - 11.5),
+    (-23.0, pi / 6 - 230.0),
+    (1.9975, pi / 6 + 0.19975),
+    (1.9975, pi / 6 + 0.99875),
+]
+
+
+def swing_hints(pend_list, omegas, thetas):
+    """Return hints for swinging_row: what certain mistakes make of omega and theta of each pendulum."""
+    before = [(pend["omega"], pend["theta"]) for pend in pend_list]
+    after = list(zip(omegas, thetas, strict=True))
+
+    def is_other_order(came):
+        return any(same(came[0], state) for state in OTHER_ORDERS)
+
+    def is_angle_update(came):
+        return isinstance(came, TypeError) and "angle_update()" in str(came)
+
+    return [
+        (is_angle_update, "angle_update takes no pendulum; swing_update does, and uses angle_update."),
+        (before, "omega and theta of all are as before: swing_update changes them, angle_update only returns them."),
+        ([after[0], *before[1:]], "Only the first pendulum has swung: is there a return inside the loop?"),
+        ([*before[:-1], after[-1]], "Only the last pendulum has swung."),
+        ([*after[:-1], before[-1]], "The last pendulum has not swung."),
+        ([before[0], *after[1:]], "The first pendulum has not swung."),
+        (is_other_order, "Are the arguments of swing_update in its order: pend_dict, r_param, dt, g?"),
+    ]
 
 
 @check("full_swing_update", watched=True)
 def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
-    pend_list, omegas, thetas = swinging_row()
-    before = [(pend["omega"], pend["theta"]) for pend in pend_list]
-    after = list(zip(omegas, thetas, strict=True))
-    hints = [
-        (before, "omega and theta of all are as before."),
-        ([after[0], *before[1:]], "Only the first pendulum has swung: is there a return inside the loop?"),
-        ([*before[:-1], after[-1]], "Only the last pendulum has swung."),
-        ([*after[:-1], before[-1]], "The last pendulum has not swung."),
-        ([before[0], *after[1:]], "The first pendulum has not swung."),
-    ]
-    what = "omega and theta of each pendulum"
+    for count in (3, 7):
+        pend_list, omegas, thetas = swinging_row(count)
 
-    def see(_):
-        return [(pend["omega"], pend["theta"]) for pend in pend_list]
+        def see(_, pend_list=pend_list):
+            return [(pend["omega"], pend["theta"]) for pend in pend_list]
 
-    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=after, see=see, what=what, hints=hints)
+        after, hints = list(zip(omegas, thetas, strict=True)), swing_hints(pend_list, omegas, thetas)
+        what = "omega and theta of each pendulum"
+        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=after, see=see, what=what, hints=hints)
     other = [hang(theta=-pi / 6, omega=2.0, r_param=0.25)]
     what = "omega of one pendulum"
     gives = {"gives": 4.0, "see": lambda _: other[0]["omega"], "what": what}
@@ -113,7 +146,7 @@ def test_every_pendulum_swings_once():
 @check("full_swing_update", watched=True)
 def test_bobs_and_cords_move():
     """Updates the angle and position of the pendulum components."""
-    pend_list, _, thetas = swinging_row()
+    pend_list, _, thetas = swinging_row(3)
 
     def see(_):
         shapes = [pend["objects"] for pend in pend_list]
@@ -122,7 +155,7 @@ def test_bobs_and_cords_move():
     def ends(cord):  # it may be drawn from either end
         return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: end.y)
 
-    axles = [vector(i * 0.1, 0.05, 0) for i in range(7)]
+    axles = [vector(i * 0.1, 0.05, 0) for i in range(3)]
     bobs = [axle + vector(0.5 * sin(theta), -0.5 * cos(theta), 0) for axle, theta in zip(axles, thetas, strict=True)]
     gives = [(axle, bob, [bob, axle]) for axle, bob in zip(axles, bobs, strict=True)]
     what = "position of each axle and bob, and the ends of each cord"
@@ -132,7 +165,7 @@ def test_bobs_and_cords_move():
 @check("full_swing_update")
 def test_a_swing_changes_nothing_else():
     """The pend_dict is updated."""
-    pend_list, *_ = swinging_row()
+    pend_list, *_ = swinging_row(3)
     for pend in pend_list:
         pend["objects"][1].radius = 0.02  # so that no two touch
     pendula, objects = list(pend_list), [pend["objects"] for pend in pend_list]
@@ -147,7 +180,7 @@ def test_a_swing_changes_nothing_else():
     def is_same(one, other):
         return one is other
 
-    gives = [(7.0 - i, 0.5, "white", "none", 0.02) for i in range(7)], [True] * 7, [True] * 7
+    gives = [(7.0 - i, 0.5, "white", "none", 0.02) for i in range(3)], [True] * 3, [True] * 3
     what = "mass, e, color, texture and radius of each; whether its objects, and itself, are those from before"
     expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=gives, see=see, what=what)
 

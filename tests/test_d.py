@@ -1,5 +1,6 @@
 """D checks: from the CSV to a pend_list, and from there to pendula that can be seen."""
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -8,9 +9,9 @@ from tempfile import TemporaryDirectory
 from cradles import MIXED, MIXED_CSV, R
 from grader import check, expect, same, working_in
 from telling import A
-from vpython import box, cylinder, sphere, vector
+from vpython import box, color, cylinder, sphere, textures, vector
 
-from support.constants import COLOR_MAP, NC_FP, TEXTURE_MAP
+from support.constants import NC_FP
 from support.cradle_csv import read_cells
 from support.pendulum import make_pendulum
 
@@ -59,7 +60,12 @@ def is_shipped(came):
     return isinstance(came, list) and len(came) == len(read_cells(NC_FP)) - 1 not in (1, 3)
 
 
-OTHER_FILE = (is_shipped, "Is it the file at relative_filepath that is read, or another one?")
+def values_of(first, key):
+    """Return a function that returns the values of this key in a first pend_list, and in the one that it is given."""
+    return lambda last: ([pend[key] for pend in first], [pend[key] for pend in last])
+
+
+OTHER_FILE = (is_shipped, "Do you read the file at relative_filepath, or another one?")
 
 
 # --- extract_and_convert ---------------------------------------------------------------------------------------------
@@ -69,7 +75,7 @@ ROWS = [
     (MIXED[:-1], "The last pendulum is missing."),
     (MIXED[1:], "The first pendulum is missing."),
     (MIXED[::-1], "The pendula are in the reverse order."),
-    (MIXED[-1:], "This is the last pendulum alone: is the list made anew inside the loop?"),
+    (MIXED[-1:], "This is the last pendulum alone: is the list made inside the loop?"),
     ([MIXED[-1]] * 3, "This is the last pendulum again and again."),
     ([list(pendulum) for pendulum in MIXED], "These are the keys alone, without their values."),
     ([list(pendulum.values()) for pendulum in MIXED], "These are the values alone, without their keys."),
@@ -124,9 +130,8 @@ def test_the_file_given_is_read():
     with files() as folder, working_in(folder):
         first = expect("extract_and_convert", "one.csv", gives=[ONE], hints=[OTHER_FILE])
         (folder / "one.csv").write_text(FILES["two.csv"])
-        what = "the pend_list of the file as it was, and as it is"
-        both = {"see": lambda second: (first, second), "what": what, "gives": ([ONE], [ONE, {**ONE, "mass": 4.0}])}
-        expect("extract_and_convert", "one.csv", **both)
+        what = "each mass of the file as it was, and as it is"
+        expect("extract_and_convert", "one.csv", gives=([3.0], [3.0, 4.0]), see=values_of(first, "mass"), what=what)
 
 
 @check("extract_and_convert")
@@ -157,12 +162,13 @@ def check_uniform(function, *arguments, also=(), **changed):
         (right[-1], "This is the last pendulum alone; the whole pend_list is needed."),
         (right[:1], "This is the first pendulum alone; the whole pend_list is needed."),
         (uniform(MIXED, **{key: str(value)}), f"{key} is text here; a number is needed."),
+        OTHER_FILE,
     ]
     with files() as folder, working_in(folder):
         first = expect(function, "mixed.csv", *arguments, gives=right, hints=hints)
         expect(function, "seven.csv", *arguments, gives=uniform(SEVEN, **changed))
-        what = "the pend_list of the first call, and of this one"
-        both = {"see": lambda last: (first, last), "what": what, "gives": (right, uniform([ONE], **changed))}
+        what = f"each {key} of the first call, and of this one"
+        both = {"see": values_of(first, key), "what": what, "gives": ([value] * 3, [value])}
         hints = [(lambda came: OTHER_FILE[0](came[1]), OTHER_FILE[1])]
         expect(function, "one.csv", *arguments, **both, hints=hints)
 
@@ -189,17 +195,25 @@ def test_uniform_e():
     check_uniform("uniform_e_newton_cradle", 1, e=1)
 
 
+def is_number_for_a_file(came):
+    """Return whether this is the error of one who was given a number where the path of a file must be."""
+    return isinstance(came, Exception) and re.search(r"\b(int|float)\b", str(came))
+
+
+NUMBER_FOR_A_FILE = (is_number_for_a_file, "uniform_e_newton_cradle takes relative_filepath first, and then e_val.")
+
+
 @check("elastic_newton_cradle")
 def test_elastic():
     """Returns a pend_list such that each pendulum has a perfectly elastic restitution coefficient value."""
-    also = [(uniform(MIXED, e=0), "This is perfectly inelastic.")]
+    also = [(uniform(MIXED, e=0), "This is perfectly inelastic."), NUMBER_FOR_A_FILE]
     check_uniform("elastic_newton_cradle", e=1, also=also)
 
 
 @check("inelastic_newton_cradle")
 def test_inelastic():
     """Returns a pend_list such that each pendulum has a perfectly inelastic restitution coefficient value."""
-    also = [(uniform(MIXED, e=1), "This is perfectly elastic.")]
+    also = [(uniform(MIXED, e=1), "This is perfectly elastic."), NUMBER_FOR_A_FILE]
     check_uniform("inelastic_newton_cradle", e=0, also=also)
 
 
@@ -208,10 +222,16 @@ def test_inelastic():
 
 def check_cradle(see, what, gives, file="mixed.csv", r_param=R, theta_init=0.6, hints=()):
     """Check what see takes out of each pendulum of the cradle that is made of a file."""
+    ready = []
 
     def see_all(pend_list):
+        ready[:] = ["objects" in pend for pend in pend_list]
         return [see(pend) for pend in pend_list]
 
+    def is_first_alone(_):
+        return ready[:1] == [True] and len(ready) > 1 and not any(ready[1:])
+
+    hints = [(is_first_alone, "Only the first pendulum is ready: is there a return inside the loop?"), *hints]
     with files() as folder, working_in(folder):
         expect("make_newton_cradle", file, r_param, theta_init, gives=gives, see=see_all, what=what, hints=hints)
 
@@ -238,9 +258,9 @@ def test_the_first_pendulum_is_lifted():
     """
     hints = [
         ([row["theta"] for row in MIXED], "These are the angles of the file."),
-        ([0.6, 0.6, 0.6], "All pendula are lifted; only the first one is to be."),
+        ([0.6, 0.6, 0.6], "All pendula are lifted; only the first one must be."),
         ([0.6, *(row["theta"] for row in MIXED[1:])], "All but the first one still have the angle of the file."),
-        ([0, 0, 0.6], "The last pendulum is lifted; the first one is to be."),
+        ([0, 0, 0.6], "The last pendulum is lifted; the first one must be."),
         ([0, 0.6, 0.6], "All but the first one are lifted; it is the other way round."),
         ([0, 0.6, 0], "The second pendulum is lifted: a list counts from 0."),
         ([0, 0, 0], "The first pendulum is not lifted."),
@@ -261,7 +281,6 @@ def test_all_pendula_start_at_rest():
     """omega: the angular velocity, which should be 0 for all the pendula."""
     hints = [
         ([row["omega"] for row in MIXED], "These are the angular velocities of the file."),
-        ([0, *(row["omega"] for row in MIXED[1:])], "Only the first pendulum is at rest."),
         ([0.6, 0, 0], "theta and omega are mixed up."),
     ]
     check_cradle(lambda pend: pend["omega"], "omega of each pendulum", [0, 0, 0], hints=hints)
@@ -291,29 +310,30 @@ def test_objects_are_axle_bob_and_cord():
 @check("make_newton_cradle", watched=True)
 def test_axle_positions():
     """The axle position of the ith pendulum can be defined as axle_pos = vector((-0.1+r_param/4 * i), r_param/5, 0)."""
-    for r_param in (0.3, 1.0):
+    # r_param, and by hand how far the axles are apart, and how high (m).
+    for r_param, apart, height in ((0.3, 0.075, 0.06), (1.0, 0.25, 0.2)):
 
-        def places(left, apart, height, r_param=r_param):
+        def places(left, apart, height):
             return [vector(left + apart * i, height, 0) for i in range(3)]
 
-        right = -0.1, r_param / 4, r_param / 5
+        right = -0.1, apart, height
         hints = [
             (
                 lambda came: same(came, [came[0]] * 3),
                 "All axles are in one place: does i count the pendula, and is r_param/4 not rounded?",
             ),
-            (places(-0.1 + r_param / 4, *right[1:]), "This counts the pendula from 1; i counts from 0."),
+            (places(-0.1 + apart, *right[1:]), "This counts the pendula from 1; i counts from 0."),
             (places(0, *right[1:]), "The -0.1 is missing."),
             (places(0.1, *right[1:]), "The sign of the 0.1 is wrong."),
-            (places(0, -0.1 + r_param / 4, r_param / 5), "The brackets are wrong: i multiplies r_param/4 only."),
-            (places(-0.1, r_param / 4, 0), "The height of the axles, r_param/5, is missing."),
-            (places(-0.1, r_param / 4, -r_param / 5), "The axles are below instead of above: y has the wrong sign."),
-            (places(-0.1, r_param / 5, r_param / 4), "The r_param/4 and the r_param/5 are mixed up."),
-            (places(-0.1, -r_param / 4, r_param / 5), "The pendula go to the left; they are to go to the right."),
+            (places(0, -0.1 + apart, height), "The brackets are wrong: i multiplies r_param/4 only."),
+            (places(-0.1, apart, 0), "The height of the axles, r_param/5, is missing."),
+            (places(-0.1, apart, -height), "The axles are below instead of above: y has the wrong sign."),
+            (places(-0.1, height, apart), "The r_param/4 and the r_param/5 are mixed up."),
+            (places(-0.1, -apart, height), "The pendula go to the left; they must go to the right."),
         ]
         what = "position of each axle"
         check_cradle(lambda pend: pend["objects"][0].pos, what, places(*right), r_param=r_param, hints=hints)
-    seven = [vector(-0.1 + R / 4 * i, R / 5, 0) for i in range(7)]
+    seven = [vector(x, 0.08, 0) for x in (-0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]  # R is 0.4 m
     check_cradle(lambda pend: pend["objects"][0].pos, "position of each axle", seven, file="seven.csv")
 
 
@@ -331,7 +351,9 @@ def test_bobs_hang_from_their_axles():
         axle, bob, _ = pend["objects"]
         return bob.pos - axle.pos, bob.radius
 
+    swapped = [make_pendulum(vector(0, 0, 0), theta, R, vector(1, 1, 1), None)[1] for theta in (0.6, 0, 0)]
     hints = [
+        ([(bob.pos, bob.radius) for bob in swapped], "make_pendulum takes r_param first, and then theta."),
         (bobs([0, 0, 0]), "The first bob hangs straight down: the helper function takes the angle, too."),
         (bobs([0.6, 0.6, 0.6]), "All bobs are lifted, whatever the theta of their pendulum is."),
         (bobs([row["theta"] for row in MIXED]), "The bobs are at the angles of the file, not at those of the cradle."),
@@ -346,20 +368,21 @@ def test_bobs_hang_from_their_axles():
 def test_bobs_have_the_color_and_texture_of_their_row():
     """Use COLOR_MAP and TEXTURE_MAP to find the VPython analog color and texture objects."""
 
-    def looks(rows):
-        return [(COLOR_MAP[row["color"]], TEXTURE_MAP[row["texture"]]) for row in rows]
-
     def seen(pend):
         return pend["objects"][1].color, pend["objects"][1].texture
 
+    first, _, last = mixed = [(color.red, textures.metal), (color.blue, None), (color.yellow, textures.wood)]
+    red, black = (color.red, textures.rug), (color.black, textures.metal)
+    others = [(color.green, None), (color.blue, textures.stucco), (color.purple, textures.wood_old)]
     hints = [
-        (looks([MIXED[0]] * 3), "All bobs have the looks of the first row."),
-        (looks([MIXED[2]] * 3), "All bobs have the looks of the last row."),
-        ([(color, None) for color, _ in looks(MIXED)], "The textures are missing."),
+        ([first] * 3, "All bobs have the looks of the first row."),
+        ([last] * 3, "All bobs have the looks of the last row."),
+        ([(of, None) for of, _ in mixed], "The textures are missing."),
         (lambda came: came[0][1] == "metal", "These are the textures' names; TEXTURE_MAP has what they stand for."),
     ]
-    check_cradle(seen, "color and texture of each bob", looks(MIXED), hints=hints)
-    check_cradle(seen, "color and texture of each bob", looks(SEVEN), file="seven.csv")
+    check_cradle(seen, "color and texture of each bob", mixed, hints=hints)
+    seven = [(color.white, None), red, red, *others, black]
+    check_cradle(seen, "color and texture of each bob", seven, file="seven.csv")
 
 
 @check("make_newton_cradle")

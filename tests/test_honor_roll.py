@@ -74,7 +74,7 @@ def test_bobs_are_where_the_angles_say():
             ),
             (
                 places(arm(theta), arm(theta + phi)),
-                "The lower bob hangs from the axle; it is to hang from the upper bob.",
+                "The lower bob hangs from the axle; it must hang from the upper bob.",
             ),
             (places(arm(theta), arm(theta) + arm(theta)), "phi makes no difference."),
             (places(arm(phi), arm(phi) + arm(theta + phi)), "theta and phi are exchanged."),
@@ -133,7 +133,7 @@ ACCELERATIONS = [
 def test_both_angles_are_updated():
     """Define a double_angle_update() that updates both angles of the pendulum."""
     hints = [
-        ((0.6, -0.4, 3.0, -2.0), "The angles come first here; the angular velocities are to."),
+        ((0.6, -0.4, 3.0, -2.0), "The angles come first here; the angular velocities must."),
         ((0.6, 3.0, -0.4, -2.0), "The order is omega_theta, omega_phi, theta, phi."),
     ]
     state = 3.0, -2.0, 0.6, -0.4
@@ -168,7 +168,7 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
 
 
 # theta, phi, m1, m2, and what becomes of them in a tenth of a second from rest, with g = 9.81 m/s^2, from the exact
-# equations: tests/project/test_double_cradle.py.
+# equations.
 SWINGS = [
     ((0.6, -0.4, 1.0, 1.0), (-1.573797, 2.649524, 0.520225, -0.265745)),
     ((1.5, 1.0, 1.0, 1.0), (-1.870015, 1.553220, 1.405265, 1.083369)),
@@ -187,7 +187,7 @@ def test_a_tenth_of_a_second_of_swinging():
         def is_near(came, end=end):
             return len(came) == 4 and all(abs(value - right) < 0.005 for value, right in zip(came, end, strict=True))
 
-        gives = A(f"within 0.005 of ({', '.join(f'{value:.3f}' for value in end)})", is_near)
+        gives = A(f"within 0.005 of ({', '.join(f'{value:.3f}' for value in end)})", is_near, like=end)
         what = "omega_theta, omega_phi, theta and phi at the end"
         # In steps that are short enough for any method of the first order.
         arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, *masses

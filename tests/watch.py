@@ -1,12 +1,14 @@
-"""Watch a check that fails, in the terminal: `python tests/watch.py test_angle_update`.
+"""Watch a check in the terminal: `python tests/watch.py test_angle_update`.
 
-The pendula that the check hands over start as they are then, and swing and collide by the functions in src/, in real
-time, tick by tick of DT. Of a function that makes pendula, what it has made is shown.
+The pendula that the check hands over start as they are then. The function that is checked does its part in each tick,
+in real time. Of a function that makes pendula, the picture shows the pendula that it has made.
 """
 
 import sys
+from math import cos, pi, sin, sqrt
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import SimpleNamespace
 from unittest.mock import patch
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -19,35 +21,35 @@ from cradles import hang
 from grader import checks, find, Grading, PASSED
 from handout import FUNCTIONS, SUITES
 from telling import raised
-from vpython import color, vector
+from vpython import color, mag, vector
 
 from support.audit import double_kinetic_energy, double_potential_energy, kinetic_energy, potential_energy
 from support.constants import DT, G
+from support.cradle import Cradle
 from support.cradle_csv import to_number
-from support.motion import Motion
 from support.options import allowed, OneLineParser
 from support.output import while_it_is_read
+from support.player import run
 from support.text_picture import TextPicture
 
 COLUMNS, ROWS = 80, 20  # of a picture that does not move
-IMPACTS = 4  # lines of the contact strip
 
 
-class Scene:
+class Scene(Cradle):
     """The pendula of a call of a student's function, as far as the terminal needs a cradle (support/cradle.py)."""
 
     dt = DT
+    held, takes_rule = None, False
 
     def __init__(self, pend_list, r_param, g, tick=None):
-        """tick() is to move them on by DT, and may return who hit whom, as (left, right); without it they stand."""
-        self.pend_list = pend_list
+        """tick() moves them on by DT, and may return the hits as (left, right), indices; without it they stand."""
+        if not pend_list:
+            raise ValueError("there is no pendulum in it")
+        self.pend_list, self.hits = pend_list, []
         self.r_param, self.g, self.tick = r_param, g, tick
-        self.is_double = len(pend_list[0]["objects"]) == 5
-        self.reach = 2 * r_param if self.is_double else r_param
-
-    def advance(self, ticks, _) -> list[tuple[int, int, int]]:
-        """Move on by so many ticks; return the contacts as (tick, left, right), indices of pendula."""
-        return [(tick, *pair) for tick in range(ticks) for pair in self.tick() or []]
+        lengths = [mag(bob.pos - pend["objects"][0].pos) for pend in pend_list for bob in pend["objects"][1::2]]
+        # However the pendula were made, all are in the picture.
+        self.reach = max(len(pend_list[0]["objects"]) // 2 * r_param, *lengths)
 
     def axles(self):
         return [pend["objects"][0] for pend in self.pend_list]
@@ -61,14 +63,53 @@ class Scene:
     def thetas(self):
         return [pend["theta"] for pend in self.pend_list]
 
-    def velocities(self):
-        return [pend["omega"] for pend in self.pend_list]  # of which only the sign is looked at
+    def energies(self):
+        return kinetic_energy(self.pend_list, self.r_param), potential_energy(self.pend_list, self.r_param, self.g)
+
+
+class SmallSwings(Scene):
+    """Two pendula that swing as small swings do, by theta'' = -w^2 theta with w = sqrt(G / R), however far they go.
+
+    That needs no function of a student's: a time t after theta0 and omega0, theta is
+    theta0 cos(w t) + omega0 / w sin(w t), and omega is omega0 cos(w t) - theta0 w sin(w t).
+    """
+
+    def __init__(self, pend_list, r_param):
+        super().__init__(pend_list, r_param, G)
+        self.w = sqrt(G / r_param)
+        self.begin([(pend["theta"], pend["omega"]) for pend in pend_list])
+
+    def begin(self, states):
+        """Begin now, with these theta0 (rad) and omega0 (rad/s) of each."""
+        self.states = states
+        self.move_to(0.0)
+
+    def move_to(self, time):
+        """Put them where they are this long (s) after they began."""
+        self.time = time
+        c, s = cos(self.w * time), sin(self.w * time)
+        for pend, (theta0, omega0) in zip(self.pend_list, self.states, strict=True):
+            pend["theta"] = theta = theta0 * c + omega0 / self.w * s
+            pend["omega"] = omega0 * c - theta0 * self.w * s
+            axle, bob, cord = pend["objects"]
+            cord.axis = vector(self.r_param * sin(theta), -self.r_param * cos(theta), 0)
+            bob.pos = axle.pos + cord.axis
 
     def energies(self):
-        kinetic, potential = kinetic_energy, potential_energy
-        if self.is_double:
-            kinetic, potential = double_kinetic_energy, double_potential_energy
-        return kinetic(self.pend_list, self.r_param), potential(self.pend_list, self.r_param, self.g)
+        kinetic, _ = super().energies()
+        return kinetic, sum(pend["mass"] * G * self.r_param * pend["theta"] ** 2 / 2 for pend in self.pend_list)
+
+
+class DoubleScene(Scene):
+    """One double pendulum, whose bobs may have different masses."""
+
+    def energies(self):
+        # Those of two bobs of mass m2 each, and of an upper one that has what m1 is more.
+        (pend,) = self.pend_list
+        both, more = [{**pend, "mass": pend["m2"]}], [{**pend, "mass": pend["m1"] - pend["m2"]}]
+        kinetic = double_kinetic_energy(both, self.r_param) + kinetic_energy(more, self.r_param)
+        potential = double_potential_energy(both, self.r_param, self.g) + potential_energy(more, self.r_param, self.g)
+        return kinetic, potential
 
 
 def scene_of(call) -> Scene:
@@ -77,93 +118,123 @@ def scene_of(call) -> Scene:
     return SCENES[call.function](find(call.function), given)
 
 
-def made_cradle(make_newton_cradle, given):
+# Each scene is made of a student's solution of the function that was called, and of what it was given, by its names.
+
+
+def made_cradle(solution, given):
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         file = Path(folder) / "cradle.csv"
         file.write_text(given["relative_filepath"].text, encoding="utf-8")
-        return Scene(make_newton_cradle(str(file), given["r_param"], given["theta_init"]), given["r_param"], G)
+        return Scene(solution(str(file), given["r_param"], given["theta_init"]), given["r_param"], G)
 
 
-def made_double_pendulum(make_double_pendulum, given):
-    objects = make_double_pendulum(*given.values())
-    return Scene([{"theta": given["theta"], "omega": 0.0, "objects": objects}], given["r_param"], G)
+def made_double_pendulum(solution, given):
+    objects = solution(*given.values())
+    return Scene([{"objects": objects}], given["r_param"], G)
 
 
 def one_pendulum(_, given):
     from src.swinging import swing_update  # which uses angle_update
 
     pend = hang(given["theta"], given["omega"], r_param=given["r_param"])
-    return Scene([pend], given["r_param"], given["g"], lambda: swing_update(pend, given["r_param"], DT, given["g"]))
-
-
-def row_that_swings(full_swing_update, given):
-    pend_list = [pendulum(given["r_param"], **values) for values in given["pend_list"]]
-    arguments = pend_list, given["r_param"], DT, given["g"]
-    return Scene(pend_list, given["r_param"], given["g"], lambda: full_swing_update(*arguments))
-
-
-def two_that_meet(_, given):
-    from src.visualize_cradle_run import advance_cradle  # which uses handle_collision
-
-    r_param, e = given["r_param"], given["e"]
-    left = hang(0.0, given["omega1"], given["m1"], e, r_param=r_param)
-    right = hang(0.0, given["omega2"], given["m2"], e, (r_param / 4, 0, 0), r_param)
-    arguments = [left, right], r_param, DT, G, 1
-    return Scene([left, right], r_param, G, lambda: [pair for _, *pair in advance_cradle(*arguments, True)])
-
-
-def two_bobs(handle_two_bobs, given):
-    from src.swinging import swing_update
-
-    r_param = given["r_param"]
-    pend_list = [pendulum(r_param, **given[name]) for name in ("pend1", "pend2")]
 
     def tick():
-        for pend in pend_list:
-            swing_update(pend, r_param, DT, G)
-        before = [pend["omega"] for pend in pend_list]
-        handle_two_bobs(*pend_list, r_param)
-        return [] if before == [pend["omega"] for pend in pend_list] else [(0, 1)]
+        swing_update(pend, given["r_param"], DT, given["g"])
 
-    return Scene(pend_list, r_param, G, tick)
+    return Scene([pend], given["r_param"], given["g"], tick)
 
 
-def row_that_ticks(newton_cradle_tick, given):
+def row_that_swings(solution, given):
+    pend_list = [pendulum(given["r_param"], **values) for values in given["pend_list"]]
+
+    def tick():
+        solution(pend_list, given["r_param"], DT, given["g"])
+
+    return Scene(pend_list, given["r_param"], given["g"], tick)
+
+
+def two_that_meet(solution, given):
+    """They start where they turn round, meet at the bottom, and there again after each half of a period."""
+    r_param, e, m1, m2 = (given[name] for name in ("r_param", "e", "m1", "m2"))
+    pend_list = [hang(mass=m1, r_param=r_param), hang(mass=m2, axle=(r_param / 4, 0, 0), r_param=r_param)]
+    scene = SmallSwings(pend_list, r_param)
+    omegas = given["omega1"], given["omega2"]  # with which they meet
+    scene.begin([(-omega / scene.w, 0.0) for omega in omegas])
+    meet = pi / scene.w / 2  # s after they began
+
+    def tick():
+        nonlocal omegas, meet
+        scene.move_to(scene.time + DT)
+        if scene.time < meet:
+            return []
+        before, after = omegas, tuple(solution(e, *omegas, m1, m2, r_param))
+        scene.begin([(0.0, omega) for omega in after])
+        omegas, meet = tuple(-omega for omega in after), pi / scene.w
+        return [(0, 1)] if after != before else []
+
+    scene.tick = tick
+    return scene
+
+
+def two_bobs(solution, given):
+    r_param = given["r_param"]
+    scene = SmallSwings([pendulum(r_param, **given[name]) for name in ("pend1", "pend2")], r_param)
+
+    def states():
+        return [(pend["theta"], pend["omega"]) for pend in scene.pend_list]
+
+    def tick():
+        before = states()
+        solution(*scene.pend_list, r_param)  # at first, of the very pendula of the check
+        hits = [(0, 1)] if states() != before else []
+        if hits:
+            scene.begin(states())
+        scene.move_to(scene.time + DT)
+        return hits
+
+    scene.tick = tick
+    return scene
+
+
+def row_that_ticks(solution, given):
     from src import visualize_cradle_run
 
     pend_list = [pendulum(given["r_param"], **values) for values in given["pend_list"]]
-    handle_two_bobs, hits = visualize_cradle_run.handle_two_bobs, []
+    meet, hits = visualize_cradle_run.handle_two_bobs, []
 
-    def noting_hits(pend1, pend2, *arguments):
-        before = pend1["omega"], pend2["omega"]
-        handle_two_bobs(pend1, pend2, *arguments)
-        if before != (pend1["omega"], pend2["omega"]):
-            hits.append([i for i, pend in enumerate(pend_list) if pend is pend1 or pend is pend2])
+    def noting_hits(*arguments, **named):
+        before = [pend["omega"] for pend in pend_list]
+        result = meet(*arguments, **named)
+        if before != [pend["omega"] for pend in pend_list]:
+            taken = [*arguments, *named.values()]
+            pair = [i for i, pend in enumerate(pend_list) if any(pend is one for one in taken)]
+            hits.append((pair[0], pair[-1]))
+        return result
 
     def tick():
         hits.clear()
         with patch.object(visualize_cradle_run, "handle_two_bobs", noting_hits):
-            newton_cradle_tick(pend_list, given["r_param"], DT, given["g"])
+            solution(pend_list, given["r_param"], DT, given["g"])
         return hits
 
     return Scene(pend_list, given["r_param"], given["g"], tick)
 
 
-def one_double_pendulum(double_angle_update, given):
+def one_double_pendulum(solution, given):
     from src.double_cradle import make_double_pendulum, show_double_pendulum
 
     r_param = given["r_param"]
     objects = make_double_pendulum(vector(0, 0, 0), r_param, given["theta"], given["phi"], color.white, None)
     keys = {"omega": "omega_theta", "phi_omega": "omega_phi", "theta": "theta", "phi": "phi"}
-    pend = {**{key: given[name] for key, name in keys.items()}, "mass": 1.0, "objects": objects}
-    masses = [given[name] for name in ("m1", "m2") if name in given]
+    masses = {name: given[name] for name in ("m1", "m2") if name in given}
+    pend = {"m1": 1.0, "m2": 1.0, **masses, **{key: given[name] for key, name in keys.items()}, "objects": objects}
 
     def tick():
-        new = double_angle_update(*(pend[key] for key in keys), r_param, DT, given["g"], *masses)
+        new = solution(*(pend[key] for key in keys), r_param, DT, given["g"], *masses.values())
         pend.update(zip(keys, new, strict=True))
         show_double_pendulum(pend, r_param)
 
-    return Scene([pend], r_param, given["g"], tick)
+    return DoubleScene([pend], r_param, given["g"], tick)
 
 
 def pendulum(r_param, mass, e, theta, omega, axle, radius, **_):
@@ -184,10 +255,12 @@ SCENES = {
 
 
 def main() -> None:
-    """Say what is wrong in a check, and play it; status 2 if there is no such check, 1 if it cannot be played."""
+    """Say how a check ends, and play it. Status 2 if there is no such check, 1 if it cannot be played, or if it fails
+    and there is nothing to watch.
+    """
     all_checks = {check.name: check for tier in SUITES for check in checks(tier=tier)}
     names = allowed(str, all_checks.__contains__, "the name of a check, as test_angle_update")
-    parser = OneLineParser(description="Watch a check that fails, in the terminal.", allow_abbrev=False)
+    parser = OneLineParser(description="Watch a check, in the terminal.", allow_abbrev=False)
     parser.add_argument("check", metavar="CHECK", type=names, help="its name, as test_angle_update")
     seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
     text = "for how long (default: %(default)g)"
@@ -196,10 +269,10 @@ def main() -> None:
 
     outcome = Grading().judge(all_checks[options.check])
     print(outcome.message or f"{options.check} passes.", flush=True)
-    if outcome.state == PASSED:
-        return
     if not outcome.call:
-        sys.exit("There is nothing to watch.")
+        is_passed = outcome.state == PASSED
+        print("There is nothing to watch.", file=sys.stdout if is_passed else sys.stderr)
+        sys.exit(0 if is_passed else 1)
     try:
         with while_it_is_read():
             play(scene_of(outcome.call), options.seconds)
@@ -211,14 +284,28 @@ def main() -> None:
 
 def play(scene, seconds) -> None:
     """Show a scene for so many seconds, or as it is if nothing moves in it."""
-    from src.text_cradle_run import has_terminal, show_pictures, tell_lines
+    from src.text_cradle_run import has_terminal, Lines, Pictures, show_pictures  # which imports a student's files
 
+    class WatchedPictures(Pictures):
+        script = Pictures.play  # the cradle is there already
+
+    class WatchedLines(Lines):
+        script = Lines.play
+
+    def loop(player):
+        while player.is_running():
+            while player.wants_tick():
+                omegas = [pend["omega"] for pend in scene.pend_list]
+                pairs = scene.tick() or []
+                scene.hits += [(left, right, omegas[left] + omegas[right] > 0) for left, right in pairs]
+
+    options = SimpleNamespace(angle=None, lift=None, seconds=seconds)
     if scene.tick is None:
         print("", *TextPicture().lines(scene, COLUMNS, ROWS), sep="\n")
     elif has_terminal():
-        show_pictures(Motion(scene, IMPACTS), seconds)
+        show_pictures(loop, WatchedPictures(scene, None, options))
     else:
-        tell_lines(Motion(scene, IMPACTS), seconds)
+        run(loop, WatchedLines(scene, None, options))
 
 
 if __name__ == "__main__":

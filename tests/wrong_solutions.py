@@ -52,6 +52,14 @@ PLAIN = {
         for i in range(len(pend_list) - 1):
             handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)
         """,
+    "main": """\
+        while page.is_running():
+            if page.wants_cradle():
+                pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+                page.show(pend_list)
+            while page.wants_tick():
+                newton_cradle_tick(pend_list, R_PARAM, DT, G)
+        """,
     "make_double_pendulum": """\
         axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
         bob2, cord2 = make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture)
@@ -298,6 +306,7 @@ WRONG = {
         "e is a text": "return uniform_e_newton_cradle(relative_filepath, '1')",
         "mass is 1": "return uniform_mass_newton_cradle(relative_filepath, 1)",
         "returns nothing": "uniform_e_newton_cradle(relative_filepath, 1)",
+        "arguments exchanged": "return uniform_e_newton_cradle(1, relative_filepath)",
         "returns the function": "return uniform_e_newton_cradle",
         "the file given is ignored": "from support.constants import NC_FP; return uniform_e_newton_cradle(NC_FP, 1)",
         "as in the file": "return extract_and_convert(relative_filepath)",
@@ -309,6 +318,7 @@ WRONG = {
         "e is None": "return uniform_e_newton_cradle(relative_filepath, None)",
         "mass is 0": "return uniform_mass_newton_cradle(relative_filepath, 0)",
         "returns nothing": "uniform_e_newton_cradle(relative_filepath, 0)",
+        "arguments exchanged": "return uniform_e_newton_cradle(0.0, relative_filepath)",
         "the file given is ignored": "from support.constants import NC_FP; return uniform_e_newton_cradle(NC_FP, 0)",
         "e is taken away": "return [{k: v for k, v in p.items() if k != 'e'} for p in extract_and_convert(relative_filepath)]",
     },
@@ -469,6 +479,13 @@ WRONG = {
         "a small angle's sine": ("sin(theta)", "(theta - theta**3 / 6)"),
         "cut to whole numbers": ("(omega_new, theta_new)", "(int(omega_new), theta_new)"),
         "a name misspelt": ("return (omega_new, theta_new)", "return (omega_nwe, theta_new)"),
+        "dt multiplies the old omega, too": (
+            "omega + -g * sin(theta) / r_param * dt",
+            "(omega + -g * sin(theta) / r_param) * dt",
+        ),
+        "dt multiplies the old theta, too": ("theta + omega_new * dt", "(theta + omega_new) * dt"),
+        "theta divided by r_param": ("sin(theta) / r_param", "sin(theta / r_param)"),
+        "rounded down": ("/ r_param", "// r_param"),
     },
     "full_swing_update": {
         "does nothing": "pass",
@@ -507,6 +524,7 @@ WRONG = {
         "an argument too few": ("dt, g", "dt"),
         "angles only": "for pend in pend_list: pend['omega'], pend['theta'] = angle_update(pend['omega'], pend['theta'], r_param, dt, g)",
         "angles exchanged": "for pend in pend_list: pend['theta'], pend['omega'] = angle_update(pend['omega'], pend['theta'], r_param, dt, g)",
+        "angle_update in place of swing_update": ("swing_update", "angle_update"),
         "angles thrown away": "for pend in pend_list: angle_update(pend['omega'], pend['theta'], r_param, dt, g)",
         "stops at the first that is at rest": """\
             for pend in pend_list:
@@ -595,6 +613,14 @@ WRONG = {
         "equal masses taken for granted": "u = e*(omega1 - omega2); return (omega1 + omega2 - u)/2, (omega1 + omega2 + u)/2",
         "energy lost by e, not speed": ("v1 = r_param", "e = e**0.5; v1 = r_param"),
         "only the second moved": "return 0.0, (m1*omega1 + m2*omega2) / m2",
+        "rounded down": ("/ (m1 + m2)", "// (m1 + m2)"),
+        "rounded down on the way back": (
+            "(v1_new / r_param, v2_new / r_param)",
+            "(v1_new // r_param, v2_new // r_param)",
+        ),
+        "multiplied by the sum of the masses": ("/ (m1 + m2)", "* (m1 + m2)"),
+        "divided by m1 alone": ("/ (m1 + m2)", "/ m1 + m2"),
+        "divided by r_param both ways": ("r_param * omega", "1 / r_param * omega"),
     },
     "handle_two_bobs": {
         "does nothing": "pass",
@@ -618,10 +644,6 @@ WRONG = {
         "r_param for the radii": ("(bob1.radius + bob2.radius)", "r_param / 4"),
         "distance along x": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
         "distance along x with its sign": ("mag(bob1.pos - bob2.pos)", "bob2.pos.x - bob1.pos.x"),
-        "distance in x and y only": (
-            "mag(bob1.pos - bob2.pos)",
-            "((bob1.pos.x - bob2.pos.x)**2 + (bob1.pos.y - bob2.pos.y)**2)**0.5",
-        ),
         "distances along x and y added": (
             "mag(bob1.pos - bob2.pos)",
             "abs(bob1.pos.x - bob2.pos.x) + abs(bob1.pos.y - bob2.pos.y) + abs(bob1.pos.z - bob2.pos.z)",
@@ -673,6 +695,8 @@ WRONG = {
             "handle_collision(e, omega1, omega2, m1, m2, r_param)",
             "handle_collision(omega1, omega2, m1, m2, r_param, e)",
         ),
+        "e as the third argument": ("(e, omega1, omega2, m1,", "(omega1, omega2, e, m1,"),
+        "masses before omegas": ("omega1, omega2, m1, m2, r_param)", "m1, m2, omega1, omega2, r_param)"),
         "an argument too few": ("m1, m2, r_param)", "m1, m2)"),
         "new omegas exchanged": ("new_omega1, new_omega2 =", "new_omega2, new_omega1 ="),
         "the first not updated": ("pend1['omega'] = new_omega1", "pass"),
@@ -763,6 +787,12 @@ WRONG = {
                 for j in range(i + 1, len(pend_list)):
                     handle_two_bobs(pend_list[i], pend_list[j], r_param)
             """,
+        "each with the one before it": ("pend_list[i + 1]", "pend_list[i - 1]"),
+        "each of all with the one before it": """\
+            full_swing_update(pend_list, r_param, dt, g)
+            for i in range(len(pend_list)):
+                handle_two_bobs(pend_list[i], pend_list[i - 1], r_param)
+            """,
         "each with itself": ("pend_list[i + 1]", "pend_list[i]"),
         "the pair exchanged": ("pend_list[i], pend_list[i + 1]", "pend_list[i + 1], pend_list[i]"),
         "each with the next but one": ("range(len(pend_list) - 1)", "range(len(pend_list) - 2)"),
@@ -790,6 +820,68 @@ WRONG = {
             "handle_two_bobs(",
             "if pend_list[i]['omega'] > pend_list[i + 1]['omega']: handle_two_bobs(",
         ),
+    },
+    "main": {
+        "does nothing": "pass",
+        "the cradle not shown": ("page.show(pend_list)", "pass"),
+        "the cradle not made": ("pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "pend_list = None"),
+        "the file's pendula, not made": (
+            "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)",
+            "from src.pds_helper import extract_and_convert; pend_list = extract_and_convert(page.csv)",
+        ),
+        "something else shown": ("page.show(pend_list)", "page.show(None)"),
+        "another file": ("page.csv", "'pends.csv'"),
+        "R_PARAM and THETA_INIT exchanged": ("R_PARAM, THETA_INIT)", "THETA_INIT, R_PARAM)"),
+        "THETA_INIT forgotten": (", THETA_INIT)", ")"),
+        "THETA_INIT from degrees": ("THETA_INIT)", "THETA_INIT * 180 / 3.141592653589793)"),
+        "another angle": ("THETA_INIT)", "0)"),
+        "another cord": ("page.csv, R_PARAM", "page.csv, 0.4"),
+        "made once, at the beginning": """\
+            pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+            while page.is_running():
+                if page.wants_cradle():
+                    page.show(pend_list)
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
+            """,
+        "shown once, at the beginning": """\
+            first = None
+            while page.is_running():
+                if page.wants_cradle():
+                    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+                    if not first:
+                        first = pend_list
+                        page.show(first)
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
+            """,
+        "the first cradle ticks for ever": """\
+            first = None
+            while page.is_running():
+                if page.wants_cradle():
+                    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+                    first = first or pend_list
+                    page.show(pend_list)
+                while page.wants_tick():
+                    newton_cradle_tick(first, R_PARAM, DT, G)
+            """,
+        "made in each round": ("if page.wants_cradle():", "if True:"),
+        "no tick": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "pass"),
+        "two ticks": ("DT, G)", "DT, G); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
+        "a tick at once": (
+            "page.show(pend_list)",
+            "page.show(pend_list); newton_cradle_tick(pend_list, R_PARAM, DT, G)",
+        ),
+        "one tick a round": ("while page.wants_tick()", "if page.wants_tick()"),
+        "DT and G exchanged": ("DT, G)", "G, DT)"),
+        "R_PARAM and DT exchanged": ("pend_list, R_PARAM, DT", "pend_list, DT, R_PARAM"),
+        "another DT": ("DT, G)", "0.001, G)"),
+        "another G": ("DT, G)", "DT, 10)"),
+        "G forgotten": ("DT, G)", "DT)"),
+        "full_swing_update": ("newton_cradle_tick", "full_swing_update"),
+        "a copy ticks": ("newton_cradle_tick(pend_list,", "newton_cradle_tick([dict(pend) for pend in pend_list],"),
+        "the tick's result kept": ("newton_cradle_tick(", "pend_list = newton_cradle_tick("),
+        "the tick made, not the cradle": ("if page.wants_cradle():", "if not page.wants_cradle():"),
     },
     "make_double_pendulum": {
         "a single pendulum": "return make_pendulum(axle_pos, r_param, theta, color, texture)",

@@ -10,6 +10,7 @@ from cradles import MIXED, MIXED_CSV
 from whole_cradles import GOOD, HEADER
 
 from src import visualize_cradle_run
+from src.beyond.in_browser import show_cradle
 from src.pds_helper import extract_and_convert, write_to_csv
 from src.special_cradles import make_newton_cradle
 from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
@@ -133,7 +134,7 @@ def the_programs_complaint(monkeypatch, capsys, filepath):
     monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", filepath])
     monkeypatch.setattr("support.page.open_page", lambda *_: pytest.fail("a browser was to be opened"))
     with pytest.raises(SystemExit) as ended:
-        visualize_cradle_run.main()
+        show_cradle(visualize_cradle_run.main)
     printed = capsys.readouterr()
     assert (ended.value.code, printed.out) == (2, "")
     return printed.err

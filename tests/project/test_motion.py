@@ -4,19 +4,24 @@ from math import cos
 
 import pytest
 from cradles import MIXED_CSV
-from whole_cradles import make_motion, PERIOD
+from whole_cradles import make_swing, PERIOD
 
 from support.constants import DT, G, R_PARAM
 
 
 @pytest.fixture
-def motion(tmp_path):
+def player(tmp_path):
     """Three unequal pendula, let go from 30 degrees."""
-    return make_motion(tmp_path, MIXED_CSV)
+    return make_swing(tmp_path, MIXED_CSV)
 
 
-def test_a_sample_has_all_figures_of_the_moment_by_their_names(motion):
-    motion.advance(round(0.4 / DT))
+@pytest.fixture
+def motion(player):
+    return player.motion
+
+
+def test_a_sample_has_all_figures_of_the_moment_by_their_names(player, motion):
+    player.swing(round(0.4 / DT))
     sample = motion.sample()
     names = "t theta_1 theta_2 theta_3 omega_1 omega_2 omega_3 kinetic potential total momentum"
     assert list(sample) == names.split()
@@ -49,37 +54,40 @@ def test_times_are_no_longer_than_they_need_be(motion, ticks):
 
 
 def test_only_approaching_bobs_collide_unless_told_otherwise(tmp_path):
-    motion = make_motion(tmp_path, lift=0)
-    pend1, pend2 = motion.cradle.pend_list[:2]
+    player = make_swing(tmp_path, lift=0)
+    pend1, pend2 = player.cradle.pend_list[:2]
     pend1["objects"][1].radius *= 1.5
     pend1["omega"], pend2["omega"] = -1.0, 1.0
-    motion.advance(1)
+    player.swing(1)
     assert pend1["omega"] < 0 < pend2["omega"]
-    motion.advance(1, approaching_only=False)
+    player.separating = True
+    player.swing(1)
     assert pend1["omega"] > 0
 
 
 def test_impacts_are_those_of_single_ticks_however_many_are_done_at_once(tmp_path):
     """Their times, and in which direction they run."""
-    at_once, one_by_one = make_motion(tmp_path, impacts=99), make_motion(tmp_path, impacts=99)
+    at_once, one_by_one = make_swing(tmp_path, impacts=99), make_swing(tmp_path, impacts=99)
+    at_once.at_once = True
     ticks = round(1.3 * PERIOD / DT)
-    at_once.advance(ticks)
+    at_once.swing(ticks)
     for _ in range(ticks):
-        one_by_one.advance(1)
-        if len(one_by_one.trains.trains) == 1 and one_by_one.trains.trains[0][2] == (0, 1):
-            first = one_by_one.time()
-    assert at_once.trains.lines() == one_by_one.trains.lines()
-    assert at_once.trains.trains[0][0] == pytest.approx(first, abs=DT / 2)
-    assert {"1-2-3-4-5", "5-4-3-2-1"} <= set(at_once.trains.runs())
+        one_by_one.swing(1)
+        if len(one_by_one.motion.trains.trains) == 1 and one_by_one.motion.trains.trains[0][2] == (0, 1):
+            first = one_by_one.motion.time()
+    assert at_once.motion.trains.lines() == one_by_one.motion.trains.lines()
+    assert at_once.motion.trains.trains[0][0] == pytest.approx(first, abs=DT / 2)
+    assert {"1-2-3-4-5", "5-4-3-2-1"} <= set(at_once.motion.trains.runs())
 
 
 def test_the_energy_of_the_start_is_100_percent(tmp_path):
     """Be it kinetic or potential; ten times that is not told exactly, and nothing is no part of nothing."""
-    motion = make_motion(tmp_path)
-    motion.cradle.pend_list[0]["omega"] = 2.0
+    player = make_swing(tmp_path)
+    motion = player.motion
+    player.cradle.pend_list[0]["omega"] = 2.0
     motion.set_start()
     assert "energy 100.00 % (kinetic" in motion.reading()
     motion.start_energy /= 10.1
     assert "energy  > 999 %" in motion.reading()
-    still = make_motion(tmp_path, lift=0)
-    assert "energy   0.00 % (kinetic   0.00 %, potential   0.00 %)" in still.reading()
+    still = make_swing(tmp_path, lift=0)
+    assert "energy   0.00 % (kinetic   0.00 %, potential   0.00 %)" in still.motion.reading()

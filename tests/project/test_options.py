@@ -1,11 +1,11 @@
 """The command line: what it takes, what it refuses and in which words."""
 
-from math import degrees, inf
+from math import degrees, inf, pi
 
 import pytest
 from whole_cradles import FIVE_CSV
 
-from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
+from support.constants import DT, NC_FP, PHI_INIT
 from support.options import (
     check_lift,
     PORT_VARIABLE,
@@ -30,8 +30,8 @@ DEFAULTS = {
     "inelastic": False,
     "e": None,
     "mass": None,
-    "angle": pytest.approx(abs(THETA_INIT) * 57.29577951),
-    "lift": 1,
+    "angle": None,
+    "lift": None,
     "port": 0,
     "browser": True,
 }
@@ -55,9 +55,9 @@ def test_what_it_takes(line, changed):
     assert read(line) == {**DEFAULTS, **changed}
 
 
-@pytest.mark.parametrize(("line", "phi"), [("", abs(PHI_INIT) * 57.29577951), ("--phi -180", -180), ("--phi 180", 180)])
+@pytest.mark.parametrize(("line", "phi"), [("", None), ("--phi -180", -180), ("--phi 180", 180)])
 def test_what_the_double_cradle_takes_besides(line, phi):
-    assert vars(read_double_page_options(line.split())) == {**DEFAULTS, "phi": pytest.approx(phi)}
+    assert vars(read_double_page_options(line.split())) == {**DEFAULTS, "phi": phi}
 
 
 TEXT_DEFAULTS = {
@@ -189,11 +189,13 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
         assert words in text
 
 
-def test_phi_is_outwards_by_default_if_theta_and_phi_have_one_sign(monkeypatch):
-    monkeypatch.setattr("support.options.PHI_INIT", 0.1)
-    for theta_init, sign in ((-0.5, -1), (0.5, 1)):
+def test_phi_is_outwards_by_default_if_theta_and_phi_have_one_sign(monkeypatch, capsys):
+    monkeypatch.setattr("support.options.PHI_INIT", pi / 18)
+    for theta_init, default in ((-0.5, -10), (0.5, 10)):
         monkeypatch.setattr("support.options.THETA_INIT", theta_init)
-        assert read_double_page_options([]).phi == pytest.approx(sign * 0.1 * 57.29577951)
+        with pytest.raises(SystemExit):
+            read_double_page_options(["--help"])
+        assert f"(default: {default})" in " ".join(capsys.readouterr().out.split())
 
 
 @pytest.mark.parametrize("phi", ["181", "-180.5", "nan", "right"])

@@ -3,20 +3,19 @@
 import ast
 import subprocess
 import sys
-from contextlib import contextmanager
 from importlib.machinery import PathFinder
 from math import copysign, degrees
 
 import pytest
 from cradles import MIXED, MIXED_CSV
 from programs import copy_project, ROOT
-from whole_cradles import components
+from whole_cradles import components, go_on
 
 from src import visualize_cradle_run, visualize_double_cradle_run
+from src.beyond.in_browser import show_cradle, show_double_cradle
 from src.special_cradles import make_newton_cradle
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.output import spell_out_letters
-from support.viewer import Viewer
 
 
 def test_pds_tester_shows_each_step_without_vpython(run, tmp_path):
@@ -111,40 +110,33 @@ def test_support_knows_nothing_of_src():
 
 
 @pytest.fixture
-def main(monkeypatch):
-    """A function that calls main with a command line up to where the viewer would run, and returns the viewer."""
+def start(monkeypatch):
+    """A function that starts a program with a command line, and returns what its page and its main were given."""
     shown = []
-
-    def run(viewer):
-        shown.append(viewer)
-        raise KeyboardInterrupt
-
-    @contextmanager
-    def open_page(*given):
-        yield shown.append(given)
-
-    monkeypatch.setattr("support.page.open_page", open_page)
+    monkeypatch.setattr("support.page.open_page", lambda *given: shown.append(given))
     monkeypatch.setattr("support.page.page_sockets", lambda port: f"sockets at {port}")
-    monkeypatch.setattr(Viewer, "run", run)
+    monkeypatch.setattr("support.page.run", lambda main, viewer: shown.append(viewer))
+    monkeypatch.setattr("os._exit", lambda status: None)
 
-    def main(*arguments, program=visualize_cradle_run):
+    def start(*arguments, program=visualize_cradle_run, show=show_cradle):
         monkeypatch.setattr(sys, "argv", [program.__name__, *map(str, arguments)])
-        with pytest.raises(KeyboardInterrupt):
-            program.main()
-        return shown
+        show(program.main)
+        page, viewer = shown
+        go_on(viewer, viewer.open())
+        return page, viewer
 
-    return main
+    return start
 
 
-def test_main_shows_the_cradle_of_the_csv_in_which_only_approaching_bobs_hit(tmp_path, main):
+def test_main_shows_the_cradle_of_the_csv_in_which_only_approaching_bobs_hit(tmp_path, start):
     csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
-    page, viewer = main(csv)
+    page, viewer = start(csv)
     assert page == ("sockets at 0", True)
     cradle, expected = viewer.cradle.pend_list, make_newton_cradle(str(csv), R_PARAM, THETA_INIT)
     for pend_list in (cradle, expected):  # so that the second pair touches, and parts
         pend_list[1]["objects"][1].radius = R_PARAM
         pend_list[1]["omega"], pend_list[2]["omega"] = -1.0, 1.0
-    viewer.advance(1)
+    go_on(viewer, viewer.advance(1))
     visualize_cradle_run.newton_cradle_tick(expected, R_PARAM, DT, G, approaching_only=True)
     for pend, as_expected in zip(cradle, expected, strict=True):
         assert (pend["theta"], pend["omega"]) == (as_expected["theta"], as_expected["omega"])
@@ -152,18 +144,18 @@ def test_main_shows_the_cradle_of_the_csv_in_which_only_approaching_bobs_hit(tmp
     assert cradle[2]["omega"] > 0  # as it was: by the handout's rule it would have been reversed
 
 
-def test_main_does_what_the_options_say(tmp_path, main):
+def test_main_does_what_the_options_say(tmp_path, start):
     csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
-    page, viewer = main(csv, "--inelastic", "--mass", 3, "--angle", 20, "--lift", 2, "--port", 8000, "--no-browser")
+    page, viewer = start(csv, "--inelastic", "--mass", 3, "--angle", 20, "--lift", 2, "--port", 8000, "--no-browser")
     assert page == ("sockets at 8000", False)
     assert [(pend["e"], pend["mass"]) for pend in viewer.cradle.pend_list] == [(0, 3.0)] * 3
     assert [abs(degrees(pend["theta"])) for pend in viewer.cradle.pend_list] == pytest.approx([20, 20, 0])
 
 
-def test_main_of_the_double_cradle_does_what_the_options_say(tmp_path, main):
+def test_main_of_the_double_cradle_does_what_the_options_say(tmp_path, start):
     csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
     arguments = ["--inelastic", "--mass", "3", "--angle", "25", "--phi", "-12.5", "--lift", "2", "--no-browser"]
-    page, viewer = main(csv, *arguments, program=visualize_double_cradle_run)
+    page, viewer = start(csv, *arguments, program=visualize_double_cradle_run, show=show_double_cradle)
     assert page == ("sockets at 0", False)
     outwards, pend_list = copysign(1, THETA_INIT), viewer.cradle.pend_list
     lifts = [(outwards * degrees(pend["theta"]), outwards * degrees(pend["phi"])) for pend in pend_list]
@@ -187,6 +179,6 @@ def test_main_refuses_in_one_line_before_a_page_opens(tmp_path, monkeypatch, cap
     monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", str(path), *arguments])
     monkeypatch.setattr("support.page.open_page", lambda *given: pytest.fail("a page was opened"))
     with pytest.raises(SystemExit) as refused:
-        visualize_cradle_run.main()
+        show_cradle(visualize_cradle_run.main)
     assert refused.value.code == 2
     assert capsys.readouterr() == ("", line.format(csv=path))

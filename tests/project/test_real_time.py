@@ -30,10 +30,17 @@ class Wall:
         self.slept += seconds
         self.now += seconds + self.interruptions.get(self.frames, 0)
 
+    def frame(self):
+        """Do what is due in a frame."""
+        ticks = self.pace.due()
+        if ticks:
+            self.advance(ticks)
+            self.pace.did(ticks)
+
     def run(self):
         """Let the frames follow one another until the end; return the simulated time (s)."""
         while self.now < self.until:
-            self.pace.frame(self.advance)
+            self.frame()
             self.pace.rest()
         return self.ticks * DT
 
@@ -115,7 +122,7 @@ def test_after_a_pause_nothing_is_owed_and_a_slow_past_forgotten():
     wall.now += 100
     wall.pace.restart()
     assert wall.pace.kept_up == 1
-    wall.pace.frame(wall.advance)
+    wall.frame()
     assert wall.ticks == ticks
     wall.cost, wall.until = 10e-6, wall.now + 3.1
     wall.run()
@@ -136,3 +143,36 @@ def test_slow_motion_is_remarked_on(kept_up, remark):
     pace = RealTime(DT)
     pace.speed, pace.kept_up = 2.0, kept_up
     assert pace.remark() == remark
+
+
+@pytest.mark.parametrize(("cost", "speed", "too_slow"), [(70e-6, 1, False), (80e-6, 1, True), (40e-6, 2, True)])
+def test_ticks_that_cost_more_than_there_is_time_are_too_slow(cost, speed, too_slow):
+    """Three quarters of the time are for ticks: at speed 1 that are 75 us for each of 0.1 ms."""
+    wall = Wall(cost, until=60)
+    wall.pace.speed = speed
+    wall.run()
+    assert wall.pace.is_too_slow() == too_slow
+
+
+def test_a_busy_machine_does_not_make_ticks_too_slow():
+    wall = Wall(cost=30e-6, until=2)
+    advance = wall.advance
+
+    def disturbed(ticks):
+        advance(ticks)
+        wall.now += 0.05 if wall.frames % 10 else 0
+
+    wall.advance = disturbed
+    wall.run()
+    assert wall.pace.kept_up < 0.9
+    assert not wall.pace.is_too_slow()
+
+
+def test_what_ticks_cost_is_learned_anew():
+    wall = Wall(cost=1e-3, until=10)
+    wall.run()
+    assert wall.pace.is_too_slow()
+    wall.pace.forget_costs()
+    wall.cost, wall.until = 10e-6, wall.now + 1
+    wall.run()
+    assert not wall.pace.is_too_slow()

@@ -6,22 +6,27 @@ import re
 import pandas as pd
 import pytest
 from cradles import MIXED_CSV
-from whole_cradles import make_motion
+from whole_cradles import make_swing
 
 from src.pds_helper import EXACT_FLOATS
-from support.recording import check_record, EVERY, Recording, SPAN, write_data
+from support.recording import check_record, data_file, EVERY, Recording, SPAN
 
 
 @pytest.fixture
-def motion(tmp_path):
+def player(tmp_path):
     """Three unequal pendula, let go from 30 degrees."""
-    return make_motion(tmp_path, MIXED_CSV)
+    return make_swing(tmp_path, MIXED_CSV)
 
 
-def test_what_is_saved_is_read_back_by_pandas_to_the_last_bit(motion, tmp_path):
+@pytest.fixture
+def motion(player):
+    return player.motion
+
+
+def test_what_is_saved_is_read_back_by_pandas_to_the_last_bit(player, motion, tmp_path):
     recording, samples = Recording(), []
     for _ in range(5):
-        motion.advance(321)
+        player.swing(321)
         samples.append(motion.sample())
         recording.add(samples[-1])
     data = pd.read_csv(recording.save(tmp_path), **EXACT_FLOATS)
@@ -47,13 +52,9 @@ def test_only_the_last_ten_minutes_are_kept(motion):
 
 def test_half_of_a_file_is_none(tmp_path):
     """Not even where rows are still being made when it goes wrong."""
-
-    def rows():
-        yield [1, 2]
+    with pytest.raises(ZeroDivisionError), data_file(tmp_path / "data.csv") as writer:
+        writer.writerow([1, 2])
         raise ZeroDivisionError
-
-    with pytest.raises(ZeroDivisionError):
-        write_data(tmp_path / "data.csv", ["t", "theta_1"], rows())
     assert os.listdir(tmp_path) == []
 
 
@@ -62,7 +63,8 @@ def test_data_may_be_replaced_by_data_and_nothing_else(tmp_path):
     check_record(file)
     file.touch()
     check_record(file)
-    write_data(file, ["t", "theta_1", "momentum"], [[0.0, 1.0, 2.0]])
+    with data_file(file) as writer:
+        writer.writerows([["t", "theta_1", "momentum"], [0.0, 1.0, 2.0]])
     check_record(file)
     assert file.read_bytes() == b"t,theta_1,momentum\n0.0,1.0,2.0\n"
     for other in (MIXED_CSV, "t,theta_1,mine\n", "t,mine,momentum\n"):
@@ -74,7 +76,7 @@ def test_data_may_be_replaced_by_data_and_nothing_else(tmp_path):
 def test_a_file_that_another_program_has_open_is_refused_before_anything_is_made(tmp_path, monkeypatch):
     """Excel lets others read it, and not write it."""
     file = tmp_path / "data.csv"
-    write_data(file, ["t", "theta_1", "momentum"], [])
+    file.write_text("t,theta_1,momentum\n")
 
     def fail(path, mode):
         assert mode == "r+b"

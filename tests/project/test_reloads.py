@@ -19,20 +19,29 @@ import vpython
 
 vpython.baseObj._view_constructed = True
 
-from src.live_cradle import LiveCradle
-from src.visualize_cradle_run import advance_cradle
+from src import visualize_cradle_run
+from src.beyond.live_cradle import LiveCradle
+from src.special_cradles import make_newton_cradle
+from support.constants import R_PARAM, THETA_INIT
 from support.cradle_csv import Snapshot
 from support.live_file import LiveFile
 from support.viewer import Viewer
 
 options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
 vpython.baseObj.empty = lambda: True
-viewer = Viewer(LiveCradle(advance_cradle, options), LiveFile(sys.argv[1]), angles=[45], lifted=1)
+cradle = LiveCradle(vars(visualize_cradle_run), options)
+viewer = Viewer(cradle, LiveFile(sys.argv[1]), angles=[45], lifted=1)
+
+def go_on(script):
+    for _ in script:
+        viewer.show(make_newton_cradle(viewer.csv, R_PARAM, THETA_INIT))
+
+go_on(viewer.open())
 tracemalloc.start()
 measured = {}
 for reload in range(1, 1001):
     viewer.file.current = Snapshot(sys.argv[1 + reload % (len(sys.argv) - 1)])
-    viewer.reload()
+    go_on(viewer.reload())
     viewer.show_motion()
     vpython.baseObj.initialize()
     if reload in (10, 1000):

@@ -4,15 +4,18 @@ import ast
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
+from math import degrees
 
+import pandas as pd
 import pytest
 from handout import FUNCTIONS, SUITES
-from programs import ROOT, SECONDS
+from make_starter import CHANGES
+from programs import end, first_lines, MOVES, needs_vpython, open_cradle, QUIETLY, ROOT, running, SECONDS
+from students import write, write_all, write_tiers
 
-ALL = {"D": 16, "C": 6, "B": 12, "A": 8, "Honor roll": 7}  # checks
+ALL = {"D": 16, "C": 6, "B": 12, "A": 12, "Honor roll": 7}  # checks
 
 
 def start(*arguments, folder):
@@ -37,33 +40,165 @@ def starter(tmp_path):
     return tmp_path / "starter"
 
 
-def put_back(starter, *files):
-    for file in files:
-        shutil.copy(ROOT / file, starter / file)
-
-
 def table_of(lines):
     """Return the table that pytest printed: for each tier, passed, waiting, failed, and points."""
     rows = [line.rsplit(maxsplit=4) for line in lines if re.fullmatch(r".+ \d+/\d+", line)]
     return {tier: [*map(int, numbers), points] for tier, *numbers, points in rows}
 
 
-def test_only_the_bodies_of_the_handouts_functions_are_taken_out(starter):
-    for file in {function.file for function in FUNCTIONS.values()}:
-        before, after = (ast.parse((folder / file).read_text()).body for folder in (ROOT, starter))
-        for node, emptied in zip(before, after, strict=True):
-            if isinstance(node, ast.FunctionDef) and node.name in FUNCTIONS:
-                assert ast.unparse(emptied.args) == ast.unparse(node.args)
-                assert ast.get_docstring(emptied) == ast.get_docstring(node)
-                provided = 2 if node.name == "extract_and_convert" else 0
-                *kept, last = emptied.body[1:]
-                assert [*map(ast.unparse, kept)] == [*map(ast.unparse, node.body[1 : 1 + provided])]
-                assert ast.unparse(last) == f"raise NotImplementedError('{node.name} is not written yet')"
-            else:
-                assert ast.unparse(emptied) == ast.unparse(node)
-    for file in [*ROOT.glob("src/*.py"), *ROOT.glob("support/*.*"), ROOT / "newton_cradle_pends.csv"]:
-        if file.relative_to(ROOT).as_posix() not in {function.file for function in FUNCTIONS.values()}:
-            assert (starter / file.relative_to(ROOT)).read_bytes() == file.read_bytes()
+def test_what_a_student_gets(starter):
+    """The signatures are the handout's own, and each function has its docstring and its place."""
+    for name, function in FUNCTIONS.items():
+        (node,) = (node for node in functions_in(starter / function.file) if node.name == name)
+        assert ", ".join(arg.arg for arg in node.args.args) == function.parameters
+        assert ast.get_docstring(node)
+        stubs = [part for part in ast.walk(node) if isinstance(part, ast.Raise)]
+        assert len(stubs) == (2 if name == "main" else 1)
+        assert {ast.unparse(stub) for stub in stubs} == {f"raise NotImplementedError('{name} is not written yet')"}
+
+
+def functions_in(file):
+    """Return the functions of a file, as trees."""
+    return [node for node in ast.parse(file.read_text(encoding="utf-8")).body if isinstance(node, ast.FunctionDef)]
+
+
+def test_the_lines_of_the_handout_are_there_as_it_has_them(starter):
+    (node,) = (node for node in functions_in(starter / "src/pds_helper.py") if node.name == "extract_and_convert")
+    _, df, bad_rep, _ = map(ast.unparse, node.body)
+    assert (df, bad_rep) == ("df = pd.read_csv(relative_filepath)", "bad_rep = df.to_dict(orient='index')")
+    main = (starter / "src/visualize_cradle_run.py").read_text().partition("def main")[2]
+    for line in (
+        "while page.is_running():",
+        "if page.wants_cradle():",
+        "page.show(pend_list)",
+        "while page.wants_tick():",
+    ):
+        assert line in main
+
+
+def test_src_has_the_handouts_files_and_the_programs_and_nothing_else(starter):
+    names = {path.name for path in starter.glob("src/*")}
+    handouts = {function.file.partition("/")[2] for function in FUNCTIONS.values()}
+    assert names == handouts | {
+        *("__init__.py", "beyond", "text_cradle_run.py", "visualize_double_cradle_run.py"),
+    }
+
+
+def test_what_nobody_changes_is_the_projects(starter):
+    changed = {change[0] for change in CHANGES} | {function.file for function in FUNCTIONS.values()}
+    for file in [*starter.glob("src/**/*.py"), *starter.glob("support/*.*"), starter / "newton_cradle_pends.csv"]:
+        name = file.relative_to(starter).as_posix()
+        if name not in changed:
+            assert file.read_bytes() == (ROOT / name).read_bytes()
+
+
+def test_no_reference_to_what_is_not_there(starter):
+    """Neither to a file, nor to a module, nor to a name that nothing gives."""
+    for file in [
+        *starter.glob("*.*"),
+        *starter.glob("src/**/*.py"),
+        *starter.glob("support/*.*"),
+        *starter.glob("tests/*"),
+    ]:
+        if file.suffix in (".py", ".md", ".toml", ".html"):
+            text = file.read_text(encoding="utf-8")
+            for path in re.findall(r"\b(?:src|support|tests)/[\w/]+\.\w+", text):
+                assert (starter / path).exists() or "make_starter" in path, (file.name, path)
+            for module in re.findall(r"\b(?:src|support)(?:\.\w+)+", text):
+                folder, *rest = module.split(".")
+                assert (starter / folder / f"{rest[0]}.py").exists() or (starter / folder / rest[0]).exists(), module
+    done = start(
+        "-m", "ruff", "check", "--isolated", "--select", "F", "--ignore", "F401,F821,F841", "src", folder=starter
+    )
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout
+
+
+def test_a_student_meets_no_unexplained_name(starter):
+    for name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run"):
+        text = (starter / "src" / f"{name}.py").read_text()
+        for word in (
+            "cleaned",
+            "EXACT_FLOATS",
+            "approaching_only",
+            "many_ticks",
+            "check_cradle",
+            "BUFFER",
+            "pairwise",
+            "rule",
+        ):
+            assert not re.search(rf"\b{word}\b", text), (name, word)
+
+
+# --- no answers ------------------------------------------------------------------------------------------------------
+
+# Calls of a student's function that the programs need, or that the handout itself gives: (file, function).
+CALLED = {
+    ("swinging.py", "angle_update"),  # by swing_update, which the handout provides
+    ("double_cradle.py", "make_newton_cradle"),
+    ("double_cradle.py", "make_double_pendulum"),
+    ("double_cradle.py", "double_angle_update"),
+    ("live_cradle.py", "uniform_mass_newton_cradle"),
+    ("pds_tester.py", "extract_and_convert"),
+    ("watch.py", "make_double_pendulum"),
+}
+
+
+def answers_in(tree, file):
+    """Yield what in this file a student could write off."""
+    for node in ast.walk(tree):
+        called = name_of(node.func) if isinstance(node, ast.Call) else ""
+        if called in FUNCTIONS and called != "main" and (file, called) not in CALLED:
+            yield f"a call of {called}"
+        if isinstance(node, (ast.For, ast.ListComp, ast.GeneratorExp)):
+            inner = {name_of(call.func) for call in ast.walk(node) if isinstance(call, ast.Call)}
+            if inner & {"swing_update", "angle_update"}:
+                yield "a loop that swings"
+        text = ast.unparse(node) if isinstance(node, (ast.BinOp, ast.Compare, ast.Subscript)) else ""
+        for pattern, words in (
+            (r"-?0\.1 \+ .*/ 4", "the places of the axles"),
+            (r"/ 4 \* i\b", "the places of the axles"),
+            (r"\b(r_param|R|R_PARAM) / 5\b", "the height of the axles"),
+            (r"(COLOR|TEXTURE)_MAP\[.*(color|texture)", "the looks of a row"),
+            (r"^mag\(.*\.pos - .*\.pos\) [<>]", "whether bobs touch"),
+            (r"[<>].* (1\.05|BUFFER) \* \(\w+\.radius \+ \w+\.radius\)", "whether bobs touch"),
+            (r"m1 \* \w+ \+ m2 \* \w+ [-+]", "the formula of a collision"),
+            (r"\* e \* \(", "the formula of a collision"),
+            (r"\bg \* sin\(theta\)", "the formula of the swing"),
+            (r"theta \+ omega\w* \* dt", "the formula of the swing"),
+        ):
+            if re.search(pattern, text):
+                yield f"{words}: {text}"
+
+
+def name_of(function):
+    """Return the name of what is called, or nothing."""
+    return getattr(function, "id", getattr(function, "attr", ""))
+
+
+def test_no_answers_are_in_the_folder(starter):
+    found = [
+        (file.name, answer)
+        for file in starter.rglob("*.py")
+        for answer in answers_in(ast.parse(file.read_text(encoding="utf-8")), file.name)
+    ]
+    assert found == []
+
+
+def test_answers_are_found_where_there_are_some():
+    """In the project itself: in each file of a function, and in the collisions of the double cradle."""
+    for name, words in [
+        ("special_cradles", "the places of the axles"),
+        ("special_cradles", "the looks of a row"),
+        ("swinging", "a loop that swings"),
+        ("swinging", "the formula of the swing"),
+        ("visualize_cradle_run", "a call of handle_two_bobs"),
+        ("visualize_cradle_run", "a call of newton_cradle_tick"),
+        ("visualize_cradle_run", "whether bobs touch"),
+        ("visualize_cradle_run", "the formula of a collision"),
+    ]:
+        file = ROOT / "src" / f"{name}.py"
+        answers = list(answers_in(ast.parse(file.read_text(encoding="utf-8")), file.name))
+        assert any(answer.startswith(words) for answer in answers), (name, words)
 
 
 def test_of_tests_only_what_grades_is_handed_out(starter):
@@ -73,17 +208,18 @@ def test_of_tests_only_what_grades_is_handed_out(starter):
     }
 
 
-def test_all_fails_as_not_written_yet_and_with_the_solutions_all_is_green(starter):
+def test_all_waits_to_be_written_and_with_the_solutions_all_is_green(starter):
     status, lines, graded = grade(starter)
     assert status == 1
-    assert table_of(lines) == {tier: [0, 0, count, f"0/{count}"] for tier, count in ALL.items()}
-    assert len([line for line in lines if "not written yet" in line]) == sum(ALL.values())
-    assert lines[-1].startswith(f"{'=' * 20}") and f" {sum(ALL.values())} failed in " in lines[-1]
+    assert table_of(lines) == {tier: [0, count, 0, f"0/{count}"] for tier, count in ALL.items()}
+    assert [line.split()[0] for line in lines if re.search(r" in src/\w+\.py, line \d+$", line)] == [*FUNCTIONS]
+    assert f" {sum(ALL.values())} waiting in " in lines[-1]
+    assert len(lines) <= 40
     assert graded["grade"] is None
     assert graded["next"].startswith("extract_and_convert in src/pds_helper.py")
     assert not [line for line in lines if "fault of the grader" in line]
 
-    put_back(starter, *{function.file for function in FUNCTIONS.values()})
+    write_all(starter)
     status, lines, graded = grade(starter)
     assert status == 0
     tiers = {tier: {"passed": n, "waiting": 0, "failed": 0, "points": n, "of": n} for tier, n in ALL.items()}
@@ -92,21 +228,83 @@ def test_all_fails_as_not_written_yet_and_with_the_solutions_all_is_green(starte
     assert len(lines) <= 25
 
 
-@pytest.mark.parametrize(
-    ("program", "missing"),
-    [
-        ("src/visualize_cradle_run.py", [name for name, of in FUNCTIONS.items() if of.tier in "DCBA"]),
-        ("src/text_cradle_run.py", [name for name, of in FUNCTIONS.items() if of.tier in "DCBA"]),
-        ("src/visualize_double_cradle_run.py", [name for name, of in FUNCTIONS.items() if of.tier not in "CBA"]),
-    ],
-)
-def test_programs_say_what_is_missing(starter, program, missing):
+# --- something to see after every grade ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("program", ["src/visualize_cradle_run.py", "src/text_cradle_run.py"])
+def test_before_d_one_line_says_what_is_to_be_written(starter, program):
+    write(starter, "extract_and_convert", "elastic_newton_cradle")
     done = start(program, folder=starter)
     assert (done.returncode, done.stdout) == (2, "")
-    first, *names, last = done.stderr.splitlines()
-    assert first == "There is no cradle to be seen yet. Still to be written:"
-    assert [line.partition(",")[0] for line in names] == [f"    {name} in {FUNCTIONS[name].file}" for name in missing]
-    assert last == "`pytest` tells which one is next."
+    names = "uniform_mass_newton_cradle, uniform_e_newton_cradle, inelastic_newton_cradle, make_newton_cradle"
+    line = f"There is no cradle to be seen yet. Still to be written: {names} in src/special_cradles.py.\n"
+    assert done.stderr == line
+
+
+def test_the_double_cradle_needs_all_of_its_functions(starter):
+    write_tiers(starter, "DCBA")
+    write(starter, "make_double_pendulum")
+    done = start("src/visualize_double_cradle_run.py", folder=starter)
+    names = (
+        "double_angle_update, double_cradle_tick in src/double_cradle.py; main in src/visualize_double_cradle_run.py"
+    )
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"There is no cradle to be seen yet. Still to be written: {names}.\n"
+
+
+STAGES = [  # the tiers that are written, what the line says, and the angles of the first and of the last pendulum
+    ("D", "Still to be written: angle_update, full_swing_update in src/swinging.py. Then the pendula swing.", (-45, 0)),
+    (
+        "DC",
+        "Still to be written: handle_collision, handle_two_bobs, newton_cradle_tick, main in "
+        "src/visualize_cradle_run.py. Then the bobs collide.",
+        (44, 0),
+    ),
+    (
+        "DCB",
+        "Still to be written: newton_cradle_tick, main in src/visualize_cradle_run.py. Then the bobs collide.",
+        (44, 0),
+    ),
+    ("DCBA", "", (0, 44)),
+]
+
+
+@pytest.mark.parametrize(("tiers", "remark", "angles"), STAGES)
+def test_the_terminal_shows_what_there_is(starter, tiers, remark, angles):
+    write_tiers(starter, tiers)
+    program = "src/text_cradle_run.py"
+    done = start(program, "--seconds", "0.1", folder=starter)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith(f"{remark}\nt = 0.00 s" if remark else "t = 0.00 s")
+    done = start(program, "--record", "data.csv", "--seconds", "0.5", "--every", "0.5", folder=starter)
+    assert (done.returncode, done.stderr) == (0, "")
+    last = pd.read_csv(starter / "data.csv").iloc[-1]
+    assert [round(degrees(last[name])) for name in ("theta_1", "theta_5")] == pytest.approx(angles, abs=1)
+
+
+def test_a_line_that_was_left_below_a_return_is_no_stub(starter):
+    write_tiers(starter, "DCBA")
+    swinging = starter / "src" / "swinging.py"
+    stub = '    raise NotImplementedError("angle_update is not written yet")\n'
+    swinging.write_text(swinging.read_text().replace("theta_new)\n", f"theta_new)\n{stub}", 1))
+    done = start("src/text_cradle_run.py", "--seconds", "0.1", folder=starter)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith("t = 0.00 s")
+
+
+@pytest.mark.parametrize(("tiers", "remark", "angles"), STAGES[:2])
+class TestOnThePage:
+    pytestmark = needs_vpython
+
+    def test_the_page_shows_what_there_is(self, page, starter, tiers, remark, angles):
+        write_tiers(starter, tiers)
+        with running(starter / "src" / "visualize_cradle_run.py") as process:
+            open_cradle(page, first_lines(process))
+            assert page.locator(".remark").inner_text() == remark
+            assert bool(page.evaluate(MOVES)) == (angles[0] != -45)
+            assert page.locator("input[type=checkbox]").first.is_disabled()
+            page.close()
+            assert end(process) == QUIETLY
 
 
 def test_pds_tester_shows_what_there_is(starter):
@@ -119,7 +317,7 @@ def test_pds_tester_shows_what_there_is(starter):
 
 def test_a_half_written_project(starter):
     """D is there, angle_update has a mistake, and handle_collision raises; the rest is not written."""
-    put_back(starter, "src/pds_helper.py", "src/special_cradles.py", "src/swinging.py")
+    write_tiers(starter, "DC")
     swinging, run = starter / "src" / "swinging.py", starter / "src" / "visualize_cradle_run.py"
     swinging.write_text(swinging.read_text().replace("theta + omega_new * dt", "theta + omega * dt"))
     stub = 'raise NotImplementedError("handle_collision is not written yet")'
@@ -129,13 +327,16 @@ def test_a_half_written_project(starter):
     assert table_of(lines) == {
         "D": [16, 0, 0, "16/16"],
         "C": [0, 4, 2, "0/6"],
-        "B": [0, 0, 12, "0/12"],
-        "A": [0, 0, 8, "0/8"],
-        "Honor roll": [0, 0, 7, "0/7"],
+        "B": [0, 8, 4, "0/12"],
+        "A": [0, 12, 0, "0/12"],
+        "Honor roll": [0, 7, 0, "0/7"],
     }
     assert "4 wait for angle_update" in lines
     assert "Grade: D." in lines
     assert (graded["grade"], graded["next"].split()[0]) == ("D", "angle_update")
+    assert lines.index("4 more fail: handle_collision") < lines.index("1 more fails: angle_update")
+    assert "hint        This is what the old omega gives; the angle moves with the new one." in lines
+    _, lines, _ = grade(starter, "--tier", "B")
     where = lines.index("it raised   ValueError: invalid literal for int() with base 10: 'm1'")
     assert lines[where + 1].startswith("            src/visualize_cradle_run.py, line ")
     assert lines[where + 2] == '                return int("m1")'
@@ -146,17 +347,15 @@ def test_a_half_written_project(starter):
 
 
 def test_a_file_that_cannot_be_imported_fails_its_own_functions_only(starter):
-    put_back(starter, *{function.file for function in FUNCTIONS.values()})
+    write_all(starter)
     swinging = starter / "src" / "swinging.py"
-    swinging.write_text(swinging.read_text().replace("for pend_dict in pend_list:", "for pend_dict in pend_list"))
+    swinging.write_text(swinging.read_text().replace("for pend in pend_list:", "for pend in pend_list"))
     status, lines, graded = grade(starter)
     assert status == 1
     waiting = {"D": 16, "C": 0, "B": 0, "A": 0, "Honor roll": 0}
     assert {tier: row[0] for tier, row in table_of(lines).items()} == {**waiting, "Honor roll": 7}
     assert {tier: row[2] for tier, row in table_of(lines).items()} == {"D": 0, "C": 2, "B": 0, "A": 0, "Honor roll": 0}
-    assert [line.startswith("it raised   SyntaxError: expected ':' (swinging.py, line ") for line in lines].count(
-        True
-    ) == 2
+    assert len([line for line in lines if line.startswith("it raised   SyntaxError: expected ':' (swinging.py")]) == 1
 
 
 @pytest.mark.parametrize(
@@ -171,12 +370,12 @@ def test_a_file_that_cannot_be_imported_fails_its_own_functions_only(starter):
         (
             "def uniform_mass",
             "extract_and_convert('nowhere.csv')\n\n\ndef uniform_mass",
-            "ValueError: nowhere.csv: cannot",
+            "FileNotFoundError: [Errno 2] No such file or directory: 'nowhere.csv'",
         ),
     ],
 )
 def test_the_file_at_fault_fails_and_those_that_import_it_wait(starter, before, after, line):
-    put_back(starter, *{function.file for function in FUNCTIONS.values()})
+    write_all(starter)
     special = starter / "src" / "special_cradles.py"
     special.write_text(special.read_text().replace(before, after))
     status, lines, graded = grade(starter)
@@ -184,12 +383,12 @@ def test_the_file_at_fault_fails_and_those_that_import_it_wait(starter, before, 
     assert status == 1
     assert [row[2] for row in table.values()] == [10, 0, 0, 0, 0]  # elastic and inelastic wait for uniform_e
     assert graded["next"].startswith("uniform_mass_newton_cradle in src/special_cradles.py")
-    assert len([text for text in lines if text.startswith(f"it raised   {line}")]) == 10
+    assert len([text for text in lines if text.startswith(f"it raised   {line}")]) == 1
     assert ("hint        Its name is src.pds_helper." in lines) == line.startswith("Module")
 
 
 def test_a_fault_of_the_grader_fails_and_is_no_point(starter):
-    put_back(starter, *{function.file for function in FUNCTIONS.values()})
+    write_all(starter)
     suite = starter / "tests" / "test_c.py"
     suite.write_text(suite.read_text().replace('expect("angle_update", *STEP', 'expect("angle_update", 1 / 0, *STEP'))
     status, lines, graded = grade(starter, "--tier", "C")
@@ -206,13 +405,13 @@ def test_the_suites_run_in_the_order_of_the_handout(starter):
 
 
 def test_one_tier_alone(starter):
-    put_back(starter, "src/pds_helper.py", "src/special_cradles.py")
+    write_tiers(starter, "D")
     status, lines, graded = grade(starter, "--tier", "d")
     assert (status, table_of(lines)) == (0, {"D": [16, 0, 0, "16/16"]})
     assert (graded["grade"], graded["next"]) == ("D", "all checks of tier C, which were not all run")
     assert (starter / "grade.json").is_file()  # and can be written again
     status, lines, graded = grade(starter, "--tier", "honor")
-    assert (status, table_of(lines)) == (1, {"Honor roll": [0, 0, 7, "0/7"]})
+    assert (status, table_of(lines)) == (1, {"Honor roll": [0, 7, 0, "0/7"]})
     assert graded["grade"] is None
 
 

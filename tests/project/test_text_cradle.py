@@ -18,13 +18,14 @@ import pandas as pd
 import pytest
 from cradles import MIXED_CSV
 from programs import copy_project, end, QUIETLY, refusal, ROOT, running, SECONDS
-from whole_cradles import FIVE_CSV, GOOD, HEADER, make_motion, PERIOD
+from whole_cradles import FIVE_CSV, GOOD, HEADER, make_live, make_swing, PERIOD
 
 from src import text_cradle_run
 from src.special_cradles import make_newton_cradle
+from src.visualize_cradle_run import main as cradle_main
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.motion import Motion
+from support.cradle_csv import Snapshot
 from support.real_time import RealTime
 from support.text_picture import TextPicture
 
@@ -40,38 +41,40 @@ def five(tmp_path):
     return str(file)
 
 
+def text_player(folder, kind, seconds):
+    """Return a player of this kind with five equal bobs, let go from 30 degrees, for so many seconds."""
+    (folder / "cradle.csv").write_text(FIVE_CSV)
+    csv = Snapshot(folder / "cradle.csv")
+    return kind(make_live(), csv, SimpleNamespace(angle=30, lift=1, seconds=seconds))
+
+
 # --- keeping time ----------------------------------------------------------------------------------------------------
 
 
-class Wall:
-    """A clock on the wall on which time passes only by sleeping, and a motion that only counts."""
+class Wall(text_cradle_run.TextPlayer):
+    """A player on whose clock time passes only by sleeping."""
 
-    def __init__(self):
-        self.now, self.ticks, self.cradle = 50.0, 0, SimpleNamespace(dt=1e-4)
+    def __init__(self, folder, seconds, step):
+        self.step_seconds, self.now = step, 50.0
+        (folder / "cradle.csv").write_text(HEADER + GOOD)
+        csv = Snapshot(folder / "cradle.csv")
+        super().__init__(make_live(), csv, SimpleNamespace(angle=30, lift=1, seconds=seconds))
         self.pace = RealTime(self.cradle.dt, lambda: self.now, self.sleep)
+        self.at_once = True
         self.shown = []  # (s on the wall, s simulated)
 
     def sleep(self, seconds):
         self.now += max(seconds, 1e-4)
         assert self.now < 200, "it never ends"
 
-    def advance(self, ticks):
-        self.ticks += ticks
-
-    def parts(self, ticks, step):
-        return Motion.parts(self, ticks, step)
-
-    def sample(self):
-        return {}
-
-    def show(self):
-        self.shown.append((self.now - 50, self.ticks * self.cradle.dt))
+    def note(self):
+        self.shown.append((self.now - 50, self.motion.time()))
 
 
 @pytest.mark.parametrize(("seconds", "step", "times"), [(10, 0.05, 201), (10, 0.5, 21), (0.72, 0.5, 3)])
-def test_it_keeps_time_and_shows_each_step(seconds, step, times):
-    wall = Wall()
-    text_cradle_run.play(wall, wall.pace, seconds, step, wall.show)
+def test_it_keeps_time_and_shows_each_step(tmp_path, seconds, step, times):
+    wall = Wall(tmp_path, seconds, step)
+    cradle_main(wall)
     assert [simulated for _, simulated in wall.shown[:-1]] == pytest.approx([step * i for i in range(times - 1)])
     assert wall.shown[-1][1] == pytest.approx(seconds)
     assert len(wall.shown) == times
@@ -79,17 +82,17 @@ def test_it_keeps_time_and_shows_each_step(seconds, step, times):
         assert simulated == pytest.approx(on_the_wall, abs=2 / 60)
 
 
-def test_time_before_the_start_does_not_count():
-    wall = Wall()
+def test_time_before_the_start_does_not_count(tmp_path):
+    wall = Wall(tmp_path, 1, 0.5)
     wall.now += 5
-    text_cradle_run.play(wall, wall.pace, 1, 0.5, wall.show)
+    cradle_main(wall)
     assert wall.shown[-1][0] == pytest.approx(6, abs=2 / 60)
 
 
-@pytest.mark.parametrize("show", [text_cradle_run.tell_lines, text_cradle_run.show_pictures])
-def test_half_a_second_is_no_less_on_the_wall(tmp_path, show):
+@pytest.mark.parametrize("kind", [text_cradle_run.Lines, text_cradle_run.Pictures])
+def test_half_a_second_is_no_less_on_the_wall(tmp_path, kind):
     begin = time.monotonic()
-    show(make_motion(tmp_path), 0.5)
+    cradle_main(text_player(tmp_path, kind, 0.5))
     assert time.monotonic() - begin > 0.45
 
 
@@ -116,14 +119,14 @@ def test_lines_are_at_most_80_columns_long(run, tmp_path):
 
 
 def test_the_latest_hits_are_told_in_their_order(tmp_path):
-    motion = make_motion(tmp_path)
+    motion = make_swing(tmp_path).motion
     motion.trains.add(0.1, 0, 1, True)
     motion.trains.add(0.3, 3, 4, False)
     assert text_cradle_run.summary(motion).endswith(" left, hits 1-2, 5-4")
 
 
 def test_a_bob_that_has_gone_round_is_told_of_where_it_is(tmp_path):
-    motion = make_motion(tmp_path, lift=0)
+    motion = make_swing(tmp_path, lift=0).motion
     motion.cradle.pend_list[1]["theta"] = radians(360 * 3 + 20)
     assert "pendulum 2 at 20 degrees right" in text_cradle_run.summary(motion)
 
@@ -240,7 +243,7 @@ def test_the_picture_is_as_large_as_the_terminal_allows(five, lines, columns):
 
 
 def test_a_screen_of_its_own_is_cleared_line_by_line_and_given_back(tmp_path, capsys):
-    text_cradle_run.show_pictures(make_motion(tmp_path), 0.1)
+    text_cradle_run.show_pictures(cradle_main, text_player(tmp_path, text_cradle_run.Pictures, 0.1))
     said, _, last_words = capsys.readouterr().out.partition(RESTORED)
     assert said.startswith("\x1b[?1049h\x1b[?25l\x1b[H")
     assert said.count("\x1b[H") == said.count("\x1b[J") == 3
@@ -250,8 +253,10 @@ def test_a_screen_of_its_own_is_cleared_line_by_line_and_given_back(tmp_path, ca
 
 def test_what_is_to_be_seen(tmp_path, monkeypatch):
     monkeypatch.setattr("shutil.get_terminal_size", lambda: os.terminal_size((200, 24)))
-    motion = make_motion(tmp_path, HEADER + GOOD * 20, angle=180, lift=3)
-    motion.cradle.advance(1, True)
+    player = make_swing(tmp_path, HEADER + GOOD * 20, angle=180, lift=3)
+    player.swing(1)
+    motion = player.motion
+    motion.trains.clear()
     for left in [*range(19), *range(18, -1, -1)]:
         motion.trains.add(1.0, left, left + 1, True)
     motion.trains.add(2.0, 0, 1, True)
@@ -262,7 +267,13 @@ def test_what_is_to_be_seen(tmp_path, monkeypatch):
     assert lines[impacts + 2].startswith("t = 1.00 s  1-2-3-...-20  ")
     assert len(lines[impacts + 2]) == 80
     assert lines[impacts + 3 :] == ["", "", "", "Ctrl+C ends it."]
-    assert len(text_cradle_run.screen(make_motion(tmp_path, angle=180), TextPicture(), "")) in (23, 24)
+    motion = make_swing(tmp_path, angle=180).motion
+    assert len(text_cradle_run.screen(motion, TextPicture(), "")) in (23, 24)
+    remark = "Still to be written: handle_collision, handle_two_bobs, newton_cradle_tick, main. Then the bobs collide."
+    lines = text_cradle_run.screen(motion, TextPicture(), "", remark)
+    assert " ".join(lines[1:3]) == remark
+    assert len(lines) <= 24
+    assert lines[-1] == "Ctrl+C ends it."
 
 
 @posix
@@ -320,8 +331,10 @@ def test_the_options_of_the_cradle_count(run, tmp_path):
     ("seconds", "every", "count", "last"), [(0.3, 0.1, 4, 0.3), (0.35, 0.1, 4, 0.3), (0.02, 0.0007, 29, 0.0196)]
 )
 def test_rows_are_where_they_should_be(tmp_path, capsys, seconds, every, count, last):
-    data = tmp_path / "data.csv"
-    text_cradle_run.record(make_motion(tmp_path), SimpleNamespace(seconds=seconds, every=every, record=str(data)))
+    data, csv = tmp_path / "data.csv", tmp_path / "cradle.csv"
+    csv.write_text(FIVE_CSV)
+    options = SimpleNamespace(seconds=seconds, every=every, record=str(data), angle=30, lift=1)
+    text_cradle_run.record(cradle_main, make_live(), Snapshot(csv), options)
     assert capsys.readouterr().out == f"{count} rows, from t = 0 to {last:g} s, are in {data}\n"
     assert pd.read_csv(data)["t"].to_list() == pytest.approx([every * i for i in range(count)])
 
@@ -408,9 +421,12 @@ def test_a_progress_bar_is_shown_when_it_takes_more_than_two_seconds(monkeypatch
         assert said.endswith("\r\x1b[K")
 
 
-def test_the_progress_is_told_however_rare_the_rows_are():
-    wall, parts = Wall(), []
-    assert len(list(text_cradle_run.rows(wall, 5, 3, parts.append))) == 3
+def test_the_progress_is_told_however_rare_the_rows_are(tmp_path):
+    file, written, parts = tmp_path / "cradle.csv", StringIO(), []
+    file.write_text(HEADER + GOOD)
+    options, writer = SimpleNamespace(seconds=10, every=5, angle=30, lift=1), csv.writer(written)
+    cradle_main(text_cradle_run.Recorder(make_live(), Snapshot(file), options, writer, parts.append))
+    assert written.getvalue().count("\n") == 1 + 3
     assert parts == pytest.approx([number / 100 for number in range(1, 101)])
 
 

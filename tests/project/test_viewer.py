@@ -12,12 +12,13 @@ from types import SimpleNamespace
 import pandas as pd
 import pytest
 from vpython import cylinder, scene, vector, wtext
-from whole_cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD
+from whole_cradles import components, FIVE_CSV, go_on, GOOD, HEADER, make_live, PERIOD
 
-from src.live_cradle import LiveCradle
-from src.live_double_cradle import LiveDoubleCradle
+from src import visualize_cradle_run
+from src.beyond.live_cradle import LiveCradle
+from src.beyond.live_double_cradle import LiveDoubleCradle
 from src.special_cradles import make_newton_cradle
-from src.visualize_cradle_run import advance_cradle
+from src.visualize_cradle_run import newton_cradle_tick
 from support.commands import Command
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.energy_graph import HIDING, INTERVAL, SPAN
@@ -32,15 +33,15 @@ from support.viewer import Viewer
 class Wall:
     """The wall clock, and the viewer that lives by it."""
 
-    def __init__(self, csv, *angles, make_cradle=None):
+    def __init__(self, csv, *angles, kind=LiveCradle, remark=""):
         self.now = 100.0
         self.file = csv
-        options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
         live_file = LiveFile(csv, self.clock)
-        cradle = make_cradle(options) if make_cradle else LiveCradle(advance_cradle, options)
-        self.viewer = Viewer(cradle, live_file, angles or [30], lifted=1)
+        self.viewer = Viewer(make_live(kind), live_file, angles or [30], 1, remark)
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=None)
         self.panel = self.viewer.panel
+        self.viewer.at_once = True  # what single ticks do is the same, and takes longer
+        go_on(self.viewer, self.viewer.open())
 
     def clock(self):
         return self.now
@@ -50,7 +51,7 @@ class Wall:
         for _ in range(max(1, round(seconds / FRAME))):
             self.now += seconds and FRAME
             self.viewer.next_refresh = 0
-            self.viewer.frame()
+            go_on(self.viewer, self.viewer.frame())
 
     def thetas(self):
         return [pend["theta"] for pend in self.viewer.cradle.pend_list]
@@ -182,16 +183,25 @@ def test_collisions(wall):
     assert max(wall.thetas()) - min(wall.thetas()) < 0.05  # they hang together
 
 
-def test_separating_bobs(wall, monkeypatch):
+def test_separating_bobs(wall):
     rules = []
-    monkeypatch.setattr(
-        wall.viewer.cradle, "advance", lambda ticks, approaching_only: rules.append(approaching_only) or []
-    )
     for checked in (False, True, False):
         wall.panel.separating.checked = checked
         wall.panel.separating.bind(wall.panel.separating)
         wall.wait(0.1)
-    assert [rule for rule, following in pairwise([*rules, None]) if rule is not following] == [True, False, True]
+        rules.append(wall.viewer.rule)
+    assert rules == [{"approaching_only": rule} for rule in (True, False, True)]
+
+
+def test_where_the_rule_cannot_be_chosen_the_box_says_so_and_is_fixed(csv, monkeypatch):
+    tick, texts = visualize_cradle_run.newton_cradle_tick, []
+    monkeypatch.setattr("support.panel.add_hint", texts.append)
+    box = Wall(csv).panel.separating
+    assert (box.checked, box.disabled) == (False, False)
+    monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", lambda p, r, dt, g: tick(p, r, dt, g))
+    box = Wall(csv).panel.separating
+    assert (box.checked, box.disabled) == (True, True)
+    assert texts[-1] == "fixed: the functions take no approaching_only"
 
 
 @pytest.mark.parametrize(
@@ -200,7 +210,7 @@ def test_separating_bobs(wall, monkeypatch):
 )
 def test_keys_do_what_the_buttons_do(wall, monkeypatch, key, command):
     done = []
-    monkeypatch.setattr(wall.viewer, "carry_out", lambda *given: done.append(given))
+    monkeypatch.setattr(wall.viewer, "carry_out", lambda *given: done.append(given) or iter(()))
     wall.press(key)
     wall.press("x")
     wall.press(key, ctrl=True)  # that is the browser's
@@ -236,7 +246,7 @@ def test_an_angle_is_shown_to_its_last_digit(csv):
 def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     labels = []
     monkeypatch.setattr("support.panel.add_label", labels.append)
-    wall = Wall(csv, 30, 10, make_cradle=LiveDoubleCradle)
+    wall = Wall(csv, 30, 10, kind=LiveDoubleCradle)
     theta, phi = wall.panel.angles
     ranges = [(setting.slider.min, setting.slider.max, setting.slider.step) for setting in (theta, phi)]
     assert ranges == [(0, 180, 1), (-180, 180, 1)]
@@ -270,13 +280,12 @@ def test_what_is_set_stays_set(wall, csv, anew):
 def test_what_passed_before_it_ran_is_not_owed(wall, monkeypatch):
     """The page takes a while to open."""
 
-    def rest():
-        raise KeyboardInterrupt
+    def wait_for_page():
+        wall.now += 5
 
-    wall.now += 5
-    monkeypatch.setattr(wall.viewer.pace, "rest", rest)
-    with pytest.raises(KeyboardInterrupt):
-        wall.viewer.run()
+    monkeypatch.setattr(wall.viewer, "wait_for_page", wait_for_page)
+    go_on(wall.viewer, wall.viewer.open())
+    wall.wait()
     assert wall.viewer.motion.ticks == 0
 
 
@@ -351,7 +360,7 @@ def test_a_click_beside_the_bobs_begins_no_new_hundred_percent(wall, dragged):
         wall.mouse("mousedown", bob)
         wall.mouse("mouseup", bob)
     start = wall.viewer.motion.start_energy
-    wall.viewer.cradle.collide("inelastic, e = 0")
+    wall.viewer.collide("inelastic, e = 0")
     wall.wait(1)
     wall.mouse("mousedown", bob + vector(1, 0, 0))
     wall.mouse("mouseup", bob + vector(1, 0, 0))
@@ -436,7 +445,8 @@ def test_what_has_been_seen_is_saved_where_the_program_was_started(wall, csv, tm
     assert data["t"].to_list() == pytest.approx([EVERY * i for i in range(len(data))])
     assert data["t"].iloc[-1] == pytest.approx(2, abs=3 * FRAME)
     pend_list = make_newton_cradle(csv, R_PARAM, copysign(pi / 6, THETA_INIT))
-    advance_cradle(pend_list, R_PARAM, DT, G, round(EVERY / DT) * 70, approaching_only=True)
+    for _ in range(round(EVERY / DT) * 70):
+        newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
     for i, pend in enumerate(pend_list, start=1):
         assert data.loc[70, [f"theta_{i}", f"omega_{i}"]].to_list() == pytest.approx([pend["theta"], pend["omega"]])
 
@@ -567,18 +577,48 @@ def test_a_cradle_at_rest_has_no_percentages_of_nothing(wall):
 
 
 def test_slow_motion_is_admitted(wall, monkeypatch):
-    advance = wall.viewer.cradle.advance
-
-    def slow(ticks, approaching_only):
-        wall.now += ticks * wall.viewer.cradle.dt / 0.45
-        return advance(ticks, approaching_only)
-
+    """Where the fast path steps back, as a function is another now."""
     wall.wait(2)
     assert wall.panel.readout.text.endswith(" kg m/s</pre>")
-    monkeypatch.setattr(wall.viewer.cradle, "advance", slow)
+    tick = visualize_cradle_run.newton_cradle_tick
+
+    def slow(*given, **rule):
+        wall.now += wall.viewer.cradle.dt / 0.45
+        tick(*given, **rule)
+
+    monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", slow)
     wall.wait(3)
     # In a frame 0.75 of its length is spent on ticks, at 0.45 of real time; and the test's frames come on top of that.
     assert f"   x{0.75 * 0.45 / 1.75:.1f}<" in wall.panel.readout.text
+
+
+@pytest.mark.parametrize(("cost", "at_once"), [(70e-6, False), (80e-6, True)])
+def test_ticks_are_done_at_once_only_where_single_ones_are_too_slow(wall, monkeypatch, cost, at_once):
+    """A tick must not take longer than three quarters of 0.1 ms."""
+    tick, single = visualize_cradle_run.newton_cradle_tick, []
+
+    def slow(*given, **rule):
+        wall.now += cost
+        single.append(given)
+        tick(*given, **rule)
+
+    many = wall.viewer.cradle.many_ticks
+
+    def many_ticks(scope, *given):  # to the fast path the function is the shipped one
+        return many({**scope, "newton_cradle_tick": tick}, *given)
+
+    monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", slow)
+    monkeypatch.setattr(wall.viewer.cradle, "many_ticks", many_ticks)
+    wall.viewer.try_single_ticks()
+    wall.wait(1)
+    assert wall.viewer.at_once == at_once
+    single.clear()
+    wall.wait(0.5)
+    assert bool(single) == (not at_once)
+    set_slider(wall.panel.speed, 0.5)  # at half the speed they are fast enough
+    wall.wait(1)
+    assert not wall.viewer.at_once
+    assert len(single) > 0.4 / DT
 
 
 def test_the_contact_strip(wall):
@@ -627,7 +667,7 @@ def test_the_graph_shows_the_last_ten_seconds(single):
 
 
 def test_the_graph_is_smooth_on_a_slow_machine_too(wall):
-    wall.viewer.advance(round(20.5 * INTERVAL / wall.viewer.cradle.dt))
+    go_on(wall.viewer, wall.viewer.advance(round(20.5 * INTERVAL / wall.viewer.cradle.dt)))
     times = [point[0] for point in wall.viewer.graph.points]
     assert times == pytest.approx([INTERVAL * i for i in range(21)])
 
@@ -682,7 +722,7 @@ def test_a_resized_canvas_is_filled(wall):
     wall.wait()
     resized = scene.range
     wall.viewer.scenery.room = None
-    wall.viewer.load()
+    wall.press("r")
     assert scene.range == resized
 
 
@@ -705,11 +745,28 @@ def test_the_panel_says_what_the_keys_do_and_what_the_handouts_rule_does(monkeyp
     assert "as in the handout: with e below 1" in said
 
 
+def test_a_remark_stands_above_the_widgets(monkeypatch, csv):
+    texts = []
+    monkeypatch.setattr("support.panel.wtext", lambda text="": texts.append(text) or wtext(text=text))
+    Wall(csv, remark="Still to be written: <main>.")
+    assert '<div class="remark" role="note">Still to be written: &lt;main&gt;.</div>' in texts
+    texts.clear()
+    Wall(csv)
+    assert not [text for text in texts if "remark" in text]
+
+
+def test_the_page_says_that_the_program_has_ended(wall):
+    wall.viewer.end("NameError: name '<b>' is not defined (src/swinging.py, line 17)")
+    assert re.sub("<.*?>", "", wall.panel.error.text) == (
+        "The program has ended. NameError: name &#x27;&lt;b&gt;&#x27; is not defined (src/swinging.py, line 17)"
+    )
+
+
 def test_numbers_change_ten_times_a_second(wall):
     """And the graph; not with each picture, which nobody could read."""
     seen = []
     for _ in range(60):
         wall.now += FRAME
-        wall.viewer.frame()
+        go_on(wall.viewer, wall.viewer.frame())
         seen.append((wall.panel.readout.text, wall.viewer.graph.curves[0].data))
     assert 8 <= sum(now[0] != before[0] and now[1] != before[1] for before, now in pairwise(seen)) <= 10

@@ -1,17 +1,22 @@
-"""More cradles for the project's tests: CSV text, double pendula made by hand, and cradles in motion."""
+"""More cradles for the project's tests: CSV text, double pendula made by hand, and cradles that are played."""
 
 from itertools import combinations
 from math import pi, sqrt
 from types import SimpleNamespace
 
+from cradles import R
 from vpython import color, mag, vector
 
+from src import visualize_cradle_run, visualize_double_cradle_run
+from src.beyond.live_cradle import LiveCradle
+from src.beyond.live_double_cradle import LiveDoubleCradle
+from src.beyond.many_ticks import many_ticks
 from src.double_cradle import make_double_pendulum
-from src.live_cradle import LiveCradle
-from src.visualize_cradle_run import advance_cradle
-from support.constants import BUFFER, G, R_PARAM
+from support.constants import BUFFER, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle_csv import Snapshot
-from support.motion import Motion
+from support.player import Player
+
+MAINS = {LiveCradle: visualize_cradle_run.main, LiveDoubleCradle: visualize_double_cradle_run.main}
 
 # Of a small swing at the shipped constants (s), so that tests wait as long as it takes after someone has edited them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
@@ -38,15 +43,58 @@ def distances(pend_list) -> list[float]:
     ]
 
 
-def make_motion(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4) -> Motion:
-    """Return the motion of the cradle of this CSV (written to the folder), just let go from this angle (degrees)."""
+def make_live(kind=LiveCradle, **options) -> LiveCradle:
+    """Return a cradle with these options, still without pendula."""
+    main, none = MAINS[kind], {"elastic": False, "inelastic": False, "e": None, "mass": None}
+    many = many_ticks if kind is LiveCradle else None
+    return kind(main.__globals__, SimpleNamespace(**{**none, **options}), many)
+
+
+def go_on(player, script) -> None:
+    """Do what main does, until this part of the player's script has come to its end."""
+    scope = player.cradle.scope
+    for _ in script:
+        if player.wants_cradle():
+            if isinstance(player.cradle, LiveDoubleCradle):
+                player.show(scope["make_double_newton_cradle"](player.csv, R_PARAM, THETA_INIT, PHI_INIT))
+            else:
+                player.show(scope["make_newton_cradle"](player.csv, R_PARAM, THETA_INIT))
+        while player.wants_tick():
+            scope[player.cradle.ticker](player.cradle.pend_list, R_PARAM, player.cradle.dt, G, **player.rule)
+
+
+class Swing(Player):
+    """A player that does as many ticks as a test says."""
+
+    def __init__(self, csv, angles, lifted, impacts=4, kind=LiveCradle, **options):
+        """Have the cradle of this CSV (a Snapshot) made, with these options."""
+        super().__init__(make_live(kind, **options), csv, angles, lifted, impacts)
+        go_on(self, self.make())
+
+    def script(self):
+        return iter(())
+
+    def swing(self, ticks):
+        """Do so many ticks, and return the hits."""
+        go_on(self, self.advance(ticks))
+
+    def read(self, csv):
+        """Have the cradle of this CSV (a Snapshot) made."""
+        self.snapshot = csv
+        go_on(self, self.make())
+
+
+def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4) -> Swing:
+    """Return a cradle of this CSV (written to the folder), just let go from this angle (degrees)."""
     file = folder / "cradle.csv"
     file.write_text(csv)
-    options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
-    cradle = LiveCradle(advance_cradle, options)
-    cradle.load(Snapshot(file))
-    cradle.release([angle], lift)
-    return Motion(cradle, impacts)
+    return Swing(Snapshot(file), [angle], lift, impacts)
+
+
+def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False):
+    """Do so many ticks by many_ticks with the shipped functions and these constants; return the contacts, or None."""
+    scope = {**vars(visualize_cradle_run), "R_PARAM": r_param, "DT": dt, "G": g}
+    return many_ticks(scope, pend_list, ticks, {"approaching_only": True} if approaching_only else {})
 
 
 def components(v) -> tuple[float, float, float]:

@@ -4,9 +4,7 @@ A pendulum has one cord or, if it is a double one, two. The angles of a pendulum
 down (rad), the upper one first.
 """
 
-from math import acos, atan2, ceil, copysign, hypot, pi, remainder, sin
-
-from vpython import mag
+from math import acos, atan2, ceil, copysign, cos, hypot, pi, remainder, sin
 
 from src.double_cradle import show_double_pendulum
 from src.swinging import swing_update
@@ -67,21 +65,17 @@ def push_others(pend_list, held, r_param) -> bool:
             if is_pushed and give_way(pend, pend_list[pusher], r_param):
                 pushers.append(other)
     return not any(
-        reaches_into(pend, pend_list[pusher])
+        reaches_into(pend, pend_list[pusher], r_param)
         for pusher in set(pushers)
         for other, pend in enumerate(pend_list)
         if other != pusher
     )
 
 
-def reaches_into(pend, other) -> bool:
-    """Return whether a bob of pend is within reach of a bob of the other pendulum."""
-    return any(are_touching(bob1, bob2) for bob1 in pend["objects"][1::2] for bob2 in other["objects"][1::2])
-
-
-def are_touching(bob1, bob2) -> bool:
-    """Return whether two bobs are so close that they would collide."""
-    return mag(bob1.pos - bob2.pos) <= BUFFER * (bob1.radius + bob2.radius)
+def reaches_into(pend, other, r_param) -> bool:
+    """Return whether a bob of pend reaches into a bob of the other pendulum; r_param (m) is the length of a cord."""
+    cords, bobs = range(len(cord_angles(pend))), other["objects"][1::2]
+    return any(touching_angle(pend, cord, bob, r_param) is not None for cord in cords for bob in bobs)
 
 
 def give_way(pend, pusher, r_param) -> bool:
@@ -101,18 +95,20 @@ def give_way(pend, pusher, r_param) -> bool:
 def touching_angle(pend, cord, other, r_param) -> float | None:
     """Return the angle at which the bob of this cord just touches the other bob, on the side on which it is now.
 
-    None if it does not reach into the other one as it is. With D the distance at which bobs collide, L the distance and
-    psi the direction of the other bob as seen from where the cord hangs, and R the cord, the law of cosines says
-        D^2 = R^2 + L^2 - 2 R L cos(angle - psi)
+    None if it does not reach into the other one as it is. L is the distance and psi the direction of the other bob, as
+    seen from where the cord hangs, R the length of the cord, and D the distance at which bobs collide. The bob touches
+    the other one at the angles psi - delta and psi + delta, and reaches into it between them. The law of cosines says
+        D^2 = R^2 + L^2 - 2 R L cos(delta)
     """
     pivot, bob = pend["objects"][cord], pend["objects"][1 + 2 * cord]  # a lower cord hangs from the upper bob
-    if not are_touching(bob, other):
-        return None
     x, down = other.pos.x - pivot.pos.x, pivot.pos.y - other.pos.y
     distance, psi = hypot(x, down), atan2(x, down)
-    touching = BUFFER * (bob.radius + other.radius) * (1 + 1e-9)  # just outside, as a hit counts up to there
-    delta = acos((r_param**2 + distance**2 - touching**2) / (2 * r_param * distance))
-    return psi + copysign(delta, sin(cord_angles(pend)[cord] - psi))
+    from_psi = cord_angles(pend)[cord] - psi
+    squares, product, touching = r_param**2 + distance**2, 2 * r_param * distance, BUFFER * (bob.radius + other.radius)
+    if product * cos(from_psi) < squares - touching**2:
+        return None
+    outside = touching * (1 + 1e-9)  # just outside, as a hit counts up to touching
+    return psi + copysign(acos((squares - outside**2) / product), sin(from_psi))
 
 
 def cord_angles(pend) -> list[float]:

@@ -1,0 +1,25 @@
+"""The programs with a page in the browser: from their options to the loop of their main."""
+
+from src.beyond.live_cradle import LiveCradle
+from src.beyond.live_double_cradle import LiveDoubleCradle
+from src.beyond.preview import end_if_unwritten, what_there_is
+from support.options import read_double_page_options, read_page_options
+from support.page import show_page
+
+
+def show_cradle(main, many_ticks=None) -> None:
+    """Show the cradle of main in the browser until the tab is closed; status 2 if an option or the CSV is refused.
+
+    many_ticks is the fast path for many pendula, if there is one. As long as functions are still to be written, show
+    what there is of a cradle; status 2 if that is nothing yet.
+    """
+    options = read_page_options()
+    loop, remark = what_there_is(main)
+    show_page(loop, LiveCradle(main.__globals__, options, many_ticks), options, [options.angle], remark)
+
+
+def show_double_cradle(main) -> None:
+    """Show the double cradle of main in the same way, once all its functions are written."""
+    options = read_double_page_options()
+    end_if_unwritten("pds_helper", "special_cradles", "double_cradle", "visualize_double_cradle_run")
+    show_page(main, LiveDoubleCradle(main.__globals__, options), options, [options.angle, options.phi])

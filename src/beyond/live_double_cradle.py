@@ -1,0 +1,44 @@
+"""The double cradle as the programs play with it."""
+
+from inspect import isfunction
+from typing import Any
+
+from src.beyond.dragging import push_others
+from src.beyond.live_cradle import LiveCradle
+from support.audit import double_kinetic_energy, double_momentum, double_potential_energy
+from support.constants import DOUBLE_DT, G, R_PARAM
+
+
+class LiveDoubleCradle(LiveCradle):
+    """A cradle of double pendula, each with two cords of the length that single ones have, and two bobs."""
+
+    dt = DOUBLE_DT
+    reach = 2 * R_PARAM
+    angles = {"Angle theta": (0, 180), "Angle phi": (-180, 180)}
+    coordinate_keys = ("theta", "phi", "omega", "phi_omega")
+    rate_keys = ("omega", "phi_omega")
+    maker, ticker, meeter = "make_double_newton_cradle", "double_cradle_tick", "handle_two_double_bobs"
+
+    def make_room(self, lifted) -> None:
+        """Push aside whoever is in the way of the lifted pendula: a lower cord that is bent inwards reaches far."""
+        for i in reversed(range(min(lifted, len(self.pend_list)))):
+            push_others(self.pend_list, i, R_PARAM)
+
+    def meeting_place(self) -> dict[str, Any]:
+        """Return where the function that lets two pendula hit is: the globals of the tick, or of what it calls."""
+        place = self.scope[self.ticker].__globals__
+        places = [place, *(function.__globals__ for function in place.values() if isfunction(function))]
+        return next((place for place in places if self.meeter in place), place)
+
+    def velocity(self, pend, rates) -> float:
+        """Return the mean velocity of a pendulum's two bobs to the right (m/s) at these rates (rad/s)."""
+        before = {**pend, **dict(zip(self.rate_keys, rates, strict=True))}
+        return double_momentum([before], R_PARAM) / pend["mass"] / 2
+
+    def energies(self) -> tuple[float, float]:
+        """Return the kinetic and the potential energy (J)."""
+        return double_kinetic_energy(self.pend_list, R_PARAM), double_potential_energy(self.pend_list, R_PARAM, G)
+
+    def momentum(self) -> float:
+        """Return the momentum to the right (kg m/s)."""
+        return double_momentum(self.pend_list, R_PARAM)

@@ -1,0 +1,319 @@
+"""Many ticks at once, on plain numbers: the fast path, for many pendula and for recordings.
+
+It stands in for the loop of main in src/visualize_cradle_run.py, and does the same to the last bit. It knows the
+functions that the loop calls. When one of them is changed, in its file or by a patch, it steps back.
+"""
+
+import ast
+from collections.abc import Callable
+from hashlib import sha256
+from heapq import heappop, heappush
+from itertools import pairwise
+from math import cos, isfinite, sin, sqrt
+from operator import is_
+from pathlib import Path
+from types import BuiltinFunctionType, CodeType, FunctionType
+from typing import Any, NamedTuple
+
+from vpython import box, cylinder, mag, sphere, vector
+
+# The digests of the functions that the loop calls; each function comes after its caller.
+STANDS_IN_FOR = {
+    "main": "c99083a299fc",
+    "newton_cradle_tick": "323afff2bef0",
+    "full_swing_update": "85dbb842620c",
+    "swing_update": "cc5af2e158b7",
+    "angle_update": "f0268fc034c0",
+    "handle_two_bobs": "3711cb9b2d0c",
+    "handle_collision": "0495dce4e06b",
+}
+MEANT = {"cos": cos, "mag": mag, "pairwise": pairwise, "sin": sin, "vector": vector}  # by their names in the functions
+CODE_PARTS = (
+    *("co_code", "co_flags", "co_names", "co_varnames", "co_freevars", "co_cellvars"),
+    *("co_argcount", "co_posonlyargcount", "co_kwonlyargcount", "co_exceptiontable"),
+)
+VPYTHONS = {"vpython.cyvector", "vpython.vector", "support.headless_vpython"}  # modules whose vector and mag are known
+LONGEST = 1000  # ticks for which a pendulum swings by itself, at most
+FARTHEST = 1e5  # cord lengths from the origin: bobs farther away have places that are rounded too coarsely
+
+
+class Law(NamedTuple):
+    """What a cradle moves by."""
+
+    r_param: float
+    dt: float
+    g: float
+    buffer: float
+    handle_collision: Callable
+
+
+def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool]] | None:
+    """Do what the loop of main does in so many ticks, and return the contacts as (tick, left, right, rightwards).
+
+    scope is main.__globals__, with R_PARAM (m), DT (s) and G (m/s^2). rule is {} or has approaching_only, as the
+    keywords of newton_cradle_tick. A contact is told of if it changes a velocity. Ticks count from 0, left and right
+    are indices, and rightwards says whether the two velocities, added, went to the right just before.
+
+    Return None, and change nothing, if the same is not certain: then do single ticks. That is also so if a number
+    becomes too large, or something is divided by 0: single ticks then raise the error where it belongs.
+    """
+    law = known_law(scope)
+    if law is None or not rule.keys() <= {"approaching_only"}:
+        return None
+    try:
+        if not are_plain(pend_list, law):
+            return None
+        run = Run(pend_list, law, rule.get("approaching_only", False))
+        run.advance(ticks)
+    except (ArithmeticError, LookupError, TypeError, ValueError):
+        return None
+    if ticks:
+        run.show()
+    return run.contacts
+
+
+# --- whether it is certain to be the same ----------------------------------------------------------------------------
+
+
+class Loop:
+    """The functions that run in a loop, and the other globals that they read."""
+
+    def __init__(self, scope):
+        """Find them from main in scope on, each function in the globals of its caller."""
+        self.functions: dict[str, Any] = {"main": scope.get("main")}
+        self.read: dict[tuple[str, str], Any] = {}  # (the function's name, the global's name) -> value
+        for name in STANDS_IN_FOR:
+            function = self.functions.get(name)
+            if isinstance(function, FunctionType):
+                names = scope if name == "main" else function.__globals__
+                for other in function.__code__.co_names:  # of globals, and of attributes
+                    if other in STANDS_IN_FOR:
+                        self.functions[other] = names.get(other)
+                    else:
+                        self.read[name, other] = names.get(other)
+
+    def facts(self) -> list:
+        """Return the objects that make the loop: as long as each of them is the same, the loop is the same."""
+        functions = [function for function in self.functions.values() if isinstance(function, FunctionType)]
+        parts = [(function.__code__, function.__defaults__, function.__kwdefaults__) for function in functions]
+        return [*self.functions.values(), *self.read.values(), *(fact for part in parts for fact in part)]
+
+    def is_known(self) -> bool:
+        """Return whether all functions are those of STANDS_IN_FOR, and their globals are those in MEANT."""
+        return (
+            all(is_shipped(name, self.functions.get(name)) for name in STANDS_IN_FOR)
+            and all(value is MEANT.get(name, value) for (_, name), value in self.read.items())
+            and all(type(function) is BuiltinFunctionType for function in (sin, cos))
+            and {vector.__module__, mag.__module__} <= VPYTHONS
+        )
+
+    def law(self) -> Law:
+        """Return the law of a loop that is known."""
+        r_param, dt, g = (self.read["main", name] for name in ("R_PARAM", "DT", "G"))
+        return Law(r_param, dt, g, self.read["handle_two_bobs", "BUFFER"], self.functions["handle_collision"])
+
+
+last: dict[str, Any] = {"facts": [], "is_known": False}  # of the loop that was looked at last
+
+
+def known_law(scope) -> Law | None:
+    """Return the law of the loop in this scope, or None if it is not known; at once if nothing has changed."""
+    loop = Loop(scope)
+    facts = loop.facts()
+    if len(facts) != len(last["facts"]) or not all(map(is_, facts, last["facts"])):
+        last.update(facts=facts, is_known=loop.is_known())
+    return loop.law() if last["is_known"] else None
+
+
+def is_shipped(name, function) -> bool:
+    """Return whether this function is the one in STANDS_IN_FOR.
+
+    Its syntax tree is that of its file. The file may have changed since: so its code must be compiled from that tree.
+    """
+    if type(function) is not FunctionType or type(function.__globals__) is not dict:
+        return False
+    path = function.__code__.co_filename
+    try:
+        tree = ast.parse(Path(path).read_bytes())
+        module = compile(tree, path, "exec", dont_inherit=True)
+    except (OSError, SyntaxError, ValueError):
+        return False
+    trees = [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == name]
+    codes = [code for code in module.co_consts if isinstance(code, CodeType) and code.co_name == name]
+    if not trees or len(codes) != 1 or digest(trees[0]) != STANDS_IN_FOR[name]:
+        return False
+    defaults = tuple(ast.literal_eval(default) for default in trees[0].args.defaults) or None
+    is_plain_call = repr(function.__defaults__) == repr(defaults) and function.__kwdefaults__ is None
+    return is_plain_call and what_it_does(function.__code__) == what_it_does(codes[0])
+
+
+def what_it_does(code) -> list:
+    """Return all that compiled code does, without its place in the file. Constants are text, since 1 == 1.0 == True."""
+    return [getattr(code, part, None) for part in CODE_PARTS] + [repr(code.co_consts)]
+
+
+def digest(tree) -> str:
+    """Return a short digest of a function's syntax tree, the same in each version of Python from 3.10 on."""
+    return sha256(canonical(tree).encode()).hexdigest()[:12]
+
+
+def canonical(part) -> str:
+    """Return a part of a syntax tree as text, without docstrings, comments, annotations and empty fields."""
+    if isinstance(part, list):
+        return f"[{', '.join(map(canonical, part))}]"
+    if not isinstance(part, ast.AST):
+        return repr(part)
+    fields = dict(ast.iter_fields(part))
+    if isinstance(part, ast.FunctionDef) and ast.get_docstring(part) is not None:
+        fields["body"] = part.body[1:]
+    kept = {name: value for name, value in fields.items() if name not in ("annotation", "ctx", "returns")}
+    texts = [f"{name}={canonical(value)}" for name, value in kept.items() if value is not None and value != []]
+    return f"{type(part).__name__}({', '.join(texts)})"
+
+
+def are_plain(pend_list, law) -> bool:
+    """Return whether the pendula are as make_newton_cradle makes them, and the law's constants numbers.
+
+    Raises a KeyError for a pendulum without a key, and an OverflowError for an int that is too large for a float.
+    """
+    if type(pend_list) is not list or not set(map(type, pend_list)) <= {dict}:
+        return False
+    parts = [pend_dict["objects"] for pend_dict in pend_list]
+    kinds = {(type(objects), *map(type, objects)) for objects in parts}
+    keys = ("mass", "e", "theta", "omega")
+    numbers = [law.r_param, law.dt, law.g, law.buffer, *(pend_dict[key] for pend_dict in pend_list for key in keys)]
+    if not (kinds <= {(tuple, box, sphere, cylinder)} and set(map(type, numbers)) <= {int, float}):
+        return False
+    farthest = FARTHEST * abs(law.r_param)
+    vectors = [each for axle, bob, cord in parts for each in (axle.pos, bob.pos, cord.axis)]
+    return (
+        all(map(isfinite, [*numbers, *(bob.radius for _, bob, _ in parts)]))
+        and all(abs(place) <= farthest for axle, _, _ in parts for place in axle.pos.value)
+        and not any(getattr(bob, "make_trail", False) for _, bob, _ in parts)  # VPython can draw each place
+        and all(cord.up.value == [0, 0, 1] for _, _, cord in parts)  # VPython turns another one each time
+        and len(set(map(id, vectors))) == len(vectors)  # with a shared one, one pendulum moves the other
+    )
+
+
+# --- the fast path ---------------------------------------------------------------------------------------------------
+
+
+class Run:
+    """The pendula of a pend_list as plain numbers. Each swings by itself as long as its bob cannot touch another."""
+
+    def __init__(self, pend_list, law, approaching_only):
+        """Begin where the pend_list is; nothing of it changes until show."""
+        self.pend_list, self.law, self.approaching_only = pend_list, law, approaching_only
+        self.thetas = [pend_dict["theta"] for pend_dict in pend_list]
+        self.omegas = [pend_dict["omega"] for pend_dict in pend_list]
+        self.axles, bobs = ([pend_dict["objects"][part] for pend_dict in pend_list] for part in (0, 1))
+        self.axle_places = [tuple(axle.pos.value) for axle in self.axles]
+        self.bob_places = list(self.axle_places)  # as of the first swing
+        self.reaches = [law.buffer * (bob1.radius + bob2.radius) for bob1, bob2 in pairwise(bobs)]
+        self.swung = [0] * len(pend_list)  # how many ticks each pendulum has swung
+        self.looks = {0: list(range(len(self.reaches)))}  # tick -> the pairs to look at, named by their left pendulum
+        self.look_ticks = [0]  # the keys of looks, as a heap
+        self.due = [0] * len(pend_list)  # the tick in which to look at a pair; the last pendulum, or -1, has no pair
+        self.contacts: list[tuple[int, int, int, bool]] = []
+
+    def advance(self, ticks) -> None:
+        """Let all pendula swing and collide for so many ticks."""
+        while self.look_ticks and self.look_ticks[0] < ticks:
+            tick = heappop(self.look_ticks)
+            for left in sorted(self.looks.pop(tick)):
+                if self.due[left] == tick:
+                    self.plan(left, tick + 1 + self.look(left, tick))
+        for i in range(len(self.pend_list)):
+            self.swing(i, ticks)
+
+    def swing(self, i, until) -> None:
+        """Let a pendulum swing until it has done so many ticks."""
+        r_param, dt, g, _, _ = self.law
+        omega, theta = self.omegas[i], self.thetas[i]
+        for _ in range(until - self.swung[i]):  # as in angle_update, whose call takes as long again
+            omega = omega - g * sin(theta) / r_param * dt
+            theta = theta + omega * dt
+        self.omegas[i], self.thetas[i], self.swung[i] = omega, theta, until
+        x, y, z = self.axle_places[i]
+        self.bob_places[i] = x + r_param * sin(theta), y - r_param * cos(theta), z
+
+    def plan(self, left, tick) -> None:
+        """Look at this pair in this tick, and not in the one that was planned before."""
+        self.due[left] = tick
+        if tick not in self.looks:
+            self.looks[tick] = []
+            heappush(self.look_ticks, tick)
+        self.looks[tick].append(left)
+
+    def look(self, left, tick) -> int:
+        """Let a pair collide in this tick if it touches; return for how many ticks after this one it cannot touch."""
+        right = left + 1
+        for i in (left, right):
+            if self.swung[i] <= tick:
+                self.swing(i, tick + 1)
+        gap = self.gap(left, right)
+        if gap > 0:
+            states = self.thetas[left], self.thetas[right], self.omegas[left], self.omegas[right]
+            return free_ticks(gap, *states, *self.law[:3])
+        self.collide(left, right, tick)
+        return 0
+
+    def gap(self, left, right) -> float:
+        """Return how far (m) a pair is out of reach; it touches if that is not more than 0."""
+        (x1, y1, z1), (x2, y2, z2), reach = self.bob_places[left], self.bob_places[right], self.reaches[left]
+        gap = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2) - reach
+        if abs(gap) <= 1e-12 * (1 + reach):  # too close to call: VPython's own mag can differ in the last bit
+            axle1, axle2 = self.axles[left], self.axles[right]
+            gap = mag((axle1.pos + self.arm(left)) - (axle2.pos + self.arm(right))) - reach
+        return gap
+
+    def arm(self, i) -> vector:
+        """Return where a bob is, as seen from its axle (m)."""
+        r_param, theta = self.law.r_param, self.thetas[i]
+        return vector(r_param * sin(theta), -r_param * cos(theta), 0)
+
+    def collide(self, left, right, tick) -> None:
+        """Let two bobs that touch collide, and look at their pairs with other bobs again in the next tick."""
+        omega1, omega2 = self.omegas[left], self.omegas[right]
+        speed1, speed2 = omega1 * cos(self.thetas[left]), omega2 * cos(self.thetas[right])
+        if self.approaching_only and speed1 <= speed2:
+            return
+        pend1, pend2 = self.pend_list[left], self.pend_list[right]
+        values = pend1["e"], omega1, omega2, pend1["mass"], pend2["mass"], self.law.r_param
+        self.omegas[left], self.omegas[right] = self.law.handle_collision(*values)
+        if (self.omegas[left], self.omegas[right]) != (omega1, omega2):
+            self.contacts.append((tick, left, right, speed1 + speed2 > 0))
+            for pair in (left - 1, right):
+                if self.due[pair] > tick + 1:  # that was planned with another velocity
+                    self.plan(pair, tick + 1)
+
+    def show(self) -> None:
+        """Give the pend_list its new values, and move its bobs and cords."""
+        for i, pend_dict in enumerate(self.pend_list):
+            pend_dict["theta"], pend_dict["omega"] = self.thetas[i], self.omegas[i]
+            axle, bob, cord = pend_dict["objects"]
+            arm = self.arm(i)
+            bob.pos, cord.axis = axle.pos + arm, arm
+
+
+def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
+    """Return for how many ticks two bobs that are gap (m) out of each other's reach cannot come into it.
+
+    theta1, theta2 (rad), omega1, omega2 (rad/s) are those of the two, r_param (m), dt (s) and g (m/s^2) the cradle's.
+    Since |sin a - sin b| <= |a - b|, the two omegas differ during a time T, with k = g / R, by at most
+        d_omega = (|omega1 - omega2| + k T |theta1 - theta2|) / (1 - k T^2),
+    and so the thetas by at most d_theta = |theta1 - theta2| + d_omega T. In the same way the bobs approach each other
+    with at most R (d_omega + (omega + k T) d_theta), omega being the smaller one. T is a tenth of sqrt(R / g) here.
+    """
+    k = abs(g / r_param)
+    most = int(min(LONGEST, 0.1 / sqrt(k) / abs(dt))) if k * dt else LONGEST
+    span = most * abs(dt)
+    d_omega = (abs(omega1 - omega2) + k * span * abs(theta1 - theta2)) / (1 - k * span**2)
+    d_theta = abs(theta1 - theta2) + d_omega * span
+    speed = d_omega + (min(abs(omega1), abs(omega2)) + k * span) * d_theta
+    closer = abs(r_param) * speed * span  # m, at most, after the whole span
+    # Rounding errors of LONGEST ticks are less than 1e-12 of the angles; 1000 is for the places, as far as FARTHEST.
+    sure = gap - 1e-12 * abs(r_param) * (1000 + abs(theta1) + abs(theta2) + (abs(omega1) + abs(omega2)) * span)
+    if sure <= 0:
+        return 0
+    return most if closer <= sure else int(most * sure / closer)

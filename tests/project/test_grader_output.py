@@ -1,0 +1,169 @@
+"""What `pytest` prints in a student's folder: of functions that are not written, and of mistakes, on 80 columns."""
+
+import ast
+import os
+import shutil
+import subprocess
+import sys
+from math import ceil
+from textwrap import dedent, indent
+
+import pytest
+from handout import FUNCTIONS, SUITES
+from programs import ROOT, SECONDS
+from whole_cradles import FIVE_CSV
+from wrong_solutions import PLAIN, WRONG
+
+COLUMNS = 80
+STUB = 'raise NotImplementedError("{} is not written yet")'
+STUBS = {
+    **{name: STUB.format(name) for name in FUNCTIONS},
+    "extract_and_convert": f"bad_rep = pd.read_csv(relative_filepath)\n{STUB.format('extract_and_convert')}",
+    "main": f"while page.is_running():\n    if page.wants_cradle():\n        {STUB.format('main')}",
+}
+GRADERS = ("cradles", "grade", "grader", "handout", "pytest_grader", "telling", *SUITES.values())
+
+
+@pytest.fixture
+def student(tmp_path_factory):
+    """A function that makes a student's folder, in which these bodies are in the place of the functions' own."""
+    folder = tmp_path_factory.mktemp("s")
+
+    def make(**bodies):
+        for name in ("src", "support"):
+            shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
+        (folder / "tests").mkdir()
+        for name in ("pyproject.toml", *(f"tests/{name}.py" for name in GRADERS)):
+            shutil.copy(ROOT / name, folder / name)
+        (folder / "newton_cradle_pends.csv").write_text(FIVE_CSV)
+        for name, body in bodies.items():
+            put(folder / FUNCTIONS[name].file, name, body)
+        return folder
+
+    return make
+
+
+def put(file, function, body):
+    """Put a body in the place of that of a function in a file."""
+    lines = file.read_text().splitlines()
+    (node,) = (
+        node for node in ast.parse("\n".join(lines)).body if isinstance(node, ast.FunctionDef) and node.name == function
+    )
+    lines[node.body[0].lineno - 1 : node.end_lineno] = indent(dedent(body), "    ").rstrip().splitlines()
+    file.write_text("\n".join(lines) + "\n")
+
+
+def run(folder, *options):
+    """Return the exit status of pytest in a folder, and the rows that it printed, as a terminal breaks them."""
+    environment = {name: value for name, value in os.environ.items() if name != "PYTEST_ADDOPTS"}
+    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *options]
+    environment["COLUMNS"] = str(COLUMNS)
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=2 * SECONDS)
+    assert done.stderr == ""
+    rows = []
+    for line in done.stdout.splitlines():
+        rows += [line[COLUMNS * i : COLUMNS * (i + 1)] for i in range(max(1, ceil(len(line) / COLUMNS)))]
+    return done.returncode, rows
+
+
+def section(rows, title):
+    """Return the rows from below this title to the next one. There is one such title."""
+    (begin,) = (i for i, row in enumerate(rows) if row.strip("=_ ") == title)
+    below = rows[begin + 1 :]
+    return below[: next(i for i, row in enumerate(below) if row.startswith(("===", "_")))]
+
+
+def test_in_a_fresh_starter_all_waits(student):
+    folder = student(**STUBS)
+    status, rows = run(folder)
+    assert status == 1
+    assert len(rows) <= 40
+    assert rows.count("") == 1  # above the suites
+    unwritten = section(rows, "Not written yet")
+    assert [row.rpartition(", line ")[0] for row in unwritten] == [
+        f"{name} in {of.file}" for name, of in FUNCTIONS.items()
+    ]
+    for row in unwritten:
+        function, _, place = row.partition(" in ")
+        file, _, line = place.partition(", line ")
+        assert f"{function} is not written yet" in (folder / file).read_text().splitlines()[int(line) - 1]
+    grade = section(rows, "Grade")
+    assert all(row.split()[-4:-2] == ["0", row.rpartition("/")[2]] for row in grade[1:6])  # none passes, all wait
+    assert grade[6] == "Grade: none yet."
+    assert grade[7].startswith("Next:  extract_and_convert in src/pds_helper.py; read in the handout: ")
+    assert " waiting in " in rows[-1]
+    assert "failed" not in rows[-1]
+
+    status, rows = run(folder, "--tier", "D", "-x")
+    assert status == 1
+    assert len(section(rows, "Not written yet")) == 1
+    assert rows[-1].strip("= ").startswith("1 waiting in ")
+
+
+def test_of_a_mistake_the_first_message_comes_last(student):
+    """What a solution prints is shown of the first one only."""
+    mistake = WRONG["make_newton_cradle"]["bobs all hang"]
+    body = "for i in range(25):\n    print('row', i)\n" + dedent(PLAIN["make_newton_cradle"].replace(*mistake))
+    collision = "print('collision')\nreturn omega1, omega2"
+    status, rows = run(student(make_newton_cradle=body, handle_collision=collision))
+    assert status == 1
+    assert section(rows, "Failures") == ["3 more fail: handle_collision"]
+    title = "Use one relevant helper function from pendulum.py in support/ to create t..."
+    shown = section(rows, title)
+    assert shown[:11] == [*(f"printed     row {i}" for i in range(10)), "printed     ... (25 lines in all)"]
+    assert shown[11] == "called      make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.6)"
+    assert "".join(shown).endswith(" test_bobs_hang_from_their_axles")  # the command to watch it, above the table
+    assert not [row for row in rows if "collision" in row and "printed" in row]
+
+
+def test_one_mistake_takes_no_more_than_a_screen(student):
+    """One that fails nearly all checks of its function, with a message of as many rows as any."""
+    status, rows = run(student(extract_and_convert=WRONG["extract_and_convert"]["returns bad_rep"]))
+    assert status == 1
+    assert len(rows) <= 45
+    assert section(rows, "Failures") == ["3 more fail: extract_and_convert"]
+
+
+def test_a_tier_that_is_complete_says_so(student):
+    not_c = {name: body for name, body in STUBS.items() if FUNCTIONS[name].tier != "C"}
+    folder = student(**not_c)
+    status, rows = run(folder, "--tier", "C")
+    assert status == 0
+    assert "Tier C is complete." in section(rows, "Grade")
+    status, rows = run(folder, "--tier", "B")
+    assert status == 1
+    assert "Tier B is not complete." in section(rows, "Grade")
+
+
+def test_an_import_in_a_circle_is_told(student):
+    folder = student()
+    swinging = folder / "src" / "swinging.py"
+    source = swinging.read_text()
+    swinging.write_text(
+        source.replace("from vpython", "from src.visualize_cradle_run import handle_two_bobs\nfrom vpython")
+    )
+    status, rows = run(folder)
+    assert status == 1
+    text = "".join(row.ljust(COLUMNS) for row in rows)
+    assert "called      angle_update(omega, theta, r_param, dt, g)" in text
+    assert "it raised   ImportError: cannot import name 'full_swing_update' from partially initialized module" in text
+    assert "            src/swinging.py, line 5, in <module>" in text
+    assert "hint        Imports go round in a circle here: leave out the one in src/swinging.py." in text
+    assert "12 wait for src/swinging.py" in rows
+    assert rows[-2] == "Next:  angle_update in src/swinging.py."
+
+
+def test_a_test_of_the_projects_that_is_skipped_still_says_why(student):
+    folder = student(angle_update=STUBS["angle_update"])
+    test = "import pytest\n\n\ndef test_something():\n    pytest.skip('no browser here')\n"
+    (folder / "tests" / "test_something.py").write_text(test)
+    _, rows = run(folder, "tests/test_c.py", "tests/test_something.py")
+    assert "SKIPPED [1] tests/test_something.py:5: no browser here" in rows
+    assert section(rows, "Not written yet") == [f"angle_update in {place_of_stub(folder, 'angle_update')}"]
+    assert [row for row in section(rows, "Grade") if " wait " in row] == ["4 wait for angle_update"]
+
+
+def place_of_stub(folder, function):
+    file = FUNCTIONS[function].file
+    lines = (folder / file).read_text().splitlines()
+    return f"{file}, line {1 + lines.index('    ' + STUB.format(function))}"
