@@ -161,7 +161,7 @@ def answers_in(tree, file):
             (r"(COLOR|TEXTURE)_MAP\[.*(color|texture)", "the looks of a row"),
             (r"^mag\(.*\.pos - .*\.pos\) [<>]", "whether bobs touch"),
             (r"[<>].* (1\.05|BUFFER) \* \(\w+\.radius \+ \w+\.radius\)", "whether bobs touch"),
-            (r"m1 \* \w+ \+ m2 \* \w+ [-+]", "the formula of a collision"),
+            (r"\be \* \((v|omega)1 - (v|omega)2\)", "the formula of a collision"),
             (r"\* e \* \(", "the formula of a collision"),
             (r"\bg \* sin\(theta\)", "the formula of the swing"),
             (r"theta \+ omega\w* \* dt", "the formula of the swing"),
@@ -410,7 +410,7 @@ def test_one_tier_alone(starter):
     assert (status, table_of(lines)) == (0, {"D": [16, 0, 0, "16/16"]})
     assert (graded["grade"], graded["next"]) == ("D", "all checks of tier C, which were not all run")
     assert (starter / "grade.json").is_file()  # and can be written again
-    status, lines, graded = grade(starter, "--tier", "honor")
+    status, lines, graded = grade(starter, "--tier", "Honor roll")
     assert (status, table_of(lines)) == (1, {"Honor roll": [0, 7, 0, "0/7"]})
     assert graded["grade"] is None
 
