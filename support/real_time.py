@@ -17,6 +17,9 @@ MAX_BEHIND = 0.25
 # with something else says little about the next one.
 SLOWER = 1.25
 
+# Which part of the time single ticks may take: the page's threads and the browser take theirs.
+ENOUGH_TIME = 0.5
+
 # In how many frames it is measured what a tick costs, before that counts as too much.
 ENOUGH = 10
 
@@ -72,7 +75,7 @@ class RealTime:
 
     def is_too_slow(self) -> bool:
         """Return whether ticks cost too much for this speed, the least in ENOUGH frames: others may have disturbed."""
-        return self.measured >= ENOUGH and self.least_cost * self.speed / self.dt > BUSY / FRAME
+        return self.measured >= ENOUGH and self.least_cost * self.speed / self.dt > ENOUGH_TIME
 
     def forget_costs(self) -> None:
         """Forget what ticks cost: they will be others."""

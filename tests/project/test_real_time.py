@@ -145,9 +145,9 @@ def test_slow_motion_is_remarked_on(kept_up, remark):
     assert pace.remark() == remark
 
 
-@pytest.mark.parametrize(("cost", "speed", "too_slow"), [(70e-6, 1, False), (80e-6, 1, True), (40e-6, 2, True)])
+@pytest.mark.parametrize(("cost", "speed", "too_slow"), [(45e-6, 1, False), (55e-6, 1, True), (30e-6, 2, True)])
 def test_ticks_that_cost_more_than_there_is_time_are_too_slow(cost, speed, too_slow):
-    """Three quarters of the time are for ticks: at speed 1 that are 75 us for each of 0.1 ms."""
+    """Half of the time is for single ticks: at speed 1 that is 50 us for each of 0.1 ms."""
     wall = Wall(cost, until=60)
     wall.pace.speed = speed
     wall.run()

@@ -592,9 +592,9 @@ def test_slow_motion_is_admitted(wall, monkeypatch):
     assert f"   x{0.75 * 0.45 / 1.75:.1f}<" in wall.panel.readout.text
 
 
-@pytest.mark.parametrize(("cost", "at_once"), [(70e-6, False), (80e-6, True)])
+@pytest.mark.parametrize(("cost", "at_once"), [(45e-6, False), (55e-6, True)])
 def test_ticks_are_done_at_once_only_where_single_ones_are_too_slow(wall, monkeypatch, cost, at_once):
-    """A tick must not take longer than three quarters of 0.1 ms."""
+    """A tick must not take longer than half of 0.1 ms."""
     tick, single = visualize_cradle_run.newton_cradle_tick, []
 
     def slow(*given, **rule):
