@@ -18,7 +18,7 @@ from support.recording import EVERY, Recording
 from support.scenery import CANVAS_WIDTH, Scenery
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
-GOODBYE = 2.0  # s for which the page may take to fetch the program's last words
+GOODBYE = 10.0  # s that the page has to fetch the program's last words
 
 
 class Viewer(Player):
@@ -57,7 +57,7 @@ class Viewer(Player):
         self.pace.restart()
 
     def wait_for_page(self, patience=inf) -> None:
-        """Wait until the page has fetched all that is new, or for so long (s)."""
+        """Wait until the page has asked for all that is new, or for at most patience (s)."""
         begin = time.monotonic()
         while not baseObj.empty() and time.monotonic() - begin < patience:
             time.sleep(FRAME)
@@ -85,6 +85,8 @@ class Viewer(Player):
     def end(self, words) -> None:
         """Say on the page that the program has ended, and why, and wait a moment until the page has that."""
         self.panel.show_end(words)
+        self.wait_for_page(GOODBYE)
+        self.panel.show_saved("")  # the page asks for this after it has shown the rest
         self.wait_for_page(GOODBYE)
 
     # --- commands ----------------------------------------------------------------------------------------------------
