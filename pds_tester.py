@@ -10,8 +10,8 @@ headless_vpython.install()  # nothing is shown here, so VPython itself is not ne
 
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
-from support.cradle_csv import cleaned
-from support.output import spell_out_letters
+from support.files.cradle_csv import cleaned
+from support.start.output import spell_out_letters
 
 
 def main() -> None:

@@ -3,9 +3,9 @@
 import pandas as pd
 
 from support.constants import NC_FP
-from support.cradle_csv import cleaned
+from support.files.atomic_write import whole_file
+from support.files.cradle_csv import cleaned
 from support.pendulum import PendulumEntry
-from support.whole_file import whole_file
 
 # pandas reads floats to the last bit from 3.1 on (and warns when asked to); older ones have to be asked.
 EXACT_FLOATS = {} if tuple(map(int, pd.__version__.split(".")[:2])) >= (3, 1) else {"float_precision": "round_trip"}

@@ -4,7 +4,7 @@ from vpython import vector
 
 from src.pds_helper import extract_and_convert
 from support.constants import COLOR_MAP, TEXTURE_MAP
-from support.cradle_csv import check_cradle
+from support.files.cradle_csv import check_cradle
 from support.pendulum import make_pendulum, PendulumEntry
 
 

@@ -1,13 +1,11 @@
 """Newton's cradle in the browser: collisions, the tick, and the program to play with."""
 
-import sys
-from pathlib import Path
+if __name__ == "__main__":
+    if not __package__:  # started by its name: the project's folder is not on the path yet
+        import project_path  # noqa: F401
+    from support.start.interrupt import end_on_interrupt
 
-if __name__ == "__main__":  # started as a file, from any folder: the project's own modules are one folder up
-    sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-    from support.interrupt import end_on_interrupt
-
-    end_on_interrupt()  # the imports below take a moment, in which Ctrl+C would print a traceback
+    end_on_interrupt()  # these imports take a moment, in which Ctrl+C would print a traceback
 
 # Python 3.9 has no pairwise; support, which comes before, has then said that it is too old.
 from itertools import pairwise
@@ -63,7 +61,8 @@ def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> Non
 def main(page) -> None:
     """Make the cradle, and let it tick as long as the simulation runs.
 
-    page is the cradle's page in the browser, or its picture in the terminal. It says what is due (support/player.py).
+    page is the cradle's page in the browser, or its picture in the terminal.
+    It says what is due (support/playback/player.py).
     page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file that was named.
     page.rule says whether separating bobs collide, if the functions can be told so.
     """

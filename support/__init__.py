@@ -1,4 +1,4 @@
-"""What the handout calls provided: constants, pendulum objects, the CSV's rules, and the viewer's parts."""
+"""What the handout calls provided. In the rooms below: what the programs need of files, time, page and terminal."""
 
 import sys
 

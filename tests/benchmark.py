@@ -14,11 +14,9 @@ from itertools import product
 from math import cos, inf, sin
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "project")]
-
 import numpy as np
 
+from grading.project_path import ROOT
 from support import headless_vpython
 
 if "vpython" not in sys.argv:
@@ -28,8 +26,8 @@ from src import visualize_cradle_run
 from src.beyond.many_ticks import many_ticks
 from src.special_cradles import make_newton_cradle
 from src.visualize_cradle_run import newton_cradle_tick
-from support.audit import kinetic_energy, potential_energy
 from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.energy import kinetic_energy, potential_energy
 
 CRADLES = (5, 1), (50, 1), (500, 1), (50, 0)  # how many pendula, and their e
 CLING = 3.0  # s after which bobs of e = 0 cling together
@@ -236,7 +234,7 @@ def viewer_load(program, count, seconds=40) -> tuple[float, float]:
     in one, with Chromium drawing its page on the same machine.
     """
     from playwright.sync_api import sync_playwright
-    from programs import ARGUMENTS, CHROMIUM, first_lines, running
+    from project.programs import ARGUMENTS, CHROMIUM, first_lines, running
 
     def measure():  # processor time, simulated time, time (s)
         user, system = Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()[11:13]
@@ -291,7 +289,7 @@ def show_recording(plain) -> None:
 
 def project_without_fast_path(folder) -> Path:
     """Return a copy of the project, in this folder, in which the tick has one more line, that does nothing."""
-    from programs import copy_project
+    from project.programs import copy_project
 
     project = copy_project(Path(folder), csv_of(5))
     file = project / "src" / "visualize_cradle_run.py"

@@ -6,28 +6,23 @@ It is the project with the bodies of the handout's functions taken out, and of t
 import ast
 import re
 import shutil
-import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT))
-
+from grading.project_path import ROOT
 from support import headless_vpython
 
 headless_vpython.install()
 
-from handout import FUNCTIONS, SUITES
-
-from support.options import OneLineParser
+from grading.handout import FUNCTIONS, SUITES
+from support.start.options import OneLineParser
 
 FILES = [
     *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"),
-    *(f"tests/{name}.py" for name in ("grade", "grader", "handout", "pytest_grader", "telling")),
-    *("tests/cradles.py", "tests/watch.py"),
+    "tests/watch.py",
     *(f"tests/{suite}.py" for suite in SUITES.values()),
 ]
-FOLDERS = ["src", "support"]
+FOLDERS = ["src", "support", "tests/grading"]
 # Pictures of the README, and what holds answers: the fast path, and the collisions of the double cradle.
 UNUSED = ["__pycache__", "double.png", "swing.png", "many_ticks.py", "double_collisions.py"]
 PROVIDED = {"extract_and_convert": 2}  # how many statements the handout provides, at the beginning of a body

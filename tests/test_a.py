@@ -3,12 +3,11 @@
 from itertools import permutations
 from math import degrees, pi
 
-from cradles import hang, R, row
-from grader import check, expect, find, same
-from telling import A
-
+from grading.cradles import hang, R, row
+from grading.grader import check, expect, find, same
+from grading.telling import A
 from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
-from support.cradle_csv import read_cells
+from support.files.cradle_csv import read_cells
 
 SHORT = 1e-9  # s: in such a tick nothing moves that could be seen
 

@@ -2,8 +2,8 @@
 
 from itertools import permutations
 
-from cradles import hang
-from grader import check, expect, find, same
+from grading.cradles import hang
+from grading.grader import check, expect, find, same
 
 # The arguments e, omega1, omega2, m1, m2, and what comes of them; by hand from the appendix's two formulas.
 HIT, AFTER = (0.75, 4.0, -2.0, 1.0, 4.0), (-4.4, 0.1)

@@ -2,10 +2,11 @@
 
 from math import cos, pi, sin
 
-from cradles import hang, R, row
-from grader import check, expect, same
-from telling import A
 from vpython import vector
+
+from grading.cradles import hang, R, row
+from grading.grader import check, expect, same
+from grading.telling import A
 
 # The arguments omega, theta, r_param, dt, g, and what comes of them; by hand from the appendix's two formulas.
 STEP, AFTER = (2.0, 5 * pi / 6, 0.4, 0.1, 8.0), (1.0, 5 * pi / 6 + 0.1)  # omega falls by 1

@@ -6,13 +6,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from cradles import MIXED, MIXED_CSV, R
-from grader import check, expect, same, working_in
-from telling import A
 from vpython import box, color, cylinder, sphere, textures, vector
 
+from grading.cradles import MIXED, MIXED_CSV, R
+from grading.grader import check, expect, same, working_in
+from grading.telling import A
 from support.constants import NC_FP
-from support.cradle_csv import read_cells
+from support.files.cradle_csv import read_cells
 from support.pendulum import make_pendulum
 
 # Equal rows, values of 0, e of 0 and 1, many digits, more rows than columns, and no line break at the end.

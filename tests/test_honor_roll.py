@@ -3,10 +3,10 @@
 from itertools import product
 from math import cos, pi, sin
 
-from grader import check, expect
-from telling import A
 from vpython import box, cylinder, sphere, textures, vector
 
+from grading.grader import check, expect
+from grading.telling import A
 from support.pendulum import make_pendulum
 
 AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)

@@ -11,32 +11,35 @@ from tempfile import TemporaryDirectory
 from types import SimpleNamespace
 from unittest.mock import patch
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-
+from grading import project_path  # noqa: F401  finds the imports below
 from support import headless_vpython
 
 headless_vpython.install()
 
-from cradles import hang
-from grader import checks, find, Grading, PASSED
-from handout import FUNCTIONS, SUITES
-from telling import raised
 from vpython import color, mag, vector
 
-from support.audit import double_kinetic_energy, double_potential_energy, kinetic_energy, potential_energy
+from grading.cradles import hang
+from grading.grader import checks, find, Grading, PASSED
+from grading.handout import FUNCTIONS, SUITES
+from grading.telling import raised
 from support.constants import DT, G
-from support.cradle import Cradle
-from support.cradle_csv import to_number
-from support.options import allowed, OneLineParser
-from support.output import while_it_is_read
-from support.player import run
-from support.text_picture import TextPicture
+from support.energy import double_kinetic_energy, double_potential_energy, kinetic_energy, potential_energy
+from support.files.cradle_csv import to_number
+from support.playback.cradle import Cradle
+from support.playback.player import run
+from support.start.options import allowed, OneLineParser
+from support.start.output import while_it_is_read
+from support.terminal.picture import TextPicture
+from support.terminal.players import has_terminal, Lines, Pictures, show_pictures
 
 COLUMNS, ROWS = 80, 20  # of a picture that does not move
 
 
 class Scene(Cradle):
-    """The pendula of a call of a student's function, as far as the terminal needs a cradle (support/cradle.py)."""
+    """The pendula of a call of a student's function.
+
+    It has as much of a cradle (support/playback/cradle.py) as the terminal needs.
+    """
 
     dt = DT
     held, takes_rule = None, False
@@ -284,7 +287,6 @@ def main() -> None:
 
 def play(scene, seconds) -> None:
     """Show a scene for so many seconds, or as it is if nothing moves in it."""
-    from src.text_cradle_run import has_terminal, Lines, Pictures, show_pictures  # which imports a student's files
 
     class WatchedPictures(Pictures):
         script = Pictures.play  # the cradle is there already

@@ -3,8 +3,8 @@
 from src.beyond.live_cradle import LiveCradle
 from src.beyond.live_double_cradle import LiveDoubleCradle
 from src.beyond.preview import end_if_unwritten, what_there_is
-from support.options import read_double_page_options, read_page_options
-from support.page import show_page
+from support.page.page import show_page
+from support.start.options import read_double_page_options, read_page_options
 
 
 def show_cradle(main, many_ticks=None) -> None:

@@ -17,9 +17,9 @@ from src.special_cradles import (
     uniform_e_newton_cradle,
     uniform_mass_newton_cradle,
 )
-from support.audit import kinetic_energy, momentum, potential_energy
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.mistake import MistakeError
+from support.energy import kinetic_energy, momentum, potential_energy
+from support.playback.mistake import MistakeError
 from support.shapes import discard
 
 HAND = 1e9  # kg: a bob that is held throws others back like a wall
@@ -27,7 +27,7 @@ OUTWARDS = copysign(1, THETA_INIT)  # the side to which the first pendulum is li
 
 
 class LiveCradle:
-    """A cradle of single pendula with the shipped constants, as support/cradle.py wants a cradle to be."""
+    """A cradle of single pendula with the shipped constants, as support/playback/cradle.py wants a cradle to be."""
 
     dt = DT
     reach = R_PARAM
@@ -39,8 +39,8 @@ class LiveCradle:
     def __init__(self, scope, options, many_ticks=None):
         """Scope has the functions that make and move the pendula: the globals of main.
 
-        options has elastic, inelastic, e and mass, as support/options.py reads them. many_ticks is the fast path, if
-        there is one.
+        options has elastic, inelastic, e and mass, as support/start/options.py reads them. many_ticks is the fast path,
+        if there is one.
         """
         self.scope, self.many_ticks, self.mass = scope, many_ticks, options.mass
         self.collisions: dict[str, Any] = {

@@ -5,8 +5,8 @@ from typing import Any
 
 from src.beyond.dragging import push_others
 from src.beyond.live_cradle import LiveCradle
-from support.audit import double_kinetic_energy, double_momentum, double_potential_energy
 from support.constants import DOUBLE_DT, G, R_PARAM
+from support.energy import double_kinetic_energy, double_momentum, double_potential_energy
 
 
 class LiveDoubleCradle(LiveCradle):

@@ -4,7 +4,7 @@ import inspect
 import sys
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.unwritten import unwritten
+from support.start.unwritten import unwritten
 
 CONSTANTS = {"r_param": R_PARAM, "theta_init": THETA_INIT, "dt": DT, "g": G}
 

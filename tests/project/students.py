@@ -2,9 +2,10 @@
 
 from textwrap import dedent, indent
 
-from handout import FUNCTIONS
 from right_solutions import RIGHT
 from wrong_solutions import PLAIN
+
+from grading.handout import FUNCTIONS
 
 # What PLAIN has no mistakes for, and what the honor roll asks for beyond the checks.
 BODIES = {

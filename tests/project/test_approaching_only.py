@@ -7,8 +7,8 @@ rules: test_physics.py.
 from math import pi
 
 import pytest
-from cradles import hang, R
 
+from grading.cradles import hang, R
 from src.visualize_cradle_run import handle_two_bobs
 
 RADIUS = 1.01 * R / 8  # bobs of this radius touch when they hang side by side

@@ -26,7 +26,7 @@ from programs import (
 )
 
 from support.constants import R_PARAM
-from support.page import is_worth_showing
+from support.page.page import is_worth_showing
 
 pytestmark = needs_vpython
 

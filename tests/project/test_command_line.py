@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from support.command_line import command_line
+from support.start.command_line import command_line
 
 
 @pytest.mark.parametrize(
@@ -22,7 +22,7 @@ from support.command_line import command_line
     ],
 )
 def test_the_command_that_starts_a_program_with_the_same_python(monkeypatch, running, on_the_path, folder, words):
-    monkeypatch.setattr("support.command_line.ROOT", Path("/project"))
+    monkeypatch.setattr("support.start.command_line.ROOT", Path("/project"))
     monkeypatch.setattr(sys, "executable", running)
     monkeypatch.setattr(shutil, "which", lambda _: on_the_path)
     quote = '"' if os.name == "nt" else "'"

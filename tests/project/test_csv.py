@@ -6,9 +6,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from cradles import MIXED, MIXED_CSV
 from whole_cradles import GOOD, HEADER
 
+from grading.cradles import MIXED, MIXED_CSV
 from src import visualize_cradle_run
 from src.beyond.in_browser import show_cradle
 from src.pds_helper import extract_and_convert, write_to_csv
@@ -132,7 +132,7 @@ def complaint(function, *arguments):
 def the_programs_complaint(monkeypatch, capsys, filepath):
     """Return what the program prints on stderr for this file; it must end with status 2, and print nothing else."""
     monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", filepath])
-    monkeypatch.setattr("support.page.open_page", lambda *_: pytest.fail("a browser was to be opened"))
+    monkeypatch.setattr("support.page.page.open_page", lambda *_: pytest.fail("a browser was to be opened"))
     with pytest.raises(SystemExit) as ended:
         show_cradle(visualize_cradle_run.main)
     printed = capsys.readouterr()

@@ -6,7 +6,6 @@ from math import cos, hypot, pi, sin, sqrt
 from unittest.mock import patch
 
 import pytest
-from cradles import MIXED, MIXED_CSV
 from programs import (
     BOBS,
     end,
@@ -26,11 +25,12 @@ from test_honor_roll import LENGTH, SWINGS
 from vpython import color, textures, vector
 from whole_cradles import components, distances, GOOD, hang_double, HEADER, PERIOD
 
+from grading.cradles import MIXED, MIXED_CSV
 from src import double_collisions, double_cradle, visualize_double_cradle_run
 from src.beyond.in_browser import show_double_cradle
 from support import shapes
-from support.audit import double_kinetic_energy, double_potential_energy
 from support.constants import BUFFER, COLOR_MAP, DOUBLE_DT, G, PHI_INIT, R_PARAM, TEXTURE_MAP, THETA_INIT
+from support.energy import double_kinetic_energy, double_potential_energy
 
 SAMPLE = 0.01  # s between two looks at the energy
 
@@ -133,7 +133,7 @@ def test_a_bad_csv_is_refused_as_for_the_single_cradle(tmp_path, monkeypatch, ca
         double_cradle.make_double_newton_cradle(str(file), R_PARAM, THETA_INIT, PHI_INIT)
     assert str(caught.value) == f"{file}{message}"
     monkeypatch.setattr("sys.argv", ["visualize_double_cradle_run.py", str(file)])
-    monkeypatch.setattr("support.page.open_page", lambda *_: pytest.fail("a browser was to be opened"))
+    monkeypatch.setattr("support.page.page.open_page", lambda *_: pytest.fail("a browser was to be opened"))
     with pytest.raises(SystemExit) as ended:
         show_double_cradle(visualize_double_cradle_run.main)
     assert (ended.value.code, *capsys.readouterr()) == (2, "", f"{file}{message}\n")

@@ -5,10 +5,10 @@ from itertools import pairwise
 from math import asin, cos, hypot, pi, remainder, sin
 
 import pytest
-from cradles import hang, R, row
 from vpython import mag
 from whole_cradles import components, distances, hang_double
 
+from grading.cradles import hang, R, row
 from src.beyond.dragging import cord_angles, drag_bob, drag_pendulum, touching_angle
 
 

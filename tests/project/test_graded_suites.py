@@ -9,18 +9,18 @@ from math import ceil
 from pathlib import Path
 from textwrap import dedent, indent
 
-import grader
 import pytest
 import watch
-from grader import check, checks, expect, FAILED, FAULT, Grading, module_of, Outcome, PASSED, WAITING
-from handout import FUNCTIONS, HONOR, needed, SUITES
 from right_solutions import RIGHT
-from telling import own_lines, ROOT
 from wrong_solutions import PLAIN, WRONG
 
-from support.command_line import command_line
+from grading import grader
+from grading.grader import check, checks, expect, FAILED, FAULT, Grading, module_of, Outcome, PASSED, WAITING
+from grading.handout import FUNCTIONS, HONOR, needed, SUITES
+from grading.telling import own_lines, ROOT
 from support.constants import NC_FP
-from support.text_picture import TextPicture
+from support.start.command_line import command_line
+from support.terminal.picture import TextPicture
 
 # All of them first: one that is imported while a solution is in its place would keep it.
 MODULES = {name: import_module(module_of(of.file)) for name, of in FUNCTIONS.items()}

@@ -9,10 +9,11 @@ from math import ceil
 from textwrap import dedent, indent
 
 import pytest
-from handout import FUNCTIONS, SUITES
 from programs import ROOT, SECONDS
 from whole_cradles import FIVE_CSV
 from wrong_solutions import PLAIN, WRONG
+
+from grading.handout import FUNCTIONS, SUITES
 
 COLUMNS = 80
 STUB = 'raise NotImplementedError("{} is not written yet")'
@@ -21,7 +22,6 @@ STUBS = {
     "extract_and_convert": f"bad_rep = pd.read_csv(relative_filepath)\n{STUB.format('extract_and_convert')}",
     "main": f"while page.is_running():\n    if page.wants_cradle():\n        {STUB.format('main')}",
 }
-GRADERS = ("cradles", "grade", "grader", "handout", "pytest_grader", "telling", *SUITES.values())
 
 
 @pytest.fixture
@@ -30,10 +30,9 @@ def student(tmp_path_factory):
     folder = tmp_path_factory.mktemp("s")
 
     def make(**bodies):
-        for name in ("src", "support"):
+        for name in ("src", "support", "tests/grading"):
             shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
-        (folder / "tests").mkdir()
-        for name in ("pyproject.toml", *(f"tests/{name}.py" for name in GRADERS)):
+        for name in ("pyproject.toml", *(f"tests/{suite}.py" for suite in SUITES.values())):
             shutil.copy(ROOT / name, folder / name)
         (folder / "newton_cradle_pends.csv").write_text(FIVE_CSV)
         for name, body in bodies.items():

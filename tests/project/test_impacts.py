@@ -2,7 +2,7 @@
 
 import pytest
 
-from support.impacts import GAP, ImpactTrains
+from support.playback.impacts import GAP, ImpactTrains
 
 TICK = 1e-4  # s
 

@@ -5,16 +5,16 @@ from collections import defaultdict
 from math import pi, radians
 
 import pytest
-from cradles import MIXED_CSV
 from vpython import vector
 from whole_cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD, Swing
 
+from grading.cradles import MIXED_CSV
 from src import visualize_cradle_run
 from src.visualize_cradle_run import newton_cradle_tick
 from support import shapes
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.cradle_csv import Snapshot
-from support.mistake import MistakeError
+from support.files.cradle_csv import Snapshot
+from support.playback.mistake import MistakeError
 
 
 @pytest.fixture

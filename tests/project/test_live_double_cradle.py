@@ -5,17 +5,17 @@ from itertools import pairwise
 from math import copysign, radians
 
 import pytest
-from cradles import MIXED_CSV
 from whole_cradles import components, distances, FIVE_CSV, PERIOD, Swing
 
+from grading.cradles import MIXED_CSV
 from src import visualize_double_cradle_run
 from src.beyond.live_double_cradle import LiveDoubleCradle
 from src.double_cradle import double_cradle_tick
 from support import shapes
-from support.audit import double_kinetic_energy, double_momentum, double_potential_energy
 from support.constants import DOUBLE_DT, G, R_PARAM, THETA_INIT
-from support.cradle_csv import Snapshot
-from support.player import GRIP
+from support.energy import double_kinetic_energy, double_momentum, double_potential_energy
+from support.files.cradle_csv import Snapshot
+from support.playback.player import GRIP
 
 OUTWARDS = copysign(1, THETA_INIT)
 

@@ -4,8 +4,8 @@ import os
 
 import pytest
 
-from support.cradle_csv import read_cells, Snapshot
-from support.live_file import LiveFile, POLL
+from support.files.cradle_csv import read_cells, Snapshot
+from support.files.live_file import LiveFile, POLL
 
 
 class Clock:
@@ -94,7 +94,7 @@ def test_a_file_that_goes_and_comes_back_as_it_was_is_news_both_times(live):
 def test_the_file_is_read_once_a_poll(tmp_path, monkeypatch):
     """Not once a frame."""
     reads, clock = [], Clock()
-    monkeypatch.setattr("support.live_file.Snapshot", lambda path: reads.append(path) or "always the same")
+    monkeypatch.setattr("support.files.live_file.Snapshot", lambda path: reads.append(path) or "always the same")
     file = LiveFile(tmp_path / "cradle.csv", clock)
     for _ in range(60):
         clock.now += 1 / 60

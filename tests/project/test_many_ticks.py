@@ -13,11 +13,11 @@ from math import cos, inf, nan, pi, sin
 from types import FunctionType, SimpleNamespace
 
 import pytest
-from cradles import hang, R, row
 from programs import ROOT
 from vpython import mag, sphere, vector
 from whole_cradles import do_at_once
 
+from grading.cradles import hang, R, row
 from src import visualize_cradle_run
 from src.beyond import many_ticks as many_ticks_module
 from src.beyond.many_ticks import digest, free_ticks, many_ticks, STANDS_IN_FOR

@@ -3,9 +3,9 @@
 from math import cos
 
 import pytest
-from cradles import MIXED_CSV
 from whole_cradles import make_swing, PERIOD
 
+from grading.cradles import MIXED_CSV
 from support.constants import DT, G, R_PARAM
 
 

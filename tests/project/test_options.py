@@ -6,7 +6,7 @@ import pytest
 from whole_cradles import FIVE_CSV
 
 from support.constants import DT, NC_FP, PHI_INIT
-from support.options import (
+from support.start.options import (
     check_lift,
     PORT_VARIABLE,
     read_double_page_options,
@@ -190,9 +190,9 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
 
 
 def test_phi_is_outwards_by_default_if_theta_and_phi_have_one_sign(monkeypatch, capsys):
-    monkeypatch.setattr("support.options.PHI_INIT", pi / 18)
+    monkeypatch.setattr("support.start.options.PHI_INIT", pi / 18)
     for theta_init, default in ((-0.5, -10), (0.5, 10)):
-        monkeypatch.setattr("support.options.THETA_INIT", theta_init)
+        monkeypatch.setattr("support.start.options.THETA_INIT", theta_init)
         with pytest.raises(SystemExit):
             read_double_page_options(["--help"])
         assert f"(default: {default})" in " ".join(capsys.readouterr().out.split())

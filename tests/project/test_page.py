@@ -27,7 +27,7 @@ from programs import (
 from whole_cradles import FIVE_CSV, GOOD, HEADER, PERIOD
 
 from support.constants import R_PARAM
-from support.real_time import FRAME
+from support.playback.real_time import FRAME
 
 pytestmark = needs_vpython
 

@@ -3,10 +3,10 @@
 from math import cos, sin
 
 import pytest
-from cradles import row
 from vpython import color, mag, textures, vector
 from whole_cradles import components
 
+from grading.cradles import row
 from support.pendulum import make_pendulum
 
 

@@ -1,4 +1,4 @@
-"""The laws of motion, held against the exact figures of support/audit.py, at the shipped constants.
+"""The laws of motion, held against the exact figures of support/energy.py, at the shipped constants.
 
 All of it is done by many_ticks, which test_many_ticks.py holds to newton_cradle_tick.
 """
@@ -8,13 +8,13 @@ from math import cos, degrees, isfinite, radians, sqrt
 
 import numpy as np
 import pytest
-from cradles import hang
 from whole_cradles import do_at_once
 
+from grading.cradles import hang
 from src import visualize_cradle_run
 from src.beyond import many_ticks
-from support.audit import energy_left, exact_period, kinetic_energy, potential_energy
 from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.energy import energy_left, exact_period, kinetic_energy, potential_energy
 
 SAMPLE = 0.01  # s between two looks at a cradle
 

@@ -7,15 +7,15 @@ from importlib.machinery import PathFinder
 from math import copysign, degrees
 
 import pytest
-from cradles import MIXED, MIXED_CSV
 from programs import copy_project, ROOT
 from whole_cradles import components, go_on
 
+from grading.cradles import MIXED, MIXED_CSV
 from src import visualize_cradle_run, visualize_double_cradle_run
 from src.beyond.in_browser import show_cradle, show_double_cradle
 from src.special_cradles import make_newton_cradle
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.output import spell_out_letters
+from support.start.output import spell_out_letters
 
 
 def test_pds_tester_shows_each_step_without_vpython(run, tmp_path):
@@ -58,7 +58,8 @@ def test_an_output_that_is_no_file_is_left_as_it_is(monkeypatch):
 def test_an_older_python_is_told_so_before_it_stumbles(program):
     """Python 3.9 has no pairwise, for one."""
     code = (
-        f"del itertools.pairwise; sys.version_info = (3, 9, 6); runpy.run_path('src/{program}.py', run_name='__main__')"
+        "del itertools.pairwise; sys.version_info = (3, 9, 6); sys.path.append('src');"
+        f"runpy.run_path('src/{program}.py', run_name='__main__')"
     )
     done = subprocess.run(
         [sys.executable, "-c", f"import itertools, runpy, sys; {code}"], cwd=ROOT, capture_output=True, text=True
@@ -80,7 +81,7 @@ def test_an_older_python_is_told_so_before_it_stumbles(program):
 def test_a_program_ends_quietly_where_nobody_reads_it(error, status):
     code = f"""
 import errno, sys
-from support.output import while_it_is_read
+from support.start.output import while_it_is_read
 sys.platform = "win32"
 with while_it_is_read():
     raise {error}
@@ -113,9 +114,9 @@ def test_support_knows_nothing_of_src():
 def start(monkeypatch):
     """A function that starts a program with a command line, and returns what its page and its main were given."""
     shown = []
-    monkeypatch.setattr("support.page.open_page", lambda *given: shown.append(given))
-    monkeypatch.setattr("support.page.page_sockets", lambda port: f"sockets at {port}")
-    monkeypatch.setattr("support.page.run", lambda main, viewer: shown.append(viewer))
+    monkeypatch.setattr("support.page.page.open_page", lambda *given: shown.append(given))
+    monkeypatch.setattr("support.page.page.page_sockets", lambda port: f"sockets at {port}")
+    monkeypatch.setattr("support.page.page.run", lambda main, viewer: shown.append(viewer))
     monkeypatch.setattr("os._exit", lambda status: None)
 
     def start(*arguments, program=visualize_cradle_run, show=show_cradle):
@@ -177,7 +178,7 @@ def test_main_of_the_double_cradle_does_what_the_options_say(tmp_path, start):
 def test_main_refuses_in_one_line_before_a_page_opens(tmp_path, monkeypatch, capsys, csv, arguments, line):
     path = copy_project(tmp_path, csv) / "newton_cradle_pends.csv"
     monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", str(path), *arguments])
-    monkeypatch.setattr("support.page.open_page", lambda *given: pytest.fail("a page was opened"))
+    monkeypatch.setattr("support.page.page.open_page", lambda *given: pytest.fail("a page was opened"))
     with pytest.raises(SystemExit) as refused:
         show_cradle(visualize_cradle_run.main)
     assert refused.value.code == 2

@@ -2,7 +2,7 @@
 
 import pytest
 
-from support.real_time import FRAME, MAX_BEHIND, RealTime
+from support.playback.real_time import FRAME, MAX_BEHIND, RealTime
 
 DT = 1e-4  # s a tick
 

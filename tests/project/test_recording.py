@@ -5,11 +5,11 @@ import re
 
 import pandas as pd
 import pytest
-from cradles import MIXED_CSV
 from whole_cradles import make_swing
 
+from grading.cradles import MIXED_CSV
 from src.pds_helper import EXACT_FLOATS
-from support.recording import check_record, data_file, EVERY, Recording, SPAN
+from support.files.recording import check_record, data_file, EVERY, Recording, SPAN
 
 
 @pytest.fixture

@@ -23,9 +23,9 @@ from src import visualize_cradle_run
 from src.beyond.live_cradle import LiveCradle
 from src.special_cradles import make_newton_cradle
 from support.constants import R_PARAM, THETA_INIT
-from support.cradle_csv import Snapshot
-from support.live_file import LiveFile
-from support.viewer import Viewer
+from support.files.cradle_csv import Snapshot
+from support.files.live_file import LiveFile
+from support.page.viewer import Viewer
 
 options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
 vpython.baseObj.empty = lambda: True

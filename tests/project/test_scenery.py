@@ -3,11 +3,11 @@
 from math import cos, pi, sin, tan
 
 import pytest
-from cradles import hang, R
 from vpython import box, cross, cylinder, dot, mag, norm, scene, vector
 from whole_cradles import components
 
-from support.scenery import CANVAS_HEIGHT, CANVAS_WIDTH, Scenery
+from grading.cradles import hang, R
+from support.page.scenery import CANVAS_HEIGHT, CANVAS_WIDTH, Scenery
 
 
 def pendula(count):

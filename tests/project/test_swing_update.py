@@ -3,9 +3,9 @@
 from math import cos, pi, sin
 
 import pytest
-from cradles import hang, R
 from whole_cradles import components
 
+from grading.cradles import hang, R
 from src import swinging
 
 

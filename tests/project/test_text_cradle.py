@@ -16,18 +16,19 @@ from types import SimpleNamespace
 
 import pandas as pd
 import pytest
-from cradles import MIXED_CSV
 from programs import copy_project, end, QUIETLY, refusal, ROOT, running, SECONDS
 from whole_cradles import FIVE_CSV, GOOD, HEADER, make_live, make_swing, PERIOD
 
-from src import text_cradle_run
+from grading.cradles import MIXED_CSV
 from src.special_cradles import make_newton_cradle
 from src.visualize_cradle_run import main as cradle_main
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.cradle_csv import Snapshot
-from support.real_time import RealTime
-from support.text_picture import TextPicture
+from support.files.cradle_csv import Snapshot
+from support.playback.real_time import RealTime
+from support.terminal import players, recorder
+from support.terminal.picture import TextPicture
+from support.terminal.screen import screen
 
 PROGRAM = ROOT / "src" / "text_cradle_run.py"
 posix = pytest.mark.skipif(os.name != "posix", reason="terminals and signals as on Linux and macOS")
@@ -51,7 +52,7 @@ def text_player(folder, kind, seconds):
 # --- keeping time ----------------------------------------------------------------------------------------------------
 
 
-class Wall(text_cradle_run.TextPlayer):
+class Wall(players.TextPlayer):
     """A player on whose clock time passes only by sleeping."""
 
     def __init__(self, folder, seconds, step):
@@ -89,7 +90,7 @@ def test_time_before_the_start_does_not_count(tmp_path):
     assert wall.shown[-1][0] == pytest.approx(6, abs=2 / 60)
 
 
-@pytest.mark.parametrize("kind", [text_cradle_run.Lines, text_cradle_run.Pictures])
+@pytest.mark.parametrize("kind", [players.Lines, players.Pictures])
 def test_half_a_second_is_no_less_on_the_wall(tmp_path, kind):
     begin = time.monotonic()
     cradle_main(text_player(tmp_path, kind, 0.5))
@@ -122,13 +123,13 @@ def test_the_latest_hits_are_told_in_their_order(tmp_path):
     motion = make_swing(tmp_path).motion
     motion.trains.add(0.1, 0, 1, True)
     motion.trains.add(0.3, 3, 4, False)
-    assert text_cradle_run.summary(motion).endswith(" left, hits 1-2, 5-4")
+    assert players.summary(motion).endswith(" left, hits 1-2, 5-4")
 
 
 def test_a_bob_that_has_gone_round_is_told_of_where_it_is(tmp_path):
     motion = make_swing(tmp_path, lift=0).motion
     motion.cradle.pend_list[1]["theta"] = radians(360 * 3 + 20)
-    assert "pendulum 2 at 20 degrees right" in text_cradle_run.summary(motion)
+    assert "pendulum 2 at 20 degrees right" in players.summary(motion)
 
 
 @posix
@@ -243,7 +244,7 @@ def test_the_picture_is_as_large_as_the_terminal_allows(five, lines, columns):
 
 
 def test_a_screen_of_its_own_is_cleared_line_by_line_and_given_back(tmp_path, capsys):
-    text_cradle_run.show_pictures(cradle_main, text_player(tmp_path, text_cradle_run.Pictures, 0.1))
+    players.show_pictures(cradle_main, text_player(tmp_path, players.Pictures, 0.1))
     said, _, last_words = capsys.readouterr().out.partition(RESTORED)
     assert said.startswith("\x1b[?1049h\x1b[?25l\x1b[H")
     assert said.count("\x1b[H") == said.count("\x1b[J") == 3
@@ -260,7 +261,7 @@ def test_what_is_to_be_seen(tmp_path, monkeypatch):
     for left in [*range(19), *range(18, -1, -1)]:
         motion.trains.add(1.0, left, left + 1, True)
     motion.trains.add(2.0, 0, 1, True)
-    lines = text_cradle_run.screen(motion, TextPicture(), "x0.6")
+    lines = screen(motion, TextPicture(), "x0.6")
     assert lines[0].endswith(" %)   x0.6")
     impacts = lines.index("Impacts")
     assert lines[impacts + 1] == "t = 2.00 s  1-2"
@@ -268,9 +269,9 @@ def test_what_is_to_be_seen(tmp_path, monkeypatch):
     assert len(lines[impacts + 2]) == 80
     assert lines[impacts + 3 :] == ["", "", "", "Ctrl+C ends it."]
     motion = make_swing(tmp_path, angle=180).motion
-    assert len(text_cradle_run.screen(motion, TextPicture(), "")) in (23, 24)
+    assert len(screen(motion, TextPicture(), "")) in (23, 24)
     remark = "Still to be written: handle_collision, handle_two_bobs, newton_cradle_tick, main. Then the bobs collide."
-    lines = text_cradle_run.screen(motion, TextPicture(), "", remark)
+    lines = screen(motion, TextPicture(), "", remark)
     assert " ".join(lines[1:3]) == remark
     assert len(lines) <= 24
     assert lines[-1] == "Ctrl+C ends it."
@@ -337,7 +338,7 @@ def test_rows_are_where_they_should_be(tmp_path, capsys, seconds, every, count, 
     data, csv = tmp_path / "data.csv", tmp_path / "cradle.csv"
     csv.write_text(FIVE_CSV)
     options = SimpleNamespace(seconds=seconds, every=every, record=str(data), angle=30, lift=1)
-    text_cradle_run.record(cradle_main, make_live(), Snapshot(csv), options)
+    recorder.record(cradle_main, make_live(), Snapshot(csv), options)
     assert capsys.readouterr().out == f"{count} rows, from t = 0 to {last:g} s, are in {data}\n"
     assert pd.read_csv(data)["t"].to_list() == pytest.approx([every * i for i in range(count)])
 
@@ -380,7 +381,7 @@ def test_a_recording_outlives_the_terminal_with_nohup(five, tmp_path):
 def test_no_progress_bar_gets_into_a_log(monkeypatch):
     monkeypatch.setattr(sys, "stderr", StringIO())
     times = iter(range(10**6))
-    with text_cradle_run.progress_bar(lambda: next(times)) as progress:
+    with recorder.progress_bar(lambda: next(times)) as progress:
         progress(0.5)
         progress(1.0)
     assert sys.stderr.getvalue() == ""
@@ -389,7 +390,7 @@ def test_no_progress_bar_gets_into_a_log(monkeypatch):
 def test_the_progress_bar_is_redrawn_twenty_times_a_second(monkeypatch):
     monkeypatch.setattr(sys, "stderr", Screen())
     now = 0.0
-    with text_cradle_run.progress_bar(lambda: now) as progress:
+    with recorder.progress_bar(lambda: now) as progress:
         for number in range(1, 10_001):
             now += 1e-3
             progress(number / 10_000)
@@ -407,7 +408,7 @@ def test_a_progress_bar_is_shown_when_it_takes_more_than_two_seconds(monkeypatch
     monkeypatch.setattr(sys, "stderr", Screen())
     monkeypatch.setenv("COLUMNS", str(columns))
     now = 0.0
-    with text_cradle_run.progress_bar(lambda: now) as progress:
+    with recorder.progress_bar(lambda: now) as progress:
         for number in range(1, 101):
             now += seconds / 100
             progress(number / 100)
@@ -428,7 +429,7 @@ def test_the_progress_is_told_however_rare_the_rows_are(tmp_path):
     file, written, parts = tmp_path / "cradle.csv", StringIO(), []
     file.write_text(HEADER + GOOD)
     options, writer = SimpleNamespace(seconds=10, every=5, angle=30, lift=1), csv.writer(written)
-    cradle_main(text_cradle_run.Recorder(make_live(), Snapshot(file), options, writer, parts.append))
+    cradle_main(recorder.Recorder(make_live(), Snapshot(file), options, writer, parts.append))
     assert written.getvalue().count("\n") == 1 + 3
     assert parts == pytest.approx([number / 100 for number in range(1, 101)])
 

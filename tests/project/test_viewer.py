@@ -19,15 +19,15 @@ from src.beyond.live_cradle import LiveCradle
 from src.beyond.live_double_cradle import LiveDoubleCradle
 from src.special_cradles import make_newton_cradle
 from src.visualize_cradle_run import newton_cradle_tick
-from support.commands import Command
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.energy_graph import HIDING, INTERVAL, SPAN
-from support.live_file import LiveFile, POLL
-from support.panel import PAGE
-from support.real_time import FRAME, RealTime
-from support.recording import EVERY
-from support.scenery import CANVAS_WIDTH
-from support.viewer import Viewer
+from support.files.live_file import LiveFile, POLL
+from support.files.recording import EVERY
+from support.page.commands import Command
+from support.page.energy_graph import HIDING, INTERVAL, SPAN
+from support.page.panel import PAGE
+from support.page.scenery import CANVAS_WIDTH
+from support.page.viewer import Viewer
+from support.playback.real_time import FRAME, RealTime
 
 
 class Wall:
@@ -195,7 +195,7 @@ def test_separating_bobs(wall):
 
 def test_where_the_rule_cannot_be_chosen_the_box_says_so_and_is_fixed(csv, monkeypatch):
     tick, texts = visualize_cradle_run.newton_cradle_tick, []
-    monkeypatch.setattr("support.panel.add_hint", texts.append)
+    monkeypatch.setattr("support.page.panel.add_hint", texts.append)
     box = Wall(csv).panel.separating
     assert (box.checked, box.disabled) == (False, False)
     monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", lambda p, r, dt, g: tick(p, r, dt, g))
@@ -245,7 +245,7 @@ def test_an_angle_is_shown_to_its_last_digit(csv):
 
 def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     labels = []
-    monkeypatch.setattr("support.panel.add_label", labels.append)
+    monkeypatch.setattr("support.page.panel.add_label", labels.append)
     wall = Wall(csv, 30, 10, kind=LiveDoubleCradle)
     theta, phi = wall.panel.angles
     ranges = [(setting.slider.min, setting.slider.max, setting.slider.step) for setting in (theta, phi)]
@@ -738,7 +738,7 @@ def test_a_swing_above_the_frame_is_in_view_until_the_bobs_start_anew(wall):
 
 def test_the_panel_says_what_the_keys_do_and_what_the_handouts_rule_does(monkeypatch, csv):
     texts = []
-    monkeypatch.setattr("support.panel.wtext", lambda text="": texts.append(text) or wtext(text=text))
+    monkeypatch.setattr("support.page.panel.wtext", lambda text="": texts.append(text) or wtext(text=text))
     Wall(csv)
     said = re.sub("<.*?>", "", " ".join(texts))
     assert "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs. Drag a bob with the mouse." in said
@@ -747,7 +747,7 @@ def test_the_panel_says_what_the_keys_do_and_what_the_handouts_rule_does(monkeyp
 
 def test_a_remark_stands_above_the_widgets(monkeypatch, csv):
     texts = []
-    monkeypatch.setattr("support.panel.wtext", lambda text="": texts.append(text) or wtext(text=text))
+    monkeypatch.setattr("support.page.panel.wtext", lambda text="": texts.append(text) or wtext(text=text))
     Wall(csv, remark="Still to be written: <main>.")
     assert '<div class="remark" role="note">Still to be written: &lt;main&gt;.</div>' in texts
     texts.clear()

@@ -4,16 +4,16 @@ from math import cos, pi, sin, sqrt
 
 import pytest
 import watch
-from cradles import hang, MIXED_CSV, R, row
-from grader import FAILED, Outcome, PASSED
-from telling import Call, plain
 from vpython import mag
 from whole_cradles import components
 
+from grading.cradles import hang, MIXED_CSV, R, row
+from grading.grader import FAILED, Outcome, PASSED
+from grading.telling import Call, plain
 from src import special_cradles, swinging, visualize_cradle_run
 from support.constants import DT, G
 from support.pendulum import make_pendulum
-from support.text_picture import TextPicture
+from support.terminal.picture import TextPicture
 
 W = sqrt(G / R)  # 1/s, of small swings
 

@@ -4,17 +4,17 @@ from itertools import combinations
 from math import pi, sqrt
 from types import SimpleNamespace
 
-from cradles import R
 from vpython import color, mag, vector
 
+from grading.cradles import R
 from src import visualize_cradle_run, visualize_double_cradle_run
 from src.beyond.live_cradle import LiveCradle
 from src.beyond.live_double_cradle import LiveDoubleCradle
 from src.beyond.many_ticks import many_ticks
 from src.double_cradle import make_double_pendulum
 from support.constants import BUFFER, G, PHI_INIT, R_PARAM, THETA_INIT
-from support.cradle_csv import Snapshot
-from support.player import Player
+from support.files.cradle_csv import Snapshot
+from support.playback.player import Player
 
 MAINS = {LiveCradle: visualize_cradle_run.main, LiveDoubleCradle: visualize_double_cradle_run.main}
 

@@ -3,10 +3,10 @@
 from math import pi, radians, sqrt
 
 import pytest
-from cradles import hang
 from whole_cradles import hang_double
 
-from support.audit import (
+from grading.cradles import hang
+from support.energy import (
     double_kinetic_energy,
     double_momentum,
     double_potential_energy,

@@ -11,11 +11,10 @@ from support import headless_vpython
 
 headless_vpython.install()
 
-from grade import grade, lines, unwritten
-from grader import CHECKS, FAILED, FAULT, Grading, PASSED, WAITING
-from handout import SUITES
-
-from support.whole_file import whole_file
+from grading.grade import grade, lines, unwritten
+from grading.grader import CHECKS, FAILED, FAULT, Grading, PASSED, WAITING
+from grading.handout import SUITES
+from support.files.atomic_write import whole_file
 
 PRINTED = 10  # lines that are shown of what a solution has printed
 TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes them

@@ -1,4 +1,4 @@
-"""Make support/requirements.txt: `python tests/make_requirements.py PYTHON ...`.
+"""Make support/requirements.txt: `python tests/project/make_requirements.py PYTHON ...`.
 
 It lists the packages that the programs really import, with the bounds of pyproject.toml. A new major version may need
 a package that `pip install --no-deps` would not bring, so each bound ends below it. Each PYTHON can start the programs;
@@ -13,12 +13,12 @@ import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 REQUIREMENTS = ROOT / "support" / "requirements.txt"
 HEAD = """\
 # What the programs import, and no more, for pip install --no-deps -r support/requirements.txt
 # VPython also asks for Jupyter, which a program that is started as a file does without: a hundred more packages.
-# Made by tests/make_requirements.py.
+# Made by tests/project/make_requirements.py.
 """
 # Prints which package each module comes from: {module: (name, version)}.
 PACKAGES = """

@@ -25,8 +25,8 @@ from programs import (
 )
 from whole_cradles import FIVE_CSV
 
-from support.closed_doors import page_sockets, port_of
 from support.constants import R_PARAM
+from support.page.local_server import page_sockets, port_of
 
 pytestmark = needs_vpython
 

@@ -12,14 +12,14 @@ from functools import partial
 from html import escape
 from pathlib import Path
 
-from support.closed_doors import page_sockets, page_websocket, PageServer, port_of
-from support.command_line import command_line
-from support.cradle_csv import check_cradle
-from support.interrupt import end_on_interrupt
-from support.live_file import LiveFile
-from support.mistake import tell_mistake
-from support.options import check_lift
-from support.player import run
+from support.files.cradle_csv import check_cradle
+from support.files.live_file import LiveFile
+from support.page.local_server import page_sockets, page_websocket, PageServer, port_of
+from support.playback.mistake import tell_mistake
+from support.playback.player import run
+from support.start.command_line import command_line
+from support.start.interrupt import end_on_interrupt
+from support.start.options import check_lift
 
 # What the page begins with: its title, and what it needs of a browser.
 PAGE_HEAD = Path(__file__).with_name("page_head.html")
@@ -32,8 +32,9 @@ Use another browser. Or press Ctrl+C and type this, to see the single cradle as 
 def show_page(main, cradle, options, angles, remark="") -> None:
     """Let main run with the page of a cradle, until the tab is closed; status 2 if something is refused.
 
-    cradle is as support/cradle.py says, still without pendula; options are the viewer's, from support/options.py, and
-    angles the release angles (degrees), each None to leave it as the cradle is made. The page shows the remark, a line.
+    cradle is as support/playback/cradle.py says, still without pendula. options are the viewer's, from
+    support/start/options.py. angles are the release angles (degrees), each None to leave it as the cradle is made. The
+    page shows the remark, a line.
     """
     file = LiveFile(options.csv)
     try:
@@ -46,7 +47,8 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     viewer = None
     try:
         open_page(sockets, options.browser)
-        from support.viewer import Viewer  # needs VPython's canvas and widgets, which all of the above does without
+        # It needs VPython's canvas and widgets, which all of the above does without.
+        from support.page.viewer import Viewer
 
         viewer = Viewer(cradle, file, angles, options.lift, remark)
         run(main, viewer)

@@ -2,7 +2,7 @@
 
 from math import atan2, pi
 
-from support.cradle import Cradle
+from support.playback.cradle import Cradle
 
 CORD = 16  # columns that a cord is long where there is room: neighbouring bobs are then four columns apart
 STROKES = "-\\|/"  # a line to the right, and one that is turned down from there by 45, 90 and 135 degrees

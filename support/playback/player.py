@@ -1,17 +1,17 @@
 """What stands between a program's loop and what it shows: it tells the loop when a cradle or a tick is wanted.
 
-The loop is main in src/visualize_cradle_run.py. A player is the cradle's page in the browser (support/viewer.py), or
-its picture, its lines or its data file (src/text_cradle_run.py).
+The loop is main in src/visualize_cradle_run.py. A player is the cradle's page in the browser (support/page/viewer.py),
+or its picture, its lines or its data file (support/terminal/players.py, support/terminal/recorder.py).
 """
 
 from collections.abc import Callable, Iterator
 from math import inf
 
-from support.cradle import Cradle
-from support.cradle_csv import clean_copy
-from support.mistake import MistakeError
-from support.motion import Motion
-from support.real_time import RealTime
+from support.files.cradle_csv import clean_copy
+from support.playback.cradle import Cradle
+from support.playback.mistake import MistakeError
+from support.playback.motion import Motion
+from support.playback.real_time import RealTime
 
 GRIP = 10  # ticks after which a bob that is held is put back; until then it falls by less than 0.01 degrees
 

@@ -9,10 +9,11 @@ from numbers import Real
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from handout import FUNCTIONS
 from vpython import box, cylinder, sphere, vector
 
-ROOT = Path(__file__).resolve().parents[1]
+from grading.handout import FUNCTIONS
+from grading.project_path import ROOT
+
 LABEL = 12  # columns of the words at the left of a message
 WIDTH = 62  # columns of what stands to the right of them, where it can be broken: a terminal has 80
 MOST = 20  # elements of a list that are shown

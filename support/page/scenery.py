@@ -8,7 +8,7 @@ from vpython import box, cross, cylinder, distant_light, dot, norm, scene, textu
 from support.shapes import discard, make_shape
 
 STEEL = vector(0.75, 0.76, 0.78)
-BACKGROUND = vector(241, 242, 244) / 255  # that of the page (support/panel.html), so that the canvas has no edge
+BACKGROUND = vector(241, 242, 244) / 255  # the page's, in panel.html, so that the canvas has no edge
 CANVAS_WIDTH, CANVAS_HEIGHT = 1000, 400  # pixels, as the page opens
 MARGIN = 1.04  # how much more than the cradle is in view
 

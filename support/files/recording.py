@@ -8,7 +8,7 @@ from itertools import count
 from pathlib import Path
 from stat import S_ISREG
 
-from support.whole_file import whole_file
+from support.files.atomic_write import whole_file
 
 EVERY = 0.01  # s from sample to sample
 SPAN = 600.0  # s that the viewer remembers

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from vpython import button, checkbox, menu, scene, slider, wtext
 
-from support.commands import Command
+from support.page.commands import Command
 
 # How the page looks, and what its keys and its mouse do beyond what VPython does.
 PAGE = Path(__file__).with_name("panel.html")

@@ -7,15 +7,15 @@ from queue import SimpleQueue
 
 from vpython import baseObj, cross, dot, mag, scene
 
-from support.commands import Command, KEYS
-from support.cradle import Cradle
-from support.cradle_csv import check_cradle
-from support.energy_graph import EnergyGraph
-from support.panel import IMPACTS, Panel
-from support.player import Player
-from support.real_time import FRAME
-from support.recording import EVERY, Recording
-from support.scenery import CANVAS_WIDTH, Scenery
+from support.files.cradle_csv import check_cradle
+from support.files.recording import EVERY, Recording
+from support.page.commands import Command, KEYS
+from support.page.energy_graph import EnergyGraph
+from support.page.panel import IMPACTS, Panel
+from support.page.scenery import CANVAS_WIDTH, Scenery
+from support.playback.cradle import Cradle
+from support.playback.player import Player
+from support.playback.real_time import FRAME
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
 GOODBYE = 10.0  # s that the page has to fetch the program's last words

@@ -4,7 +4,7 @@ import dis
 from pathlib import Path
 from types import CodeType
 
-SRC = Path(__file__).resolve().parents[1] / "src"
+SRC = Path(__file__).resolve().parents[2] / "src"
 
 
 def unwritten(*modules) -> str:

@@ -2,8 +2,8 @@
 
 from collections import Counter
 
-from grader import checks, FAILED, FAULT, PASSED, WAITING
-from handout import FUNCTIONS, SUITES
+from grading.grader import checks, FAILED, FAULT, PASSED, WAITING
+from grading.handout import FUNCTIONS, SUITES
 
 
 def grade(outcomes) -> dict:

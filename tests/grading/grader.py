@@ -19,8 +19,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pandas  # noqa: F401  here, as its first import takes long, and the patience with a solution is short
-from handout import FUNCTIONS, needed, SUITES
-from telling import (
+from vpython import vector
+
+from grading.handout import FUNCTIONS, needed, SUITES
+from grading.telling import (
     A,
     about,
     Call,
@@ -36,10 +38,8 @@ from telling import (
     shown,
     unwritten,
 )
-from vpython import vector
-
-from support.command_line import command_line
 from support.constants import NC_FP
+from support.start.command_line import command_line
 
 PATIENCE = 5.0  # s after which a function that has not come back counts as one that never does
 LONG = 130  # characters of a list: of longer ones only the first difference is shown

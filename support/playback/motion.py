@@ -1,7 +1,7 @@
 """A cradle in motion: how long it has swung since it was let go, its impacts, its energy, and all that as data."""
 
-from support.cradle import Cradle
-from support.impacts import ImpactTrains
+from support.playback.cradle import Cradle
+from support.playback.impacts import ImpactTrains
 
 
 class Motion:

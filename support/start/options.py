@@ -6,8 +6,8 @@ import sys
 from math import copysign, degrees, inf
 
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
-from support.cradle_csv import read_cells, RULES, to_number
-from support.recording import EVERY
+from support.files.cradle_csv import read_cells, RULES, to_number
+from support.files.recording import EVERY
 
 # What VPython takes the page's port from; --port comes before it.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"

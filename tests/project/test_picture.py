@@ -5,9 +5,9 @@ from math import radians
 from types import SimpleNamespace
 
 import pytest
-from cradles import hang, R, row
 
-from support.text_picture import TextPicture
+from grading.cradles import hang, R, row
+from support.terminal.picture import TextPicture
 
 
 def cradle(pend_list):

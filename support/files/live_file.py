@@ -2,7 +2,7 @@
 
 import time
 
-from support.cradle_csv import Snapshot
+from support.files.cradle_csv import Snapshot
 
 POLL = 0.2  # s between two looks at the file
 

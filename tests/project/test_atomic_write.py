@@ -8,7 +8,7 @@ import sys
 import pytest
 from programs import ROOT
 
-from support.whole_file import TRIES, whole_file
+from support.files.atomic_write import TRIES, whole_file
 
 
 def test_it_is_made_beside_its_target_under_a_hidden_name_of_its_own(tmp_path, monkeypatch):
@@ -39,7 +39,7 @@ def test_an_error_has_its_number_and_the_name_that_was_given(tmp_path, monkeypat
 
 
 def test_it_is_utf_8_whatever_the_locale(tmp_path):
-    imports = "import sys; from support.whole_file import whole_file"
+    imports = "import sys; from support.files.atomic_write import whole_file"
     program = f"{imports}\nwith whole_file(sys.argv[1]) as file: file.write(chr(0x3c9))"
     environment = {**os.environ, "LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
     subprocess.run([sys.executable, "-c", program, str(tmp_path / "data.csv")], cwd=ROOT, env=environment, check=True)

@@ -1,0 +1,96 @@
+"""Which room of the project knows which: every import of src/ and support/ is looked at."""
+
+import ast
+from graphlib import TopologicalSorter
+
+import pytest
+from programs import ROOT
+
+# The handout's modules, in its order: each may import the ones before it.
+HANDOUT = (
+    *("pds_helper", "special_cradles", "swinging", "visualize_cradle_run"),
+    *("double_collisions", "double_cradle", "visualize_double_cradle_run"),
+)
+PROGRAM = "src.text_cradle_run"
+START = "src.beyond.in_browser"  # what the programs with a page begin with
+# Which other rooms the modules of a room may import.
+MAY_IMPORT = {
+    "support": set(),
+    "support.files": {"support"},
+    "support.playback": {"support", "support.files"},
+    "support.start": {"support", "support.files"},
+    "support.page": {"support", "support.files", "support.playback", "support.start"},
+    "support.terminal": {"support", "support.files", "support.playback", "support.start"},
+    "src": {"support", "support.files"},
+    "src.beyond": {"src", "support", "support.files", "support.playback", "support.start"},
+}
+FILES = [file for folder in ("src", "support") for file in sorted((ROOT / folder).rglob("*.py"))]
+MODULES = {".".join(file.relative_to(ROOT).with_suffix("").parts): file for file in FILES}
+MODULES = {name: file for name, file in MODULES.items() if not name.endswith("__init__")}
+
+
+def imported(tree) -> set[str]:
+    """Return the project's modules that are imported anywhere in this tree."""
+    names = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, "the project's imports say where they start"
+            names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+    return names & MODULES.keys()
+
+
+def imports_of(name) -> set[str]:
+    """Return the project's modules that this one imports; what is only for a start by its name is left out."""
+    tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
+    tree.body = [node for node in tree.body if not is_for_a_start(node)]
+    return imported(tree)
+
+
+def is_for_a_start(node) -> bool:
+    return isinstance(node, ast.If) and ast.unparse(node.test) == "__name__ == '__main__'"
+
+
+def room_of(name) -> str:
+    return name.rpartition(".")[0]
+
+
+@pytest.mark.parametrize("name", sorted(MODULES.keys() - {PROGRAM, START}))
+def test_a_module_imports_only_what_its_room_may_know(name):
+    rooms = {room_of(other) for other in imports_of(name)}
+    assert rooms <= MAY_IMPORT[room_of(name)] | {room_of(name)}
+
+
+def test_the_starting_points_know_one_way_of_showing_a_cradle_each():
+    assert "support.terminal" not in {room_of(other) for other in imports_of(START)}
+    assert "support.page" not in {room_of(other) for other in imports_of(PROGRAM)}
+
+
+@pytest.mark.parametrize("number", range(len(HANDOUT)))
+def test_a_module_of_the_handout_imports_earlier_ones(number):
+    of_src = {name for name in imports_of(f"src.{HANDOUT[number]}") if name.startswith("src.")}
+    assert of_src <= {f"src.{name}" for name in HANDOUT[:number]}
+
+
+def test_all_modules_of_src_are_the_handouts_or_known_to_be_more():
+    names = {name for name in MODULES if room_of(name) == "src"}
+    assert names == {*(f"src.{name}" for name in HANDOUT), PROGRAM, "src.project_path"}
+
+
+def test_no_circle():
+    graph = {name: imported(ast.parse(file.read_text(encoding="utf-8"))) for name, file in MODULES.items()}
+    assert len(list(TopologicalSorter(graph).static_order())) == len(MODULES)  # or a CycleError that names the circle
+
+
+def test_the_rooms_inside_src_and_support_hand_nothing_on():
+    inner = [file for file in FILES if file.name == "__init__.py" and len(file.relative_to(ROOT).parts) == 3]
+    assert len(inner) == len(MAY_IMPORT) - 2
+    assert not [file for file in inner if file.read_text(encoding="utf-8")]
+
+
+@pytest.mark.parametrize("folder", ["src", "tests"])
+def test_the_path_is_changed_in_one_place(folder):
+    """One for the files that are started in src/, and one for those in tests/."""
+    changing = [file.name for file in (ROOT / folder).rglob("*.py") if "\nsys.path" in file.read_text(encoding="utf-8")]
+    assert changing == ["project_path.py"]
