@@ -28,11 +28,11 @@ Swing
 
 from math import cos, sin
 
-from vpython import box, cylinder, sphere, vector
+from vpython import box, cylinder, sphere
 
 from src.double_collisions import collide_pairs, keep_apart
 from src.special_cradles import make_newton_cradle
-from support.pendulum import DoublePendulumEntry, make_bob_and_cord, make_pendulum
+from support.pendulum import arm, DoublePendulumEntry, make_bob_and_cord, make_pendulum
 from support.shapes import discard
 
 
@@ -81,6 +81,23 @@ def double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu) -> tuple[flo
     return (right1 - mu * c * right2) / determinant, (right2 - c * right1) / determinant
 
 
+def rates(state, k, mu) -> tuple[float, float, float, float]:
+    """Return alpha', beta', alpha'' and beta'' of a state (alpha, beta, alpha', beta'); k and mu as above."""
+    alpha, beta, alpha_rate, beta_rate = state
+    return alpha_rate, beta_rate, *double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu)
+
+
+def moved(state, changes, dt) -> tuple[float, float, float, float]:
+    """Return a state after dt (s) at these rates."""
+    (alpha, beta, alpha_rate, beta_rate), (d1, d2, d3, d4) = state, changes
+    return alpha + dt * d1, beta + dt * d2, alpha_rate + dt * d3, beta_rate + dt * d4
+
+
+def six_times_average(r1, r2, r3, r4) -> float:
+    """Return six times the average of four rates, of which the two in the middle count twice."""
+    return r1 + 2 * (r2 + r3) + r4
+
+
 def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1.0, m2=1.0):
     """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s), in rad/s and rad.
 
@@ -88,28 +105,22 @@ def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1
     acceleration, m1 and m2 (kg) the masses of the upper and the lower bob. One step of the classical Runge-Kutta
     method: the average of four rates, taken at the beginning, twice in the middle (1 : 2 : 2 : 1), and at the end.
     """
-    k, mu, half = g / r_param, m2 / (m1 + m2), dt / 2
-    a, b, u, v = theta, theta + phi, omega_theta, omega_theta + omega_phi  # alpha, beta, and their rates
-    du, dv = double_accelerations(a, b, u, v, k, mu)
-    u2, v2 = u + half * du, v + half * dv
-    du2, dv2 = double_accelerations(a + half * u, b + half * v, u2, v2, k, mu)
-    u3, v3 = u + half * du2, v + half * dv2
-    du3, dv3 = double_accelerations(a + half * u2, b + half * v2, u3, v3, k, mu)
-    u4, v4 = u + dt * du3, v + dt * dv3
-    du4, dv4 = double_accelerations(a + dt * u3, b + dt * v3, u4, v4, k, mu)
-    a_new = a + dt / 6 * (u + 2 * (u2 + u3) + u4)
-    b_new = b + dt / 6 * (v + 2 * (v2 + v3) + v4)
-    u_new = u + dt / 6 * (du + 2 * (du2 + du3) + du4)
-    v_new = v + dt / 6 * (dv + 2 * (dv2 + dv3) + dv4)
-    return u_new, v_new - u_new, a_new, b_new - a_new
+    k, mu = g / r_param, m2 / (m1 + m2)
+    state = theta, theta + phi, omega_theta, omega_theta + omega_phi
+    k1 = rates(state, k, mu)
+    k2 = rates(moved(state, k1, dt / 2), k, mu)
+    k3 = rates(moved(state, k2, dt / 2), k, mu)
+    k4 = rates(moved(state, k3, dt), k, mu)
+    six_rates = map(six_times_average, k1, k2, k3, k4)
+    alpha, beta, alpha_rate, beta_rate = moved(state, six_rates, dt / 6)
+    return alpha_rate, beta_rate - alpha_rate, alpha, beta - alpha
 
 
 def show_double_pendulum(pend_dict, r_param) -> None:
     """Move the bobs and cords of a double pendulum to where its theta and phi are."""
     alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
     axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
-    cord1.axis = vector(r_param * sin(alpha), -r_param * cos(alpha), 0)
-    cord2.axis = vector(r_param * sin(beta), -r_param * cos(beta), 0)
+    cord1.axis, cord2.axis = arm(alpha, r_param), arm(beta, r_param)
     bob1.pos = cord2.pos = axle.pos + cord1.axis
     bob2.pos = bob1.pos + cord2.axis
 

@@ -1,8 +1,8 @@
 """The swing of the pendula: the handout's appendix, one time step at a time (semi-implicit Euler)."""
 
-from math import cos, sin
+from math import sin
 
-from vpython import vector
+from support.pendulum import show_pendulum
 
 
 def angle_update(omega, theta, r_param, dt, g) -> tuple[float, float]:
@@ -20,10 +20,7 @@ def swing_update(pend_dict, r_param, dt, g) -> None:
     """Swing one pendulum for dt (s): update its omega and theta, and move its bob and cord to the new angle."""
     omega, theta = angle_update(pend_dict["omega"], pend_dict["theta"], r_param, dt, g)
     pend_dict["omega"], pend_dict["theta"] = omega, theta
-    axle, bob, cord = pend_dict["objects"]
-    arm = vector(r_param * sin(theta), -r_param * cos(theta), 0)
-    bob.pos = axle.pos + arm
-    cord.axis = arm
+    show_pendulum(pend_dict, r_param)
 
 
 def full_swing_update(pend_list, r_param, dt, g) -> None:

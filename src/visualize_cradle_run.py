@@ -1,7 +1,9 @@
 """Newton's cradle in the browser: collisions, the tick, and the program to play with."""
 
+from contextlib import suppress
+
 if __name__ == "__main__":
-    if not __package__:  # started by its name: the project's folder is not on the path yet
+    with suppress(ModuleNotFoundError):  # not found by python -m src...: the project's folder is on the path then
         import project_path  # noqa: F401
     from support.start.interrupt import end_on_interrupt
 

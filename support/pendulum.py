@@ -29,6 +29,18 @@ class DoublePendulumEntry(PendulumEntry, total=False):
     phi_omega: float  # angular velocity of phi, rad/s
 
 
+def arm(theta, r_param) -> vector:
+    """Return the vector (m) from the upper to the lower end of a cord at theta (rad); r_param (m) is its length."""
+    return vector(r_param * sin(theta), -r_param * cos(theta), 0)
+
+
+def show_pendulum(pend_dict, r_param) -> None:
+    """Move the bob and the cord of a pendulum to where its theta is; r_param (m) is the length of the cord."""
+    axle, bob, cord = pend_dict["objects"]
+    axis = arm(pend_dict["theta"], r_param)
+    bob.pos, cord.axis = axle.pos + axis, axis
+
+
 def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere, cylinder]:
     """Return the VPython objects (axle, bob, cord) of a pendulum that hangs from axle_pos at rest or lifted to theta.
 
@@ -48,9 +60,9 @@ def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cy
     # A hit counts at BUFFER x the sum of the radii, and axles are r_param/4 apart. At this radius bobs that hang at
     # rest are just outside one another's reach; were they inside, their velocities would be swapped on every tick.
     radius = 0.9995 * r_param / 8 / BUFFER
-    arm = vector(r_param * sin(theta), -r_param * cos(theta), 0)
-    bob = make_shape(sphere, pos=place + arm, radius=radius, color=color, texture=texture, shininess=1)
+    axis = arm(theta, r_param)
+    bob = make_shape(sphere, pos=place + axis, radius=radius, color=color, texture=texture, shininess=1)
     # up is square to the plane of swing: VPython then has no need to turn it whenever the axis is set, which is slow.
-    looks = {"up": vector(0, 0, 1), "radius": r_param / 200, "color": vector(0.15, 0.15, 0.17)}
-    cord = make_shape(cylinder, pos=place, axis=arm, **looks)
+    up, dark = vector(0, 0, 1), vector(0.15, 0.15, 0.17)
+    cord = make_shape(cylinder, pos=place, axis=axis, up=up, radius=r_param / 200, color=dark)
     return bob, cord

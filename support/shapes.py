@@ -4,7 +4,7 @@ from collections import defaultdict
 
 from vpython import color
 
-# How VPython makes a shape unless it is told otherwise. A used shape is given all this before its new looks.
+# How VPython makes a shape unless it is told otherwise. A used shape first becomes plain again.
 PLAIN = {"color": color.white, "texture": None, "shininess": 0.6, "visible": True}
 
 discarded: defaultdict[type, list] = defaultdict(list)  # kind -> shapes

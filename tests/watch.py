@@ -25,6 +25,7 @@ from grading.telling import raised
 from support.constants import DT, G
 from support.energy import double_kinetic_energy, double_potential_energy, kinetic_energy, potential_energy
 from support.files.cradle_csv import to_number
+from support.pendulum import show_pendulum
 from support.playback.cradle import Cradle
 from support.playback.player import run
 from support.start.options import allowed, OneLineParser
@@ -92,11 +93,9 @@ class SmallSwings(Scene):
         self.time = time
         c, s = cos(self.w * time), sin(self.w * time)
         for pend, (theta0, omega0) in zip(self.pend_list, self.states, strict=True):
-            pend["theta"] = theta = theta0 * c + omega0 / self.w * s
+            pend["theta"] = theta0 * c + omega0 / self.w * s
             pend["omega"] = omega0 * c - theta0 * self.w * s
-            axle, bob, cord = pend["objects"]
-            cord.axis = vector(self.r_param * sin(theta), -self.r_param * cos(theta), 0)
-            bob.pos = axle.pos + cord.axis
+            show_pendulum(pend, self.r_param)
 
     def energies(self):
         kinetic, _ = super().energies()

@@ -7,8 +7,8 @@ down (rad), the upper one first.
 from math import acos, atan2, ceil, copysign, cos, hypot, pi, remainder, sin
 
 from src.double_cradle import show_double_pendulum
-from src.swinging import swing_update
 from support.constants import BUFFER
+from support.pendulum import show_pendulum
 
 STRAIGHT = 0.1  # rad: up to here the two cords of a double pendulum count as one line
 STEP = 0.02  # rad: a cord is turned no further than this before its bob pushes, or it could get past its neighbour
@@ -121,7 +121,7 @@ def move(pend, angles, r_param) -> None:
     """Put a pendulum, at rest, where its angles are these."""
     pend["theta"], pend["omega"] = angles[0], 0.0
     if len(angles) == 1:
-        swing_update(pend, r_param, 0, 0)  # no time passes, but the bob is shown there
+        show_pendulum(pend, r_param)
     else:
         pend["phi"], pend["phi_omega"] = angles[1] - angles[0], 0.0
         show_double_pendulum(pend, r_param)

@@ -17,13 +17,17 @@ from typing import Any, NamedTuple
 
 from vpython import box, cylinder, mag, sphere, vector
 
+from support.pendulum import arm, show_pendulum
+
 # The digests of the functions that the loop calls; each function comes after its caller.
 STANDS_IN_FOR = {
     "main": "c99083a299fc",
     "newton_cradle_tick": "323afff2bef0",
     "full_swing_update": "85dbb842620c",
-    "swing_update": "cc5af2e158b7",
+    "swing_update": "0e9220734880",
     "angle_update": "f0268fc034c0",
+    "show_pendulum": "cf46e388cd28",
+    "arm": "076650c7b917",
     "handle_two_bobs": "3711cb9b2d0c",
     "handle_collision": "0495dce4e06b",
 }
@@ -33,7 +37,7 @@ CODE_PARTS = (
     *("co_argcount", "co_posonlyargcount", "co_kwonlyargcount", "co_exceptiontable"),
 )
 VPYTHONS = {"vpython.cyvector", "vpython.vector", "support.headless_vpython"}  # modules whose vector and mag are known
-LONGEST = 1000  # ticks for which a pendulum swings by itself, at most
+MOST_TICKS = 1000  # for which a pendulum swings by itself
 FARTHEST = 1e5  # cord lengths from the origin: bobs farther away have places that are rounded too coarsely
 
 
@@ -211,18 +215,19 @@ class Run:
         self.bob_places = list(self.axle_places)  # as of the first swing
         self.reaches = [law.buffer * (bob1.radius + bob2.radius) for bob1, bob2 in pairwise(bobs)]
         self.swung = [0] * len(pend_list)  # how many ticks each pendulum has swung
-        self.looks = {0: list(range(len(self.reaches)))}  # tick -> the pairs to look at, named by their left pendulum
-        self.look_ticks = [0]  # the keys of looks, as a heap
-        self.due = [0] * len(pend_list)  # the tick in which to look at a pair; the last pendulum, or -1, has no pair
+        pairs = range(len(self.reaches))  # each is named by its left pendulum
+        self.checks = {0: list(pairs)}  # tick -> the pairs to check in it
+        self.check_ticks = [0]  # the keys of checks, as a heap
+        self.due = {pair: 0 for pair in pairs}  # the tick in which to check a pair
         self.contacts: list[tuple[int, int, int, bool]] = []
 
     def advance(self, ticks) -> None:
         """Let all pendula swing and collide for so many ticks."""
-        while self.look_ticks and self.look_ticks[0] < ticks:
-            tick = heappop(self.look_ticks)
-            for left in sorted(self.looks.pop(tick)):
+        while self.check_ticks and self.check_ticks[0] < ticks:
+            tick = heappop(self.check_ticks)
+            for left in sorted(self.checks.pop(tick)):
                 if self.due[left] == tick:
-                    self.plan(left, tick + 1 + self.look(left, tick))
+                    self.plan(left, tick + 1 + self.check(left, tick))
         for i in range(len(self.pend_list)):
             self.swing(i, ticks)
 
@@ -238,14 +243,14 @@ class Run:
         self.bob_places[i] = x + r_param * sin(theta), y - r_param * cos(theta), z
 
     def plan(self, left, tick) -> None:
-        """Look at this pair in this tick, and not in the one that was planned before."""
+        """Check this pair in this tick, and not in the one that was planned before."""
         self.due[left] = tick
-        if tick not in self.looks:
-            self.looks[tick] = []
-            heappush(self.look_ticks, tick)
-        self.looks[tick].append(left)
+        if tick not in self.checks:
+            self.checks[tick] = []
+            heappush(self.check_ticks, tick)
+        self.checks[tick].append(left)
 
-    def look(self, left, tick) -> int:
+    def check(self, left, tick) -> int:
         """Let a pair collide in this tick if it touches; return for how many ticks after this one it cannot touch."""
         right = left + 1
         for i in (left, right):
@@ -263,17 +268,12 @@ class Run:
         (x1, y1, z1), (x2, y2, z2), reach = self.bob_places[left], self.bob_places[right], self.reaches[left]
         gap = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2) - reach
         if abs(gap) <= 1e-12 * (1 + reach):  # too close to call: VPython's own mag can differ in the last bit
-            axle1, axle2 = self.axles[left], self.axles[right]
-            gap = mag((axle1.pos + self.arm(left)) - (axle2.pos + self.arm(right))) - reach
+            bob1, bob2 = (self.axles[i].pos + arm(self.thetas[i], self.law.r_param) for i in (left, right))
+            gap = mag(bob1 - bob2) - reach
         return gap
 
-    def arm(self, i) -> vector:
-        """Return where a bob is, as seen from its axle (m)."""
-        r_param, theta = self.law.r_param, self.thetas[i]
-        return vector(r_param * sin(theta), -r_param * cos(theta), 0)
-
     def collide(self, left, right, tick) -> None:
-        """Let two bobs that touch collide, and look at their pairs with other bobs again in the next tick."""
+        """Let two bobs that touch collide, and check their pairs with other bobs again in the next tick."""
         omega1, omega2 = self.omegas[left], self.omegas[right]
         speed1, speed2 = omega1 * cos(self.thetas[left]), omega2 * cos(self.thetas[right])
         if self.approaching_only and speed1 <= speed2:
@@ -284,16 +284,14 @@ class Run:
         if (self.omegas[left], self.omegas[right]) != (omega1, omega2):
             self.contacts.append((tick, left, right, speed1 + speed2 > 0))
             for pair in (left - 1, right):
-                if self.due[pair] > tick + 1:  # that was planned with another velocity
+                if self.due.get(pair, 0) > tick + 1:  # that was planned with another velocity
                     self.plan(pair, tick + 1)
 
     def show(self) -> None:
         """Give the pend_list its new values, and move its bobs and cords."""
         for i, pend_dict in enumerate(self.pend_list):
             pend_dict["theta"], pend_dict["omega"] = self.thetas[i], self.omegas[i]
-            axle, bob, cord = pend_dict["objects"]
-            arm = self.arm(i)
-            bob.pos, cord.axis = axle.pos + arm, arm
+            show_pendulum(pend_dict, self.law.r_param)
 
 
 def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
@@ -306,13 +304,13 @@ def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
     with at most R (d_omega + (omega + k T) d_theta), omega being the smaller one. T is a tenth of sqrt(R / g) here.
     """
     k = abs(g / r_param)
-    most = int(min(LONGEST, 0.1 / sqrt(k) / abs(dt))) if k * dt else LONGEST
+    most = int(min(MOST_TICKS, 0.1 / sqrt(k) / abs(dt))) if k * dt else MOST_TICKS
     span = most * abs(dt)
     d_omega = (abs(omega1 - omega2) + k * span * abs(theta1 - theta2)) / (1 - k * span**2)
     d_theta = abs(theta1 - theta2) + d_omega * span
     speed = d_omega + (min(abs(omega1), abs(omega2)) + k * span) * d_theta
     closer = abs(r_param) * speed * span  # m, at most, after the whole span
-    # Rounding errors of LONGEST ticks are less than 1e-12 of the angles; 1000 is for the places, as far as FARTHEST.
+    # Rounding errors of MOST_TICKS ticks are less than 1e-12 of the angles; 1000 is for the places, as far as FARTHEST.
     sure = gap - 1e-12 * abs(r_param) * (1000 + abs(theta1) + abs(theta2) + (abs(omega1) + abs(omega2)) * span)
     if sure <= 0:
         return 0

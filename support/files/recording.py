@@ -11,7 +11,7 @@ from stat import S_ISREG
 from support.files.atomic_write import whole_file
 
 EVERY = 0.01  # s from sample to sample
-SPAN = 600.0  # s that the viewer remembers
+REMEMBERED = 600.0  # s that the viewer remembers
 
 
 def check_record(filepath) -> None:
@@ -45,7 +45,7 @@ class Recording:
     def __init__(self):
         """Begin without samples."""
         self.columns: list[str] = []
-        self.rows: deque[array] = deque(maxlen=round(SPAN / EVERY))
+        self.rows: deque[array] = deque(maxlen=round(REMEMBERED / EVERY))
 
     def clear(self) -> None:
         """Forget all samples."""

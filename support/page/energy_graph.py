@@ -4,7 +4,7 @@ from collections import deque
 
 from vpython import gcurve, graph, vector, wtext
 
-SPAN = 10.0  # s that are shown
+SHOWN = 10.0  # s that are shown
 INTERVAL = 0.03  # s from point to point
 
 # Three colors that a color-blind person can tell apart as well (of Okabe and Ito's palette).
@@ -19,7 +19,7 @@ class EnergyGraph:
     def __init__(self, width):
         """Make the graph, width pixels wide, without points."""
         titles = {"xtitle": "t (s)", "ytitle": "energy (J)"}
-        self.graph = graph(width=width, height=160, xmin=0, xmax=SPAN, ymin=0, **titles)
+        self.graph = graph(width=width, height=160, xmin=0, xmax=SHOWN, ymin=0, **titles)
         self.curves = [gcurve(graph=self.graph, color=color, label=name) for name, color in CURVES.items()]
         self.style = wtext()
         self.shown = True
@@ -39,7 +39,7 @@ class EnergyGraph:
         """Add a point at time (s), with energies in J, unless the last one is hardly older."""
         if self.shown and not (self.points and time - self.points[-1][0] < 0.99 * INTERVAL):
             self.points.append((time, kinetic, potential, kinetic + potential))
-            while self.points[0][0] < time - SPAN:
+            while self.points[0][0] < time - SHOWN:
                 self.points.popleft()
 
     def draw(self) -> None:
@@ -48,5 +48,5 @@ class EnergyGraph:
         if self.shown and self.points:
             for number, curve in enumerate(self.curves, start=1):
                 curve.data = [[point[0], point[number]] for point in self.points]
-            self.graph.xmax = max(SPAN, self.points[-1][0])
-            self.graph.xmin = self.graph.xmax - SPAN
+            self.graph.xmax = max(SHOWN, self.points[-1][0])
+            self.graph.xmin = self.graph.xmax - SHOWN

@@ -15,7 +15,7 @@ SEPARATING = "Separating bobs collide too"
 SEPARATING_HINT = "as in the handout: with e below 1 they then stick together"
 FIXED_HINT = "fixed: the functions take no approaching_only"
 SAVING = "a CSV of what has been seen since the last restart, ten minutes at most"
-IMPACTS = 7  # lines of the contact strip
+TRAINS = 7  # of impacts, a line for each
 
 
 class Panel:

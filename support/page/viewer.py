@@ -11,7 +11,7 @@ from support.files.cradle_csv import check_cradle
 from support.files.recording import EVERY, Recording
 from support.page.commands import Command, KEYS
 from support.page.energy_graph import EnergyGraph
-from support.page.panel import IMPACTS, Panel
+from support.page.panel import Panel, TRAINS
 from support.page.scenery import CANVAS_WIDTH, Scenery
 from support.playback.cradle import Cradle
 from support.playback.player import Player
@@ -30,7 +30,7 @@ class Viewer(Player):
         angles (degrees) are the release angles and lifted is the number of bobs to lift, each None to leave it as the
         cradle is made.
         """
-        super().__init__(cradle, file.current, angles, lifted, IMPACTS)
+        super().__init__(cradle, file.current, angles, lifted, TRAINS)
         self.file = file
         self.commands: SimpleQueue = SimpleQueue()
         self.running = True

@@ -4,7 +4,7 @@ from collections import deque
 
 GAP = 0.005  # s: contacts that follow one another within this time belong to one train
 MOST = 12  # runs in a train: bobs that stay together go on touching for ever
-LONGEST = 36  # characters of a line, beside the panel
+LINE = 36  # characters, beside the panel
 WHOLE = 9  # bobs: of a longer run only its ends are written
 
 
@@ -36,7 +36,7 @@ class ImpactTrains:
             pass_on(train[3], left + 1, right + 1, rightwards)
         train[1:3] = time, (left, right)
 
-    def lines(self, longest=LONGEST) -> list[str]:
+    def lines(self, longest=LINE) -> list[str]:
         """Return a line for each train, the latest first, of so many characters at most: t = 0.71 s  1-2-3-4-5."""
         times = [f"t = {train[0]:.2f} s  " for train in reversed(self.trains)]
         lines = [time + runs for time, runs in zip(times, self.runs(), strict=True)]

@@ -24,7 +24,7 @@ ENOUGH_TIME = 0.5
 ENOUGH = 10
 
 # Over how long (s) it is measured how well the machine keeps up.
-SPAN = 1.0
+KEPT_UP_OVER = 1.0
 
 
 class RealTime:
@@ -47,7 +47,7 @@ class RealTime:
         self.frame_start = self.span_start = self.clock()
         self.owed = 0.0  # ticks, and the fraction of one
         self.span_due = self.span_done = 0.0  # ticks
-        self.kept_up = 1.0  # the part of the ticks due that the machine did over the last SPAN
+        self.kept_up = 1.0  # the part of the ticks due that the machine did over the last KEPT_UP_OVER
 
     def due(self) -> int:
         """Begin a frame, and return how many ticks must be done in it; call did(ticks) after them."""
@@ -60,7 +60,7 @@ class RealTime:
         self.owed -= ticks
         self.span_due += due
         self.span_done += ticks
-        if now - self.span_start >= SPAN:
+        if now - self.span_start >= KEPT_UP_OVER:
             self.kept_up = self.span_done / self.span_due
             self.span_start = now
             self.span_due = self.span_done = 0.0

@@ -6,7 +6,7 @@ from math import degrees, inf, pi, remainder
 
 from support.playback.player import Player, run
 from support.terminal.picture import TextPicture
-from support.terminal.screen import own_screen, screen, STRIP, WIDTH
+from support.terminal.screen import own_screen, screen, TRAINS, WIDTH
 
 PICTURE = 1 / 20  # s from picture to picture
 LINE = 0.5  # s from line to line
@@ -24,7 +24,7 @@ class TextPlayer(Player):
 
     def __init__(self, cradle, csv, options):
         """Play the cradle of this CSV (a Snapshot); options has angle, lift and seconds, as the options of main do."""
-        super().__init__(cradle, csv, [options.angle], options.lift, STRIP)
+        super().__init__(cradle, csv, [options.angle], options.lift, TRAINS)
         self.step = max(1, round(self.step_seconds / cradle.dt))
         self.last = options.seconds if options.seconds == inf else round(options.seconds / cradle.dt)  # tick
 

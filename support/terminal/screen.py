@@ -7,7 +7,7 @@ import textwrap
 from contextlib import contextmanager
 
 WIDTH = 80  # columns that are used, where there are as many
-STRIP = 4  # lines of the contact strip
+TRAINS = 4  # of impacts, a line for each
 LOW = 18  # lines, and with fewer a terminal has room for the cradle only
 
 
@@ -24,8 +24,8 @@ def screen(motion, picture, speed, remark="") -> list[str]:
         lines += picture.lines(motion.cradle, columns, rest)
     else:
         impacts = motion.trains.lines(columns)
-        lines += picture.lines(motion.cradle, columns, rest - STRIP - 4)
-        lines += ["", "Impacts", *impacts, *[""] * (STRIP - len(impacts)), "", "Ctrl+C ends it."]
+        lines += picture.lines(motion.cradle, columns, rest - TRAINS - 4)
+        lines += ["", "Impacts", *impacts, *[""] * (TRAINS - len(impacts)), "", "Ctrl+C ends it."]
     return [line[:columns].rstrip() for line in lines[: size.lines]]
 
 

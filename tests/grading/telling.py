@@ -21,7 +21,7 @@ PENDULA = 3  # pendula of a call that are shown
 DICTIONARIES = 1  # of a list that are shown
 ROWS = 4  # lines of a file that are shown
 LINES = 5  # lines of what came back, and of what was expected, that are shown
-LONGEST = 300  # characters of a text that are shown
+MOST_CHARACTERS = 300  # of a text that are shown
 
 
 @dataclass(frozen=True)
@@ -127,7 +127,7 @@ def text_of(value, digits) -> str:
         comma = "," if len(value) == 1 else ""
         return "(" + joined([text_of(part, digits) for part in value[:MOST]], value, value) + comma + ")"
     text = repr(value)
-    return text if len(text) <= LONGEST else text[:LONGEST] + "..."
+    return text if len(text) <= MOST_CHARACTERS else text[:MOST_CHARACTERS] + "..."
 
 
 def joined(parts, whole, elements) -> str:
@@ -193,7 +193,7 @@ def raised(error) -> list[str]:
         text = f"{type(error).__name__}: {error}"
     except Exception:
         text = f"{type(error).__name__}, which has no text"
-    return [*text[:LONGEST].split("\n"), *own_lines(error)]
+    return [*text[:MOST_CHARACTERS].split("\n"), *own_lines(error)]
 
 
 def unwritten(error) -> str | None:

@@ -264,16 +264,20 @@ def arm(theta):
 
 
 def copies(folder, changed="", old="", new=""):
-    """Return modules of copies of swinging and visualize_cradle_run in this folder; the changed one has new for old."""
+    """Return modules of copies of swinging and visualize_cradle_run in this folder; the changed one has new for old.
+
+    A copy of pendulum, which swinging then uses, may be the changed one, too.
+    """
     modules = []
-    for name in ("swinging", "visualize_cradle_run"):
-        code = (ROOT / "src" / f"{name}.py").read_text(encoding="utf-8")
+    for name, place in (("pendulum", "support"), ("swinging", "src"), ("visualize_cradle_run", "src")):
+        code = (ROOT / place / f"{name}.py").read_text(encoding="utf-8")
         if name == changed:
             assert code.count(old) == 1, f"{old!r} is in {name} {code.count(old)} times: change this test"
             code = code.replace(old, new)
         (folder / f"{name}.py").write_text(code, encoding="utf-8")
         modules.append(load(folder / f"{name}.py"))
-    swinging, cradle = modules
+    pendulum, swinging, cradle = modules
+    swinging.show_pendulum = pendulum.show_pendulum
     cradle.full_swing_update = swinging.full_swing_update
     return swinging, cradle
 
@@ -304,7 +308,7 @@ def test_it_stands_in_for_the_shipped_functions(tmp_path):
 
 @pytest.mark.parametrize("name", STANDS_IN_FOR)
 def test_it_knows_the_shipped_function(name):
-    files = [ROOT / "src" / f"{file}.py" for file in ("swinging", "visualize_cradle_run")]
+    files = [ROOT / name for name in ("src/swinging.py", "src/visualize_cradle_run.py", "support/pendulum.py")]
     nodes = [node for file in files for node in ast.parse(file.read_bytes()).body]
     (tree,) = (node for node in nodes if isinstance(node, ast.FunctionDef) and node.name == name)
     assert digest(tree) == STANDS_IN_FOR[name], (
@@ -313,7 +317,7 @@ def test_it_knows_the_shipped_function(name):
     )
 
 
-SWINGING, CRADLE = "swinging", "visualize_cradle_run"
+PENDULUM, SWINGING, CRADLE = "pendulum", "swinging", "visualize_cradle_run"
 ANGLE, THETA = "omega_new = omega - g * sin(theta) / r_param * dt", "theta_new = theta + omega_new * dt"
 SWING = "    full_swing_update(pend_list, r_param, dt, g)\n"
 LOOP = "            newton_cradle_tick(pend_list, R_PARAM, DT, G, **page.rule)\n"
@@ -361,8 +365,8 @@ EDITS = {  # what is changed: (the file, old code, new code)
     "a small angle": (SWINGING, ANGLE, ANGLE.replace("sin(theta)", "theta")),
     "the old omega": (SWINGING, THETA, THETA.replace("omega_new", "omega")),
     "air resistance in the swing": (SWINGING, THETA, "omega_new *= 0.9999\n    " + THETA),
-    "a bob above its axle": (SWINGING, "bob.pos = axle.pos + arm", "bob.pos = axle.pos - arm"),
-    "a cord of its own": (SWINGING, "cord.axis = arm", "cord.axis = 2 * arm"),
+    "a bob above its axle": (PENDULUM, "axle.pos + axis, axis", "axle.pos - axis, axis"),
+    "a cord of its own": (PENDULUM, "axle.pos + axis, axis", "axle.pos + axis, 2 * axis"),
     "the last one hangs still": (SWINGING, "for pend_dict in pend_list:", "for pend_dict in pend_list[:-1]:"),
     "an import": (CRADLE, "from math import cos\n", "from math import sin as cos\n"),
     "a definition under an if": (SWINGING, "def full_swing_update", "if True:\n  def full_swing_update"),
@@ -462,7 +466,7 @@ PATCHES = {  # what is done to the copies of swinging (s) and visualize_cradle_r
     "more defaults": lambda s, c: setattr(s.angle_update, "__defaults__", (9.81,)),
     "keyword defaults": lambda s, c: setattr(c.newton_cradle_tick, "__kwdefaults__", {"wind": 1}),
     "sin": lambda s, c: vars(s).update(sin=lambda theta: theta),
-    "cos in swinging": lambda s, c: vars(s).update(cos=sin),
+    "cos where the bobs are shown": lambda s, c: s.show_pendulum.__globals__["arm"].__globals__.update(cos=sin),
     "cos in the collisions": lambda s, c: vars(c).update(cos=lambda theta: 1.0),
     "vector": lambda s, c: vars(s).update(vector=lambda x, y, z: vector(x, y, z)),
     "mag": lambda s, c: vars(c).update(mag=lambda difference: difference.mag),
@@ -493,9 +497,10 @@ def test_it_steps_back_from_another_math_or_vpython(name, tmp_path, monkeypatch)
     """It is as if all modules had been imported after a patch."""
     swinging, cradle = copies(tmp_path)
     other = type("vector", (vector,), {}) if name == "vector" else lambda number: number
-    for importer in (swinging, cradle, many_ticks_module):
-        if hasattr(importer, name):
-            monkeypatch.setattr(importer, name, other)
+    importers = [vars(module) for module in (swinging, cradle, many_ticks_module)]
+    for importer in [*importers, swinging.show_pendulum.__globals__]:
+        if name in importer:
+            monkeypatch.setitem(importer, name, other)
     monkeypatch.setitem(many_ticks_module.MEANT, name, other)
     assert not is_taken(cradle)
 
@@ -526,9 +531,7 @@ def test_what_runs_counts_and_not_what_its_file_says_now(edit, tmp_path):
 
 def test_it_steps_back_where_a_file_has_two_functions_of_a_name(tmp_path):
     other = "if True:\n\n    def angle_update(*state):\n        return state[:2]\n\n    first = angle_update\n"
-    swinging, cradle = copies(
-        tmp_path, SWINGING, "from vpython import vector\n", "from vpython import vector\n" + other
-    )
+    swinging, cradle = copies(tmp_path, SWINGING, "from math import sin\n", "from math import sin\n" + other)
     assert not is_taken(cradle)
     swinging.angle_update = swinging.first
     assert not is_taken(cradle)

@@ -58,8 +58,7 @@ def test_an_output_that_is_no_file_is_left_as_it_is(monkeypatch):
 def test_an_older_python_is_told_so_before_it_stumbles(program):
     """Python 3.9 has no pairwise, for one."""
     code = (
-        "del itertools.pairwise; sys.version_info = (3, 9, 6); sys.path.append('src');"
-        f"runpy.run_path('src/{program}.py', run_name='__main__')"
+        f"del itertools.pairwise; sys.version_info = (3, 9, 6); runpy.run_path('src/{program}.py', run_name='__main__')"
     )
     done = subprocess.run(
         [sys.executable, "-c", f"import itertools, runpy, sys; {code}"], cwd=ROOT, capture_output=True, text=True

@@ -9,7 +9,7 @@ from whole_cradles import make_swing
 
 from grading.cradles import MIXED_CSV
 from src.pds_helper import EXACT_FLOATS
-from support.files.recording import check_record, data_file, EVERY, Recording, SPAN
+from support.files.recording import check_record, data_file, EVERY, Recording, REMEMBERED
 
 
 @pytest.fixture
@@ -43,9 +43,9 @@ def test_each_file_has_a_name_of_its_own(motion, tmp_path):
 
 def test_only_the_last_ten_minutes_are_kept(motion):
     recording, sample = Recording(), motion.sample()
-    for number in range(round(SPAN / EVERY) + 10):
+    for number in range(round(REMEMBERED / EVERY) + 10):
         recording.add({**sample, "t": number})
-    assert SPAN == 600
+    assert REMEMBERED == 600
     assert len(recording.rows) == 60_000
     assert [recording.rows[end][0] for end in (0, -1)] == [10, 60_009]
 

@@ -23,7 +23,7 @@ from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.files.live_file import LiveFile, POLL
 from support.files.recording import EVERY
 from support.page.commands import Command
-from support.page.energy_graph import HIDING, INTERVAL, SPAN
+from support.page.energy_graph import HIDING, INTERVAL, SHOWN
 from support.page.panel import PAGE
 from support.page.scenery import CANVAS_WIDTH
 from support.page.viewer import Viewer
@@ -653,16 +653,16 @@ def test_what_has_not_changed_is_not_sent_again(wall):
 
 
 def test_the_graph_shows_the_last_ten_seconds(single):
-    single.wait(SPAN + 2)
+    single.wait(SHOWN + 2)
     graph = single.viewer.graph
     kinetic, potential, total = (curve.data for curve in graph.curves)
     assert [curve.label for curve in graph.curves] == ["kinetic", "potential", "total"]
-    assert graph.graph.xmax - graph.graph.xmin == SPAN
+    assert graph.graph.xmax - graph.graph.xmin == SHOWN
     assert graph.graph.xmin <= total[0][0] < graph.graph.xmin + 0.5
-    assert total[-1][0] == pytest.approx(SPAN + 2, abs=0.1)
+    assert total[-1][0] == pytest.approx(SHOWN + 2, abs=0.1)
     for (t, k), (_, p), (_, both) in zip(kinetic, potential, total, strict=True):
         assert k + p == pytest.approx(both)
-        assert 0 <= t - graph.graph.xmin <= SPAN
+        assert 0 <= t - graph.graph.xmin <= SHOWN
     assert len({tuple(components(curve.color)) for curve in graph.curves}) == 3
 
 
