@@ -1,12 +1,25 @@
 """What a pendulum is: its dictionary, and the VPython objects that show it."""
 
-from math import cos, sin
+from math import copysign, cos, degrees, radians, sin
 from typing import TypedDict
 
 from vpython import box, cylinder, sphere, vector
 
-from support.constants import BUFFER
+from support.constants import BUFFER, THETA_INIT
 from support.shapes import make_shape
+
+# The side to which the first pendulum is lifted, away from the others: -1 is the left.
+OUTWARDS = copysign(1, THETA_INIT)
+
+
+def from_lift(lift) -> float:
+    """Return the angle (rad, positive to the right) of a cord that is lifted outwards by lift (degrees)."""
+    return OUTWARDS * radians(lift)
+
+
+def to_lift(angle) -> float:
+    """Return by how many degrees an angle (rad, positive to the right) lifts a cord outwards."""
+    return round(degrees(OUTWARDS * angle), 9)  # 45, not 45.00000000000001
 
 
 class PendulumEntry(TypedDict, total=False):

@@ -32,7 +32,7 @@ RUN, DOUBLE_RUN = "src/visualize_cradle_run.py", "src/visualize_double_cradle_ru
 UNGRADED = {"src/double_cradle.py": ["double_cradle_tick"], DOUBLE_RUN: ["main"]}
 # What a body that is taken out needs, as the handout says it: the file still imports that.
 OFFERED = {
-    *("COLOR_MAP", "DOUBLE_DT", "DT", "G", "PHI_INIT", "R_PARAM", "TEXTURE_MAP", "THETA_INIT", "mag"),
+    *("COLOR_MAP", "DOUBLE_DT", "DT", "G", "PHI_INIT", "R_PARAM", "TEXTURE_MAP", "THETA_INIT", "mag", "sin"),
     *(
         "double_cradle_tick",
         "extract_and_convert",

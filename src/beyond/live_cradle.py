@@ -2,28 +2,23 @@
 
 from collections.abc import Mapping, Sequence
 from contextlib import contextmanager
+from copy import deepcopy
 from functools import partial
 from inspect import signature
 from itertools import accumulate
-from math import copysign, cos, degrees, isfinite, radians
+from math import cos, isfinite
 from numbers import Real
 from operator import itemgetter
 from typing import Any
 
+from src import special_cradles
 from src.beyond.dragging import cord_angles, drag_bob, move
-from src.special_cradles import (
-    elastic_newton_cradle,
-    inelastic_newton_cradle,
-    uniform_e_newton_cradle,
-    uniform_mass_newton_cradle,
-)
-from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.constants import DT, G, R_PARAM
 from support.energy import kinetic_energy, momentum, potential_energy
 from support.playback.mistake import MistakeError
 from support.shapes import discard
 
 HAND = 1e9  # kg: a bob that is held throws others back like a wall
-OUTWARDS = copysign(1, THETA_INIT)  # the side to which the first pendulum is lifted
 
 
 class LiveCradle:
@@ -45,13 +40,13 @@ class LiveCradle:
         self.scope, self.many_ticks, self.mass = scope, many_ticks, options.mass
         self.collisions: dict[str, Any] = {
             "as in the CSV": None,  # as the cradle was made
-            "elastic, e = 1": elastic_newton_cradle,
-            "inelastic, e = 0": inelastic_newton_cradle,
+            "elastic, e = 1": special_cradles.elastic_newton_cradle,
+            "inelastic, e = 0": special_cradles.inelastic_newton_cradle,
         }
         self.collision = list(self.collisions)[1 if options.elastic else 2 if options.inelastic else 0]
         if options.e is not None:
             self.collision = f"e = {options.e:g}"
-            self.collisions[self.collision] = partial(uniform_e_newton_cradle, e_val=options.e)
+            self.collisions[self.collision] = partial(special_cradles.uniform_e_newton_cradle, e_val=options.e)
         self.pend_list: list = []
         self.held: int | None = None  # the index of the bob that is held
         self.hits: list[tuple[int, int, bool]] = []
@@ -62,6 +57,28 @@ class LiveCradle:
         )
 
     # --- made, and moved ---------------------------------------------------------------------------------------------
+
+    @contextmanager
+    def reading_once(self):
+        """Let extract_and_convert read each file once while the body of the with statement makes cradles of it.
+
+        The special cradles then take e and mass from what make_newton_cradle has read.
+        """
+        read, readings = vars(special_cradles).get("extract_and_convert"), {}
+        if read is None:  # a student's functions may do without
+            yield
+            return
+
+        def extract_and_convert(relative_filepath):
+            if relative_filepath not in readings:
+                readings[relative_filepath] = read(relative_filepath)
+            return deepcopy(readings[relative_filepath])
+
+        special_cradles.extract_and_convert = extract_and_convert
+        try:
+            yield
+        finally:
+            special_cradles.extract_and_convert = read
 
     def give_back(self) -> None:
         """Hide the objects of the present pendula, so that new ones are made of them."""
@@ -78,13 +95,13 @@ class LiveCradle:
         self.pend_list = pend_list
         self.numbers = {id(pend): number for number, pend in enumerate(pend_list)}
         if self.mass is not None:
-            self.adopt("mass", [pend["mass"] for pend in uniform_mass_newton_cradle(csv, self.mass)])
+            cradle = special_cradles.uniform_mass_newton_cradle(csv, self.mass)
+            self.adopt("mass", [pend["mass"] for pend in cradle])
         self.es = [pend["e"] for pend in pend_list]
         self.collide(self.collision, csv)
         lifted = [any(cord_angles(pend)) for pend in pend_list]
         first, *others = cord_angles(pend_list[0])
-        bent = (angle - first for angle in others)
-        self.made = [degrees(OUTWARDS * angle) for angle in (first, *bent)], [*lifted, False].index(False)
+        self.made = [first, *(angle - first for angle in others)], [*lifted, False].index(False)
 
     def check_made(self, pend_list) -> None:
         """Raise a MistakeError if this is no list of pendula with all that a cradle needs."""
@@ -127,11 +144,11 @@ class LiveCradle:
         self.adopt("e", [pend["e"] for pend in make(csv)] if make else self.es)
 
     def as_made(self) -> tuple[list[float], int]:
-        """Return the angles (degrees) to which the cradle was lifted as it was made, and of how many pendula."""
+        """Return the angles (rad) to which the cradle was lifted as it was made, and of how many pendula."""
         return self.made
 
     def release(self, angles, lifted) -> None:
-        """Lift the first pendula to these angles (degrees, outwards), let the others hang, all at rest.
+        """Lift the first pendula to these angles (rad), let the others hang, all at rest.
 
         There is one angle for each cord of a pendulum, that of a lower one from the direction of the upper one. An
         angle that is None, or a number of lifted ones that is None, is as the cradle was made. If all are None, the
@@ -141,7 +158,7 @@ class LiveCradle:
             return
         made_angles, made_lifted = self.made
         chosen = [made if angle is None else angle for angle, made in zip(angles, made_angles, strict=True)]
-        lifted_angles = list(accumulate(OUTWARDS * radians(angle) for angle in chosen))
+        lifted_angles = list(accumulate(chosen))
         count = max(1, made_lifted) if lifted is None else lifted
         for i, pend in enumerate(self.pend_list):
             move(pend, lifted_angles if i < count else [0.0] * len(angles), R_PARAM)

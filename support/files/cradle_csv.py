@@ -3,6 +3,7 @@
 import csv
 import io
 from contextlib import contextmanager
+from functools import cached_property
 from math import nan
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -11,9 +12,10 @@ from support.constants import COLOR_MAP, TEXTURE_MAP
 
 
 class Snapshot:
-    """A file as it was at one moment, to be given in place of its path: all who read it find the same in it."""
+    """A file as it was at one moment, read once. It can be given in place of the file's path."""
 
     def __init__(self, filepath):
+        """Read the file."""
         self.filepath, self.data, self.error = filepath, b"", None
         try:
             self.data = Path(filepath).read_bytes()
@@ -26,32 +28,48 @@ class Snapshot:
     def __eq__(self, other) -> bool:
         return (self.data, str(self.error)) == (other.data, str(other.error))
 
-    def read_bytes(self) -> bytes:
-        """Return what was in the file; raises the OSError because of which it could not be read."""
-        if self.error:
-            raise self.error
-        return self.data
+    @cached_property
+    def rows(self) -> list[tuple[int, list[str]]]:
+        """The rows of the file as read_cells returns them; raises what read_cells raises."""
+        return rows_in(text_of(self), self)
+
+
+class CleanCopy(str):
+    """The path of a clean copy of a file. The rows that were read from the file are still known."""
+
+    original: Snapshot
 
 
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV, the header first, each as (line number in the file, its cells as text).
 
-    Left out are blank lines, spaces around a cell and a byte-order mark. Raises a ValueError that says what is wrong,
-    and where, if the file cannot be read, is not UTF-8 text, is empty, or has a row with more cells than the header.
+    Left out are blank lines, spaces around a cell and a byte-order mark. A Snapshot and its clean copies are read only
+    once. Raises a ValueError that says what is wrong, and where, if the file cannot be read, is not UTF-8 text, is
+    empty, or has a row with more cells than the header.
     """
+    if isinstance(filepath, CleanCopy):
+        filepath = filepath.original
+    return (filepath if isinstance(filepath, Snapshot) else Snapshot(filepath)).rows
+
+
+def text_of(file) -> str:
+    """Return the text in a Snapshot, or raise the ValueError of read_cells."""
+    if file.error:
+        raise ValueError(f"{file}: cannot be read as a CSV file: {file.error.strerror}") from file.error
     try:
-        file = filepath if isinstance(filepath, Snapshot) else Path(filepath)
-        text = file.read_bytes().decode("utf-8-sig")
-    except OSError as error:
-        raise ValueError(f"{filepath}: cannot be read as a CSV file: {error.strerror}") from error
+        text = file.data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
         found = f"found byte 0x{error.object[error.start]:02x}"
-        raise ValueError(f"{filepath}, line {line}: {found}, allowed is text only, saved as UTF-8") from error
+        raise ValueError(f"{file}, line {line}: {found}, allowed is text only, saved as UTF-8") from error
     if "\0" in text:
         line = text.count("\n", 0, text.index("\0")) + 1
-        raise ValueError(f"{filepath}, line {line}: found a zero byte, allowed is text only, saved as UTF-8")
+        raise ValueError(f"{file}, line {line}: found a zero byte, allowed is text only, saved as UTF-8")
+    return text
 
+
+def rows_in(text, filepath) -> list[tuple[int, list[str]]]:
+    """Return the rows of a CSV's text, or raise the ValueError of read_cells, which names the file."""
     rows: list[tuple[int, list[str]]] = []
     reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
     line = 1
@@ -84,15 +102,16 @@ def cleaned(filepath) -> io.StringIO:
 
 
 @contextmanager
-def clean_copy(csv):
-    """Yield the path of a copy of this CSV for the body of the with statement, in the form that pandas reads best.
-
-    It has the rows of read_cells, which raises a ValueError where it cannot read them.
+def clean_copy(original):
+    """Yield the CleanCopy of a Snapshot for the body of the with statement: its file is in the form that pandas reads
+    best. Raises what read_cells raises.
     """
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        copy = Path(folder) / Path(str(csv)).name
-        copy.write_text(cleaned(csv).getvalue(), encoding="utf-8", newline="")
-        yield str(copy)
+        copy = Path(folder) / Path(str(original)).name
+        copy.write_text(cleaned(original).getvalue(), encoding="utf-8", newline="")
+        path = CleanCopy(copy)
+        path.original = original
+        yield path
 
 
 def separator_hint(rows) -> str:

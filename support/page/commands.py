@@ -14,7 +14,7 @@ class Command(Enum):
     STEP = auto()  # one frame, while paused
     RESTART = auto()
     SPEED = auto()  # times real time
-    ANGLE = auto()  # (which of the cradle's release angles, degrees); the cradle restarts from it
+    ANGLE = auto()  # (which of the cradle's release angles, rad); the cradle restarts from it
     LIFT = auto()  # how many bobs; the cradle restarts
     COLLISIONS = auto()  # the name of one of the cradle's kinds of collisions
     SEPARATING = auto()  # whether separating bobs collide too

@@ -33,7 +33,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     """Let main run with the page of a cradle, until the tab is closed; status 2 if something is refused.
 
     cradle is as support/playback/cradle.py says, still without pendula. options are the viewer's, from
-    support/start/options.py. angles are the release angles (degrees), each None to leave it as the cradle is made. The
+    support/start/options.py. angles are the release angles (rad), each None to leave it as the cradle is made. The
     page shows the remark, a line.
     """
     file = LiveFile(options.csv)

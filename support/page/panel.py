@@ -6,6 +6,7 @@ from pathlib import Path
 from vpython import button, checkbox, menu, scene, slider, wtext
 
 from support.page.commands import Command
+from support.pendulum import from_lift, to_lift
 
 # How the page looks, and what its keys and its mouse do beyond what VPython does.
 PAGE = Path(__file__).with_name("panel.html")
@@ -44,7 +45,7 @@ class Panel:
         self.count = 1
         self.lifted = Setting("Bobs lifted", 0, 1, 0.001, lambda part: give(Command.LIFT, round(part * self.count)))
         self.angles = [
-            Setting(name, least, largest, 1, lambda angle, number=number: give(Command.ANGLE, (number, angle)))
+            Setting(name, least, largest, 1, lambda lift, number=number: give(Command.ANGLE, (number, from_lift(lift))))
             for number, (name, (least, largest)) in enumerate(cradle.angles.items())
         ]
 
@@ -78,7 +79,7 @@ class Panel:
         set_text(self.error, f'<div class="error ended" role="alert">{text}</div>')
 
     def show_settings(self, running, speed, angles, lifted, count) -> None:
-        """Show whether the cradle runs, its speed (times real time), its release angles (degrees), and how many bobs
+        """Show whether the cradle runs, its speed (times real time), its release angles (rad), and how many bobs
         out of count are lifted.
         """
         self.count = count
@@ -87,7 +88,8 @@ class Panel:
             self.step.disabled = running
         self.speed.show(speed, f"{speed:.1f}x")
         for setting, angle in zip(self.angles, angles, strict=True):
-            setting.show(angle, f"{angle:.4g}&deg;")
+            lift = to_lift(angle)
+            setting.show(lift, f"{lift:.4g}&deg;")
         self.lifted.show(lifted / count, f"{lifted} of {count}")
 
     def show_motion(self, reading, momentum, remark) -> None:

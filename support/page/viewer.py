@@ -27,8 +27,8 @@ class Viewer(Player):
     def __init__(self, cradle: Cradle, file, angles, lifted, remark=""):
         """Build the page of the cradle of this file (a LiveFile), with a remark, if there is one.
 
-        angles (degrees) are the release angles and lifted is the number of bobs to lift, each None to leave it as the
-        cradle is made.
+        angles (rad) are the release angles, and lifted is the number of bobs to lift. None leaves it as the cradle is
+        made.
         """
         super().__init__(cradle, file.current, angles, lifted, TRAINS)
         self.file = file

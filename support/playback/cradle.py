@@ -10,12 +10,17 @@ class Cradle(Protocol):
 
     dt: float  # one tick (s)
     reach: float  # how far below its axle a pendulum hangs (m)
-    angles: Mapping[str, tuple[float, float]]  # its release angles by name: the least and the largest (degrees)
+    angles: Mapping[str, tuple[float, float]]  # its release angles by name: the least and the largest, in degrees
     collisions: dict[str, Any]  # the names of the ways in which it can collide are the keys
     collision: str  # the present one of them
     held: int | None  # which of its bobs is held
     takes_rule: bool  # whether its tick can be told that only approaching bobs collide
     hits: list[tuple[int, int, bool]]  # noted, and not told yet: the two pendula (indices), whether they moved right
+
+    @contextmanager
+    def reading_once(self):
+        """Read each file at most once while the body of the with statement makes pendula of it."""
+        yield
 
     def give_back(self) -> None:
         """Hide the objects of the present pendula, so that new ones are made of them."""
@@ -27,14 +32,14 @@ class Cradle(Protocol):
         """
 
     def release(self, angles, lifted) -> None:
-        """Lift the first pendula to these angles (degrees), let the others hang, all at rest.
+        """Lift the first pendula to these angles (rad), let the others hang, all at rest.
 
         An angle that is None, or a number of lifted ones that is None, is as the cradle was made. If all are None, the
         pendula are left as they were made.
         """
 
     def as_made(self) -> tuple[list[float], int]:
-        """Return the angles (degrees) to which the cradle was lifted as it was made, and of how many pendula."""
+        """Return the angles (rad) to which the cradle was lifted as it was made, and of how many pendula."""
 
     def collide(self, collision, csv) -> None:
         """Collide from now on in this way, one of collisions; csv is the path of the cradle's file."""

@@ -25,8 +25,8 @@ class Player:
     def __init__(self, cradle: Cradle, csv, angles, lifted, impacts):
         """Play the cradle of this CSV (a Snapshot); so many trains of impacts are remembered.
 
-        angles (degrees) are the release angles and lifted is the number of bobs to lift, each None to leave it as the
-        cradle is made.
+        angles (rad) are the release angles, and lifted is the number of bobs to lift. None leaves it as the cradle is
+        made.
         """
         self.cradle, self.snapshot = cradle, csv
         self.angles, self.lifted = list(angles), lifted
@@ -90,7 +90,7 @@ class Player:
     def make(self) -> Iterator[None]:
         """Have the cradle made anew, and begin at time 0."""
         self.cradle.give_back()
-        with clean_copy(self.snapshot) as self.csv:
+        with clean_copy(self.snapshot) as self.csv, self.cradle.reading_once():
             self.is_wanted = True
             yield
         self.cradle.release(self.angles, self.lifted)
@@ -98,7 +98,7 @@ class Player:
 
     def collide(self, collision) -> None:
         """Let the cradle collide from now on in this way, one of its collisions."""
-        with clean_copy(self.snapshot) as csv:
+        with clean_copy(self.snapshot) as csv, self.cradle.reading_once():
             self.cradle.collide(collision, csv)
 
     def advance(self, ticks) -> Iterator[None]:

@@ -3,11 +3,12 @@
 import argparse
 import os
 import sys
-from math import copysign, degrees, inf
+from math import inf
 
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.cradle_csv import read_cells, RULES, to_number
 from support.files.recording import EVERY
+from support.pendulum import from_lift, to_lift
 
 # What VPython takes the page's port from; --port comes before it.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
@@ -32,10 +33,15 @@ def allowed(kind, is_allowed, words):
     return convert
 
 
+def text_to_angle(text) -> float:
+    """Return the angle (rad) of a cord that is lifted outwards by as many degrees as the text says."""
+    return from_lift(float(text))
+
+
 def cradle_options(description) -> OneLineParser:
     """Return a parser of what says which cradle it is, for each program to add its own options."""
     e, mass = (allowed(float, *RULES[column]) for column in ("e", "mass"))
-    angle = allowed(float, lambda text: 0 <= to_number(text) <= 180, "a number from 0 to 180 (degrees)")
+    angle = allowed(text_to_angle, lambda text: 0 <= to_number(text) <= 180, "a number from 0 to 180 (degrees)")
     lift = allowed(int, str.isdecimal, "a whole number, 0 or more")
 
     parser = OneLineParser(description=description, allow_abbrev=False)
@@ -46,7 +52,7 @@ def cradle_options(description) -> OneLineParser:
     kinds.add_argument("--inelastic", action="store_true", help="e = 0 for all pendula: bobs leave a hit together")
     kinds.add_argument("--e", type=e, metavar="E", help="one e, from 0 to 1, for all pendula (default: the CSV's)")
     add("--mass", type=mass, metavar="KG", help="one mass, above 0 kg, for all pendula (default: the CSV's)")
-    text = f"how far the first bobs are lifted, from 0 to 180 degrees (default: {abs(degrees(THETA_INIT)):g})"
+    text = f"how far the first bobs are lifted, from 0 to 180 degrees (default: {to_lift(THETA_INIT):g})"
     add("--angle", type=angle, metavar="DEGREES", help=text)
     add("--lift", type=lift, metavar="K", help="how many bobs are lifted (default: 1)")
     return parser
@@ -66,19 +72,18 @@ def page_options(description) -> OneLineParser:
 
 def read_page_options(arguments=None) -> argparse.Namespace:
     """Return the options of the viewer, on the command line or in arguments: csv, elastic, inelastic, e, mass, angle
-    (degrees), lift, port and browser; e and mass are None where the CSV's stay, angle and lift where the cradle is left
+    (rad), lift, port and browser; e and mass are None where the CSV's stay, angle and lift where the cradle is left
     as it is made.
     """
     return page_options("Newton's cradle in the browser, to play with.").parse_args(arguments)
 
 
 def read_double_page_options(arguments=None) -> argparse.Namespace:
-    """Return the options of the double cradle's viewer: those of the viewer, and phi (degrees), or None like angle."""
+    """Return the options of the double cradle's viewer: those of the viewer, and phi (rad), or None like angle."""
     parser = page_options("The double Newton's cradle in the browser, to play with.")
-    phi = allowed(float, lambda text: -180 <= to_number(text) <= 180, "a number from -180 to 180 (degrees)")
-    outwards = degrees(copysign(1, THETA_INIT) * PHI_INIT)
+    phi = allowed(text_to_angle, lambda text: -180 <= to_number(text) <= 180, "a number from -180 to 180 (degrees)")
     text = "how far their lower cords are bent further out than the upper ones, from -180 to 180"
-    parser.add_argument("--phi", type=phi, metavar="DEGREES", help=f"{text} (default: {outwards:g})")
+    parser.add_argument("--phi", type=phi, metavar="DEGREES", help=f"{text} (default: {to_lift(PHI_INIT):g})")
     return parser.parse_args(arguments)
 
 

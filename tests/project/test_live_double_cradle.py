@@ -5,7 +5,7 @@ from itertools import pairwise
 from math import copysign, radians
 
 import pytest
-from whole_cradles import components, distances, FIVE_CSV, PERIOD, Swing
+from whole_cradles import components, distances, FIVE_CSV, PERIOD, Swing, thetas
 
 from grading.cradles import MIXED_CSV
 from src import visualize_double_cradle_run
@@ -40,7 +40,7 @@ def values(player, key):
 def test_release_lifts_both_cords_of_the_first_pendula_outwards(live, lifted, expected):
     player = live(MIXED_CSV)
     player.swing(500)
-    player.cradle.release([30, -20], lifted)
+    player.cradle.release(thetas([30, -20]), lifted)
     for key, angle in (("theta", 30), ("phi", -20)):
         assert values(player, key) == pytest.approx([OUTWARDS * radians(angle)] * expected + [0] * (3 - expected))
     for key in ("omega", "phi_omega"):
@@ -52,7 +52,7 @@ def test_release_lifts_both_cords_of_the_first_pendula_outwards(live, lifted, ex
 def test_a_release_into_those_that_hang_pushes_them_aside(live, theta, phi, lifted):
     """Inelastic, they would otherwise be thrown out of one another."""
     player = live(inelastic=True)
-    player.cradle.release([theta, phi], lifted)
+    player.cradle.release(thetas([theta, phi]), lifted)
     assert min(distances(player.cradle.pend_list)) > 0.98
     least = sum(player.cradle.energies())
     for _ in range(100):
@@ -63,7 +63,7 @@ def test_a_release_into_those_that_hang_pushes_them_aside(live, theta, phi, lift
 
 def test_a_pendulum_that_pushes_others_aside_is_itself_where_it_was_to_be(live):
     player = live()
-    player.cradle.release([0, -20], 1)
+    player.cradle.release(thetas([0, -20]), 1)
     assert values(player, "phi")[0] == pytest.approx(OUTWARDS * radians(-20))
     assert any(values(player, "phi")[1:])
 

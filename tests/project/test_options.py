@@ -6,6 +6,7 @@ import pytest
 from whole_cradles import FIVE_CSV
 
 from support.constants import DT, NC_FP, PHI_INIT
+from support.pendulum import from_lift
 from support.start.options import (
     check_lift,
     PORT_VARIABLE,
@@ -46,8 +47,8 @@ DEFAULTS = {
         ("--inelastic", {"inelastic": True}),
         ("--e 0.5", {"e": 0.5}),
         ("--e 0", {"e": 0.0}),
-        ("--mass 2.5 --angle 12.5 --lift 3", {"mass": 2.5, "angle": 12.5, "lift": 3}),
-        ("--lift 0 --angle 180", {"lift": 0, "angle": 180.0}),
+        ("--mass 2.5 --angle 12.5 --lift 3", {"mass": 2.5, "angle": from_lift(12.5), "lift": 3}),
+        ("--lift 0 --angle 180", {"lift": 0, "angle": from_lift(180.0)}),
         ("--port 8000 --no-browser my.csv", {"port": 8000, "browser": False, "csv": "my.csv"}),
     ],
 )
@@ -55,7 +56,7 @@ def test_what_it_takes(line, changed):
     assert read(line) == {**DEFAULTS, **changed}
 
 
-@pytest.mark.parametrize(("line", "phi"), [("", None), ("--phi -180", -180), ("--phi 180", 180)])
+@pytest.mark.parametrize(("line", "phi"), [("", None), ("--phi -180", from_lift(-180)), ("--phi 180", from_lift(180))])
 def test_what_the_double_cradle_takes_besides(line, phi):
     assert vars(read_double_page_options(line.split())) == {**DEFAULTS, "phi": phi}
 
@@ -74,9 +75,9 @@ TEXT_DEFAULTS = {
         ("", {}),
         (
             "--inelastic --mass 2 --angle 5 --lift 2 my.csv",
-            {"inelastic": True, "mass": 2.0, "angle": 5.0, "lift": 2, "csv": "my.csv"},
+            {"inelastic": True, "mass": 2.0, "angle": from_lift(5.0), "lift": 2, "csv": "my.csv"},
         ),
-        ("--seconds 2.5 --angle 0", {"seconds": 2.5, "angle": 0.0}),
+        ("--seconds 2.5 --angle 0", {"seconds": 2.5, "angle": from_lift(0.0)}),
         ("--seconds 1e6", {"seconds": 1e6}),
         (f"--seconds 1 --record data.csv --every {DT}", {"seconds": 1.0, "record": "data.csv", "every": DT}),
         ("--seconds 60 --record data.csv", {"seconds": 60.0, "record": "data.csv"}),
@@ -191,8 +192,8 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
 
 def test_phi_is_outwards_by_default_if_theta_and_phi_have_one_sign(monkeypatch, capsys):
     monkeypatch.setattr("support.start.options.PHI_INIT", pi / 18)
-    for theta_init, default in ((-0.5, -10), (0.5, 10)):
-        monkeypatch.setattr("support.start.options.THETA_INIT", theta_init)
+    for outwards, default in ((-1, -10), (1, 10)):
+        monkeypatch.setattr("support.pendulum.OUTWARDS", outwards)
         with pytest.raises(SystemExit):
             read_double_page_options(["--help"])
         assert f"(default: {default})" in " ".join(capsys.readouterr().out.split())

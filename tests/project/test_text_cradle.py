@@ -25,6 +25,7 @@ from src.visualize_cradle_run import main as cradle_main
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.files.cradle_csv import Snapshot
+from support.pendulum import from_lift
 from support.playback.real_time import RealTime
 from support.terminal import players, recorder
 from support.terminal.picture import TextPicture
@@ -46,7 +47,7 @@ def text_player(folder, kind, seconds):
     """Return a player of this kind with five equal bobs, let go from 30 degrees, for so many seconds."""
     (folder / "cradle.csv").write_text(FIVE_CSV)
     csv = Snapshot(folder / "cradle.csv")
-    return kind(make_live(), csv, SimpleNamespace(angle=30, lift=1, seconds=seconds))
+    return kind(make_live(), csv, SimpleNamespace(angle=from_lift(30), lift=1, seconds=seconds))
 
 
 # --- keeping time ----------------------------------------------------------------------------------------------------
@@ -59,7 +60,7 @@ class Wall(players.TextPlayer):
         self.step_seconds, self.now = step, 50.0
         (folder / "cradle.csv").write_text(HEADER + GOOD)
         csv = Snapshot(folder / "cradle.csv")
-        super().__init__(make_live(), csv, SimpleNamespace(angle=30, lift=1, seconds=seconds))
+        super().__init__(make_live(), csv, SimpleNamespace(angle=from_lift(30), lift=1, seconds=seconds))
         self.pace = RealTime(self.cradle.dt, lambda: self.now, self.sleep)
         self.at_once = True
         self.shown = []  # (s on the wall, s simulated)
@@ -337,7 +338,7 @@ def test_the_options_of_the_cradle_count(run, tmp_path):
 def test_rows_are_where_they_should_be(tmp_path, capsys, seconds, every, count, last):
     data, csv = tmp_path / "data.csv", tmp_path / "cradle.csv"
     csv.write_text(FIVE_CSV)
-    options = SimpleNamespace(seconds=seconds, every=every, record=str(data), angle=30, lift=1)
+    options = SimpleNamespace(seconds=seconds, every=every, record=str(data), angle=from_lift(30), lift=1)
     recorder.record(cradle_main, make_live(), Snapshot(csv), options)
     assert capsys.readouterr().out == f"{count} rows, from t = 0 to {last:g} s, are in {data}\n"
     assert pd.read_csv(data)["t"].to_list() == pytest.approx([every * i for i in range(count)])
@@ -428,7 +429,7 @@ def test_a_progress_bar_is_shown_when_it_takes_more_than_two_seconds(monkeypatch
 def test_the_progress_is_told_however_rare_the_rows_are(tmp_path):
     file, written, parts = tmp_path / "cradle.csv", StringIO(), []
     file.write_text(HEADER + GOOD)
-    options, writer = SimpleNamespace(seconds=10, every=5, angle=30, lift=1), csv.writer(written)
+    options, writer = SimpleNamespace(seconds=10, every=5, angle=from_lift(30), lift=1), csv.writer(written)
     cradle_main(recorder.Recorder(make_live(), Snapshot(file), options, writer, parts.append))
     assert written.getvalue().count("\n") == 1 + 3
     assert parts == pytest.approx([number / 100 for number in range(1, 101)])

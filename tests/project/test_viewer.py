@@ -12,7 +12,7 @@ from types import SimpleNamespace
 import pandas as pd
 import pytest
 from vpython import cylinder, scene, vector, wtext
-from whole_cradles import components, FIVE_CSV, go_on, GOOD, HEADER, make_live, PERIOD
+from whole_cradles import components, FIVE_CSV, go_on, GOOD, HEADER, make_live, PERIOD, thetas
 
 from src import visualize_cradle_run
 from src.beyond.live_cradle import LiveCradle
@@ -37,7 +37,7 @@ class Wall:
         self.now = 100.0
         self.file = csv
         live_file = LiveFile(csv, self.clock)
-        self.viewer = Viewer(make_live(kind), live_file, angles or [30], 1, remark)
+        self.viewer = Viewer(make_live(kind), live_file, thetas(angles or [30]), 1, remark)
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=None)
         self.panel = self.viewer.panel
         self.viewer.at_once = True  # what single ticks do is the same, and takes longer
@@ -254,7 +254,7 @@ def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     set_slider(theta, 75)
     set_slider(phi, -40)
     wall.wait()
-    assert wall.viewer.angles == [75, -40]
+    assert wall.viewer.angles == thetas([75, -40])
     first = wall.viewer.cradle.pend_list[0]
     outwards = copysign(1, THETA_INIT)
     assert (first["theta"], first["phi"]) == pytest.approx((outwards * 75 * pi / 180, -outwards * 40 * pi / 180))

@@ -14,6 +14,7 @@ from src.beyond.many_ticks import many_ticks
 from src.double_cradle import make_double_pendulum
 from support.constants import BUFFER, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.files.cradle_csv import Snapshot
+from support.pendulum import from_lift
 from support.playback.player import Player
 
 MAINS = {LiveCradle: visualize_cradle_run.main, LiveDoubleCradle: visualize_double_cradle_run.main}
@@ -63,12 +64,17 @@ def go_on(player, script) -> None:
             scope[player.cradle.ticker](player.cradle.pend_list, R_PARAM, player.cradle.dt, G, **player.rule)
 
 
+def thetas(lifts) -> list:
+    """Return the angles (rad) of cords that are lifted by these angles (degrees); None stays None."""
+    return [None if lift is None else from_lift(lift) for lift in lifts]
+
+
 class Swing(Player):
     """A player that does as many ticks as a test says."""
 
     def __init__(self, csv, angles, lifted, impacts=4, kind=LiveCradle, **options):
-        """Have the cradle of this CSV (a Snapshot) made, with these options."""
-        super().__init__(make_live(kind, **options), csv, angles, lifted, impacts)
+        """Have the cradle of this CSV (a Snapshot) made, with these options, and let go from angles (degrees)."""
+        super().__init__(make_live(kind, **options), csv, thetas(angles), lifted, impacts)
         go_on(self, self.make())
 
     def script(self):
