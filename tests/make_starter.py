@@ -32,7 +32,7 @@ RUN, DOUBLE_RUN = "src/visualize_cradle_run.py", "src/visualize_double_cradle_ru
 UNGRADED = {"src/double_cradle.py": ["double_cradle_tick"], DOUBLE_RUN: ["main"]}
 # What a body that is taken out needs, as the handout says it: the file still imports that.
 OFFERED = {
-    *("COLOR_MAP", "DOUBLE_DT", "DT", "G", "PHI_INIT", "R_PARAM", "TEXTURE_MAP", "THETA_INIT", "mag", "sin"),
+    *("COLOR_MAP", "DOUBLE_DT", "DT", "G", "PHI_INIT", "R_PARAM", "TEXTURE_MAP", "THETA_INIT", "cos", "mag", "sin"),
     *(
         "double_cradle_tick",
         "extract_and_convert",
@@ -50,6 +50,7 @@ CHANGES = [
     ("src/pds_helper.py", re.compile(r"# pandas reads floats .*?\n\n\n", re.DOTALL), "\n"),
     ("src/pds_helper.py", re.compile(r"\n\n    Spaces around names .*?\n    (?=\"\"\")", re.DOTALL), ""),
     ("src/special_cradles.py", re.compile(r"    Raises a ValueError .*?\n"), ""),
+    ("src/swinging.py", "from math import sin\n", "from math import cos, sin\n\nfrom vpython import vector\n"),
     (RUN, re.compile(r"# Python 3.9 has no pairwise.*?\n"), ""),
     (RUN, re.compile(r", approaching_only=False(?=\))"), ""),
     (RUN, re.compile(r"    With approaching_only.*?\n"), ""),
@@ -58,6 +59,7 @@ CHANGES = [
     (RUN, "show_cradle(main, many_ticks)", "show_cradle(main)"),
     ("src/text_cradle_run.py", "from src.beyond.many_ticks import many_ticks\n", ""),
     ("src/text_cradle_run.py", ", many_ticks)", ")"),
+    ("src/double_cradle.py", "import box, cylinder, sphere\n", "import box, cylinder, sphere, vector\n"),
     ("src/double_cradle.py", ", approaching_only=True)", ")"),
     ("src/double_cradle.py", re.compile(r"\n\n    With approaching_only.*?\n    (?=\"\"\")"), ""),
     (DOUBLE_RUN, RULE, ""),

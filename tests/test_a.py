@@ -5,7 +5,7 @@ from math import degrees, pi
 
 from grading.cradles import hang, R, row
 from grading.grader import check, expect, find, same
-from grading.telling import A
+from grading.telling import Wanted
 from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
 from support.files.cradle_csv import read_cells
 
@@ -138,7 +138,7 @@ def test_a_cradle_passes_the_swing_on():
 
     half_a_period = 234  # ticks; 0.467 s, a bit more than pi sqrt(R / g), as the swing is large
     words = "the last one at about 0.785, as high as the first one was, the others at about 0"
-    gives = A(words, is_passed_on, like=[0.0] * 5)
+    gives = Wanted(words, is_passed_on, like=[0.0] * 5)
     what = "theta of each pendulum"
     arguments = {"gives": gives, "see": see, "what": what, "times": half_a_period}
     expect("newton_cradle_tick", pend_list, cord, 0.002, 9.81, **arguments)

@@ -6,7 +6,7 @@ from vpython import vector
 
 from grading.cradles import hang, R, row
 from grading.grader import check, expect, same
-from grading.telling import A
+from grading.telling import Wanted
 
 # The arguments omega, theta, r_param, dt, g, and what comes of them; by hand from the appendix's two formulas.
 STEP, AFTER = (2.0, 5 * pi / 6, 0.4, 0.1, 8.0), (1.0, 5 * pi / 6 + 0.1)  # omega falls by 1
@@ -141,7 +141,7 @@ def test_every_pendulum_swings_once():
     what = "omega of one pendulum"
     gives = {"gives": 4.0, "see": lambda _: other[0]["omega"], "what": what}
     expect("full_swing_update", other, 0.25, 0.2, 5.0, **gives)
-    expect("full_swing_update", [], 0.5, 0.1, 10.0, gives=A("no error, without any pendula", lambda _: True))
+    expect("full_swing_update", [], 0.5, 0.1, 10.0, gives=Wanted("no error, without any pendula", lambda _: True))
 
 
 @check("full_swing_update", watched=True)

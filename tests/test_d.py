@@ -10,7 +10,7 @@ from vpython import box, color, cylinder, sphere, textures, vector
 
 from grading.cradles import MIXED, MIXED_CSV, R
 from grading.grader import check, expect, same, working_in
-from grading.telling import A
+from grading.telling import Wanted
 from support.constants import NC_FP
 from support.files.cradle_csv import read_cells
 from support.pendulum import make_pendulum
@@ -95,7 +95,7 @@ def test_pend_list_is_a_list_of_dictionaries():
     """In the list of dictionaries representation, each pendulum is represented by a dictionary in a list called
     pend_list.
     """
-    kind = A(
+    kind = Wanted(
         "a list with 3 dictionaries",
         lambda came: isinstance(came, list) and len(came) == 3 and all(isinstance(pend, dict) for pend in came),
     )
@@ -304,7 +304,7 @@ def test_objects_are_axle_bob_and_cord():
 
     hints = [(are_lists, "These are lists; tuples are needed, as the helper function returns them.")]
     what = "objects of each pendulum"
-    check_cradle(lambda pend: pend["objects"], what, A("a tuple of axle, bob and cord each", is_one), hints=hints)
+    check_cradle(lambda pend: pend["objects"], what, Wanted("a tuple of axle, bob and cord each", is_one), hints=hints)
 
 
 @check("make_newton_cradle", watched=True)
@@ -388,7 +388,7 @@ def test_bobs_have_the_color_and_texture_of_their_row():
 @check("make_newton_cradle")
 def test_the_pend_list_is_returned():
     """Return the updated pend_list."""
-    is_list = A("a list with 3 dictionaries", lambda came: isinstance(came, list) and len(came) == 3)
+    is_list = Wanted("a list with 3 dictionaries", lambda came: isinstance(came, list) and len(came) == 3)
     hints = [(lambda came: isinstance(came, dict), "This is one pendulum; the whole list is needed.")]
     with files() as folder, working_in(folder):
         first = expect("make_newton_cradle", "mixed.csv", R, 0.6, gives=is_list, hints=hints)

@@ -6,7 +6,7 @@ from math import cos, pi, sin
 from vpython import box, cylinder, sphere, textures, vector
 
 from grading.grader import check, expect
-from grading.telling import A
+from grading.telling import Wanted
 from support.pendulum import make_pendulum
 
 AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
@@ -36,7 +36,7 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
     def is_single(came):
         return isinstance(came, tuple) and len(came) == 3
 
-    gives = A("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one)
+    gives = Wanted("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one)
     hints = [
         (is_single, "This is a single pendulum."),
         (lambda came: isinstance(came, list), "This is a list; a tuple is needed."),
@@ -187,7 +187,7 @@ def test_a_tenth_of_a_second_of_swinging():
         def is_near(came, end=end):
             return len(came) == 4 and all(abs(value - right) < 0.005 for value, right in zip(came, end, strict=True))
 
-        gives = A(f"within 0.005 of ({', '.join(f'{value:.3f}' for value in end)})", is_near, like=end)
+        gives = Wanted(f"within 0.005 of ({', '.join(f'{value:.3f}' for value in end)})", is_near, like=end)
         what = "omega_theta, omega_phi, theta and phi at the end"
         # In steps that are short enough for any method of the first order.
         arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, *masses

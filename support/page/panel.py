@@ -35,11 +35,25 @@ class Panel:
         if remark:
             wtext(text=f'<div class="remark" role="note">{escape(remark)}</div>')
 
+        self.add_buttons(give)
+        self.add_settings(give, cradle)
+        self.add_collisions(give, cradle)
+        self.readout, self.impacts = wtext(), wtext()
+        end_row()
+        self.graph = checkbox(text="Energy graph", checked=True, bind=lambda box: give(Command.GRAPH, box.checked))
+        self.save = button(text="Save data", bind=lambda: give(Command.SAVE))
+        self.saved = wtext()
+        self.show_saved(SAVING)
+
+    def add_buttons(self, give) -> None:
+        """Add the buttons that have keys."""
         self.pause = button(text="Pause", bind=lambda: give(Command.PAUSE))
         self.step = button(text="Step", bind=lambda: give(Command.STEP))
         self.restart = button(text="Restart", bind=lambda: give(Command.RESTART))
         add_hint(KEYS_HINT)
 
+    def add_settings(self, give, cradle) -> None:
+        """Add the sliders."""
         self.speed = Setting("Speed", 0.1, 2, 0.1, lambda speed: give(Command.SPEED, speed))
         # The range of a VPython slider is fixed and the number of pendula is not, so this one goes from none to all.
         self.count = 1
@@ -49,6 +63,8 @@ class Panel:
             for number, (name, (least, largest)) in enumerate(cradle.angles.items())
         ]
 
+    def add_collisions(self, give, cradle) -> None:
+        """Add the menu of collisions and their rule, which is fixed if the cradle takes none."""
         add_label("Collisions")
         self.collisions = menu(
             choices=list(cradle.collisions),
@@ -62,12 +78,6 @@ class Panel:
         else:
             self.separating.checked = self.separating.disabled = True
             add_hint(FIXED_HINT)
-        self.readout, self.impacts = wtext(), wtext()
-        end_row()
-        self.graph = checkbox(text="Energy graph", checked=True, bind=lambda box: give(Command.GRAPH, box.checked))
-        self.save = button(text="Save data", bind=lambda: give(Command.SAVE))
-        self.saved = wtext()
-        self.show_saved(SAVING)
 
     def show_error(self, message) -> None:
         """Show this message above everything else, until it is shown an empty one."""

@@ -120,9 +120,6 @@ class Viewer(Player):
                 yield from self.advance(round(FRAME * self.pace.speed / self.cradle.dt))
             case Command.RESTART:
                 yield from self.make()
-            case Command.SPEED:
-                self.pace.speed = value
-                self.try_single_ticks()
             case Command.ANGLE:
                 number, angle = value
                 self.angles[number] = angle
@@ -130,24 +127,28 @@ class Viewer(Player):
             case Command.LIFT:
                 self.lifted = value
                 yield from self.make()
+            case Command.GRAB | Command.DRAG | Command.LET_GO:
+                self.follow_mouse(command, value)
+            case _:
+                self.set(command, value)
+        self.show_settings()
+
+    def set(self, command, value) -> None:
+        """Do what a command says that neither makes nor moves pendula."""
+        match command:
+            case Command.SPEED:
+                self.pace.speed = value
+                self.try_single_ticks()
             case Command.COLLISIONS:
                 self.collide(value)
             case Command.SEPARATING:
                 self.separating = value
             case Command.GRAPH:
                 self.graph.show(value)
-            case Command.GRAB:
-                self.grab(*value)
-            case Command.DRAG if self.cradle.held is not None:
-                self.drag(*value)
-            case Command.LET_GO if self.cradle.held is not None:
-                self.cradle.let_go()
-                self.motion.set_start()
             case Command.SAVE:
                 self.save()
             case Command.RESIZE:
                 self.scenery.point_camera()
-        self.show_settings()
 
     def make(self):
         """Have the cradle made anew, lifted as it is set, and let go."""
@@ -169,6 +170,17 @@ class Viewer(Player):
         self.pace.restart()  # what this took (ten minutes of a hundred pendula: ten seconds) is not made up for
 
     # --- the mouse ---------------------------------------------------------------------------------------------------
+
+    def follow_mouse(self, command, value) -> None:
+        """Grab a bob, drag the one that is held, or let go of it."""
+        if command is Command.GRAB:
+            self.grab(*value)
+        elif self.cradle.held is not None:
+            if command is Command.DRAG:
+                self.drag(*value)
+            else:
+                self.cradle.let_go()
+                self.motion.set_start()
 
     def grab(self, place, direction) -> None:
         """Hold the bob to which this ray points, the foremost if there are several, if there is one."""

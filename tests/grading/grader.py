@@ -23,7 +23,6 @@ from vpython import vector
 
 from grading.handout import FUNCTIONS, needed, SUITES
 from grading.telling import (
-    A,
     about,
     Call,
     culprit_of,
@@ -37,6 +36,7 @@ from grading.telling import (
     ROOT,
     shown,
     unwritten,
+    Wanted,
 )
 from support.constants import NC_FP
 from support.start.command_line import command_line
@@ -120,8 +120,8 @@ CALLS: list[Call] = []  # those of the check that is made
 def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, feeds=False) -> Any:
     """Call a student's function; raise MistakeError if what comes of it is not what it must give.
 
-    see(result) takes out of the result, or out of the arguments, what is compared with gives (an A, or a value that is
-    compared by same); what says in words what that is. hints are pairs of what a certain mistake gives (a value, an
+    see(result) takes out of the result, or out of the arguments, what is compared with gives (a Wanted, or a value for
+    same); what says in words what that is. hints are pairs of what a certain mistake gives (a value, an
     error, or a test of that) and the sentence that names the mistake. times says how often it is called; if it feeds
     itself, what it returns are the first arguments of the next call. Returns the last result.
     """
@@ -258,8 +258,8 @@ def interrupt_main_thread() -> None:
 
 
 def fits(came, wanted) -> bool:
-    """Return whether what came back is what is wanted: a value, or an A or another test of it."""
-    test = wanted.is_one if isinstance(wanted, A) else wanted if callable(wanted) else None
+    """Return whether what came back is what is wanted: a value, or a Wanted or another test of it."""
+    test = wanted.is_one if isinstance(wanted, Wanted) else wanted if callable(wanted) else None
     try:
         return bool(test(came)) if test else same(came, wanted)
     except OTHER_FORM:
@@ -294,7 +294,7 @@ def first_difference(what, came, wanted) -> tuple:
 
 def has_form_of(came, wanted) -> bool:
     """Return whether what came back is wrong by its numbers only, so that a scene can be played with it."""
-    if isinstance(wanted, A):
+    if isinstance(wanted, Wanted):
         return has_form_of(came, wanted.like)
     if isinstance(wanted, (tuple, list)):
         is_row = isinstance(came, (tuple, list)) and len(came) == len(wanted)

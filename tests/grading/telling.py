@@ -25,7 +25,7 @@ MOST_CHARACTERS = 300  # of a text that are shown
 
 
 @dataclass(frozen=True)
-class A:
+class Wanted:
     """Something that is expected of which there is more than one: how to say it, and a test of what came back."""
 
     words: str
@@ -105,7 +105,7 @@ def shown(value, digits=6) -> str:
 
 def text_of(value, digits) -> str:
     """Return what shown returns; raises what the value itself raises."""
-    if isinstance(value, A):
+    if isinstance(value, Wanted):
         return value.words
     if isinstance(value, bool) or value is None:
         return str(value)

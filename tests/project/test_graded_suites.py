@@ -5,13 +5,14 @@ import sys
 from functools import cache, partial
 from importlib import import_module
 from inspect import Signature, signature
-from math import ceil
+from math import ceil, cos, sin
 from pathlib import Path
 from textwrap import dedent, indent
 
 import pytest
 import watch
 from right_solutions import RIGHT
+from vpython import vector
 from wrong_solutions import PLAIN, WRONG
 
 from grading import grader
@@ -35,6 +36,9 @@ def put(monkeypatch, function, version):
     if isinstance(version, tuple):
         assert version[0] in PLAIN[function]
         version = PLAIN[function].replace(*version)
+    for name, value in {"cos": cos, "sin": sin, "vector": vector}.items():  # a student's file imports them
+        if not hasattr(MODULES[function], name):
+            monkeypatch.setattr(MODULES[function], name, value, raising=False)
     made: dict = {}
     original = getattr(MODULES[function], function)
     # A student's has the handout's parameters; the handout does not say which those of the honor roll are.
