@@ -23,8 +23,8 @@ FILES = [
     *(f"tests/{suite}.py" for suite in SUITES.values()),
 ]
 FOLDERS = ["src", "support", "tests/grading"]
-# Pictures of the README, and what holds answers: the fast path, and the collisions of the double cradle.
-UNUSED = ["__pycache__", "double.png", "swing.png", "many_ticks.py", "double_collisions.py"]
+# Pictures of the READMEs, and files with answers: src/README.md, the fast path, the collisions of the double cradle.
+UNUSED = ["__pycache__", "README.md", "double.png", "swing.png", "many_ticks.py", "double_collisions.py"]
 PROVIDED = {"extract_and_convert": 2}  # how many statements the handout provides, at the beginning of a body
 
 RUN, DOUBLE_RUN = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"
