@@ -70,8 +70,8 @@ README = """\
 
 ![The page with the cradle, as it will be](support/pictures/page.png)
 
-This is the project of the handout, without the functions that are yours to write. Each of them has a place marked with
-*Write your code here*. `pytest` checks them, and says after each run what is next.
+This is the project of the handout. You write the missing functions. Each has a place with the mark *Write your code
+here*. `pytest` checks your functions and names the next one.
 
 **Install**, in this folder, with Python 3.10 or later:
 
@@ -91,31 +91,31 @@ in place of `.venv/bin/`.
 |---|---|---|
 {rows}
 
-**Test**: all; one grade's checks only; these up to the first that fails.
+**Test** all functions, the functions of one grade, or these up to the first check that fails:
 
     .venv/bin/pytest
     .venv/bin/pytest --tier D
     .venv/bin/pytest --tier D -x
 
-Where what is wrong can be watched, the message ends with the command that plays it in the terminal.
+Some messages end with the command *watch*, which plays your mistake in the terminal.
 
-**See** what there is, in the browser or in the terminal: the data at once, and the cradle as soon as the functions for
-D are written. It swings with those for C, and its bobs collide with those for B and A. A line says what is still to be
-written.
+**See** your work: first the data, then the cradle in the browser or in the terminal. The cradle appears when you have
+written the functions for D. It swings with those for C, and its bobs collide with those for B and A. A line names the
+missing functions.
 
     .venv/bin/python pds_tester.py
     .venv/bin/python src/visualize_cradle_run.py
     .venv/bin/python src/text_cradle_run.py
 
-and the double cradle once the honor roll is written:
+When you have written the honor roll, see the double cradle:
 
     .venv/bin/python src/visualize_double_cradle_run.py
 
-The programs run your functions, as you have written them: change one, start the program again, and see what it does.
-The cradle's CSV is `newton_cradle_pends.csv`, in this folder.
+The programs run your functions. Change one, start the program again, and see the effect. The cradle's CSV is
+`newton_cradle_pends.csv`, in this folder.
 
-The honor roll has three more places, which no check is for: `double_cradle_tick`, in which you decide what happens to
-two double pendula that touch, and the two calls in `main` of `src/visualize_double_cradle_run.py`.
+The honor roll has three more places without a check: `double_cradle_tick`, in which you decide how two double pendula
+collide, and the two calls in `main` of `src/visualize_double_cradle_run.py`.
 """
 
 
