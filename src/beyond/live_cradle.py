@@ -29,7 +29,8 @@ class LiveCradle:
     angles: Mapping[str, tuple[float, float]] = {"Release angle": (0, 180)}
     coordinate_keys: Sequence[str] = ("theta", "omega")
     rate_keys: Sequence[str] = ("omega",)
-    maker, ticker = "make_newton_cradle", "newton_cradle_tick"  # main's functions, by their names
+    # The functions that make and move the cradle, and let two pendula hit, by their names.
+    maker, ticker, meeter = "make_newton_cradle", "newton_cradle_tick", "handle_two_bobs"
 
     def __init__(self, scope, options, many_ticks=None):
         """Scope has the functions that make and move the pendula: the globals of main.
@@ -189,8 +190,6 @@ class LiveCradle:
         return [] if contacts is not None and self.held is not None else contacts
 
     # --- hits --------------------------------------------------------------------------------------------------------
-
-    meeter = "handle_two_bobs"
 
     def meeting_place(self) -> dict[str, Any]:
         """Return where the tick finds the function that lets two pendula hit: the globals of its module."""

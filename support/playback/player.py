@@ -22,6 +22,8 @@ class Player:
     A subclass has the script: a generator that comes to a yield wherever the loop must do something, a cradle or ticks.
     """
 
+    loop: Callable  # the one that asks: run sets it
+
     def __init__(self, cradle: Cradle, csv, angles, lifted, impacts):
         """Play the cradle of this CSV (a Snapshot); so many trains of impacts are remembered.
 
@@ -37,7 +39,6 @@ class Player:
         self.csv = ""
         self.is_wanted, self.due = False, 0
         self.offered = 0  # the ticks that were due when the loop was last told that there is something to do
-        self.loop: Callable = self.script  # run knows better
         self.requests = self.script()
 
     def script(self) -> Iterator[None]:

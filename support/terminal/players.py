@@ -53,7 +53,7 @@ class Pictures(TextPlayer):
     step_seconds = PICTURE
 
     def __init__(self, cradle, csv, options, remark=""):
-        """The remark, if there is one, stands below the picture; for the rest see TextPlayer."""
+        """The remark, if there is one, stands above the picture; for the rest see TextPlayer."""
         super().__init__(cradle, csv, options)
         self.picture, self.remark = TextPicture(), remark
         self.seen: list[str] = []
