@@ -1,4 +1,8 @@
-"""The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table ends a run."""
+"""The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table ends a run.
+
+With pytest-xdist (-n 2), other processes run the tests and report to the first one, which shows the table. One of them
+gets all checks, in their order, as they share a Grading: so they say what they say without it.
+"""
 
 import json
 from collections import Counter
@@ -12,11 +16,12 @@ from support import headless_vpython
 headless_vpython.install()
 
 from grading.grade import grade, lines, unwritten
-from grading.grader import CHECKS, FAILED, FAULT, Grading, PASSED, WAITING
+from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import SUITES
 from support.files.atomic_write import whole_file
 
 PRINTED = 10  # lines that are shown of what a solution has printed
+OUTCOME = "outcome of a check"  # the name under which a report has it
 TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes them
 
 
@@ -33,7 +38,8 @@ def tier_name(text) -> str:
 
 
 def pytest_configure(config):
-    config.grading, config.ran = Grading(), {}  # ran: the outcomes of this run's checks, by name
+    config.grading, config.ran = Grading(), {}  # ran: the outcomes of this run's checks, by name, as they are reported
+    config.pluginmanager.register(Listener(config.ran))
     file = config.option.grade_json
     if file is not None and (Path(file).is_dir() or not Path(file).parent.is_dir()):
         raise pytest.UsageError(f"--grade-json: found {file!r}, allowed is a file in a folder that is there")
@@ -55,6 +61,18 @@ def pytest_collection_modifyitems(items):
     items.sort(key=lambda item: tiers.index(item.check.tier if isinstance(item, Item) else None))
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Have xdist give all checks to one process, and each other test to whoever is free, unless --dist says how."""
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Scheduling(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            return "checks" if Path(nodeid.partition("::")[0]).stem in SUITES.values() else nodeid
+
+    return Scheduling(config, log) if config.option.dist == "load" else None
+
+
 class Item(pytest.Item):
     """A check, as pytest runs it."""
 
@@ -63,7 +81,8 @@ class Item(pytest.Item):
         self.check = check
 
     def runtest(self):
-        outcome = self.config.ran[self.name] = self.config.grading.judge(self.check)
+        outcome = self.config.grading.judge(self.check)
+        self.user_properties.append((OUTCOME, [outcome.state, outcome.message, outcome.place]))
         if outcome.state == WAITING:
             if self.config.option.maxfail == 1:  # -x
                 self.session.shouldfail = "stopping at the first check that waits"
@@ -75,9 +94,26 @@ class Item(pytest.Item):
         return self.path, self.check.ask.__code__.co_firstlineno - 1, self.check.title()
 
 
+class Listener:
+    """Takes the outcomes of checks out of the reports, which may come from another process."""
+
+    def __init__(self, ran):
+        self.ran = ran
+
+    @pytest.hookimpl(tryfirst=True)  # before the terminal shows the report
+    def pytest_runtest_logreport(self, report):
+        for state, message, place in (outcome for key, outcome in report.user_properties if key == OUTCOME):
+            self.ran[name_of(report)] = Outcome(state, message, place=place)
+
+
+def name_of(report) -> str:
+    """Return the name of the test that a report is about."""
+    return report.nodeid.rpartition("::")[2]
+
+
 def outcome_of(report, config):
     """Return the outcome of the check that a report is about, or None if it is about another test."""
-    return config.ran.get(report.nodeid.rpartition("::")[2])
+    return config.ran.get(name_of(report))
 
 
 def pytest_report_teststatus(report, config):
@@ -91,6 +127,8 @@ def pytest_sessionfinish(session):
     """Write the grade. The exit status, else pytest's own, is 1 also if checks wait, and says if the file cannot be
     written.
     """
+    if hasattr(session.config, "workerinput"):  # a process of xdist's, which has seen a part only
+        return
     ran, file = session.config.ran, session.config.option.grade_json
     if session.exitstatus == pytest.ExitCode.OK and any(outcome.state != PASSED for outcome in ran.values()):
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
@@ -139,7 +177,7 @@ def show_mistakes(terminal, config, mistakes) -> None:
         return
     terminal.section("Failures")
     first, *others = mistakes
-    more = Counter(CHECKS[report.nodeid.rpartition("::")[2]].function for report in others)
+    more = Counter(CHECKS[name_of(report)].function for report in others)
     for function, count in reversed(more.items()):
         terminal.line(f"{count} more fail{'s' if count == 1 else ''}: {function}", red=True)
     title, width = first.location[2], get_terminal_size().columns - 4

@@ -2,6 +2,7 @@
 
 import ast
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -160,6 +161,28 @@ def test_a_test_of_the_projects_that_is_skipped_still_says_why(student):
     assert "SKIPPED [1] tests/test_something.py:5: no browser here" in rows
     assert section(rows, "Not written yet") == [f"angle_update in {place_of_stub(folder, 'angle_update')}"]
     assert [row for row in section(rows, "Grade") if " wait " in row] == ["4 wait for angle_update"]
+
+
+def test_side_by_side_the_suites_say_the_same(student):
+    """With two processes of pytest-xdist, of which one makes all checks; a third one writes the grade."""
+    pytest.importorskip("xdist")
+    folder = student(
+        angle_update="print('swing')\nreturn omega, theta",
+        handle_collision="return omega1, omega2",
+        make_double_pendulum=STUBS["make_double_pendulum"],
+    )
+    others = "import pytest\n\n\n@pytest.mark.parametrize('number', range(30))\ndef test_other(number): pass\n"
+    (folder / "tests" / "test_others.py").write_text(others)
+    ends = []
+    for options in ([], ["-n", "2"]):
+        status, rows = run(folder, "-v", *options, "--grade-json", "grade.json")
+        begin = [row.strip("= ") for row in rows].index("Not written yet")
+        ends.append((status, rows[begin:-1], (folder / "grade.json").read_text()))  # the last row says how long it took
+        (folder / "grade.json").unlink()
+    assert ends[0] == ends[1]
+    told = re.findall(r"^\[(gw\d)\] .* tests/(test_\w+)\.py", "\n".join(rows), re.MULTILINE)
+    assert {file for _, file in told} == {"test_others", *SUITES.values()}
+    assert len({process for process, file in told if file != "test_others"}) == 1
 
 
 def place_of_stub(folder, function):
