@@ -4,6 +4,7 @@ import ast
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from math import degrees
@@ -45,12 +46,20 @@ def grade(folder, *options):
     return done.returncode, done.stdout.splitlines(), json.loads((folder / "grade.json").read_text())
 
 
-@pytest.fixture
-def starter(tmp_path):
-    done = start(ROOT / "tests" / "make_starter.py", tmp_path / "starter", folder=tmp_path)
+@pytest.fixture(scope="session")
+def made(tmp_path_factory):
+    """A starter that nobody writes into."""
+    folder = tmp_path_factory.mktemp("made") / "starter"
+    done = start(ROOT / "tests" / "make_starter.py", folder, folder=folder.parent)
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith(f"{tmp_path / 'starter'} is ready")
-    return tmp_path / "starter"
+    assert done.stdout.startswith(f"{folder} is ready")
+    return folder
+
+
+@pytest.fixture
+def starter(made, tmp_path):
+    """A starter, for a student to write into."""
+    return shutil.copytree(made, tmp_path / "starter")
 
 
 def table_of(lines):
