@@ -2,12 +2,28 @@
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 
 import pytest
 from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, PROGRAM, SECONDS
 from whole_cradles import FIVE_CSV
+
+from support.start.options import PORT_VARIABLE
+
+os.environ.pop(PORT_VARIABLE, None)  # or the programs that the tests start would all want that port
+
+# A program that is started inherits which signals are ignored, as with nohup, but none that has a handler.
+for name in ("SIGHUP", "SIGINT"):
+    if hasattr(signal, name) and signal.getsignal(getattr(signal, name)) == signal.SIG_IGN:
+        signal.signal(getattr(signal, name), lambda *_: None)
+
+
+def pytest_itemcollected(item):
+    """Mark what opens a page, but for one test, which is always made: it proves that the page works."""
+    if "page" in item.fixturenames and item.name != "test_the_cradle_swings_until_the_tab_is_closed[chromium]":
+        item.add_marker(pytest.mark.browser)
 
 
 @pytest.fixture

@@ -20,11 +20,6 @@ def read(line):
     return vars(read_page_options(line.split()))
 
 
-@pytest.fixture(autouse=True)
-def no_port_in_the_environment(monkeypatch):
-    monkeypatch.delenv(PORT_VARIABLE, raising=False)
-
-
 DEFAULTS = {
     "csv": NC_FP,
     "elastic": False,
