@@ -46,6 +46,14 @@ with_vpython = pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reaso
 on_posix = pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS")
 needs_vpython = [with_vpython, on_posix]
 
+
+def slow_but_for(kept, values):
+    """Return parameters of a test, of which only the kept ones are not marked as slow."""
+    each = {value: value if isinstance(value, tuple) else (value,) for value in values}
+    assert {*kept} <= {*each}
+    return [value if value in kept else pytest.param(*each[value], marks=pytest.mark.slow) for value in each]
+
+
 in_both_browsers = pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
 
 

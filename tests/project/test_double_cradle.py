@@ -18,6 +18,7 @@ from programs import (
     QUIETLY,
     readout,
     running,
+    slow_but_for,
     wait_until,
 )
 from test_csv import NO_CRADLE, UNREADABLE
@@ -207,10 +208,11 @@ def test_the_masses_are_equal_by_default_and_length_and_gravity_those_given():
     assert state == pytest.approx(reference(0.6, -0.4, 0.5, 3.7, 2.0, 2.0, 2), rel=0, abs=1e-3)
 
 
-def test_a_minute_of_one_double_pendulum_keeps_the_energy():
+@pytest.mark.parametrize("seconds", slow_but_for([6], [6, 60]))
+def test_one_double_pendulum_keeps_the_energy(seconds):
     pend_list = make_row(1, 2.5, 1.0)
     at_start = energy(pend_list)
-    for _ in range(round(60 / SAMPLE)):
+    for _ in range(round(seconds / SAMPLE)):
         tick(pend_list, round(SAMPLE / DOUBLE_DT))
         assert energy(pend_list) == pytest.approx(at_start, rel=1e-6)
 
@@ -266,10 +268,11 @@ def turn_back(*pend_list):
         pend["omega"], pend["phi_omega"] = -pend["omega"], -pend["phi_omega"]
 
 
-def test_ten_thousand_random_contacts():
+@pytest.mark.parametrize("contacts", slow_but_for([1000], [1000, 10_000]))
+def test_random_contacts(contacts):
     """They part at e times the speed at which they met, and the energy is kept at e = 1 and never grows below."""
     dice = random.Random(3)
-    for _ in range(10_000):
+    for _ in range(contacts):
         pend1, pend2, bob1, bob2, (x, y) = touching_pair(dice)
         angles = [(pend["theta"], pend["phi"]) for pend in (pend1, pend2)]
         approach = closing_speed(pend1, pend2, bob1, bob2, x, y)
@@ -396,7 +399,10 @@ def test_bobs_in_one_place_have_no_line_of_centres_and_are_left_alone():
 # --- the cradle ------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("theta", "phi", "seconds"), [(THETA_INIT, PHI_INIT, 20), (-0.8, -0.8, 6), (-1.2, 0.5, 6)])
+STARTS = [(THETA_INIT, PHI_INIT, 20), (THETA_INIT, PHI_INIT, 3), (-0.8, -0.8, 6), (-1.2, 0.5, 6)]
+
+
+@pytest.mark.parametrize(("theta", "phi", "seconds"), slow_but_for([(THETA_INIT, PHI_INIT, 3)], STARTS))
 def test_twenty_seconds_of_five_elastic_double_pendula(monkeypatch, theta, phi, seconds):
     """They keep their energy, and no two neighbouring bobs are closer than 0.97 of touching, in any tick.
 

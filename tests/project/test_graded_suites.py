@@ -11,6 +11,7 @@ from textwrap import dedent, indent
 
 import pytest
 import watch
+from programs import slow_but_for
 from right_solutions import RIGHT
 from vpython import vector
 from wrong_solutions import PLAIN, WRONG
@@ -56,23 +57,23 @@ def solve(monkeypatch):
     return partial(put, monkeypatch)
 
 
-def judge_from(tier):
-    """Return the outcome of each check of this tier and those above it, by its function and name.
+def judge_from(tier, alone=False):
+    """Return the outcome of each check of this tier and those above it, or of it alone, by its function and name.
 
-    The tiers below count as passed: their functions are those of the project.
+    The other tiers count as passed: the functions of those below are the project's.
     """
     grading, tiers = Grading(), list(SUITES)
-    above = [check for check in CHECKS if tiers.index(check.tier) >= tiers.index(tier)]
-    grading.outcomes = {check.name: Outcome(PASSED) for check in CHECKS if check not in above}
-    return {(check.function, check.name): grading.judge(check) for check in above}
+    judged = tiers[tiers.index(tier) :][: 1 if alone else None]
+    grading.outcomes = {check.name: Outcome(PASSED) for check in CHECKS if check.tier not in judged}
+    return {(check.function, check.name): grading.judge(check) for check in CHECKS if check.tier in judged}
 
 
 HINTS_TRIED: set = set()  # all sentences that the checks have compared a mistake with
 
 
 @cache
-def outcomes_of(function, mistake):
-    """Return what becomes of all checks with this wrong solution."""
+def outcomes_of(function, mistake, alone):
+    """Return what becomes of the checks with this wrong solution: those of its tier alone, or those above, too."""
 
     def hint(came, gives, hints):
         HINTS_TRIED.update(sentence for _, sentence in hints)
@@ -82,7 +83,7 @@ def outcomes_of(function, mistake):
     with pytest.MonkeyPatch.context() as monkeypatch:
         monkeypatch.setattr(grader, "hint", hint)
         put(monkeypatch, function, WRONG[function][mistake])
-        return judge_from(FUNCTIONS[function].tier)
+        return judge_from(FUNCTIONS[function].tier, alone)
 
 
 # --- they let nothing wrong pass, and a fault costs once -------------------------------------------------------------
@@ -102,13 +103,14 @@ def test_the_tables_are_large_and_name_each_function():
     assert set(WRONG) == set(RIGHT) == set(FUNCTIONS) == {check.function for check in CHECKS}
 
 
+@pytest.mark.parametrize("alone", slow_but_for([True], [True, False]))
 @pytest.mark.parametrize(("function", "mistake"), WRONG_ROWS)
-def test_nothing_wrong_passes(function, mistake):
+def test_nothing_wrong_passes(function, mistake, alone):
     """It fails in its own checks, and nowhere else: those of functions that use it wait, and no other one cares.
 
     The tiers below, which cannot use it, are left out: they take the most time.
     """
-    outcomes = outcomes_of(function, mistake)
+    outcomes = outcomes_of(function, mistake, alone)
     assert {of for (of, _), outcome in outcomes.items() if outcome.state == FAILED} == {function}
     for (of, name), outcome in outcomes.items():
         if outcome.state == FAILED:
@@ -119,10 +121,13 @@ def test_nothing_wrong_passes(function, mistake):
             assert outcome[:2] == ((WAITING, f"waits for {function}") if waits else (PASSED, "")), name
 
 
+@pytest.mark.parametrize("alone", slow_but_for([True], [True, False]))
 @pytest.mark.parametrize(("function", "way"), RIGHT_ROWS)
-def test_nothing_right_fails(solve, function, way):
+def test_nothing_right_fails(solve, function, way, alone):
+    """Neither in its own tier alone, nor in any."""
     solve(function, RIGHT[function][way])
-    assert {key: outcome for key, outcome in judge_from("D").items() if outcome.state != PASSED} == {}
+    outcomes = judge_from(FUNCTIONS[function].tier, alone=True) if alone else judge_from("D")
+    assert {key: outcome for key, outcome in outcomes.items() if outcome.state != PASSED} == {}
 
 
 # --- messages --------------------------------------------------------------------------------------------------------
@@ -246,7 +251,7 @@ def test_a_mistake_is_recognised(solve, function, mistake, hint):
 
 
 def test_each_hint_is_what_some_mistake_gives():
-    messages = [outcome.message for row in WRONG_ROWS for outcome in outcomes_of(*row).values()]
+    messages = [outcome.message for row in WRONG_ROWS for outcome in outcomes_of(*row, True).values()]
     given = {line.removeprefix("hint        ") for text in messages for line in text.split("\n")}
     assert HINTS_TRIED - given == set()
 
@@ -257,7 +262,7 @@ ROWS = 17  # of a message, so that pytest's output is 45 of them: tests/project/
 @pytest.mark.parametrize(("function", "mistake"), WRONG_ROWS)
 def test_the_first_message_is_short(function, mistake):
     """On a screen of 80 columns."""
-    message = next(of.message for of in outcomes_of(function, mistake).values() if of.state == FAILED)
+    message = next(of.message for of in outcomes_of(function, mistake, True).values() if of.state == FAILED)
     assert sum(ceil(len(line) / 80) for line in message.splitlines()) <= ROWS, message
 
 

@@ -5,9 +5,10 @@ import json
 import re
 import subprocess
 import sys
+from itertools import product
 
 import pytest
-from programs import copy_project, end, first_lines, needs_vpython, running, SECONDS
+from programs import copy_project, end, first_lines, needs_vpython, running, SECONDS, slow_but_for
 from whole_cradles import FIVE_CSV
 
 # A plain loop over the handout's functions, with the state after 0, 0.05, 0.1, ... s; and then the program itself.
@@ -97,7 +98,7 @@ def shipped(tmp_path_factory):
     return plain_and_recorded(copy_project(tmp_path_factory.mktemp("shipped"), LOSSY_CSV), "nothing")[1]
 
 
-@pytest.mark.parametrize("name", CHANGES)
+@pytest.mark.parametrize("name", slow_but_for(["nothing", "air resistance in the tick"], CHANGES))
 def test_what_is_recorded_is_what_a_plain_loop_does_to_the_last_bit(project, shipped, name):
     plain, recorded = plain_and_recorded(project, name)
     assert recorded == plain
@@ -163,8 +164,11 @@ MISTAKES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("options", [["--seconds", "1"], ["--record", "data.csv", "--seconds", "1"]])
-@pytest.mark.parametrize("name", MISTAKES)
+PLAYED, RECORDED = ("--seconds", "1"), ("--record", "data.csv", "--seconds", "1")
+SOME = [("a name", PLAYED), ("a name", RECORDED), ("no return", PLAYED)]
+
+
+@pytest.mark.parametrize(("name", "options"), slow_but_for(SOME, product(MISTAKES, (PLAYED, RECORDED))))
 def test_a_mistake_ends_the_program_with_the_students_line_last(project, name, options):
     file, replacements, (place, function, line, error) = MISTAKES[name]
     change(project, file, replacements)

@@ -8,6 +8,7 @@ from math import cos, degrees, isfinite, radians, sqrt
 
 import numpy as np
 import pytest
+from programs import slow_but_for
 from whole_cradles import do_at_once
 
 from grading.cradles import hang
@@ -40,7 +41,7 @@ def after_hits(pend_list, hits):
     assert hits == 0
 
 
-@pytest.mark.parametrize("release", range(5, 65, 5))  # degrees
+@pytest.mark.parametrize("release", slow_but_for([45, 60], range(5, 65, 5)))  # degrees
 def test_five_equal_elastic_bobs_for_a_minute(release):
     pend_list = make_row(5, -radians(release))
     at_start = energy(pend_list)
@@ -56,7 +57,7 @@ def test_five_equal_elastic_bobs_for_a_minute(release):
     assert max(map(max, highest[1:4])) < 1.5
 
 
-@pytest.mark.parametrize("amplitude", [5, 30, 60, 90, 120, 150, 170])  # degrees
+@pytest.mark.parametrize("amplitude", slow_but_for([5, 170], [5, 30, 60, 90, 120, 150, 170]))  # degrees
 def test_the_period_of_one_pendulum_over_twenty_swings(amplitude):
     theta_max = radians(amplitude)
     pend_list = make_row(1, theta_max)
@@ -72,7 +73,7 @@ def test_the_period_of_one_pendulum_over_twenty_swings(amplitude):
     assert (crossings[-1] - crossings[0]) / 20 == pytest.approx(expected, rel=0.0005)
 
 
-@pytest.mark.parametrize("e", [0.99, 0.9, 0.5, 0.1])
+@pytest.mark.parametrize("e", slow_but_for([0.9], [0.99, 0.9, 0.5, 0.1]))
 def test_the_energy_that_two_equal_bobs_have_left(e):
     pend_list = make_row(2, THETA_INIT, e=e)
     at_start = energy(pend_list)
@@ -99,7 +100,8 @@ def test_the_speeds_of_masses_1_and_3_after_each_hit(masses, theta, speeds):
         assert found == pytest.approx(speeds[hits % 2], rel=0, abs=0.001)
 
 
-def test_300_random_cradles_keep_the_laws_in_each_contact_by_both_rules(monkeypatch):
+@pytest.mark.parametrize("cradles", slow_but_for([30], [30, 300]))
+def test_random_cradles_keep_the_laws_in_each_contact_by_both_rules(monkeypatch, cradles):
     contacts, cradles_with_contacts = [], 0  # each the masses, and the velocities (rad/s) before and after
 
     def handle_collision(e, omega1, omega2, m1, m2, r_param):
@@ -111,7 +113,7 @@ def test_300_random_cradles_keep_the_laws_in_each_contact_by_both_rules(monkeypa
     # Of a function that is another, the fast path knows nothing: it is told so behind its back.
     monkeypatch.setattr(many_ticks, "known_law", lambda of: known_law(of)._replace(handle_collision=handle_collision))
     dice = random.Random(2)
-    for number in range(300):
+    for number in range(cradles):
         pend_list = make_row(dice.randint(2, 10))
         thetas = sorted(dice.choice([0, dice.uniform(-1, 1)]) for _ in pend_list)  # so that no bob is within another
         for pend, pend["theta"] in zip(pend_list, thetas, strict=True):
@@ -126,4 +128,4 @@ def test_300_random_cradles_keep_the_laws_in_each_contact_by_both_rules(monkeypa
         assert np.all(abs(m1 * after1 + m2 * after2 - momentum) <= 1e-12 * scale)
         before, after = m1 * before1**2 + m2 * before2**2, m1 * after1**2 + m2 * after2**2
         assert np.all(after <= before * (1 + 1e-12))
-    assert cradles_with_contacts > 250
+    assert cradles_with_contacts > 0.8 * cradles

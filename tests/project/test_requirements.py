@@ -77,6 +77,7 @@ def test_the_bounds_that_are_written(monkeypatch, found, expected):
 
 @with_vpython
 @on_posix
+@pytest.mark.slow
 def test_what_the_program_imports_is_found(environment):
     found = imported(environment(listed()))
     assert {"autobahn", "hyperlink", "numpy", "pandas", "vpython"} <= found.keys() <= listed().keys()
@@ -97,6 +98,7 @@ def test_the_page_works_with_the_short_list_alone(page, program, environment):
 
 
 @on_posix
+@pytest.mark.slow
 def test_what_shows_nothing_in_a_browser_needs_pandas_only(environment, tmp_path):
     python, project = environment([*PANDAS, *PYTEST]), copy_project(tmp_path / "project", FIVE_CSV)
 

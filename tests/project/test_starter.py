@@ -23,6 +23,7 @@ from programs import (
     ROOT,
     running,
     SECONDS,
+    slow_but_for,
     wait_until,
 )
 from students import write, write_all, write_tiers
@@ -287,7 +288,7 @@ STAGES = [  # the tiers that are written, what the line says, and the angles of 
 ]
 
 
-@pytest.mark.parametrize(("tiers", "remark", "angles"), STAGES)
+@pytest.mark.parametrize(("tiers", "remark", "angles"), slow_but_for([STAGES[1], STAGES[3]], STAGES))
 def test_the_terminal_shows_what_there_is(starter, tiers, remark, angles):
     write_tiers(starter, tiers)
     program = "src/text_cradle_run.py"
@@ -380,22 +381,22 @@ def test_a_file_that_cannot_be_imported_fails_its_own_functions_only(starter):
     assert len([line for line in lines if line.startswith("it raised   SyntaxError: expected ':' (swinging.py")]) == 1
 
 
-@pytest.mark.parametrize(
-    ("before", "after", "line"),
-    [
-        (
-            "import extract_and_convert",
-            "import extract_and_converts",
-            "ImportError: cannot import name 'extract_and_conv",
-        ),
-        ("from src.pds_helper", "from pds_helper", "ModuleNotFoundError: No module named 'pds_helper'"),
-        (
-            "def uniform_mass",
-            "extract_and_convert('nowhere.csv')\n\n\ndef uniform_mass",
-            "FileNotFoundError: [Errno 2] No such file or directory: 'nowhere.csv'",
-        ),
-    ],
-)
+AT_FAULT = [
+    (
+        "import extract_and_convert",
+        "import extract_and_converts",
+        "ImportError: cannot import name 'extract_and_conv",
+    ),
+    ("from src.pds_helper", "from pds_helper", "ModuleNotFoundError: No module named 'pds_helper'"),
+    (
+        "def uniform_mass",
+        "extract_and_convert('nowhere.csv')\n\n\ndef uniform_mass",
+        "FileNotFoundError: [Errno 2] No such file or directory: 'nowhere.csv'",
+    ),
+]
+
+
+@pytest.mark.parametrize(("before", "after", "line"), slow_but_for(AT_FAULT[1:2], AT_FAULT))
 def test_the_file_at_fault_fails_and_those_that_import_it_wait(starter, before, after, line):
     write_all(starter)
     special = starter / "src" / "special_cradles.py"
