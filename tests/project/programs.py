@@ -79,7 +79,7 @@ def running(program=None, *arguments, folder=os.sep, python=sys.executable, **en
         stderr=subprocess.PIPE,
         text=True,
     )
-    patience = threading.Timer(2 * SECONDS, process.kill)
+    patience = threading.Timer(5 * SECONDS, process.kill)
     patience.start()
     try:
         yield process
@@ -126,9 +126,9 @@ def readout(page, name):
     return float(re.search(name + r"[ =]+([-+0-9.]+)", page.locator(".readout").inner_text())[1])
 
 
-def wait_until(condition):
-    """Wait until condition() holds."""
-    deadline = time.monotonic() + SECONDS
+def wait_until(condition, seconds=SECONDS):
+    """Wait until condition() holds, for at most so many seconds."""
+    deadline = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < deadline, "it never came"
         time.sleep(0.02)
