@@ -116,6 +116,7 @@ def test_of_a_mistake_the_first_message_comes_last(student):
     assert not [row for row in rows if "collision" in row and "printed" in row]
 
 
+@pytest.mark.slow
 def test_one_mistake_takes_no_more_than_a_screen(student):
     """One that fails nearly all checks of its function, with a message of as many rows as any."""
     status, rows = run(student(extract_and_convert=WRONG["extract_and_convert"]["returns bad_rep"]))
@@ -124,6 +125,7 @@ def test_one_mistake_takes_no_more_than_a_screen(student):
     assert section(rows, "Failures") == ["3 more fail: extract_and_convert"]
 
 
+@pytest.mark.slow
 def test_a_tier_that_is_complete_says_so(student):
     not_c = {name: body for name, body in STUBS.items() if FUNCTIONS[name].tier != "C"}
     folder = student(**not_c)
@@ -135,6 +137,7 @@ def test_a_tier_that_is_complete_says_so(student):
     assert "Tier B is not complete." in section(rows, "Grade")
 
 
+@pytest.mark.slow
 def test_an_import_in_a_circle_is_told(student):
     folder = student()
     swinging = folder / "src" / "swinging.py"

@@ -576,6 +576,7 @@ def test_a_cradle_at_rest_has_no_percentages_of_nothing(wall):
     assert "energy   0.00 % (kinetic   0.00 %, potential   0.00 %)" in wall.panel.readout.text
 
 
+@pytest.mark.slow
 def test_slow_motion_is_admitted(wall, monkeypatch):
     """Where the fast path steps back, as a function is another now."""
     wall.wait(2)
