@@ -245,6 +245,7 @@ def test_all_waits_to_be_written_and_with_the_solutions_all_is_green(starter):
     assert graded == {"tiers": tiers, "grade": "Honor roll", "next": "nothing is left to write; show it to someone"}
     assert table_of(lines) == {tier: [count, 0, 0, f"{count}/{count}"] for tier, count in ALL.items()}
     assert len(lines) <= 25
+    assert not [line for line in lines if line.startswith("Left out")]
 
 
 # --- something to see after every grade ------------------------------------------------------------------------------
