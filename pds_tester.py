@@ -1,4 +1,4 @@
-"""Press the triangle: how newton_cradle_pends.csv becomes pend_list, step by step. Needs pandas only, no VPython."""
+"""Run this file to see, step by step, how newton_cradle_pends.csv becomes pend_list. It needs no VPython."""
 
 import sys
 
@@ -6,7 +6,7 @@ import pandas as pd
 
 from support import headless_vpython
 
-headless_vpython.install()  # nothing is shown here, so VPython itself is not needed
+headless_vpython.install()  # this program opens no page, so it does not need VPython itself
 
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
@@ -15,7 +15,7 @@ from support.start.output import spell_out_letters
 
 
 def main() -> None:
-    """Print df, bad_rep and pend_list; status 2 if the CSV cannot be read."""
+    """Print df, bad_rep and pend_list; exit with status 2 if the CSV cannot be read."""
     spell_out_letters()
     try:
         df = pd.read_csv(cleaned(NC_FP))
@@ -26,16 +26,16 @@ def main() -> None:
     print(df)
 
     bad_rep = df.to_dict(orient="index")
-    print("\nbad_rep: a dictionary of dictionaries. Its keys only count the rows, which a list does without them.")
+    print("\nbad_rep: a dictionary of dictionaries. Its keys are only row numbers; a list needs no keys.")
     for row, pendulum in bad_rep.items():
         print(f"  {row}: {pendulum}")
 
     try:
         pend_list = extract_and_convert(NC_FP)
     except NotImplementedError as error:
-        print(f"\npend_list: there is none yet, as {error}. It is in src/pds_helper.py.")
+        print(f"\npend_list: missing, because {error}. Its place is in src/pds_helper.py.")
         return
-    print("\npend_list: what extract_and_convert returns, a list of dictionaries, one for each pendulum.")
+    print("\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum.")
     for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
         print(f"  {pendulum}")
 

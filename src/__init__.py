@@ -1,5 +1,5 @@
-"""The handout's own modules, in its order: pds_helper, special_cradles, swinging, visualize_cradle_run.
+"""The handout's modules, in its order: pds_helper, special_cradles, swinging, visualize_cradle_run.
 
-double_cradle and visualize_double_cradle_run are its honor roll, and text_cradle_run is the cradle in the terminal.
-What the programs need beyond the handout is in beyond/.
+double_cradle and visualize_double_cradle_run are the honor roll. text_cradle_run shows the cradle in the terminal.
+beyond/ has the additions to the handout.
 """

@@ -1,24 +1,25 @@
-"""The collisions of the double cradle: which bobs of double pendula touch, and their velocities afterwards.
+"""The collisions of the double cradle: find the bobs that touch, and compute their velocities after a hit.
 
-Words: theta, phi, alpha, beta, m1, m2 and R, and the kinetic energy T, are those of src/double_cradle.py; ' is d/dt.
+theta, phi, alpha, beta, m1, m2, R and the kinetic energy T mean the same as in src/double_cradle.py; ' is d/dt.
 
 Hit
-    A hit takes no time: gravity does nothing in it, and the cords' pulls do no work. The two bobs give each other an
-    impulse p along the unit vector n from one centre to the other. Let q = (alpha, beta). A bob's velocity along n is
+    A hit takes no time: gravity changes nothing, and the pull of the cords does no work. The two bobs exchange an
+    impulse p along n, the unit vector from one centre to the other. Let q = (alpha, beta). A bob's velocity along n is
     v = J q', where
         J = R (n.a, 0)    for an upper bob,    a = (cos(alpha), sin(alpha)),
         J = R (n.a, n.b)  for a lower bob,     b = (cos(beta), sin(beta)),
-    since a and b are the directions in which the ends of the cords move. The momenta that belong to q are
+    because the ends of the cords move in the directions a and b. The momenta conjugate to q are
         dT/dq' = M q'  with  M = R^2 ( m1 + m2      m2 cos(phi) )
                                      ( m2 cos(phi)  m2          )
-    and Lagrange's equations, integrated over the hit, say that an impulse p along n adds p J to them. So q' jumps by
-    p M^-1 J, and v by p w with w = J M^-1 J: M^-1 is how a bob's cords hand part of the impulse on to the other bob.
+    By Lagrange's equations, integrated over the hit, an impulse p along n adds p J to these momenta. So q' changes by
+    p M^-1 J, and v by p w with w = J M^-1 J. Through M^-1, the cords pass part of the impulse on to the other bob of
+    the same pendulum.
 
-    With n from pendulum 1 to pendulum 2, the one gets -p and the other p: v1 falls by p w1, v2 grows by p w2. If they
-    approach at u = v1 - v2,
+    Let n point from pendulum 1 to pendulum 2. Pendulum 1 gets -p, pendulum 2 gets p: v1 falls by p w1, v2 grows by
+    p w2. If the bobs approach at u = v1 - v2 before the hit, the impulse
         p = (1 + e) u / (w1 + w2)
-    makes v2 - v1 = e u. The energy changes by -p u + p^2 (w1 + w2) / 2 = -(1 - e^2) u^2 / (w1 + w2) / 2: not at all if
-    e = 1, and never up.
+    makes v2 - v1 = e u after it. The energy changes by -p u + p^2 (w1 + w2) / 2 = -(1 - e^2) u^2 / (w1 + w2) / 2. With
+    e = 1 it stays the same, and it never grows.
 """
 
 from itertools import islice
@@ -27,13 +28,13 @@ from typing import NamedTuple
 
 from support.constants import BUFFER
 
-# Parts of the distance at which bobs touch. Bobs that lie on one another must not sink in deeper than CLOSEST. Bobs
-# that are closer than PUT_THERE were put there (a start can do so) and are left to themselves.
+# Distances, as fractions of the largest distance at which bobs touch. keep_apart moves bobs that rest on each other out
+# to CLOSEST. It ignores bobs closer than PUT_THERE: the start of the cradle has put them there.
 CLOSEST, PUT_THERE = 0.98, 0.95
 
-ROUNDING = 1e-9  # m/s: bobs that approach or separate more slowly than that do so by rounding errors
+ROUNDING = 1e-9  # m/s: a slower approach or separation is a rounding error
 
-# How often a tick goes through the touching pairs, at most: a hit may make another pair approach.
+# A tick goes at most this many times through the touching pairs: a hit can make other pairs approach.
 SWEEPS = 3
 
 
@@ -46,20 +47,20 @@ def bob_places(pend_dict, r_param) -> tuple[tuple[float, float], tuple[float, fl
 
 
 class Touch(NamedTuple):
-    """Two bobs that touch, one of each of two double pendula: 0 is the upper one, 1 the lower one."""
+    """Two touching bobs of two double pendula. bob1 and bob2 are 0 for an upper bob, 1 for a lower one."""
 
     bob1: int
     bob2: int
     x: float  # the unit vector from bob1 to bob2
     y: float
     distance: float  # between the centres (m)
-    touching: float  # up to which they touch (m): BUFFER (1.05) x the sum of the radii
+    touching: float  # the largest distance at which they touch (m): BUFFER (1.05) x the sum of the radii
 
 
 def touching_bobs(pend1, pend2, r_param):
-    """Yield a Touch for each two bobs of the two double pendula that touch.
+    """Yield a Touch for each pair of touching bobs, one of pend1 and one of pend2.
 
-    theta and phi say where the bobs are; VPython's objects only show them.
+    The places of the bobs follow from theta and phi; VPython's objects only show them.
     """
     places1, places2 = bob_places(pend1, r_param), bob_places(pend2, r_param)
     radii1, radii2 = ([bob.radius for bob in pend["objects"][1::2]] for pend in (pend1, pend2))
@@ -71,31 +72,35 @@ def touching_bobs(pend1, pend2, r_param):
 
 
 def response(pend_dict, bob, touch, r_param) -> tuple[float, float, float, float]:
-    """Return v, w and M^-1 J (see above) of a bob (0 or 1) of a double pendulum in the direction of a touch.
+    """Return (v, w, turn1, turn2) of a bob (0 upper, 1 lower) of a double pendulum, in the direction of touch.
 
-    v is the bob's velocity (m/s). An impulse of 1 N s changes it by w (m/s), and alpha' and beta' by M^-1 J (rad/s).
+    v is the bob's velocity (m/s). An impulse of 1 N s changes v by w (m/s), alpha' by turn1 and beta' by turn2 (rad/s).
+    turn1 and turn2 are M^-1 J (see above).
     """
     alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
     alpha_rate, beta_rate = pend_dict["omega"], pend_dict["omega"] + pend_dict["phi_omega"]
     j1 = r_param * (touch.x * cos(alpha) + touch.y * sin(alpha))
     j2 = r_param * (touch.x * cos(beta) + touch.y * sin(beta)) if bob == 1 else 0.0
     c = cos(beta - alpha)
-    determinant = pend_dict["mass"] * r_param**2 * (2 - c * c)  # of M / m, m being the mass of each of the two bobs
+    determinant = pend_dict["mass"] * r_param**2 * (2 - c * c)  # of M / m; both bobs have the mass m
     turn1, turn2 = (j1 - c * j2) / determinant, (2 * j2 - c * j1) / determinant
     return j1 * alpha_rate + j2 * beta_rate, j1 * turn1 + j2 * turn2, turn1, turn2
 
 
 def turn_cords(pend_dict, upper, lower, turn1, turn2) -> None:
-    """Add turn1 and turn2 to alpha and beta, if upper and lower are the keys theta and phi, or to their rates."""
+    """Add turn1 to alpha and turn2 to beta, or to their rates.
+
+    upper and lower are the keys "theta" and "phi" for the angles, "omega" and "phi_omega" for the rates.
+    """
     pend_dict[upper] += turn1
     pend_dict[lower] += turn2 - turn1
 
 
 def handle_two_double_bobs(pend1, pend2, r_param, approaching_only=True) -> bool:
-    """Let two double pendula, pend1 left of pend2, collide where their bobs touch; e is pend1's.
+    """Let two double pendula, pend1 left of pend2, collide where their bobs touch; return whether any bobs collided.
 
-    Each bob of the one may touch each of the other. With approaching_only (here the default, as the handout has no rule
-    for double pendula), bobs that touch but move apart are left alone. Return whether any collided.
+    e is pend1's. Each bob of pend1 can touch each bob of pend2. With approaching_only, touching bobs that move apart do
+    not collide; this is the default here, because the handout has no rule for double pendula.
     """
     collided = False
     for touch in touching_bobs(pend1, pend2, r_param):
@@ -111,13 +116,13 @@ def handle_two_double_bobs(pend1, pend2, r_param, approaching_only=True) -> bool
 
 
 def keep_apart(pend1, pend2, r_param) -> bool:
-    """If e is below 1, turn the cords of two double pendula whose bobs are a little closer than CLOSEST apart to there.
+    """Move bobs of two double pendula that rest on each other out to CLOSEST; return whether any bobs were moved.
 
-    Return whether any were; e is pend1's. Bobs with e below 1 may come to lie on one another. Each tick then presses
-    them a little way in. The impulse at its end takes their speed, but leaves them there, and in time they would pass
-    through each other. The cords turn in the proportions in which an impulse between the two bobs turns them. Nobody
-    does the work of this: it can add some 1e-5 of the energy at DOUBLE_DT, but 1e-3 with ticks of 1 ms, in which hits
-    get deeper than CLOSEST, too.
+    e is pend1's; with e = 1, nothing moves. Bobs with e below 1 can come to rest on each other. Each tick then presses
+    them a little way in. The impulse at its end stops them, but does not move them out, and in time they would pass
+    through each other. The cords turn in the ratio in which an impulse between the two bobs turns them. No force does
+    this work: it can add about 1e-5 of the energy at DOUBLE_DT, and 1e-3 with ticks of 1 ms, because the bobs then get
+    closer than CLOSEST in hits, too.
     """
     if pend1["e"] >= 1:
         return False
@@ -135,11 +140,11 @@ def keep_apart(pend1, pend2, r_param) -> bool:
 
 
 def collide_pairs(pend_list, r_param, approaching_only) -> list[tuple[int, int]]:
-    """Let double pendula whose bobs touch collide, pair by pair from left to right.
+    """Let touching double pendula collide, pair by pair from left to right.
 
-    Not only neighbours are pairs: a lower bob gets past its neighbour's cord, to the bobs behind it. With
-    approaching_only the pairs have their turn again as long as any collide, up to SWEEPS times. Return the pairs that
-    have collided as (left, right), indices of pendula, in order of time.
+    Pendula need not be neighbours to touch: a lower bob swings past its neighbour's cord to the bobs behind it. With
+    approaching_only, the pairs collide again as long as there are hits, up to SWEEPS times. Return the pairs that
+    collided, in order of time, as (left, right), indices into pend_list.
     """
     pairs = touching_pairs(pend_list, r_param)
     hits: list[tuple[int, int]] = []
@@ -156,9 +161,10 @@ def collide_pairs(pend_list, r_param, approaching_only) -> list[tuple[int, int]]
 
 
 def touching_pairs(pend_list, r_param) -> list[tuple[int, int]]:
-    """Return the indices (left, right) of each two double pendula whose bobs touch, from left to right.
+    """Return the indices (left, right) of each pair of touching double pendula, from left to right.
 
-    To compare few, the bobs are sorted by x: those that touch are no further apart along x than the largest two could.
+    The bobs are sorted by x, to compare only near ones: touching bobs are at most BUFFER times two of the largest radii
+    apart along x.
     """
     bobs = sorted(
         (x, y, i, bob.radius)

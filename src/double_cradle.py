@@ -1,4 +1,4 @@
-"""The double Newton's cradle: each of its elements is a double pendulum, a second one hung from the first one's bob.
+"""The double Newton's cradle: each element is a double pendulum; a second pendulum hangs from the first one's bob.
 
 Words
     theta       the upper cord's angle from straight down (rad), omega its rate (rad/s); both positive to the right
@@ -7,23 +7,24 @@ Words
     m1, m2      the masses of the upper and the lower bob (kg); R the length of each cord (m); ' is d/dt
 
 Swing
-    The upper bob moves with the velocity R alpha' along its arc, and the lower one with R beta' along its own on top of
-    that; beta - alpha = phi is the angle between the two. So by the law of cosines the energies are
+    The upper bob moves along its arc with the velocity R alpha'. The lower bob has the same velocity, plus R beta'
+    along its own arc. The angle between these two velocities is beta - alpha = phi. By the law of cosines, the energies
+    are
         T = (m1 + m2) R^2 alpha'^2 / 2  +  m2 R^2 beta'^2 / 2  +  m2 R^2 alpha' beta' cos(phi)
         V = -(m1 + m2) g R cos(alpha)  -  m2 g R cos(beta)
-    Lagrange's equations are d/dt dL/dq' = dL/dq with L = T - V, for q = alpha and for q = beta. For alpha
+    Lagrange's equations are d/dt dL/dq' = dL/dq with L = T - V, for q = alpha and for q = beta. For alpha,
         dL/dalpha' = (m1 + m2) R^2 alpha' + m2 R^2 beta' cos(phi)
         dL/dalpha  = m2 R^2 alpha' beta' sin(phi) - (m1 + m2) g R sin(alpha)
-    and d/dt cos(phi) = -sin(phi) (beta' - alpha'), so that the terms with alpha' beta' cancel; for beta likewise. The
-    rest, divided by (m1 + m2) R^2 and by m2 R^2, and with mu = m2 / (m1 + m2), is
+    With d/dt cos(phi) = -sin(phi) (beta' - alpha'), the terms with alpha' beta' cancel; for beta likewise. Divide the
+    first equation by (m1 + m2) R^2, the second by m2 R^2. With mu = m2 / (m1 + m2), this gives
         alpha''           + mu cos(phi) beta'' =  mu sin(phi) beta'^2 - g/R sin(alpha)
         cos(phi) alpha''  +             beta'' =    - sin(phi) alpha'^2 - g/R sin(beta)
-    two linear equations for alpha'' and beta'' (double_accelerations). Source of L: Landau and Lifshitz, Mechanics,
-    section 5, problem 1, with both lengths R.
+    double_accelerations solves these two linear equations for alpha'' and beta''. Source of L: Landau and Lifshitz,
+    Mechanics, section 5, problem 1, with both lengths R.
 
-    The motion is chaotic, and semi-implicit Euler, whose error goes with dt, would not keep the energy to 1e-6; so a
-    tick is a step of the classical Runge-Kutta method, whose error goes with dt^4. It needs four accelerations instead
-    of one, no memory of the ticks before, in which there may have been a hit, and no equation to be solved.
+    The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the energy to 1e-6. A tick is
+    therefore a step of the classical Runge-Kutta method, which has an error of order dt^4. It computes four
+    accelerations instead of one. It needs no earlier ticks, which a hit may have ended, and solves no equation.
 """
 
 from math import cos, sin
@@ -52,15 +53,15 @@ def make_double_pendulum(
 def make_double_newton_cradle(relative_filepath, r_param, theta_init, phi_init) -> list[DoublePendulumEntry]:
     """Return the pend_list of a CSV as double pendula: with theta, omega, phi, phi_omega and their five objects.
 
-    It is the cradle of make_newton_cradle with a second pendulum below each bob. The first one is bent by phi_init
-    (rad), the others are straight. A row's mass is that of each of its two bobs, r_param the length of each cord (m).
-    Raises a ValueError of one line if the CSV makes no cradle.
+    It is the cradle of make_newton_cradle with a second pendulum below each bob. phi_init (rad) bends the first double
+    pendulum; the others are straight. Both bobs have the mass of the row. r_param (m) is the length of each cord.
+    Raises a ValueError with a one-line message if the CSV describes no cradle.
     """
     pend_list: list = make_newton_cradle(relative_filepath, r_param, theta_init)
     phis = [phi_init] + [0] * (len(pend_list) - 1)
     for pend_dict, phi in zip(pend_list, phis, strict=True):
         axle, bob, _ = pend_dict["objects"]
-        discard(pend_dict["objects"])  # the double pendulum uses them again
+        discard(pend_dict["objects"])  # make_double_pendulum reuses them
         objects = make_double_pendulum(axle.pos, r_param, pend_dict["theta"], phi, bob.color, bob.texture)
         pend_dict.update(phi=phi, phi_omega=0, objects=objects)
     return pend_list
@@ -72,7 +73,7 @@ def make_double_newton_cradle(relative_filepath, r_param, theta_init, phi_init) 
 def double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu) -> tuple[float, float]:
     """Return alpha'' and beta'' (rad/s^2), from the two equations above.
 
-    alpha and beta are in rad, their rates in rad/s, k = g/R in 1/s^2, and mu = m2/(m1 + m2) is a number.
+    alpha and beta are in rad, their rates in rad/s, k = g/R in 1/s^2, and mu = m2/(m1 + m2) has no unit.
     """
     s, c = sin(beta - alpha), cos(beta - alpha)
     right1 = mu * s * beta_rate * beta_rate - k * sin(alpha)
@@ -88,22 +89,23 @@ def rates(state, k, mu) -> tuple[float, float, float, float]:
 
 
 def moved(state, changes, dt) -> tuple[float, float, float, float]:
-    """Return a state after dt (s) at these rates."""
+    """Return the state after dt (s); changes has its rates."""
     (alpha, beta, alpha_rate, beta_rate), (d1, d2, d3, d4) = state, changes
     return alpha + dt * d1, beta + dt * d2, alpha_rate + dt * d3, beta_rate + dt * d4
 
 
 def six_times_average(r1, r2, r3, r4) -> float:
-    """Return six times the average of four rates, of which the two in the middle count twice."""
+    """Return six times the weighted average of four rates; r2 and r3 count twice."""
     return r1 + 2 * (r2 + r3) + r4
 
 
 def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1.0, m2=1.0):
     """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s), in rad/s and rad.
 
-    The first four are the values before, r_param (m) is the length of each cord, g (m/s^2) the gravitational
-    acceleration, m1 and m2 (kg) the masses of the upper and the lower bob. One step of the classical Runge-Kutta
-    method: the average of four rates, taken at the beginning, twice in the middle (1 : 2 : 2 : 1), and at the end.
+    The first four arguments are the values before. r_param (m) is the length of each cord, g (m/s^2) the gravitational
+    acceleration, m1 and m2 (kg) are the masses of the upper and the lower bob. This is one step of the classical
+    Runge-Kutta method: it averages four rates with the weights 1 : 2 : 2 : 1, one from the beginning of the step, two
+    from its middle and one from its end.
     """
     k, mu = g / r_param, m2 / (m1 + m2)
     state = theta, theta + phi, omega_theta, omega_theta + omega_phi
@@ -117,7 +119,7 @@ def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1
 
 
 def show_double_pendulum(pend_dict, r_param) -> None:
-    """Move the bobs and cords of a double pendulum to where its theta and phi are."""
+    """Move the bobs and cords of a double pendulum to its theta and phi."""
     alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
     axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
     cord1.axis, cord2.axis = arm(alpha, r_param), arm(beta, r_param)
@@ -135,9 +137,9 @@ def double_swing_update(pend_dict, r_param, dt, g) -> None:
 
 
 def double_cradle_tick(pend_list, r_param, dt, g, approaching_only=True) -> None:
-    """Move the whole cradle on by dt (s): swing all double pendula, then let those collide whose bobs touch.
+    """Advance the whole cradle by dt (s): swing all double pendula, then let touching bobs collide.
 
-    With approaching_only, bobs that touch but move apart are left alone.
+    With approaching_only, touching bobs that move apart do not collide.
     """
     for pend_dict in pend_list:
         double_swing_update(pend_dict, r_param, dt, g)

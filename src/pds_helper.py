@@ -1,4 +1,4 @@
-"""Between the CSV and pend_list: one row of the file is one pendulum, a dictionary."""
+"""Read pend_list from the CSV, and write it to a CSV: each row is one pendulum, a dictionary."""
 
 import pandas as pd
 
@@ -7,14 +7,15 @@ from support.files.atomic_write import whole_file
 from support.files.cradle_csv import cleaned
 from support.pendulum import PendulumEntry
 
-# pandas reads floats to the last bit from 3.1 on (and warns when asked to); older ones have to be asked.
+# pandas reads floats exactly from 3.1 on, and warns if asked to; older versions do it only if asked.
 EXACT_FLOATS = {} if tuple(map(int, pd.__version__.split(".")[:2])) >= (3, 1) else {"float_precision": "round_trip"}
 
 
 def extract_and_convert(relative_filepath) -> list[PendulumEntry]:
     """Return pend_list: a dictionary for each row of the CSV, with the column names as keys.
 
-    Spaces around names and values do not count. Raises a ValueError of one line if the file cannot be read.
+    Spaces around names and values do not count. Raises a ValueError with a one-line message if the file
+    cannot be read.
     """
     df = pd.read_csv(cleaned(relative_filepath), **EXACT_FLOATS)
     bad_rep = df.to_dict(orient="index")
@@ -22,10 +23,10 @@ def extract_and_convert(relative_filepath) -> list[PendulumEntry]:
 
 
 def write_to_csv(pend_list, filepath=NC_FP) -> None:
-    """Write pend_list to a CSV from which extract_and_convert reads the same list back; objects are left out.
+    """Write pend_list, without objects, to a CSV; extract_and_convert reads the same list back.
 
-    The file is replaced only once the new one is complete on the disk, so that after a crash, or on a full disk, the
-    old one is still whole. Raises an OSError if filepath cannot be written.
+    The new file replaces the old one only when it is complete on the disk. After a crash, or on a full disk, the old
+    file is still whole. Raises an OSError if filepath cannot be written.
     """
     columns = [name for pend_dict in pend_list or [PendulumEntry.__annotations__] for name in pend_dict]
     columns = [name for name in dict.fromkeys(columns) if name != "objects"]  # each once, in their order

@@ -1,4 +1,4 @@
-"""Import this first in a program that is started by its name, from any folder: src and support are then found."""
+"""Put the project's folder on Python's path. A program that you start by its file name imports this first."""
 
 import sys
 from pathlib import Path

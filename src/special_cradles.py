@@ -1,4 +1,4 @@
-"""Cradles made from a CSV: with one mass or one restitution for all pendula, and ready to swing."""
+"""Make cradles from a CSV: with one mass or one restitution for all pendula, and ready to swing."""
 
 from vpython import vector
 
@@ -30,16 +30,16 @@ def elastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
 
 
 def inelastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
-    """Return the pend_list of a CSV with perfectly inelastic pendula: e = 0, bobs leave a hit at one velocity."""
+    """Return the pend_list of a CSV with perfectly inelastic pendula: e = 0, bobs have one velocity after a hit."""
     return uniform_e_newton_cradle(relative_filepath, 0)
 
 
 def make_newton_cradle(relative_filepath, r_param, theta_init) -> list[PendulumEntry]:
     """Return the pend_list of a CSV, ready to swing: with theta, omega and objects (axle, bob, cord).
 
-    The first pendulum is lifted to theta_init (rad), the others hang straight down; all are at rest. r_param is the
-    cord length (m).
-    Raises a ValueError of one line, before any object is made, if the CSV makes no cradle.
+    The first pendulum is lifted to theta_init (rad), the others hang straight down; all are at rest. r_param (m) is the
+    cord length.
+    Raises a ValueError with a one-line message, before it makes any object, if the CSV describes no cradle.
     """
     check_cradle(relative_filepath)
     pend_list = extract_and_convert(relative_filepath)

@@ -1,4 +1,4 @@
-"""The swing of the pendula: the handout's appendix, one time step at a time (semi-implicit Euler)."""
+"""Swing the pendula by one time step, with the formulas of the handout's appendix (semi-implicit Euler)."""
 
 from math import sin
 

@@ -1,20 +1,20 @@
-"""Newton's cradle in the terminal: as moving text, as lines to be read out, or as data in a file. Needs no VPython."""
+"""Newton's cradle in the terminal: as moving text, as lines of text, or as data in a file. Needs no VPython."""
 
 import signal
 import sys
 from contextlib import suppress
 
 if __name__ == "__main__":
-    with suppress(ModuleNotFoundError):  # not found by python -m src...: the project's folder is on the path then
+    with suppress(ModuleNotFoundError):  # python -m src... does not find it, and does not need it
         import project_path  # noqa: F401
     from support.start.interrupt import end_on_interrupt
 
-    # These imports take a moment, in which Ctrl+C would print a traceback.
+    # The imports below take a moment; without this, Ctrl+C would print a traceback.
     end_on_interrupt(status=1 if "--record" in " ".join(sys.argv) else 0)
 
 from support import headless_vpython
 
-headless_vpython.install()  # nothing is shown in a browser, so VPython itself is not needed
+headless_vpython.install()  # this program opens no page, so it does not need VPython itself
 
 from src.beyond.live_cradle import LiveCradle
 from src.beyond.many_ticks import many_ticks
@@ -33,8 +33,8 @@ from support.terminal.recorder import record
 def main() -> None:
     """Show the cradle of src/visualize_cradle_run.py, or record its data.
 
-    Status 2 if an option, the CSV or the file for the data is refused, or too little is written for a cradle; 1 if a
-    function makes a mistake.
+    Exits with status 2 if an option, the CSV or the data file is wrong, or if functions for a cradle are missing; with
+    status 1 if a function makes a mistake, or if Ctrl+C ends a recording.
     """
     spell_out_letters()
     options = read_text_options()
@@ -61,10 +61,10 @@ def main() -> None:
                 run(loop, Lines(cradle, csv, options))
     except KeyboardInterrupt:
         if options.record is not None:
-            print(f"Ended before it was complete: {options.record} is not written.", file=sys.stderr)
+            print(f"The recording ended too early. {options.record} is not written.", file=sys.stderr)
             sys.exit(1)
     except (Exception, SystemExit) as error:
-        cause = error.__cause__ or error  # whole_file says of every OSError that the file cannot be written
+        cause = error.__cause__ or error  # whole_file replaces every OSError, also one of a student's function
         if isinstance(error, OSError) and not own_frames(cause):
             refuse(f"{error.filename or 'The output'}: {error.strerror}")
         tell_mistake(cause)
@@ -72,15 +72,15 @@ def main() -> None:
 
 
 def refuse(message) -> None:
-    """End the program with this message, and status 2."""
+    """Print this message, and exit with status 2."""
     print(message, file=sys.stderr)
     sys.exit(2)
 
 
 def stop_on_signals() -> None:
-    """Let Ctrl+C, a closed terminal and kill raise a KeyboardInterrupt, once: cleaning up is not interrupted again.
+    """Let Ctrl+C, a closed terminal and kill raise one KeyboardInterrupt; later signals do not interrupt the clean-up.
 
-    A signal that was to be ignored from the start, as with nohup, still is. Windows has no signal for a closed
+    A signal that is already ignored, for instance because of nohup, stays ignored. Windows has no signal for a closed
     terminal, but one for Ctrl+Break.
     """
     numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name)]

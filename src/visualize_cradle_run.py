@@ -3,13 +3,13 @@
 from contextlib import suppress
 
 if __name__ == "__main__":
-    with suppress(ModuleNotFoundError):  # not found by python -m src...: the project's folder is on the path then
+    with suppress(ModuleNotFoundError):  # python -m src... does not find it, and does not need it
         import project_path  # noqa: F401
     from support.start.interrupt import end_on_interrupt
 
-    end_on_interrupt()  # these imports take a moment, in which Ctrl+C would print a traceback
+    end_on_interrupt()  # the imports below take a moment; without this, Ctrl+C would print a traceback
 
-# Python 3.9 has no pairwise; support, which comes before, has then said that it is too old.
+# Python 3.9 has no pairwise, but never gets here: the import of support ends the program.
 from itertools import pairwise
 from math import cos
 
@@ -21,10 +21,11 @@ from support.constants import BUFFER, DT, G, R_PARAM, THETA_INIT
 
 
 def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
-    """Return (new_omega1, new_omega2), the angular velocities (rad/s) of two bobs after they hit.
+    """Return (new_omega1, new_omega2), the angular velocities (rad/s) of two bobs after a hit.
 
     e is the coefficient of restitution (0 to 1), omega1 and omega2 (rad/s) are the velocities before, m1 and m2 (kg)
-    the masses, r_param (m) the cord length. Handout, appendix (momentum is kept, e is the ratio of the speeds):
+    the masses, r_param (m) the cord length. Handout, appendix (a hit keeps the momentum; e is the speed after it
+    over the speed before it, both of one bob relative to the other):
         v1_new = (m1 v1 + m2 v2 - m2 e (v1 - v2)) / (m1 + m2)
         v2_new = (m1 v1 + m2 v2 + m1 e (v1 - v2)) / (m1 + m2)
     """
@@ -38,24 +39,24 @@ def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
 def handle_two_bobs(pend1, pend2, r_param, approaching_only=False) -> None:
     """Let two neighbouring pendula, pend1 left of pend2, collide if their bobs touch; e is pend1's.
 
-    They touch where their centres are within 1.05 times the sum of the radii.
-    With approaching_only, bobs that touch but are on their way apart already are left alone.
+    They touch if the distance of their centres is at most 1.05 times the sum of their radii.
+    With approaching_only, touching bobs that move apart do not collide.
     """
     m1, m2 = pend1["mass"], pend2["mass"]
     bob1, bob2 = pend1["objects"][1], pend2["objects"][1]
     omega1, omega2 = pend1["omega"], pend2["omega"]
     if mag(bob1.pos - bob2.pos) > BUFFER * (bob1.radius + bob2.radius):
         return
-    # Bobs that touch hang at nearly one angle, side by side: what counts is v along x, r_param omega cos(theta).
+    # Touching bobs hang side by side, at nearly the same angle: compare v along x, r_param omega cos(theta).
     if approaching_only and omega1 * cos(pend1["theta"]) <= omega2 * cos(pend2["theta"]):
         return
     pend1["omega"], pend2["omega"] = handle_collision(pend1["e"], omega1, omega2, m1, m2, r_param)
 
 
 def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> None:
-    """Move the whole cradle on by dt (s): swing all pendula, then let each collide with the one to its right."""
+    """Advance the whole cradle by dt (s): swing all pendula, then let each one collide with its right neighbour."""
     full_swing_update(pend_list, r_param, dt, g)
-    rule = {"approaching_only": True} if approaching_only else {}  # not every handle_two_bobs has to know of it
+    rule = {"approaching_only": True} if approaching_only else {}  # works with a handle_two_bobs without this parameter
     for pend1, pend2 in pairwise(pend_list):
         handle_two_bobs(pend1, pend2, r_param, **rule)
 
@@ -64,9 +65,9 @@ def main(page) -> None:
     """Make the cradle, and let it tick as long as the simulation runs.
 
     page is the cradle's page in the browser, or its picture in the terminal.
-    It says what is due (support/playback/player.py).
-    page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file that was named.
-    page.rule says whether separating bobs collide, if the functions can be told so.
+    It says when a cradle or a tick is due (support/playback/player.py).
+    page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command.
+    page.rule has the value of approaching_only, if the functions have this parameter.
     """
     while page.is_running():
         if page.wants_cradle():  # at the start, at a restart, and when the CSV was saved

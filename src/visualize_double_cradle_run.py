@@ -3,11 +3,11 @@
 from contextlib import suppress
 
 if __name__ == "__main__":
-    with suppress(ModuleNotFoundError):  # not found by python -m src...: the project's folder is on the path then
+    with suppress(ModuleNotFoundError):  # python -m src... does not find it, and does not need it
         import project_path  # noqa: F401
     from support.start.interrupt import end_on_interrupt
 
-    end_on_interrupt()  # these imports take a moment, in which Ctrl+C would print a traceback
+    end_on_interrupt()  # the imports below take a moment; without this, Ctrl+C would print a traceback
 
 from src.double_cradle import double_cradle_tick, make_double_newton_cradle
 from support.constants import DOUBLE_DT, G, PHI_INIT, R_PARAM, THETA_INIT
@@ -17,9 +17,9 @@ def main(page) -> None:
     """Make the double cradle, and let it tick as long as the simulation runs.
 
     page is the cradle's page in the browser.
-    It says what is due (support/playback/player.py).
-    page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file that was named.
-    page.rule says whether separating bobs collide, if the functions can be told so.
+    It says when a cradle or a tick is due (support/playback/player.py).
+    page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command.
+    page.rule has the value of approaching_only, if the functions have this parameter.
     """
     while page.is_running():
         if page.wants_cradle():  # at the start, at a restart, and when the CSV was saved

@@ -42,7 +42,7 @@ OFFERED = {
     ),
     *("make_newton_cradle", "make_pendulum", "vector"),
 }
-RULE = "    page.rule says whether separating bobs collide, if the functions can be told so.\n"
+RULE = "    page.rule has the value of approaching_only, if the functions have this parameter.\n"
 # What a student's file says otherwise: the lines of the handout, and nothing of what is beyond it.
 CHANGES = [
     ("pyproject.toml", re.compile(r"\n\[tool\.ruff\].*", re.DOTALL), ""),

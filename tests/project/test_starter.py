@@ -335,7 +335,7 @@ def test_pds_tester_shows_what_there_is(starter):
     done = start("pds_tester.py", folder=starter)
     assert (done.returncode, done.stderr) == (0, "")
     assert "\nbad_rep: " in done.stdout
-    line = "pend_list: there is none yet, as extract_and_convert is not written yet. It is in src/pds_helper.py."
+    line = "pend_list: missing, because extract_and_convert is not written yet. Its place is in src/pds_helper.py."
     assert done.stdout.splitlines()[-1] == line
 
 

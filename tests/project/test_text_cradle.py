@@ -361,7 +361,7 @@ def test_what_is_ended_early_is_not_written(name, five, tmp_path):
         while len(os.listdir(tmp_path)) == 2:
             assert time.monotonic() < give_up
         process.send_signal(getattr(signal, name))
-        assert end(process) == (1, "", f"Ended before it was complete: {data} is not written.\n")
+        assert end(process) == (1, "", f"The recording ended too early. {data} is not written.\n")
     assert sorted(os.listdir(tmp_path)) == ["data.csv", "five.csv"]
     assert data.read_text() == "t,theta_1,momentum\n"
 
