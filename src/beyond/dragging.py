@@ -1,7 +1,7 @@
-"""Dragging a bob by hand: it pushes its neighbours aside, and they push theirs.
+"""Drag a bob with the mouse: it pushes its neighbours aside, and they push theirs.
 
-A pendulum has one cord or, if it is a double one, two. The angles of a pendulum are those of its cords from straight
-down (rad), the upper one first.
+A single pendulum has one cord, a double pendulum has two. The angles of a pendulum are the angles of its cords from
+straight down (rad), the upper cord first.
 """
 
 from math import acos, atan2, ceil, copysign, cos, hypot, pi, remainder, sin
@@ -10,15 +10,15 @@ from src.double_cradle import show_double_pendulum
 from support.constants import BUFFER
 from support.pendulum import show_pendulum
 
-STRAIGHT = 0.1  # rad: up to here the two cords of a double pendulum count as one line
-STEP = 0.02  # rad: a cord is turned no further than this before its bob pushes, or it could get past its neighbour
+STRAIGHT = 0.1  # rad: two cords with a smaller bend between them count as straight
+STEP = 0.02  # rad: the largest turn of a cord in one step; after a larger one, its bob could be past its neighbour
 
 
 def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
-    """Turn the cords of the held pendulum (an index) until its bob (0, or 1 for a lower one) is nearest to (x, y).
+    """Turn the cords of the held pendulum (an index) until its bob (0 upper, 1 lower) is as near as possible to (x, y).
 
-    x and y (m) are in the plane of swing, r_param (m) is the length of a cord. A lower bob that is dragged takes the
-    upper one along; an upper one leaves the direction of the lower cord as it is.
+    x and y (m) are in the plane of swing, r_param (m) is the length of a cord. A dragged lower bob takes the upper bob
+    along. A dragged upper bob does not change the direction of the lower cord.
     """
     axle, angles = pend_list[held]["objects"][0].pos, cord_angles(pend_list[held])
     x, down = x - axle.x, axle.y - y
@@ -26,8 +26,8 @@ def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
     if bob == 0:
         angles[0] = direction
     else:
-        # With the line from the axle to the bob, the two cords make a triangle with two equal sides. They stay bent to
-        # the side to which they are; if they are straight, the upper bob gives way downwards.
+        # The two cords and the line from the axle to the bob form an isosceles triangle. Bent cords stay bent to the
+        # same side. Straight cords bend so that the upper bob moves down.
         bent = remainder(angles[1] - angles[0], 2 * pi)
         bend = copysign(acos(min(1, hypot(x, down) / (2 * r_param))), bent if abs(bent) > STRAIGHT else direction)
         angles = [direction - bend, direction + bend]
@@ -35,9 +35,9 @@ def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
 
 
 def drag_pendulum(pend_list, held, angles, r_param) -> None:
-    """Turn the held pendulum (an index) to these angles the short way round; whoever is in its way is pushed along.
+    """Turn the held pendulum (an index) to these angles (rad), the short way round; it pushes others out of its way.
 
-    It stops where there is no room for those. r_param is the length of a cord (m). Whoever was moved is at rest then.
+    It stops if they have no room. r_param (m) is the length of a cord. Moved pendula end at rest.
     """
     pend = pend_list[held]
     before = cord_angles(pend)
@@ -54,12 +54,9 @@ def drag_pendulum(pend_list, held, angles, r_param) -> None:
 
 
 def push_others(pend_list, held, r_param) -> bool:
-    """Turn away whoever's bobs reach into those of the held pendulum, and whoever is then in the way of those.
-
-    Return whether there was room for all.
-    """
+    """Turn pendula out of the way of the held one, and then others out of their way; return whether all have room."""
     pushers = [held]
-    for pusher in pushers:  # those that are pushed are added meanwhile
+    for pusher in pushers:  # the loop adds each pushed pendulum
         for other, pend in enumerate(pend_list):
             is_pushed = other not in (held, pusher) and len(pushers) < 4 * len(pend_list)
             if is_pushed and give_way(pend, pend_list[pusher], r_param):
@@ -73,13 +70,13 @@ def push_others(pend_list, held, r_param) -> bool:
 
 
 def reaches_into(pend, other, r_param) -> bool:
-    """Return whether a bob of pend reaches into a bob of the other pendulum; r_param (m) is the length of a cord."""
+    """Return whether a bob of pend reaches into a bob of other; r_param (m) is the length of a cord."""
     cords, bobs = range(len(cord_angles(pend))), other["objects"][1::2]
     return any(touching_angle(pend, cord, bob, r_param) is not None for cord in cords for bob in bobs)
 
 
 def give_way(pend, pusher, r_param) -> bool:
-    """Turn those cords of pend whose bobs reach into one of the pusher's; return whether there are any."""
+    """Turn each cord of pend whose bob reaches into a bob of pusher; return whether any cord turned."""
     moved = False
     for cord in range(len(cord_angles(pend))):
         for bob in pusher["objects"][1::2]:
@@ -93,11 +90,11 @@ def give_way(pend, pusher, r_param) -> bool:
 
 
 def touching_angle(pend, cord, other, r_param) -> float | None:
-    """Return the angle at which the bob of this cord just touches the other bob, on the side on which it is now.
+    """Return the angle (rad) of this cord (0 or 1) at which its bob just touches the bob other, on its present side.
 
-    None if it does not reach into the other one as it is. L is the distance and psi the direction of the other bob, as
-    seen from where the cord hangs, R the length of the cord, and D the distance at which bobs collide. The bob touches
-    the other one at the angles psi - delta and psi + delta, and reaches into it between them. The law of cosines says
+    Return None if its bob does not reach into other now. Seen from the upper end of the cord, L is the distance and psi
+    the direction of other. R is the length of the cord, D the distance at which bobs collide. The bob touches other at
+    the angles psi - delta and psi + delta, and reaches into it between them. By the law of cosines,
         D^2 = R^2 + L^2 - 2 R L cos(delta)
     """
     pivot, bob = pend["objects"][cord], pend["objects"][1 + 2 * cord]  # a lower cord hangs from the upper bob
@@ -107,18 +104,18 @@ def touching_angle(pend, cord, other, r_param) -> float | None:
     squares, product, touching = r_param**2 + distance**2, 2 * r_param * distance, BUFFER * (bob.radius + other.radius)
     if product * cos(from_psi) < squares - touching**2:
         return None
-    outside = touching * (1 + 1e-9)  # just outside, as a hit counts up to touching
+    outside = touching * (1 + 1e-9)  # just outside: at the distance touching, bobs still hit
     return psi + copysign(acos((squares - outside**2) / product), sin(from_psi))
 
 
 def cord_angles(pend) -> list[float]:
-    """Return the angles of a pendulum."""
+    """Return the angles (rad) of a pendulum's cords from straight down, the upper one first."""
     theta = pend["theta"]
     return [theta] if len(pend["objects"]) == 3 else [theta, theta + pend["phi"]]
 
 
 def move(pend, angles, r_param) -> None:
-    """Put a pendulum, at rest, where its angles are these."""
+    """Turn a pendulum to these angles (rad), at rest."""
     pend["theta"], pend["omega"] = angles[0], 0.0
     if len(angles) == 1:
         show_pendulum(pend, r_param)

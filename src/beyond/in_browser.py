@@ -1,4 +1,4 @@
-"""The programs with a page in the browser: from their options to the loop of their main."""
+"""Start the programs with a page in the browser: read their options, and run the loop of their main."""
 
 from src.beyond.live_cradle import LiveCradle
 from src.beyond.live_double_cradle import LiveDoubleCradle
@@ -8,10 +8,10 @@ from support.start.options import read_double_page_options, read_page_options
 
 
 def show_cradle(main, many_ticks=None) -> None:
-    """Show the cradle of main in the browser until the tab is closed; status 2 if an option or the CSV is refused.
+    """Show the cradle of main in the browser until the tab is closed.
 
-    many_ticks is the fast path for many pendula, if there is one. As long as functions are still to be written, show
-    what there is of a cradle; status 2 if that is nothing yet.
+    many_ticks is the fast path for many pendula, or None. While functions are missing, show the cradle without them.
+    Exits with status 2 if an option or the CSV is wrong, or if there is nothing to show yet.
     """
     options = read_page_options()
     loop, remark = what_there_is(main)
@@ -19,7 +19,7 @@ def show_cradle(main, many_ticks=None) -> None:
 
 
 def show_double_cradle(main) -> None:
-    """Show the double cradle of main in the same way, once all its functions are written."""
+    """Show the double cradle of main in the same way; exit with status 2 while a function is missing."""
     options = read_double_page_options()
     end_if_unwritten("pds_helper", "special_cradles", "double_cradle", "visualize_double_cradle_run")
     show_page(main, LiveDoubleCradle(main.__globals__, options), options, [options.angle, options.phi])

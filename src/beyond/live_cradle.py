@@ -1,4 +1,4 @@
-"""The cradle as the programs play with it: made by main's functions, let go, dragged by a bob, and weighed."""
+"""The cradle of the programs: make it with the functions of main, release it, drag a bob, measure it."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import contextmanager
@@ -18,29 +18,28 @@ from support.energy import kinetic_energy, momentum, potential_energy
 from support.playback.mistake import MistakeError
 from support.shapes import discard
 
-HAND = 1e9  # kg: a bob that is held throws others back like a wall
+HAND = 1e9  # kg: the mass of a held bob; others bounce off it as off a wall
 
 
 class LiveCradle:
-    """A cradle of single pendula with the shipped constants, as support/playback/cradle.py wants a cradle to be."""
+    """A cradle of single pendula with the project's constants; its protocol is in support/playback/cradle.py."""
 
     dt = DT
     reach = R_PARAM
     angles: Mapping[str, tuple[float, float]] = {"Release angle": (0, 180)}
     coordinate_keys: Sequence[str] = ("theta", "omega")
     rate_keys: Sequence[str] = ("omega",)
-    # The functions that make and move the cradle, and let two pendula hit, by their names.
+    # The names of the functions that make the cradle, move it, and let two pendula hit.
     maker, ticker, meeter = "make_newton_cradle", "newton_cradle_tick", "handle_two_bobs"
 
     def __init__(self, scope, options, many_ticks=None):
-        """Scope has the functions that make and move the pendula: the globals of main.
+        """Find the functions that make and move the pendula in scope, the globals of main.
 
-        options has elastic, inelastic, e and mass, as support/start/options.py reads them. many_ticks is the fast path,
-        if there is one.
+        options has elastic, inelastic, e and mass from support/start/options.py. many_ticks is the fast path, or None.
         """
         self.scope, self.many_ticks, self.mass = scope, many_ticks, options.mass
         self.collisions: dict[str, Any] = {
-            "as in the CSV": None,  # as the cradle was made
+            "as in the CSV": None,  # each pendulum keeps its own e
             "elastic, e = 1": special_cradles.elastic_newton_cradle,
             "inelastic, e = 0": special_cradles.inelastic_newton_cradle,
         }
@@ -49,7 +48,7 @@ class LiveCradle:
             self.collision = f"e = {options.e:g}"
             self.collisions[self.collision] = partial(special_cradles.uniform_e_newton_cradle, e_val=options.e)
         self.pend_list: list = []
-        self.held: int | None = None  # the index of the bob that is held
+        self.held: int | None = None  # the index of the held bob
         self.hits: list[tuple[int, int, bool]] = []
         self.takes_rule = all(
             "approaching_only" in signature(function).parameters
@@ -57,16 +56,16 @@ class LiveCradle:
             if function
         )
 
-    # --- made, and moved ---------------------------------------------------------------------------------------------
+    # --- make and move -----------------------------------------------------------------------------------------------
 
     @contextmanager
     def reading_once(self):
-        """Let extract_and_convert read each file once while the body of the with statement makes cradles of it.
+        """Let extract_and_convert read each file only once in the body of the with statement.
 
-        The special cradles then take e and mass from what make_newton_cradle has read.
+        The special cradles then take e and mass from the same rows as make_newton_cradle.
         """
         read, readings = vars(special_cradles).get("extract_and_convert"), {}
-        if read is None:  # a student's functions may do without
+        if read is None:  # a student's functions may not use it
             yield
             return
 
@@ -82,15 +81,15 @@ class LiveCradle:
             special_cradles.extract_and_convert = read
 
     def give_back(self) -> None:
-        """Hide the objects of the present pendula, so that new ones are made of them."""
-        for pend in reversed(self.pend_list):  # what is given back last is used first
+        """Hide the objects of the present pendula; the next pendula reuse them."""
+        for pend in reversed(self.pend_list):  # the last discarded object is reused first
             discard(pend["objects"])
         self.pend_list, self.held = [], None
 
     def take(self, pend_list, csv) -> None:
-        """Become the cradle of these pendula, made of the file at the path csv; raise a MistakeError if they are none.
+        """Take pend_list, made from the file at the path csv, as the new cradle.
 
-        pend_list is the loop's own list, which its ticks change.
+        It is the list of main, which the ticks change. Raises a MistakeError if it is no list of complete pendula.
         """
         self.check_made(pend_list)
         self.pend_list = pend_list
@@ -105,55 +104,54 @@ class LiveCradle:
         self.made = [first, *(angle - first for angle in others)], [*lifted, False].index(False)
 
     def check_made(self, pend_list) -> None:
-        """Raise a MistakeError if this is no list of pendula with all that a cradle needs."""
+        """Raise a MistakeError if pend_list is no list of complete pendula."""
         make = self.scope[self.maker]
         if pend_list is None:
-            raise MistakeError(make, "returned None; a list of dictionaries is wanted. Is a return missing?")
+            raise MistakeError(make, "returned None; it must return a list of dictionaries. Is a return missing?")
         if not isinstance(pend_list, list) or not all(isinstance(pend, dict) for pend in pend_list):
-            raise MistakeError(make, f"returned a {type(pend_list).__name__}; a list of dictionaries is wanted.")
+            raise MistakeError(make, f"returned a {type(pend_list).__name__}; it must return a list of dictionaries.")
         if not pend_list:
             raise MistakeError(make, "returned an empty list; a cradle has at least one pendulum.")
         for number, pend in enumerate(pend_list, start=1):
             for key in ("mass", "e", *self.coordinate_keys):
                 if not is_number(pend.get(key)):
-                    found = repr(pend[key]) if key in pend else "no such key"
-                    raise MistakeError(make, f"gave pendulum {number} as {key}: {found}; a number is wanted.")
+                    found = repr(pend[key]) if key in pend else "nothing"
+                    raise MistakeError(make, f"set {key} of pendulum {number} to {found}; it must be a number.")
             parts = pend.get("objects")
             if not isinstance(parts, tuple) or len(parts) != 1 + 2 * len(self.angles):
-                found = f"a {type(parts).__name__}" if "objects" in pend else "no such key"
-                raise MistakeError(make, f"gave pendulum {number} as objects: {found}; a tuple of its parts is wanted.")
+                found = f"a {type(parts).__name__}" if "objects" in pend else "nothing"
+                raise MistakeError(make, f"set objects of pendulum {number} to {found}; it must be a tuple of parts.")
 
     def check(self) -> None:
-        """Raise a MistakeError if a tick has changed the number of pendula, or made what is no number."""
+        """Raise a MistakeError if a tick has changed the number of pendula, or set a coordinate to no finite number."""
         if len(self.pend_list) != len(self.numbers):
-            words = f"made {len(self.pend_list)} pendula of {len(self.numbers)}; a cradle keeps its pendula."
+            words = f"made {len(self.pend_list)} pendula from {len(self.numbers)}; it must keep their number."
             raise MistakeError(self.scope[self.ticker], words)
         for number, pend in enumerate(self.pend_list, start=1):
             for key in self.coordinate_keys:
                 if not is_number(pend.get(key)):
-                    words = f"made {key} of pendulum {number} {pend.get(key)!r}; a finite number is wanted."
+                    words = f"set {key} of pendulum {number} to {pend.get(key)!r}; it must be a finite number."
                     raise MistakeError(self.scope[self.ticker], words)
 
     def adopt(self, key, values) -> None:
-        """Give each pendulum its one of these values for key."""
-        for pend, value in zip(self.pend_list, values, strict=False):  # main may have made it of another file
+        """Set key of each pendulum to its value, the values from left to right."""
+        for pend, value in zip(self.pend_list, values, strict=False):  # main may have read a different file
             pend[key] = value
 
     def collide(self, collision, csv) -> None:
-        """Collide from now on in this way, one of collisions; csv is the path of the cradle's file."""
+        """Set how bobs collide from now on (a key of collisions); csv is the path of the cradle's file."""
         self.collision, make = collision, self.collisions[collision]
         self.adopt("e", [pend["e"] for pend in make(csv)] if make else self.es)
 
     def as_made(self) -> tuple[list[float], int]:
-        """Return the angles (rad) to which the cradle was lifted as it was made, and of how many pendula."""
+        """Return the release angles (rad) with which the cradle was made, and the number of lifted pendula."""
         return self.made
 
     def release(self, angles, lifted) -> None:
-        """Lift the first pendula to these angles (rad), let the others hang, all at rest.
+        """Lift the first `lifted` pendula to these angles (rad) and let the others hang, all at rest.
 
-        There is one angle for each cord of a pendulum, that of a lower one from the direction of the upper one. An
-        angle that is None, or a number of lifted ones that is None, is as the cradle was made. If all are None, the
-        pendula are left as they were made.
+        angles has one angle for each cord of a pendulum; the angle of a lower cord is measured from the upper cord.
+        None stands for the angle, or the number, with which the cradle was made. If all are None, nothing moves.
         """
         if lifted is None and all(angle is None for angle in angles):
             return
@@ -166,11 +164,11 @@ class LiveCradle:
         self.make_room(count)
 
     def make_room(self, lifted) -> None:
-        """Push aside whoever is in the way of the lifted pendula: nobody, as these are single ones."""
+        """Push pendula out of the way of the lifted ones: none, because single pendula are never in the way."""
 
     @contextmanager
     def held_still(self):
-        """Hold the bob that is held, if there is one, while the body of the with statement does a few ticks."""
+        """Keep the held bob, if any, in its place while the body of the with statement does a few ticks."""
         if self.held is None:
             yield
             return
@@ -182,9 +180,9 @@ class LiveCradle:
         pend["mass"] = mass
 
     def tick_at_once(self, ticks, rule) -> list[tuple[int, int, int, bool]] | None:
-        """Do so many ticks with this rule at once, and return the contacts as (tick, left, right, to the right).
+        """Do `ticks` ticks with this rule in one call; return the contacts as (tick, left, right, rightwards).
 
-        Return None, and do nothing, if that is not certain to be the same as single ticks.
+        Return None, and do nothing, if the result might differ from that of single ticks.
         """
         contacts = self.many_ticks(self.scope, self.pend_list, ticks, rule) if self.many_ticks else None
         return [] if contacts is not None and self.held is not None else contacts
@@ -192,15 +190,15 @@ class LiveCradle:
     # --- hits --------------------------------------------------------------------------------------------------------
 
     def meeting_place(self) -> dict[str, Any]:
-        """Return where the tick finds the function that lets two pendula hit: the globals of its module."""
+        """Return the globals in which the tick finds the function that lets two pendula hit."""
         return self.scope
 
     @contextmanager
     def noting_hits(self):
-        """Note who hits whom while the body of the with statement does ticks; nothing while a bob is held.
+        """Record the hits of the ticks in the body of the with statement, unless a bob is held.
 
-        A hit is a call of the function for two pendula that changes a velocity. What a whole tick changes says less: a
-        train of hits leaves the bobs in the middle as they were.
+        A hit is a call of the function for two pendula that changes a velocity. A comparison before and after a whole
+        tick would miss hits: after a train of hits, the bobs in the middle have their old velocity.
         """
         place = self.meeting_place()
         if self.meeter not in place or self.held is not None:
@@ -213,7 +211,7 @@ class LiveCradle:
                 pend1, pend2 = given[0], given[1]
                 before1, before2 = rates(pend1), rates(pend2)
             except (TypeError, LookupError):
-                before1 = None  # these are no pendula, as meet will say
+                before1 = None  # not two pendula: meet raises the error
             result = meet(*given, **named)
             if before1 is not None and (rates(pend1) != before1 or rates(pend2) != before2):
                 self.note_hit(pend1, pend2, self.velocity(pend1, before1) + self.velocity(pend2, before2))
@@ -226,7 +224,7 @@ class LiveCradle:
             place[self.meeter] = meet
 
     def note_hit(self, pend1, pend2, velocity) -> None:
-        """Note that these two have hit each other; velocity is the sum of theirs before, to the right."""
+        """Record a hit of these two pendula; velocity is the sum of theirs before it, positive to the right."""
         if id(pend1) in self.numbers and id(pend2) in self.numbers:
             left, right = sorted((self.numbers[id(pend1)], self.numbers[id(pend2)]))
             self.hits.append((left, right, velocity > 0))
@@ -235,7 +233,7 @@ class LiveCradle:
         """Return the velocity of a pendulum's bob to the right (in cord lengths a second) at this omega (rad/s)."""
         return omega * cos(pend["theta"])
 
-    # --- shown, held and weighed -------------------------------------------------------------------------------------
+    # --- show, hold and measure ---------------------------------------------------------------------------------------
 
     def axles(self) -> list:
         """Return the axles, from left to right."""
@@ -250,22 +248,22 @@ class LiveCradle:
         return [cord for pend in self.pend_list for cord in pend["objects"][2::2]]
 
     def hold(self, bob) -> None:
-        """Hold this bob (an index into bobs), and its pendulum with it, where it is, until let_go."""
+        """Hold this bob (an index into bobs) and its pendulum in their place, at rest, until let_go."""
         self.held = bob
         pend = self.pend_list[self.whose(bob)[0]]
         move(pend, cord_angles(pend), R_PARAM)
 
     def whose(self, bob) -> tuple[int, int]:
-        """Return the index of this bob's pendulum, and which of its bobs it is, counted from above."""
-        return divmod(bob, len(self.angles))  # there is a release angle for each cord, and a bob at its end
+        """Return the index of this bob's pendulum, and the number of the bob in it, counted from above (0 or 1)."""
+        return divmod(bob, len(self.angles))  # each cord has one release angle and one bob
 
     def drag(self, bob, x, y) -> None:
-        """Turn the pendulum of this bob until the bob is nearest to the point x, y (m) in the plane of swing."""
+        """Turn the pendulum of this bob until the bob is as near as possible to x, y (m) in the plane of swing."""
         pendulum, number = self.whose(bob)
         drag_bob(self.pend_list, pendulum, number, x, y, R_PARAM)
 
     def let_go(self) -> None:
-        """Let the bob that is held swing from where it is."""
+        """Let the held bob swing on from its place."""
         self.held = None
 
     def energies(self) -> tuple[float, float]:
@@ -287,5 +285,5 @@ class LiveCradle:
 
 
 def is_number(value) -> bool:
-    """Return whether this is a number, and a finite one."""
+    """Return whether value is a finite number."""
     return isinstance(value, Real) and isfinite(value)

@@ -1,4 +1,4 @@
-"""The double cradle as the programs play with it."""
+"""The double cradle of the programs."""
 
 from inspect import isfunction
 from typing import Any
@@ -10,7 +10,7 @@ from support.energy import double_kinetic_energy, double_momentum, double_potent
 
 
 class LiveDoubleCradle(LiveCradle):
-    """A cradle of double pendula, each with two cords of the length that single ones have, and two bobs."""
+    """A cradle of double pendula, each with two bobs and two cords of length R_PARAM."""
 
     dt = DOUBLE_DT
     reach = 2 * R_PARAM
@@ -20,12 +20,12 @@ class LiveDoubleCradle(LiveCradle):
     maker, ticker, meeter = "make_double_newton_cradle", "double_cradle_tick", "handle_two_double_bobs"
 
     def make_room(self, lifted) -> None:
-        """Push aside whoever is in the way of the lifted pendula: a lower cord that is bent inwards reaches far."""
+        """Push pendula out of the way of the lifted ones: a lower cord that is bent inwards reaches far."""
         for i in reversed(range(min(lifted, len(self.pend_list)))):
             push_others(self.pend_list, i, R_PARAM)
 
     def meeting_place(self) -> dict[str, Any]:
-        """Return where the function that lets two pendula hit is: the globals of the tick, or of what it calls."""
+        """Return the globals with the function that lets two pendula hit: the tick's, or those of its functions."""
         place = self.scope[self.ticker].__globals__
         places = [place, *(function.__globals__ for function in place.values() if isfunction(function))]
         return next((place for place in places if self.meeter in place), place)

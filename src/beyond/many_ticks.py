@@ -1,7 +1,7 @@
-"""Many ticks at once, on plain numbers: the fast path, for many pendula and for recordings.
+"""The fast path: many ticks in one call, on plain numbers, for many pendula and for recordings.
 
-It stands in for the loop of main in src/visualize_cradle_run.py, and does the same to the last bit. It knows the
-functions that the loop calls. When one of them is changed, in its file or by a patch, it steps back.
+It replaces the loop of main in src/visualize_cradle_run.py, with the same result to the last bit. It knows the
+functions that the loop calls. If one of them changes, in its file or by a patch, the programs do single ticks.
 """
 
 import ast
@@ -31,18 +31,18 @@ STANDS_IN_FOR = {
     "handle_two_bobs": "3711cb9b2d0c",
     "handle_collision": "0495dce4e06b",
 }
-MEANT = {"cos": cos, "mag": mag, "pairwise": pairwise, "sin": sin, "vector": vector}  # by their names in the functions
+MEANT = {"cos": cos, "mag": mag, "pairwise": pairwise, "sin": sin, "vector": vector}  # globals that must match
 CODE_PARTS = (
     *("co_code", "co_flags", "co_names", "co_varnames", "co_freevars", "co_cellvars"),
     *("co_argcount", "co_posonlyargcount", "co_kwonlyargcount", "co_exceptiontable"),
 )
 VPYTHONS = {"vpython.cyvector", "vpython.vector", "support.headless_vpython"}  # modules whose vector and mag are known
-MOST_TICKS = 1000  # for which a pendulum swings by itself
-FARTHEST = 1e5  # cord lengths from the origin: bobs farther away have places that are rounded too coarsely
+MOST_TICKS = 1000  # a pair of bobs gets a check after this many ticks, or earlier
+FARTHEST = 1e5  # cord lengths from the origin; farther away, the rounding errors of a place are too large
 
 
 class Law(NamedTuple):
-    """What a cradle moves by."""
+    """The constants and the collision function of a cradle."""
 
     r_param: float
     dt: float
@@ -52,14 +52,14 @@ class Law(NamedTuple):
 
 
 def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool]] | None:
-    """Do what the loop of main does in so many ticks, and return the contacts as (tick, left, right, rightwards).
+    """Same result as `ticks` calls of newton_cradle_tick; return the contacts as (tick, left, right, rightwards).
 
-    scope is main.__globals__, with R_PARAM (m), DT (s) and G (m/s^2). rule is {} or has approaching_only, as the
-    keywords of newton_cradle_tick. A contact is told of if it changes a velocity. Ticks count from 0, left and right
-    are indices, and rightwards says whether the two velocities, added, went to the right just before.
+    scope is main.__globals__, with R_PARAM (m), DT (s) and G (m/s^2). rule has the keywords of newton_cradle_tick:
+    none, or approaching_only. The contacts are those that change a velocity. tick counts from 0, left and right are
+    indices into pend_list. rightwards is True if the sum of the two velocities before the contact points to the right.
 
-    Return None, and change nothing, if the same is not certain: then do single ticks. That is also so if a number
-    becomes too large, or something is divided by 0: single ticks then raise the error where it belongs.
+    Return None, and change nothing, if the same result is not certain; the caller must then do single ticks. This
+    includes overflows and divisions by 0: single ticks then raise the error in the function that causes it.
     """
     law = known_law(scope)
     if law is None or not rule.keys() <= {"approaching_only"}:
@@ -76,28 +76,28 @@ def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool]
     return run.contacts
 
 
-# --- whether it is certain to be the same ----------------------------------------------------------------------------
+# --- is the same result certain? -------------------------------------------------------------------------------------
 
 
 class Loop:
-    """The functions that run in a loop, and the other globals that they read."""
+    """The functions that main and its calls run, and the other globals that they read."""
 
     def __init__(self, scope):
-        """Find them from main in scope on, each function in the globals of its caller."""
+        """Find main in scope, and each other function in the globals of its caller."""
         self.functions: dict[str, Any] = {"main": scope.get("main")}
         self.read: dict[tuple[str, str], Any] = {}  # (the function's name, the global's name) -> value
         for name in STANDS_IN_FOR:
             function = self.functions.get(name)
             if isinstance(function, FunctionType):
                 names = scope if name == "main" else function.__globals__
-                for other in function.__code__.co_names:  # of globals, and of attributes
+                for other in function.__code__.co_names:  # names of globals, and of attributes
                     if other in STANDS_IN_FOR:
                         self.functions[other] = names.get(other)
                     else:
                         self.read[name, other] = names.get(other)
 
     def facts(self) -> list:
-        """Return the objects that make the loop: as long as each of them is the same, the loop is the same."""
+        """Return the objects that determine the loop: while all of them are the same objects, the loop is the same."""
         functions = [function for function in self.functions.values() if isinstance(function, FunctionType)]
         parts = [(function.__code__, function.__defaults__, function.__kwdefaults__) for function in functions]
         return [*self.functions.values(), *self.read.values(), *(fact for part in parts for fact in part)]
@@ -112,16 +112,16 @@ class Loop:
         )
 
     def law(self) -> Law:
-        """Return the law of a loop that is known."""
+        """Return the Law of a known loop."""
         r_param, dt, g = (self.read["main", name] for name in ("R_PARAM", "DT", "G"))
         return Law(r_param, dt, g, self.read["handle_two_bobs", "BUFFER"], self.functions["handle_collision"])
 
 
-last: dict[str, Any] = {"facts": [], "is_known": False}  # of the loop that was looked at last
+last: dict[str, Any] = {"facts": [], "is_known": False}  # of the last loop
 
 
 def known_law(scope) -> Law | None:
-    """Return the law of the loop in this scope, or None if it is not known; at once if nothing has changed."""
+    """Return the Law of the loop in scope, or None if the loop is not known; fast if nothing has changed."""
     loop = Loop(scope)
     facts = loop.facts()
     if len(facts) != len(last["facts"]) or not all(map(is_, facts, last["facts"])):
@@ -132,7 +132,8 @@ def known_law(scope) -> Law | None:
 def is_shipped(name, function) -> bool:
     """Return whether this function is the one in STANDS_IN_FOR.
 
-    Its syntax tree is that of its file. The file may have changed since: so its code must be compiled from that tree.
+    The digest is that of its syntax tree in its file. The file may have changed after the import, so the code of the
+    function must also equal the code compiled from that tree.
     """
     if type(function) is not FunctionType or type(function.__globals__) is not dict:
         return False
@@ -152,7 +153,7 @@ def is_shipped(name, function) -> bool:
 
 
 def what_it_does(code) -> list:
-    """Return all that compiled code does, without its place in the file. Constants are text, since 1 == 1.0 == True."""
+    """Return all parts of code that have an effect, not its line numbers. Constants are text: 1 == 1.0 == True."""
     return [getattr(code, part, None) for part in CODE_PARTS] + [repr(code.co_consts)]
 
 
@@ -176,7 +177,7 @@ def canonical(part) -> str:
 
 
 def are_plain(pend_list, law) -> bool:
-    """Return whether the pendula are as make_newton_cradle makes them, and the law's constants numbers.
+    """Return whether the pendula are as make_newton_cradle makes them, and the law's constants are numbers.
 
     Raises a KeyError for a pendulum without a key, and an OverflowError for an int that is too large for a float.
     """
@@ -193,9 +194,9 @@ def are_plain(pend_list, law) -> bool:
     return (
         all(map(isfinite, [*numbers, *(bob.radius for _, bob, _ in parts)]))
         and all(abs(place) <= farthest for axle, _, _ in parts for place in axle.pos.value)
-        and not any(getattr(bob, "make_trail", False) for _, bob, _ in parts)  # VPython can draw each place
-        and all(cord.up.value == [0, 0, 1] for _, _, cord in parts)  # VPython turns another one each time
-        and len(set(map(id, vectors))) == len(vectors)  # with a shared one, one pendulum moves the other
+        and not any(getattr(bob, "make_trail", False) for _, bob, _ in parts)  # a trail shows every place of a bob
+        and all(cord.up.value == [0, 0, 1] for _, _, cord in parts)  # VPython turns any other up in each tick
+        and len(set(map(id, vectors))) == len(vectors)  # a shared vector moves two shapes
     )
 
 
@@ -203,18 +204,18 @@ def are_plain(pend_list, law) -> bool:
 
 
 class Run:
-    """The pendula of a pend_list as plain numbers. Each swings by itself as long as its bob cannot touch another."""
+    """The pendula of a pend_list as plain numbers. Each swings alone while its bob cannot touch another bob."""
 
     def __init__(self, pend_list, law, approaching_only):
-        """Begin where the pend_list is; nothing of it changes until show."""
+        """Copy the numbers of pend_list; only show changes pend_list."""
         self.pend_list, self.law, self.approaching_only = pend_list, law, approaching_only
         self.thetas = [pend_dict["theta"] for pend_dict in pend_list]
         self.omegas = [pend_dict["omega"] for pend_dict in pend_list]
         self.axles, bobs = ([pend_dict["objects"][part] for pend_dict in pend_list] for part in (0, 1))
         self.axle_places = [tuple(axle.pos.value) for axle in self.axles]
-        self.bob_places = list(self.axle_places)  # as of the first swing
+        self.bob_places = list(self.axle_places)  # until the first swing
         self.reaches = [law.buffer * (bob1.radius + bob2.radius) for bob1, bob2 in pairwise(bobs)]
-        self.swung = [0] * len(pend_list)  # how many ticks each pendulum has swung
+        self.swung = [0] * len(pend_list)  # the number of ticks that each pendulum has swung
         pairs = range(len(self.reaches))  # each is named by its left pendulum
         self.checks = {0: list(pairs)}  # tick -> the pairs to check in it
         self.check_ticks = [0]  # the keys of checks, as a heap
@@ -222,7 +223,7 @@ class Run:
         self.contacts: list[tuple[int, int, int, bool]] = []
 
     def advance(self, ticks) -> None:
-        """Let all pendula swing and collide for so many ticks."""
+        """Let all pendula swing and collide until `ticks` ticks are done."""
         while self.check_ticks and self.check_ticks[0] < ticks:
             tick = heappop(self.check_ticks)
             for left in sorted(self.checks.pop(tick)):
@@ -232,10 +233,10 @@ class Run:
             self.swing(i, ticks)
 
     def swing(self, i, until) -> None:
-        """Let a pendulum swing until it has done so many ticks."""
+        """Let pendulum i swing until it has done `until` ticks."""
         r_param, dt, g, _, _ = self.law
         omega, theta = self.omegas[i], self.thetas[i]
-        for _ in range(until - self.swung[i]):  # as in angle_update, whose call takes as long again
+        for _ in range(until - self.swung[i]):  # the formula of angle_update; a call would double the time
             omega = omega - g * sin(theta) / r_param * dt
             theta = theta + omega * dt
         self.omegas[i], self.thetas[i], self.swung[i] = omega, theta, until
@@ -243,7 +244,7 @@ class Run:
         self.bob_places[i] = x + r_param * sin(theta), y - r_param * cos(theta), z
 
     def plan(self, left, tick) -> None:
-        """Check this pair in this tick, and not in the one that was planned before."""
+        """Check this pair in this tick, instead of the tick that was planned before."""
         self.due[left] = tick
         if tick not in self.checks:
             self.checks[tick] = []
@@ -251,7 +252,7 @@ class Run:
         self.checks[tick].append(left)
 
     def check(self, left, tick) -> int:
-        """Let a pair collide in this tick if it touches; return for how many ticks after this one it cannot touch."""
+        """Let a pair collide in this tick if it touches; return for how many ticks it then cannot touch."""
         right = left + 1
         for i in (left, right):
             if self.swung[i] <= tick:
@@ -264,7 +265,7 @@ class Run:
         return 0
 
     def gap(self, left, right) -> float:
-        """Return how far (m) a pair is out of reach; it touches if that is not more than 0."""
+        """Return the distance (m) of a pair from touching; the pair touches if it is 0 or less."""
         (x1, y1, z1), (x2, y2, z2), reach = self.bob_places[left], self.bob_places[right], self.reaches[left]
         gap = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2) - reach
         if abs(gap) <= 1e-12 * (1 + reach):  # too close to call: VPython's own mag can differ in the last bit
@@ -273,7 +274,7 @@ class Run:
         return gap
 
     def collide(self, left, right, tick) -> None:
-        """Let two bobs that touch collide, and check their pairs with other bobs again in the next tick."""
+        """Let two touching bobs collide, and check their pairs with other bobs in the next tick."""
         omega1, omega2 = self.omegas[left], self.omegas[right]
         speed1, speed2 = omega1 * cos(self.thetas[left]), omega2 * cos(self.thetas[right])
         if self.approaching_only and speed1 <= speed2:
@@ -284,24 +285,24 @@ class Run:
         if (self.omegas[left], self.omegas[right]) != (omega1, omega2):
             self.contacts.append((tick, left, right, speed1 + speed2 > 0))
             for pair in (left - 1, right):
-                if self.due.get(pair, 0) > tick + 1:  # that was planned with another velocity
+                if self.due.get(pair, 0) > tick + 1:  # planned with the old velocity
                     self.plan(pair, tick + 1)
 
     def show(self) -> None:
-        """Give the pend_list its new values, and move its bobs and cords."""
+        """Write the new theta and omega to pend_list, and move its bobs and cords."""
         for i, pend_dict in enumerate(self.pend_list):
             pend_dict["theta"], pend_dict["omega"] = self.thetas[i], self.omegas[i]
             show_pendulum(pend_dict, self.law.r_param)
 
 
 def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
-    """Return for how many ticks two bobs that are gap (m) out of each other's reach cannot come into it.
+    """Return the number of ticks for which two bobs certainly do not touch; gap (m) is their distance from touching.
 
-    theta1, theta2 (rad), omega1, omega2 (rad/s) are those of the two, r_param (m), dt (s) and g (m/s^2) the cradle's.
-    Since |sin a - sin b| <= |a - b|, the two omegas differ during a time T, with k = g / R, by at most
+    theta1, theta2 (rad), omega1 and omega2 (rad/s) belong to the two, r_param (m), dt (s) and g (m/s^2) to the cradle.
+    Let k = g / R. Because |sin a - sin b| <= |a - b|, the two omegas differ during a time T by at most
         d_omega = (|omega1 - omega2| + k T |theta1 - theta2|) / (1 - k T^2),
-    and so the thetas by at most d_theta = |theta1 - theta2| + d_omega T. In the same way the bobs approach each other
-    with at most R (d_omega + (omega + k T) d_theta), omega being the smaller one. T is a tenth of sqrt(R / g) here.
+    and the thetas by at most d_theta = |theta1 - theta2| + d_omega T. In the same way, the bobs approach each other at
+    a speed of at most R (d_omega + (omega + k T) d_theta), with the smaller omega. T is a tenth of sqrt(R / g) here.
     """
     k = abs(g / r_param)
     most = int(min(MOST_TICKS, 0.1 / sqrt(k) / abs(dt))) if k * dt else MOST_TICKS
@@ -310,7 +311,7 @@ def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
     d_theta = abs(theta1 - theta2) + d_omega * span
     speed = d_omega + (min(abs(omega1), abs(omega2)) + k * span) * d_theta
     closer = abs(r_param) * speed * span  # m, at most, after the whole span
-    # Rounding errors of MOST_TICKS ticks are less than 1e-12 of the angles; 1000 is for the places, as far as FARTHEST.
+    # In MOST_TICKS ticks, rounding changes angles by less than 1e-12 of them; 1000 covers places as far as FARTHEST.
     sure = gap - 1e-12 * abs(r_param) * (1000 + abs(theta1) + abs(theta2) + (abs(omega1) + abs(omega2)) * span)
     if sure <= 0:
         return 0

@@ -1,4 +1,4 @@
-"""What there is to see of a cradle as long as functions of the handout are still to be written."""
+"""Show the cradle while functions of the handout are missing."""
 
 import inspect
 import sys
@@ -10,34 +10,34 @@ CONSTANTS = {"r_param": R_PARAM, "theta_init": THETA_INIT, "dt": DT, "g": G}
 
 
 def end_if_unwritten(*modules) -> None:
-    """If functions in these modules of src/ are still to be written, name them in one line, and end with status 2."""
+    """If functions in these modules of src/ are missing, name them in one line, and exit with status 2."""
     missing = unwritten(*modules)
     if missing:
-        print(f"There is no cradle to be seen yet. Still to be written: {missing}.", file=sys.stderr)
+        print(f"There is no cradle to see yet. Write first: {missing}.", file=sys.stderr)
         sys.exit(2)
 
 
 def what_there_is(main) -> tuple:
-    """Return main, and no remark; or a loop that shows what there is, and a line that says what is still to be written.
+    """Return main and an empty remark or, while functions are missing, a simpler loop and a remark that names them.
 
-    If there is nothing to be seen yet, end the program with one line and status 2.
+    If there is nothing to see yet, print one line and exit with status 2.
     """
     end_if_unwritten("pds_helper", "special_cradles")
     swings, collides = unwritten("swinging"), unwritten("visualize_cradle_run")
     if swings:
-        remark = f"Still to be written: {swings}. Then the pendula swing."
+        remark = f"Write next: {swings}. Then the pendula swing."
         return preview(main.__globals__, None), remark
     if collides:
-        remark = f"Still to be written: {collides}. Then the bobs collide."
+        remark = f"Write next: {collides}. Then the bobs collide."
         return preview(main.__globals__, "full_swing_update"), remark
     return main, ""
 
 
 def preview(scope, moved_by):
-    """Return a loop like main's, for functions of this scope: what moves the cradle is moved_by, or nothing."""
+    """Return a loop like main's, with the functions in scope; moved_by names the one for a tick, or is None."""
 
     def call(name, first):
-        """Call a function of the scope with the constants that its parameters are named after."""
+        """Call a function of the scope with first, and with the constants that have its parameters' names."""
         _, *others = inspect.signature(scope[name]).parameters
         return scope[name](first, *(CONSTANTS[other] for other in others))
 

@@ -159,13 +159,13 @@ def test_an_angle_or_a_number_that_is_set_takes_its_place(csv, monkeypatch, angl
     ("change", "words"),
     [
         (lambda pend_list: pend_list.clear(), "returned an empty list; a cradle has at least one pendulum."),
-        (lambda pend_list: tuple(pend_list), "returned a tuple; a list of dictionaries is wanted."),
-        (lambda pend_list: ["pendulum"], "returned a list; a list of dictionaries is wanted."),
-        (lambda pend_list: pend_list[1].update(theta="0"), "gave pendulum 2 as theta: '0'; a number is wanted."),
-        (lambda pend_list: pend_list[4].pop("omega") and None, "gave pendulum 5 as omega: no such key; a number is"),
+        (lambda pend_list: tuple(pend_list), "returned a tuple; it must return a list of dictionaries."),
+        (lambda pend_list: ["pendulum"], "returned a list; it must return a list of dictionaries."),
+        (lambda pend_list: pend_list[1].update(theta="0"), "set theta of pendulum 2 to '0'; it must be a number."),
+        (lambda pend_list: pend_list[4].pop("omega") and None, "set omega of pendulum 5 to nothing; it must be"),
         (
             lambda pend_list: pend_list[0].update(objects=[]),
-            "gave pendulum 1 as objects: a list; a tuple of its parts is wanted.",
+            "set objects of pendulum 1 to a list; it must be a tuple of parts.",
         ),
     ],
 )
@@ -177,7 +177,7 @@ def test_what_is_no_cradle_is_told_of_by_the_function_that_made_it(csv, monkeypa
 
 def test_a_missing_return_is_told_of(csv, monkeypatch):
     monkeypatch.setattr(visualize_cradle_run, "make_newton_cradle", lambda *given: None)
-    with pytest.raises(MistakeError, match="returned None; a list of dictionaries is wanted. Is a return missing?"):
+    with pytest.raises(MistakeError, match="returned None; it must return a list of dictionaries. Is a return miss"):
         live(csv(FIVE_CSV))
 
 
@@ -188,7 +188,7 @@ def test_a_tick_that_leaves_no_number_is_told_of(csv, monkeypatch, value):
 
     monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", newton_cradle_tick)
     player = live(csv(FIVE_CSV))
-    words = f"newton_cradle_tick made omega of pendulum 3 {value!r}; a finite number is wanted."
+    words = f"newton_cradle_tick set omega of pendulum 3 to {value!r}; it must be a finite number."
     with pytest.raises(MistakeError, match=re.escape(words)):
         player.swing(1)
 

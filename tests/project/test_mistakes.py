@@ -38,7 +38,7 @@ SWINGING, RUN, SPECIAL = "swinging.py", "visualize_cradle_run.py", "special_crad
 TICK = "    full_swing_update(pend_list, r_param, dt, g)\n    rule"
 NO_RULE = [
     ("def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False)", "def newton_cradle_tick(pend_list, r_param, dt, g)"),
-    ('    rule = {"approaching_only": True} if approaching_only else {}  # not every handle_two_bobs has to know of it\n', ""),
+    ('    rule = {"approaching_only": True} if approaching_only else {}  # works with a handle_two_bobs without this parameter\n', ""),
     ("handle_two_bobs(pend1, pend2, r_param, **rule)", "handle_two_bobs(pend1, pend2, r_param)"),
 ]  # fmt: skip
 
@@ -133,17 +133,17 @@ MISTAKES = {
     "no return": (
         *(SPECIAL, [('texture)\n    return pend_list\n', "texture)\n")]),
         ["special_cradles.py", "in make_newton_cradle", "def make_newton_cradle(relative_filepath, r_param, theta_init)",
-         "make_newton_cradle returned None; a list of dictionaries is wanted. Is a return missing?"],
+         "make_newton_cradle returned None; it must return a list of dictionaries. Is a return missing?"],
     ),
     "no number": (
         *(RUN, [("    for pend1, pend2 in pairwise", "    pend_list[0]['theta'] = float('nan')\n    for pend1, pend2 in pairwise")]),
         ["visualize_cradle_run.py", "in newton_cradle_tick", "def newton_cradle_tick(pend_list",
-         "newton_cradle_tick made theta of pendulum 1 nan; a finite number is wanted."],
+         "newton_cradle_tick set theta of pendulum 1 to nan; it must be a finite number."],
     ),
     "a pendulum too few": (
         *(RUN, [("    for pend1, pend2 in pairwise", "    pend_list[4:] = []\n    for pend1, pend2 in pairwise")]),
         ["visualize_cradle_run.py", "in newton_cradle_tick", "def newton_cradle_tick(pend_list",
-         "newton_cradle_tick made 4 pendula of 5; a cradle keeps its pendula."],
+         "newton_cradle_tick made 4 pendula from 5; it must keep their number."],
     ),
     "exit": (
         *(RUN, [(TICK, "    exit()\n" + TICK)]),

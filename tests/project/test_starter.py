@@ -257,7 +257,7 @@ def test_before_d_one_line_says_what_is_to_be_written(starter, program):
     done = start(program, folder=starter)
     assert (done.returncode, done.stdout) == (2, "")
     names = "uniform_mass_newton_cradle, uniform_e_newton_cradle, inelastic_newton_cradle, make_newton_cradle"
-    line = f"There is no cradle to be seen yet. Still to be written: {names} in src/special_cradles.py.\n"
+    line = f"There is no cradle to see yet. Write first: {names} in src/special_cradles.py.\n"
     assert done.stderr == line
 
 
@@ -269,20 +269,20 @@ def test_the_double_cradle_needs_all_of_its_functions(starter):
         "double_angle_update, double_cradle_tick in src/double_cradle.py; main in src/visualize_double_cradle_run.py"
     )
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == f"There is no cradle to be seen yet. Still to be written: {names}.\n"
+    assert done.stderr == f"There is no cradle to see yet. Write first: {names}.\n"
 
 
 STAGES = [  # the tiers that are written, what the line says, and the angles of the first and of the last pendulum
-    ("D", "Still to be written: angle_update, full_swing_update in src/swinging.py. Then the pendula swing.", (-45, 0)),
+    ("D", "Write next: angle_update, full_swing_update in src/swinging.py. Then the pendula swing.", (-45, 0)),
     (
         "DC",
-        "Still to be written: handle_collision, handle_two_bobs, newton_cradle_tick, main in "
+        "Write next: handle_collision, handle_two_bobs, newton_cradle_tick, main in "
         "src/visualize_cradle_run.py. Then the bobs collide.",
         (44, 0),
     ),
     (
         "DCB",
-        "Still to be written: newton_cradle_tick, main in src/visualize_cradle_run.py. Then the bobs collide.",
+        "Write next: newton_cradle_tick, main in src/visualize_cradle_run.py. Then the bobs collide.",
         (44, 0),
     ),
     ("DCBA", "", (0, 44)),

@@ -271,7 +271,7 @@ def test_what_is_to_be_seen(tmp_path, monkeypatch):
     assert lines[impacts + 3 :] == ["", "", "", "Ctrl+C ends it."]
     motion = make_swing(tmp_path, angle=180).motion
     assert len(screen(motion, TextPicture(), "")) in (23, 24)
-    remark = "Still to be written: handle_collision, handle_two_bobs, newton_cradle_tick, main. Then the bobs collide."
+    remark = "Write next: handle_collision, handle_two_bobs, newton_cradle_tick, main. Then the bobs collide."
     lines = screen(motion, TextPicture(), "", remark)
     assert " ".join(lines[1:3]) == remark
     assert len(lines) <= 24

@@ -749,8 +749,8 @@ def test_the_panel_says_what_the_keys_do_and_what_the_handouts_rule_does(monkeyp
 def test_a_remark_stands_above_the_widgets(monkeypatch, csv):
     texts = []
     monkeypatch.setattr("support.page.panel.wtext", lambda text="": texts.append(text) or wtext(text=text))
-    Wall(csv, remark="Still to be written: <main>.")
-    assert '<div class="remark" role="note">Still to be written: &lt;main&gt;.</div>' in texts
+    Wall(csv, remark="Write next: <main>.")
+    assert '<div class="remark" role="note">Write next: &lt;main&gt;.</div>' in texts
     texts.clear()
     Wall(csv)
     assert not [text for text in texts if "remark" in text]
