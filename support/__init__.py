@@ -1,7 +1,7 @@
-"""What the handout calls provided. In the rooms below: what the programs need of files, time, page and terminal."""
+"""The functions that the handout provides. The folders below are for files, time, options, page and terminal."""
 
 import sys
 
-# Before anything else is read, which an older Python would not understand.
+# This comes first: an older Python cannot even compile the other modules.
 if sys.version_info < (3, 10):  # noqa: UP036
     sys.exit(f"Newton's cradle needs Python 3.10 or later; {sys.executable} is {sys.version.split()[0]}.")

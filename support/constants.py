@@ -5,35 +5,35 @@ from pathlib import Path
 
 from vpython import color, textures
 
-# The cradle's file, as an absolute path, so that programs can be started from any folder.
+# The cradle's file. The path is absolute, so that you can start a program in any folder.
 NC_FP = str(Path(__file__).resolve().parents[1] / "newton_cradle_pends.csv")
 
-# Cord length (m). The handout's axle positions, r_param/4 apart from x = -0.1, then centre five pendula.
+# Cord length (m). With it, the handout's axles (r_param/4 apart, from x = -0.1 on) centre five pendula.
 R_PARAM = 0.2
 
 # Gravitational acceleration (m/s^2), the usual value near the ground.
 G = 9.81
 
-# One tick (s). Fine enough for an elastic cradle to keep its energy within 0.1 % a minute.
+# One tick (s). It is short enough: an elastic cradle keeps its energy within 0.1 % for a minute.
 DT = 0.0001
 
-# Angle (rad from straight down, positive to the right) at which the first pendulum is let go: 45 degrees to the left,
-# away from the others, which would be in its way on the right.
+# Release angle of the first pendulum (rad from straight down, positive to the right): 45 degrees to the left. On the
+# right, the other pendula would be in its way.
 THETA_INIT = -pi / 4
 
-# In the double cradle, the angle (rad) at which the first pendulum's lower cord is bent from the direction of its upper
-# one: 20 degrees further outwards, nearly as in the slow one of the two ways in which a double pendulum swings steadily
-# (phi = 0.41 theta), so that the first hits go through the row as in a single cradle.
+# Double cradle: angle (rad) of the first pendulum's lower cord from the direction of its upper cord, 20 degrees further
+# outwards. This is near the slow one of the two normal modes of a double pendulum (phi = 0.41 theta), so the first hits
+# go through the row as in a single cradle.
 PHI_INIT = -pi / 9
 
-# One tick of the double cradle (s). With its more exact steps the energy would bear a longer one; but its bobs are
-# faster, and this is short enough for equal ones to get hardly more than two hundredths of the way into one another.
+# One tick of the double cradle (s). Its steps are more exact, so the energy would allow a longer tick. But its bobs are
+# faster: even in this tick, equal bobs move hardly more than 2 % of their touching distance into each other.
 DOUBLE_DT = 0.00025
 
-# Two bobs collide where their centres are within this many times the sum of their radii: the handout's little buffer.
+# Two bobs collide if their centres are at most BUFFER times the sum of their radii apart: the handout's little buffer.
 BUFFER = 1.05
 
-# What may stand in the CSV's color column: every color of VPython by name, as VPython's vector of red, green and blue.
+# The names allowed in the CSV's color column: all colors of VPython, as VPython's vectors of red, green and blue.
 COLOR_MAP = {
     "black": color.black,
     "white": color.white,
@@ -47,7 +47,7 @@ COLOR_MAP = {
     "purple": color.purple,
 }
 
-# What may stand in the CSV's texture column: every texture of VPython by name, and "none" for a plain bob.
+# The names allowed in the CSV's texture column: all textures of VPython, and "none" for a plain bob.
 TEXTURE_MAP = {
     "none": None,
     "flower": textures.flower,

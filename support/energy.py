@@ -1,4 +1,4 @@
-"""What the laws of motion say about a cradle: its energy and momentum, and exact figures to hold a tick against."""
+"""The energy and the momentum of a cradle, and exact results to compare its ticks with."""
 
 from math import cos, pi, sqrt
 
@@ -9,7 +9,7 @@ def kinetic_energy(pend_list, r_param) -> float:
 
 
 def potential_energy(pend_list, r_param, g) -> float:
-    """Return the sum of m g h (J) over the bobs, h = r_param (1 - cos theta) being the height above hanging at rest.
+    """Return the sum of m g h (J) over the bobs, with the height h = r_param (1 - cos theta) above hanging at rest.
 
     r_param is the cord length (m), g the gravitational acceleration (m/s^2).
     """
@@ -22,10 +22,10 @@ def momentum(pend_list, r_param) -> float:
 
 
 def double_kinetic_energy(pend_list, r_param) -> float:
-    """Return the kinetic energy (J) of double pendula, the bobs of each having one mass.
+    """Return the kinetic energy (J) of double pendula; both bobs of a pendulum have its mass.
 
-    With the rates a and b of the two cords' angles from straight down, m v^2 / 2 is m r_param^2 a^2 / 2 for the upper
-    bob, and m r_param^2 (a^2 + b^2 + 2 a b cos(phi)) / 2 for the lower one; r_param (m) is the length of each cord.
+    a and b are the rates (rad/s) of the two cords' angles from straight down. m v^2 / 2 is m r_param^2 a^2 / 2 for the
+    upper bob, and m r_param^2 (a^2 + b^2 + 2 a b cos(phi)) / 2 for the lower one. r_param (m) is the length of a cord.
     """
     total = 0.0
     for pend in pend_list:
@@ -35,10 +35,10 @@ def double_kinetic_energy(pend_list, r_param) -> float:
 
 
 def double_potential_energy(pend_list, r_param, g) -> float:
-    """Return the sum of m g h (J) over the bobs of double pendula, h being the height above hanging at rest.
+    """Return the sum of m g h (J) over the bobs of double pendula, with the height h above hanging at rest.
 
-    The upper cord lifts both bobs, the lower one only its own; r_param (m) is the length of each, g (m/s^2) the
-    gravitational acceleration.
+    The upper cord lifts both bobs, the lower cord only the lower bob. r_param (m) is the length of each cord, g (m/s^2)
+    the gravitational acceleration.
     """
     lifts = [(2 * (1 - cos(pend["theta"])) + 1 - cos(pend["theta"] + pend["phi"])) * pend["mass"] for pend in pend_list]
     return g * r_param * sum(lifts)
@@ -54,10 +54,10 @@ def double_momentum(pend_list, r_param) -> float:
 
 
 def exact_period(theta_max, r_param, g) -> float:
-    """Return the time (s) in which a pendulum that is let go at theta_max (rad) comes back, at any theta_max below pi.
+    """Return the period (s) of a pendulum with the amplitude theta_max (rad), for any theta_max below pi.
 
-    It is 4 sqrt(R / g) K(sin(theta_max / 2)), K being the complete elliptic integral of the first kind, and
-    K(k) = pi / (2 M(1, sqrt(1 - k^2))), M being the arithmetic-geometric mean: https://dlmf.nist.gov/19.8.E5.
+    It is 4 sqrt(R / g) K(sin(theta_max / 2)), with the complete elliptic integral of the first kind,
+    K(k) = pi / (2 M(1, sqrt(1 - k^2))). M is the arithmetic-geometric mean (https://dlmf.nist.gov/19.8.E5).
     r_param (m) is the cord length R, g (m/s^2) the gravitational acceleration.
     """
     arithmetic, geometric = 1.0, cos(theta_max / 2)
@@ -67,9 +67,9 @@ def exact_period(theta_max, r_param, g) -> float:
 
 
 def energy_left(e, hits) -> float:
-    """Return which part of the energy two equal bobs have after so many hits, if one comes down on the other at rest.
+    """Return the part of the energy that two equal bobs keep after `hits` hits; one of them hangs at rest first.
 
-    Half of it is in their common motion, which a hit does not change; of the other half each hit leaves e squared, as
-    it makes them part at e times the speed at which they met: 1/2 + e^(2 hits) / 2.
+    Half of the energy is in their common motion, which a hit does not change. The other half is in their relative
+    motion. A hit multiplies the relative speed by e, and so this half by e^2: the result is 1/2 + e^(2 hits) / 2.
     """
     return 1 / 2 + e ** (2 * hits) / 2

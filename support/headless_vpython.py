@@ -1,17 +1,17 @@
-"""A stand-in for VPython that needs no VPython and no browser: its vector, box, sphere and cylinder, as numbers only.
+"""A stand-in for VPython that needs no VPython and no browser: vector, box, sphere and cylinder as plain numbers.
 
-install() makes it what `import vpython` finds. It shows nothing, and does otherwise what VPython 7.6.5 does with what
-a pendulum is made of; the project's tests hold the two together. Of the shapes, `up` does not follow when `axis` turns.
-Of the page (canvas, light, widgets, graph) there is what the viewer uses, and it only keeps what it is told.
+After install(), `import vpython` finds this module. It shows nothing. Otherwise it treats the objects of a pendulum as
+VPython 7.6.5 does; the project's tests compare the two. One difference: `up` does not turn with `axis`. The parts of
+the page that the viewer uses (canvas, light, widgets, graph) only store their attributes.
 """
 
 import sys
-from math import *  # noqa: F403  VPython hands these on too
+from math import *  # noqa: F403  VPython exports these, too
 from math import acos, cos, pi, sin, sqrt
 
 
 def install() -> None:
-    """Make this module what `import vpython` gives, in this process, from now on."""
+    """Let `import vpython` find this module, in this process, from now on."""
     sys.modules["vpython"] = sys.modules[__name__]
 
 
@@ -19,14 +19,14 @@ def install() -> None:
 
 
 def number(value) -> float:
-    """Return value as a float; TypeError where it is no number, or is the text of one."""
+    """Return value as a float; raise a TypeError if it is no number, or is text."""
     if isinstance(value, str):
         raise TypeError("must be real number, not str")
     return float(value)
 
 
 class vector:
-    """A vector of three floats. A shape that owns it is told through on_change when x, y or z is set."""
+    """A vector of three floats. Setting x, y or z calls on_change, with which its shape follows."""
 
     __slots__ = ("_x", "_y", "_z", "on_change")
 
@@ -67,7 +67,7 @@ class vector:
 
     @property
     def value(self):
-        """The components as a list; setting it copies another vector's, and tells no one."""
+        """The components as a list. Setting it copies the components of a vector, without a call of on_change."""
         return [self._x, self._y, self._z]
 
     @value.setter
@@ -125,7 +125,7 @@ class vector:
     def __eq__(self, other):
         return isinstance(other, vector) and self.equals(other)
 
-    __hash__ = None  # type: ignore[assignment]  # a vector can be changed, so it is no key
+    __hash__ = None  # type: ignore[assignment]  # a vector can change, so it cannot be a key
 
     def __neg__(self):
         return vector(-self._x, -self._y, -self._z)
@@ -166,7 +166,7 @@ vec = vector
 
 
 def checked(value) -> vector:
-    """Return value, a vector; TypeError for anything else."""
+    """Return value if it is a vector; raise a TypeError otherwise."""
     if not isinstance(value, vector):
         raise TypeError(f"expected a vector, got {type(value).__name__}")
     return value
@@ -215,7 +215,7 @@ def rotate(A, angle=0.0, axis=None):
 
 
 class Shape:
-    """What box, sphere and cylinder share. Setting a vector copies it, reading one hands out the live one."""
+    """The base of box, sphere and cylinder. Setting a vector copies it; reading it returns the shape's own vector."""
 
     default_size = (1, 1, 1)
     axis_is_length = True  # the axis is as long as the shape (not so for a sphere)
@@ -348,7 +348,7 @@ class cylinder(Shape):
 
 
 class baseObj:
-    """VPython's record of what the page has not fetched yet: nothing, here."""
+    """VPython's record of changes that the page has not fetched yet; here it is always empty."""
 
     @staticmethod
     def empty():
@@ -356,7 +356,7 @@ class baseObj:
 
 
 class PageItem:
-    """What is on the page beside the shapes: its attributes, which a test can read and set."""
+    """An item of the page that is no shape. It stores its attributes; a test can read and set them."""
 
     def __init__(self, **attributes):
         vars(self).update(attributes)
@@ -440,4 +440,4 @@ class textures:
 
 
 def rate(frequency):
-    """Return at once: with nothing to see there is nothing to wait for."""
+    """Return immediately: this module shows nothing, so there is nothing to wait for."""

@@ -1,4 +1,4 @@
-"""What a pendulum is: its dictionary, and the VPython objects that show it."""
+"""A pendulum: its dictionary, and the VPython objects that show it."""
 
 from math import copysign, cos, degrees, radians, sin
 from typing import TypedDict
@@ -18,12 +18,12 @@ def from_lift(lift) -> float:
 
 
 def to_lift(angle) -> float:
-    """Return by how many degrees an angle (rad, positive to the right) lifts a cord outwards."""
+    """Return the lift outwards (degrees) of a cord at this angle (rad, positive to the right)."""
     return round(degrees(OUTWARDS * angle), 9)  # 45, not 45.00000000000001
 
 
 class PendulumEntry(TypedDict, total=False):
-    """One pendulum of a pend_list. extract_and_convert fills in what the CSV has, make_newton_cradle the rest."""
+    """One pendulum of a pend_list. extract_and_convert adds the CSV's columns, make_newton_cradle the rest."""
 
     mass: float  # of the bob, kg
     e: float  # coefficient of restitution of a hit with the next pendulum, from 0 (inelastic) to 1 (elastic)
@@ -36,7 +36,7 @@ class PendulumEntry(TypedDict, total=False):
 
 
 class DoublePendulumEntry(PendulumEntry, total=False):
-    """One double pendulum, whose theta and omega are those of its upper cord."""
+    """One double pendulum; its theta and omega belong to the upper cord."""
 
     phi: float  # angle of the lower cord from the direction of the upper one, rad
     phi_omega: float  # angular velocity of phi, rad/s
@@ -48,17 +48,17 @@ def arm(theta, r_param) -> vector:
 
 
 def show_pendulum(pend_dict, r_param) -> None:
-    """Move the bob and the cord of a pendulum to where its theta is; r_param (m) is the length of the cord."""
+    """Move the bob and the cord of a pendulum to its theta; r_param (m) is the length of the cord."""
     axle, bob, cord = pend_dict["objects"]
     axis = arm(pend_dict["theta"], r_param)
     bob.pos, cord.axis = axle.pos + axis, axis
 
 
 def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere, cylinder]:
-    """Return the VPython objects (axle, bob, cord) of a pendulum that hangs from axle_pos at rest or lifted to theta.
+    """Return the VPython objects (axle, bob, cord) of a pendulum that hangs from axle_pos at the angle theta.
 
-    axle_pos is a vector (m), r_param the cord length (m), theta the angle (rad), color a VPython color (a vector),
-    and texture a VPython texture or None.
+    axle_pos is a vector (m), r_param the cord length (m), theta the angle from straight down (rad), color a VPython
+    color (a vector), and texture a VPython texture or None.
     """
     axle_size, axle_color = vector(r_param / 16, r_param / 32, r_param / 2), vector(0.3, 0.3, 0.32)
     axle = make_shape(box, pos=axle_pos, size=axle_size, color=axle_color)
@@ -66,16 +66,16 @@ def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere
 
 
 def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cylinder]:
-    """Return a bob and the cord from which it hangs, at theta (rad) from straight down, below place (a vector, m).
+    """Return a bob and its cord, which hangs from place (a vector, m) at theta (rad from straight down).
 
     r_param is the cord length (m), color a VPython color (a vector), and texture a VPython texture or None.
     """
-    # A hit counts at BUFFER x the sum of the radii, and axles are r_param/4 apart. At this radius bobs that hang at
-    # rest are just outside one another's reach; were they inside, their velocities would be swapped on every tick.
+    # Bobs hit within BUFFER x the sum of their radii, and axles are r_param/4 apart. With this radius, bobs at rest are
+    # just outside this distance. Inside it, every tick would exchange their velocities.
     radius = 0.9995 * r_param / 8 / BUFFER
     axis = arm(theta, r_param)
     bob = make_shape(sphere, pos=place + axis, radius=radius, color=color, texture=texture, shininess=1)
-    # up is square to the plane of swing: VPython then has no need to turn it whenever the axis is set, which is slow.
+    # up is at right angles to the plane of swing: VPython turns any other up when the axis changes, which is slow.
     up, dark = vector(0, 0, 1), vector(0.15, 0.15, 0.17)
     cord = make_shape(cylinder, pos=place, axis=axis, up=up, radius=r_param / 200, color=dark)
     return bob, cord

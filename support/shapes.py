@@ -1,17 +1,17 @@
-"""Shapes that are used again: VPython keeps every shape for ever, so a new cradle is built of what the old one was."""
+"""Reuse shapes: VPython keeps every shape for ever, so a new cradle takes the shapes of the old one."""
 
 from collections import defaultdict
 
 from vpython import color
 
-# How VPython makes a shape unless it is told otherwise. A used shape first becomes plain again.
+# VPython's default values. make_shape gives them to a used shape first.
 PLAIN = {"color": color.white, "texture": None, "shininess": 0.6, "visible": True}
 
 discarded: defaultdict[type, list] = defaultdict(list)  # kind -> shapes
 
 
 def make_shape(kind, **attributes):
-    """Return a box, sphere or cylinder (kind) with these attributes: a discarded one if there is one, or a new one."""
+    """Return a box, sphere or cylinder (kind) with these attributes: a discarded one, or a new one if there is none."""
     if not discarded[kind]:
         return kind(**attributes)
     shape = discarded[kind].pop()

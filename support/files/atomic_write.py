@@ -1,4 +1,4 @@
-"""Files that are written whole, or not at all."""
+"""Write a file whole, or not at all."""
 
 import errno
 import os
@@ -8,18 +8,18 @@ import time
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-# Windows: how often to try to replace a file that a program has open, and how long to wait in between (s).
+# Windows: the number of tries to replace a file that a program has open, and the pause between two tries (s).
 TRIES, PAUSE = 20, 0.05
 
 
 @contextmanager
 def whole_file(filepath):
-    """Yield a text file to write to, which takes filepath's place once it is complete on the disk.
+    """Yield a text file to write to; when it is complete on the disk, it replaces filepath.
 
-    After a crash, on a full disk, or if the body of the with statement ends early, what was there before still is.
+    After a crash, on a full disk, or if the body of the with statement ends early, the old file is still there.
     Raises an OSError if filepath cannot be written.
     """
-    target = Path(os.path.realpath(filepath))  # behind a link: the link is to stay
+    target = Path(os.path.realpath(filepath))  # the file behind a link: the link must stay
     unfinished = target.parent / f".{target.name}.{os.getpid()}.tmp"
     try:
         if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):
@@ -34,15 +34,15 @@ def whole_file(filepath):
     except OSError as error:
         raise OSError(error.errno, f"cannot be written: {error.strerror}", str(filepath)) from error
     finally:
-        with suppress(OSError):  # it has its final name by now, or was never there
+        with suppress(OSError):  # it already has its final name, or was never there
             unfinished.unlink()
 
 
 def replace(unfinished, target) -> None:
-    """Put the unfinished file in the target's place.
+    """Replace target with the unfinished file.
 
-    Windows refuses that while a program has the target open. A cradle closes its file within moments; if another
-    program keeps it open, the OSError says so.
+    Windows refuses this while a program has target open. A cradle closes its file within moments. If another program
+    keeps it open, raise an OSError that says so.
     """
     for _ in range(TRIES - 1 if sys.platform == "win32" else 0):
         try:

@@ -1,4 +1,4 @@
-"""What a CSV must be to be read, and what it must hold to make a cradle. Each complaint is a ValueError of one line."""
+"""Read a CSV, and check that it describes a cradle. Each mistake raises a ValueError with a one-line message."""
 
 import csv
 import io
@@ -12,7 +12,7 @@ from support.constants import COLOR_MAP, TEXTURE_MAP
 
 
 class Snapshot:
-    """A file as it was at one moment, read once. It can be given in place of the file's path."""
+    """The content of a file at one moment, read once. The functions below take it in place of the file's path."""
 
     def __init__(self, filepath):
         """Read the file."""
@@ -30,21 +30,21 @@ class Snapshot:
 
     @cached_property
     def rows(self) -> list[tuple[int, list[str]]]:
-        """The rows of the file as read_cells returns them; raises what read_cells raises."""
+        """The rows of the file as read_cells returns them; raises the same ValueErrors as read_cells."""
         return rows_in(text_of(self), self)
 
 
 class CleanCopy(str):
-    """The path of a clean copy of a file. The rows that were read from the file are still known."""
+    """The path of a clean copy of a file; original has the rows of the file."""
 
     original: Snapshot
 
 
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
-    """Return the rows of a CSV, the header first, each as (line number in the file, its cells as text).
+    """Return the rows of a CSV, the header first, each row as (line number in the file, cells as text).
 
-    Left out are blank lines, spaces around a cell and a byte-order mark. A Snapshot and its clean copies are read only
-    once. Raises a ValueError that says what is wrong, and where, if the file cannot be read, is not UTF-8 text, is
+    Blank lines, spaces around a cell and a byte-order mark are left out. A Snapshot and its clean copies are read only
+    once. Raises a ValueError that names the mistake and its place if the file cannot be read, is not UTF-8 text, is
     empty, or has a row with more cells than the header.
     """
     if isinstance(filepath, CleanCopy):
@@ -69,7 +69,7 @@ def text_of(file) -> str:
 
 
 def rows_in(text, filepath) -> list[tuple[int, list[str]]]:
-    """Return the rows of a CSV's text, or raise the ValueError of read_cells, which names the file."""
+    """Return the rows of a CSV's text, or raise the ValueError of read_cells; filepath is for its message."""
     rows: list[tuple[int, list[str]]] = []
     reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
     line = 1
@@ -94,7 +94,7 @@ def rows_in(text, filepath) -> list[tuple[int, list[str]]]:
 
 
 def cleaned(filepath) -> io.StringIO:
-    """Return the rows of read_cells as the text of a CSV, for pandas; raises what read_cells raises."""
+    """Return the rows of read_cells as the text of a CSV, for pandas; raises the same ValueErrors as read_cells."""
     text = io.StringIO()
     csv.writer(text).writerows(cells for _, cells in read_cells(filepath))
     text.seek(0)
@@ -103,8 +103,9 @@ def cleaned(filepath) -> io.StringIO:
 
 @contextmanager
 def clean_copy(original):
-    """Yield the CleanCopy of a Snapshot for the body of the with statement: its file is in the form that pandas reads
-    best. Raises what read_cells raises.
+    """Yield the CleanCopy of a Snapshot for the body of the with statement; its file has the text of cleaned.
+
+    Raises the same ValueErrors as read_cells.
     """
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         copy = Path(folder) / Path(str(original)).name
@@ -115,21 +116,21 @@ def clean_copy(original):
 
 
 def separator_hint(rows) -> str:
-    """Return advice if something else than commas separates the names in these rows, as read_cells gives them."""
+    """Return a hint if semicolons or tabs separate the names in the first of these rows of read_cells."""
     used = "semicolons" if ";" in rows[0][1][0] else "tabs" if "\t" in rows[0][1][0] else ""
     return f"; separate cells with commas, not {used}" if used else ""
 
 
 def to_number(text: str) -> float:
-    """Return the number that text stands for in a CSV, or nan; narrower than float(), which takes 1_000 and more."""
+    """Return the number in text, or nan; stricter than float(), which also accepts texts like 1_000."""
     try:
         return float(text) if text.isascii() and "_" not in text else nan
     except ValueError:
         return nan
 
 
-# What a pendulum's cells must be, for each column: a test of the cell's text, and how to say what is allowed. The
-# columns theta and omega are not here: where a cradle starts does not depend on them.
+# For each column, a test of a cell's text, and words for the allowed values. The columns theta and omega need no rule:
+# the start of a cradle does not depend on them.
 RULES = {
     "mass": (lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (kg)"),
     "e": (lambda text: 0 <= to_number(text) <= 1, "a number from 0 to 1"),
@@ -139,9 +140,9 @@ RULES = {
 
 
 def check_cradle(filepath) -> None:
-    """Raise a ValueError that names the first thing in a CSV because of which no cradle can be made of it.
+    """Raise a ValueError for the first mistake in the CSV of a cradle.
 
-    It gives the file, the line, the column, the value found and what is allowed there.
+    It names the file, the line, the column, the value found and the allowed values.
     """
     rows = read_cells(filepath)
     header_line, header = rows[0]

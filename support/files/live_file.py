@@ -1,4 +1,4 @@
-"""A file that is watched while someone edits it."""
+"""Watch a file while you edit it."""
 
 import time
 
@@ -8,18 +8,18 @@ POLL = 0.2  # s between two looks at the file
 
 
 class LiveFile:
-    """Notices when a file has become another, whichever way an editor saves it: in place, or by replacing it."""
+    """Notices when a file has changed, in place or because an editor has replaced it."""
 
     def __init__(self, filepath, clock=time.monotonic):
-        """Watch this file from now on. clock() may be replaced by a test's."""
+        """Watch this file from now on. A test can replace clock()."""
         self.filepath, self.clock = filepath, clock
         self.current = self.candidate = Snapshot(filepath)
         self.next_look = clock() + POLL
 
     def changed(self) -> bool:
-        """Return whether the file has become another since this last returned True; it is then in current.
+        """Return whether the file has changed since this last returned True; current then has the new content.
 
-        Something new must stand at two looks in a row before it counts: an editor may be in the middle of saving.
+        A change counts when two looks in a row find the same new content: an editor may be in the middle of saving.
         """
         if self.clock() < self.next_look:
             return False

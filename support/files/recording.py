@@ -1,4 +1,4 @@
-"""Data to take away: what a cradle has done, as a CSV with a row for each sample."""
+"""Write the motion of a cradle to a CSV, with a row for each sample."""
 
 import csv
 from array import array
@@ -11,29 +11,30 @@ from stat import S_ISREG
 from support.files.atomic_write import whole_file
 
 EVERY = 0.01  # s from sample to sample
-REMEMBERED = 600.0  # s that the viewer remembers
+REMEMBERED = 600.0  # s of samples that a Recording keeps
 
 
 def check_record(filepath) -> None:
-    """Raise a ValueError of one line if this file is there already, and no data of a cradle that may be replaced."""
+    """Raise a ValueError with a one-line message if this file exists, and has no data of a cradle to replace."""
     try:
         if not S_ISREG(Path(filepath).stat().st_mode):
-            return  # write_data will say what is wrong with it
-        with open(filepath, "r+b") as file:  # not only to be read: another program may have it open
+            return  # data_file will raise the error
+        with open(filepath, "r+b") as file:  # opened to write, too: another program may have it open
             columns = file.readline().strip()
     except FileNotFoundError:
-        return  # a new file, or in no folder, which write_data will say
+        return  # a new file; if its folder is missing, data_file will raise the error
     except OSError as error:
         raise ValueError(f"--record: {filepath}: {error.strerror}") from error
     if columns and not (columns.startswith(b"t,theta_1,") and columns.endswith(b",momentum")):
-        allowed = "a new file, or one with the data of a cradle, which is replaced"
-        raise ValueError(f"--record: found '{filepath}', which holds something else; allowed is {allowed}")
+        allowed = "a new file, or one with data of a cradle, to replace it"
+        raise ValueError(f"--record: found '{filepath}', which has no data of a cradle; allowed is {allowed}")
 
 
 @contextmanager
 def data_file(filepath):
-    """Yield a writer of the rows of a CSV: first the names of the columns, then the data. It is written whole, or not
-    at all. Raises an OSError if filepath cannot be written.
+    """Yield a writer for the rows of a CSV: first the names of the columns, then the data.
+
+    The file is written whole, or not at all. Raises an OSError if filepath cannot be written.
     """
     with whole_file(filepath) as file:
         yield csv.writer(file, lineterminator="\n")
@@ -52,7 +53,7 @@ class Recording:
         self.rows.clear()
 
     def add(self, sample) -> None:
-        """Add a sample, as Motion makes it; all of them have the same names."""
+        """Add a sample of Motion; all samples have the same names."""
         self.columns = list(sample)
         self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
 

@@ -1,4 +1,4 @@
-"""What to type in a terminal."""
+"""The command that starts a program of the project in a terminal."""
 
 import shlex
 import shutil
@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def command_line(program, folder) -> str:
-    """Return the command that starts a program of the project from this folder, with the Python that is running.
+    """Return the command that starts a program of the project from this folder, with the running Python.
 
     program is the path of its file in the project's folder.
     """

@@ -1,4 +1,4 @@
-"""The options of the programs. A bad one ends the program with one line that says what is allowed, and status 2."""
+"""The options of the programs. A wrong option ends the program with status 2 and a line with the allowed values."""
 
 import argparse
 import os
@@ -10,12 +10,12 @@ from support.files.cradle_csv import read_cells, RULES, to_number
 from support.files.recording import EVERY
 from support.pendulum import from_lift, to_lift
 
-# What VPython takes the page's port from; --port comes before it.
+# VPython's environment variable for the port of the page; --port overrides it.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
 
 
 class OneLineParser(argparse.ArgumentParser):
-    """A parser that complains in one line, without the usage before it."""
+    """A parser that prints an error in one line, without the usage."""
 
     def error(self, message):
         print(f"{self.prog}: error: {message} (--help shows all options)", file=sys.stderr)
@@ -23,7 +23,7 @@ class OneLineParser(argparse.ArgumentParser):
 
 
 def allowed(kind, is_allowed, words):
-    """Return a type for argparse: the text of an argument as a kind (float, int), if is_allowed(text)."""
+    """Return a type for argparse: it converts a text with kind if is_allowed(text); words name the allowed values."""
 
     def convert(text):
         if not is_allowed(text):
@@ -34,12 +34,12 @@ def allowed(kind, is_allowed, words):
 
 
 def text_to_angle(text) -> float:
-    """Return the angle (rad) of a cord that is lifted outwards by as many degrees as the text says."""
+    """Return the angle (rad) of a cord with a lift outwards of text (degrees)."""
     return from_lift(float(text))
 
 
 def cradle_options(description) -> OneLineParser:
-    """Return a parser of what says which cradle it is, for each program to add its own options."""
+    """Return a parser with the options of a cradle; each program adds its own options."""
     e, mass = (allowed(float, *RULES[column]) for column in ("e", "mass"))
     angle = allowed(text_to_angle, lambda text: 0 <= to_number(text) <= 180, "a number from 0 to 180 (degrees)")
     lift = allowed(int, str.isdecimal, "a whole number, 0 or more")
@@ -49,54 +49,55 @@ def cradle_options(description) -> OneLineParser:
     add("csv", metavar="CSV", nargs="?", default=NC_FP, help="file of the cradle (default: newton_cradle_pends.csv)")
     kinds = parser.add_mutually_exclusive_group()
     kinds.add_argument("--elastic", action="store_true", help="e = 1 for all pendula: a hit keeps the kinetic energy")
-    kinds.add_argument("--inelastic", action="store_true", help="e = 0 for all pendula: bobs leave a hit together")
+    kinds.add_argument("--inelastic", action="store_true", help="e = 0 for all pendula: bobs stay together after a hit")
     kinds.add_argument("--e", type=e, metavar="E", help="one e, from 0 to 1, for all pendula (default: the CSV's)")
     add("--mass", type=mass, metavar="KG", help="one mass, above 0 kg, for all pendula (default: the CSV's)")
-    text = f"how far the first bobs are lifted, from 0 to 180 degrees (default: {to_lift(THETA_INIT):g})"
+    text = f"release angle of the lifted bobs, from 0 to 180 degrees (default: {to_lift(THETA_INIT):g})"
     add("--angle", type=angle, metavar="DEGREES", help=text)
-    add("--lift", type=lift, metavar="K", help="how many bobs are lifted (default: 1)")
+    add("--lift", type=lift, metavar="K", help="number of lifted bobs, from the left (default: 1)")
     return parser
 
 
 def page_options(description) -> OneLineParser:
-    """Return a parser of what says which cradle it is, and where its page is."""
+    """Return a parser with the options of a cradle and of its page."""
     port = allowed(int, lambda text: text.isdecimal() and int(text) <= 65534, "a whole number from 0 to 65534")
-    parser = cradle_options(description + " Save its CSV, and the page shows the new one.")
+    parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
-    text = "port of the page on this machine; N + 1 is taken as well (default: any two that are free)"
+    text = "port of the page on this machine; the page also uses N + 1 (default: any two free ports)"
     add("--port", type=port, metavar="N", default=os.environ.get(PORT_VARIABLE, "0"), help=text)
-    text = "open no browser, only say where the page is"
+    text = "open no browser, only print the address of the page"
     add("--no-browser", action="store_false", dest="browser", help=text)
     return parser
 
 
 def read_page_options(arguments=None) -> argparse.Namespace:
-    """Return the options of the viewer, on the command line or in arguments: csv, elastic, inelastic, e, mass, angle
-    (rad), lift, port and browser; e and mass are None where the CSV's stay, angle and lift where the cradle is left
-    as it is made.
+    """Return the options of the page, from the command line or from arguments.
+
+    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port and browser. None for e or mass keeps the values
+    of the CSV. None for angle or lift keeps the values with which main makes the cradle.
     """
     return page_options("Newton's cradle in the browser, to play with.").parse_args(arguments)
 
 
 def read_double_page_options(arguments=None) -> argparse.Namespace:
-    """Return the options of the double cradle's viewer: those of the viewer, and phi (rad), or None like angle."""
+    """Return the options of the double cradle's page: those of read_page_options, and phi (rad, or None like angle)."""
     parser = page_options("The double Newton's cradle in the browser, to play with.")
     phi = allowed(text_to_angle, lambda text: -180 <= to_number(text) <= 180, "a number from -180 to 180 (degrees)")
-    text = "how far their lower cords are bent further out than the upper ones, from -180 to 180"
+    text = "angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees"
     parser.add_argument("--phi", type=phi, metavar="DEGREES", help=f"{text} (default: {to_lift(PHI_INIT):g})")
     return parser.parse_args(arguments)
 
 
 def read_text_options(arguments=None) -> argparse.Namespace:
-    """Return the options of the cradle in the terminal: those of the cradle, seconds (inf without), record (a path, or
-    None) and every (s).
+    """Return the options of the cradle in the terminal: those of the cradle, seconds (inf if missing), record (a
+    path, or None) and every (s).
     """
     seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
     every = allowed(float, is_in_ticks, f"a multiple of {DT:g} (s), one tick, up to 1e6")
     parser = cradle_options("Newton's cradle as moving text, in real time; or, with --record, its data in a file.")
     add = parser.add_argument
-    add("--seconds", type=seconds, metavar="S", default=inf, help="end after S seconds (default: with Ctrl+C)")
-    text = "write a CSV with the S seconds of --seconds to FILE, as fast as the machine can, and show nothing"
+    add("--seconds", type=seconds, metavar="S", default=inf, help="end after S seconds (default: until Ctrl+C)")
+    text = "write the data of S seconds (--seconds S) to FILE, a CSV, as fast as the machine can; show nothing"
     add("--record", type=allowed(str, bool, "the name of a file"), metavar="FILE", help=text)
     text = f"with --record: a row for every S seconds (default: {EVERY:g})"
     add("--every", type=every, metavar="S", help=text)
@@ -111,13 +112,13 @@ def read_text_options(arguments=None) -> argparse.Namespace:
 
 
 def is_in_ticks(text) -> bool:
-    """Return whether the text is a time (s) in which there is a whole number of ticks, at least one."""
+    """Return whether the text is a time (s) of a whole number of ticks, at least one."""
     ticks = to_number(text) / DT
     return 0.5 < ticks <= 1e6 / DT and abs(ticks - round(ticks)) < 1e-6
 
 
 def check_lift(lift, csv) -> None:
-    """Raise a ValueError of one line if the cradle of this CSV has fewer bobs than must be lifted (None: as made)."""
+    """Raise a ValueError with a one-line message if this CSV has fewer than lift pendula; lift can be None."""
     count = len(read_cells(csv)) - 1  # without the header
     if lift is not None and lift > count:
         raise ValueError(f"--lift: found '{lift}', allowed is at most {count}, the number of pendula in {csv}")

@@ -1,4 +1,4 @@
-"""What is printed: letters that the output lacks, and readers that go away."""
+"""Printed output: letters that the output does not have, and readers that stop early."""
 
 import errno
 import os
@@ -8,11 +8,11 @@ from contextlib import contextmanager
 
 @contextmanager
 def while_it_is_read():
-    """Run the body of the with statement. If the reader of its output goes away, as after `| head`, end it quietly."""
+    """Run the body of the with statement. If the reader of its output stops, as in `| head`, end it quietly."""
     try:
         yield
     except OSError as error:
-        # Windows has no error of its own for that.
+        # Windows has no special error for this.
         is_unread = sys.platform == "win32" and error.errno == errno.EINVAL and error.filename is None
         if not (is_unread or isinstance(error, BrokenPipeError)):
             raise
@@ -20,6 +20,6 @@ def while_it_is_read():
 
 
 def spell_out_letters() -> None:
-    """Print a letter that the output lacks, as a pipe on Windows may, as its number: \\u03c9."""
+    """Print letters that the output does not have as numbers, like \\u03c9: a pipe on Windows lacks some."""
     if hasattr(sys.stdout, "reconfigure"):  # not in IDLE's shell, which has all letters
         sys.stdout.reconfigure(errors="backslashreplace")

@@ -1,4 +1,4 @@
-"""A project in which functions are still to be written, as students get it: which ones these are."""
+"""Find the functions that a student has not written yet."""
 
 import dis
 from pathlib import Path
@@ -10,9 +10,8 @@ SRC = Path(__file__).resolve().parents[2] / "src"
 def unwritten(*modules) -> str:
     """Return the names of the functions in these modules of src/ that are not written yet, each with its file.
 
-    Such a function still raises what it has come with from tests/make_starter.py. That line does not count below a
-    return: Python leaves out what can never be reached. A file that Python cannot compile has none of them: its import
-    will say why.
+    Such a function still has the raise from tests/make_starter.py. A raise below a return does not count: Python does
+    not compile code that can never run. A file that Python cannot compile counts as written: its import shows why.
     """
     places = []
     for file in filter(Path.is_file, (SRC / f"{module}.py" for module in modules)):
@@ -27,11 +26,11 @@ def unwritten(*modules) -> str:
 
 
 def functions_in(code) -> list[CodeType]:
-    """Return the code of the functions that stand in the code of a file."""
+    """Return the code of the functions in the code of a file."""
     return [constant for constant in code.co_consts if isinstance(constant, CodeType)]
 
 
 def is_unwritten(code) -> bool:
-    """Return whether the line that says so can be reached in the code of a function."""
+    """Return whether the code of a function still has its raise from tests/make_starter.py."""
     says_so = f"{code.co_name} is not written yet"
     return any(instruction.argval == says_so for instruction in dis.get_instructions(code))

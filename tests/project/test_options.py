@@ -178,7 +178,7 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
         "--e E one e, from 0 to 1, for all pendula (default: the CSV's)",
         "--mass KG one mass, above 0 kg, for all pendula (default: the CSV's)",
         "from 0 to 180 degrees (default: ",
-        "how many bobs are lifted (default: 1)",
+        "number of lifted bobs, from the left (default: 1)",
         "--port N",
         "--no-browser",
     ):
@@ -207,10 +207,10 @@ def test_so_has_the_help_of_the_double_cradle(capsys):
     text = help_of(read_double_page_options, capsys)
     assert "double Newton's cradle" in text
     assert "--angle DEGREES" in text
-    assert "Save its CSV, and the page shows the new one." in text
+    assert "When you save its CSV, the page shows the new cradle." in text
     outwards = f"{abs(degrees(PHI_INIT)):g}"
     assert (
-        f"how far their lower cords are bent further out than the upper ones, from -180 to 180 (default: {outwards})"
+        f"angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees (default: {outwards})"
         in text
     )
 
@@ -218,9 +218,9 @@ def test_so_has_the_help_of_the_double_cradle(capsys):
 def test_so_has_the_help_of_the_cradle_in_the_terminal(capsys):
     text = help_of(read_text_options, capsys)
     for words in (
-        "how many bobs are lifted (default: 1)",
-        "--seconds S end after S seconds (default: with Ctrl+C)",
-        "--record FILE write a CSV with the S seconds of --seconds to FILE",
+        "number of lifted bobs, from the left (default: 1)",
+        "--seconds S end after S seconds (default: until Ctrl+C)",
+        "--record FILE write the data of S seconds (--seconds S) to FILE, a CSV",
         "--every S with --record: a row for every S seconds (default: 0.01)",
     ):
         assert words in text

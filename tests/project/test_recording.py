@@ -69,7 +69,7 @@ def test_data_may_be_replaced_by_data_and_nothing_else(tmp_path):
     assert file.read_bytes() == b"t,theta_1,momentum\n0.0,1.0,2.0\n"
     for other in (MIXED_CSV, "t,theta_1,mine\n", "t,mine,momentum\n"):
         file.write_text(other)
-        with pytest.raises(ValueError, match=f"^--record: found '{re.escape(str(file))}', which holds something"):
+        with pytest.raises(ValueError, match=f"^--record: found '{re.escape(str(file))}', which has no data"):
             check_record(file)
 
 

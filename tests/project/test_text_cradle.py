@@ -445,8 +445,8 @@ def test_the_progress_is_told_however_rare_the_rows_are(tmp_path):
         (["--lift", "9"], "--lift: found '9', allowed is at most 5, the number of pendula in {five}\n"),
         (
             ["--record", "{five}", "--seconds", "1"],
-            "--record: found '{five}', which holds something else; allowed is a new file, or one with the data of a "
-            "cradle, which is replaced\n",
+            "--record: found '{five}', which has no data of a cradle; allowed is a new file, or one with data of a "
+            "cradle, to replace it\n",
         ),
         (
             ["--record", "{folder}/none/data.csv", "--seconds", "1"],
