@@ -24,8 +24,8 @@ def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
     """Return (new_omega1, new_omega2), the angular velocities (rad/s) of two bobs after a hit.
 
     e is the coefficient of restitution (0 to 1), omega1 and omega2 (rad/s) are the velocities before, m1 and m2 (kg)
-    the masses, r_param (m) the cord length. Handout, appendix (a hit keeps the momentum; e is the speed after it
-    over the speed before it, both of one bob relative to the other):
+    the masses, r_param (m) the cord length. Handout, appendix (a hit keeps the momentum; the bobs part at e times the
+    speed of their approach):
         v1_new = (m1 v1 + m2 v2 - m2 e (v1 - v2)) / (m1 + m2)
         v2_new = (m1 v1 + m2 v2 + m1 e (v1 - v2)) / (m1 + m2)
     """
