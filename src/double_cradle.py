@@ -24,7 +24,7 @@ Swing
 
     The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the energy to 1e-6. A tick is
     therefore a step of the classical Runge-Kutta method, which has an error of order dt^4. It computes four
-    accelerations instead of one. It needs no earlier ticks, which a hit may have ended, and solves no equation.
+    accelerations instead of one. It needs no results of earlier ticks (a hit may lie between), and solves no equation.
 """
 
 from math import cos, sin

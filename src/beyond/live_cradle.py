@@ -134,7 +134,7 @@ class LiveCradle:
                     raise MistakeError(self.scope[self.ticker], words)
 
     def adopt(self, key, values) -> None:
-        """Set key of each pendulum to its value, the values from left to right."""
+        """Set pend[key] of each pendulum to its value in values, from left to right."""
         for pend, value in zip(self.pend_list, values, strict=False):  # main may have read a different file
             pend[key] = value
 
@@ -233,7 +233,7 @@ class LiveCradle:
         """Return the velocity of a pendulum's bob to the right (in cord lengths a second) at this omega (rad/s)."""
         return omega * cos(pend["theta"])
 
-    # --- show, hold and measure ---------------------------------------------------------------------------------------
+    # --- show, hold and measure --------------------------------------------------------------------------------------
 
     def axles(self) -> list:
         """Return the axles, from left to right."""

@@ -25,7 +25,7 @@ class LiveDoubleCradle(LiveCradle):
             push_others(self.pend_list, i, R_PARAM)
 
     def meeting_place(self) -> dict[str, Any]:
-        """Return the globals with the function that lets two pendula hit: the tick's, or those of its functions."""
+        """Return the globals with the function that lets two pendula hit: the tick's, or those of a function there."""
         place = self.scope[self.ticker].__globals__
         places = [place, *(function.__globals__ for function in place.values() if isfunction(function))]
         return next((place for place in places if self.meeter in place), place)

@@ -132,8 +132,8 @@ def known_law(scope) -> Law | None:
 def is_shipped(name, function) -> bool:
     """Return whether this function is the one in STANDS_IN_FOR.
 
-    The digest is that of its syntax tree in its file. The file may have changed after the import, so the code of the
-    function must also equal the code compiled from that tree.
+    The digest comes from the syntax tree in the function's file. The file may have changed after the import, so the
+    function's code must also equal the code compiled from that tree.
     """
     if type(function) is not FunctionType or type(function.__globals__) is not dict:
         return False
