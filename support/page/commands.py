@@ -1,32 +1,32 @@
-"""What a person can ask of the viewer, by widget, key or mouse.
+"""The commands that you give to the viewer with a widget, a key or the mouse.
 
-VPython calls what is bound to a widget, a key or the mouse in a thread of its own, in the middle of a tick. So
-nothing is done there but to put a pair (command, value) into a queue; the viewer takes it out between two frames.
+VPython calls the function of a widget, a key or the mouse in a thread of its own, in the middle of a tick. This
+function only puts a pair (command, value) into a queue. The viewer takes it out between two frames.
 """
 
 from enum import auto, Enum
 
 
 class Command(Enum):
-    """All commands. The comment says what their value is, for those that have one."""
+    """All commands. The comments explain them, and their values."""
 
     PAUSE = auto()  # or run on
     STEP = auto()  # one frame, while paused
     RESTART = auto()
     SPEED = auto()  # times real time
-    ANGLE = auto()  # (which of the cradle's release angles, rad); the cradle restarts from it
-    LIFT = auto()  # how many bobs; the cradle restarts
-    COLLISIONS = auto()  # the name of one of the cradle's kinds of collisions
+    ANGLE = auto()  # (index of the release angle, angle in rad); the cradle restarts
+    LIFT = auto()  # number of bobs; the cradle restarts
+    COLLISIONS = auto()  # a key of the cradle's collisions
     SEPARATING = auto()  # whether separating bobs collide too
     GRAPH = auto()  # whether the graph is shown
     SAVE = auto()  # the data since the last restart, to a file
-    GRAB = auto()  # the bob under the mouse; the ray to it, as (a point on it, its direction)
-    DRAG = auto()  # the bob that is held, to the ray
-    LET_GO = auto()  # of the bob that is held
-    RESIZE = auto()  # the view, to the canvas
+    GRAB = auto()  # the bob under the mouse; the value is the mouse's ray (a point on it, its direction)
+    DRAG = auto()  # the held bob to the ray, as for GRAB
+    LET_GO = auto()  # the held bob
+    RESIZE = auto()  # fit the view to the canvas
 
 
-# What the keys do, by VPython's names for them.
+# The commands of the keys; the names of the keys are VPython's.
 KEYS = {
     " ": (Command.PAUSE, None),
     "right": (Command.STEP, None),

@@ -4,17 +4,17 @@ from collections import deque
 
 from vpython import gcurve, graph, vector, wtext
 
-SHOWN = 10.0  # s that are shown
+SHOWN = 10.0  # s on the axis
 INTERVAL = 0.03  # s from point to point
 
-# Three colors that a color-blind person can tell apart as well (of Okabe and Ito's palette).
+# Three colors of Okabe and Ito's palette, which color-blind people can tell apart, too.
 CURVES = {"kinetic": vector(213, 94, 0) / 255, "potential": vector(0, 114, 178) / 255, "total": vector(0, 0, 0)}
 
 HIDING = "<style>.glowscript-graph { display: none }</style>"
 
 
 class EnergyGraph:
-    """Kinetic, potential and total energy (J) over simulated time (s). Hidden, it neither takes nor sends points."""
+    """Kinetic, potential and total energy (J) over simulated time (s). While hidden, it takes and sends no points."""
 
     def __init__(self, width):
         """Make the graph, width pixels wide, without points."""
@@ -26,25 +26,25 @@ class EnergyGraph:
         self.clear()
 
     def show(self, shown) -> None:
-        """Show the graph, or hide it; it begins anew."""
+        """Show or hide the graph, and remove its points."""
         self.shown = shown
         self.style.text = "" if shown else HIDING
         self.clear()
 
     def clear(self) -> None:
-        """Begin anew, without points."""
+        """Remove all points."""
         self.points: deque[tuple] = deque()
 
     def add(self, time, kinetic, potential) -> None:
-        """Add a point at time (s), with energies in J, unless the last one is hardly older."""
+        """Add a point at time (s), with energies in J, unless the last one is less than INTERVAL older."""
         if self.shown and not (self.points and time - self.points[-1][0] < 0.99 * INTERVAL):
             self.points.append((time, kinetic, potential, kinetic + potential))
             while self.points[0][0] < time - SHOWN:
                 self.points.popleft()
 
     def draw(self) -> None:
-        """Send the points to the page, and move on to the last ten seconds."""
-        # VPython keeps what is plotted point by point for ever; the points set as a whole replace those before.
+        """Send the points to the page, and move the time axis to the last ten seconds."""
+        # VPython never removes points that are plotted one by one. A new list of points replaces the old one.
         if self.shown and self.points:
             for number, curve in enumerate(self.curves, start=1):
                 curve.data = [[point[0], point[number]] for point in self.points]

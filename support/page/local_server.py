@@ -1,18 +1,19 @@
-"""Closed doors: who reaches the two servers of VPython's page, its HTTP server and its websocket, and what they give.
+"""Protect the two servers of VPython's page, its HTTP server and its websocket.
 
-VPython's own servers listen on every address of the machine, hand out any picture, script or page on its disk
-(GET /../../secret.js), obey a script of any other page that is open in the browser, and end the program as soon as
-anyone who has connected to the websocket goes away. Here instead:
+VPython's own servers listen on every address of the machine. They send any picture, script or page on its disk
+(GET /../../secret.js). They obey the scripts of all other pages that are open in the browser. They end the program when
+any client disconnects from the websocket. This module changes that:
 
-- Both listen on 127.0.0.1 only, at neighbouring ports, page and page + 1, so that two `ssh -L` options reach them from
-  afar. The ports are taken once, before anything else starts, and kept: nobody can take one in between.
-- A request gets VPython's page or one of the files in VPython's own two folders. Its path is looked up in a list of
-  these, never joined to a folder, so that no way of writing it leads elsewhere. One more path, /no-webgl, lets the
-  page, and no other, say in the terminal that its browser cannot draw.
-- The websocket is for the page: a browser says of each connection which page's script has made it, its Origin, and a
-  script cannot change that. It is for one tab, as VPython can show a cradle only once, and only that tab's closing ends
-  the program.
-- A stranger's words do not reach the screen.
+- Both servers listen only on 127.0.0.1, at the ports page and page + 1, so that two `ssh -L` options reach them from
+  another machine. The program takes both ports before anything else starts, and keeps them: no other program can take
+  one in between.
+- A request gets VPython's page, or one of the files in VPython's own two folders. The server looks its path up in a
+  list of these files, and never joins it to a folder, so no spelling of a path leads elsewhere. On one more path,
+  /no-webgl, the page (and no other page) reports to the terminal that its browser cannot draw.
+- Only the page can use the websocket: for each connection, the browser names the page of the script, its Origin, and a
+  script cannot change it. Only one tab can use it, because VPython can show a cradle only once. Only closing this tab
+  ends the program.
+- The program never prints text from other clients.
 """
 
 import asyncio
@@ -31,7 +32,7 @@ from urllib.parse import unquote
 def page_sockets(port) -> tuple[socket.socket, socket.socket]:
     """Return a socket for the page at this port, and one for its websocket at the next; port 0 finds any free pair.
 
-    Raises a ValueError of one line if one of the two ports cannot be had.
+    Raises a ValueError with a one-line message if one of the two ports is not available.
     """
     while True:
         page = listening_socket(port, "the page's")
@@ -44,27 +45,27 @@ def page_sockets(port) -> tuple[socket.socket, socket.socket]:
 
 
 def listening_socket(port, whose) -> socket.socket:
-    """Return a socket that listens at this port of 127.0.0.1; raises a ValueError that says whose port it would be."""
+    """Return a socket that listens at this port of 127.0.0.1; raises a ValueError that says whose port it is."""
     listener = socket.socket()
     try:
-        # With SO_REUSEADDR, a port whose last user has just ended is free. On Windows it would share a port in use;
-        # SO_EXCLUSIVEADDRUSE lets nobody share this one.
+        # With SO_REUSEADDR, the port of a program that has just ended is free. On Windows, SO_REUSEADDR would share a
+        # port in use; SO_EXCLUSIVEADDRUSE prevents this.
         option = getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR)
         listener.setsockopt(socket.SOL_SOCKET, option, 1)
         listener.bind(("127.0.0.1", port))
         if is_answered(port_of(listener)):
             raise OSError(errno.EADDRINUSE, "another program answers there")
-        listener.listen()  # before that, another program can still bind the same port
+        listener.listen()  # until then, another program can bind the same port
         return listener
     except (OSError, OverflowError) as error:
         listener.close()
         reason = error.strerror if isinstance(error, OSError) else "ports are numbers from 1 to 65535"
         choice = "choose another --port, or 0 for any free one"
-        raise ValueError(f"port {port} ({whose}) cannot be had: {reason}; {choice}") from error
+        raise ValueError(f"port {port} ({whose}) is not available: {reason}; {choice}") from error
 
 
 def is_answered(port) -> bool:
-    """Return whether a program answers at this port of ::1. Browsers try that before 127.0.0.1."""
+    """Return whether a program answers at this port of ::1. Browsers try ::1 before 127.0.0.1."""
     with suppress(OSError), socket.create_connection(("::1", port), timeout=0.2):
         return True
     return False
@@ -76,25 +77,25 @@ def port_of(listener) -> int:
 
 
 class PageServer(http.server.ThreadingHTTPServer):
-    """The server of VPython's page, which says where it is as soon as a browser can connect.
+    """The server of VPython's page. It prints its address as soon as a browser can connect.
 
-    It has a thread for each connection. With the single thread of VPython's own, a connection that a browser has
-    opened in advance, and not used yet, would keep the page from loading.
+    It has a thread for each connection. VPython's own server has a single thread: a connection that a browser opens in
+    advance, without using it, would block the page.
     """
 
     def __init__(self, sockets, head, no_webgl, address, handler) -> None:
-        """Serve at these page_sockets; head is HTML that the page begins with, before anything of VPython's.
+        """Serve at sockets, made by page_sockets; head is HTML for the beginning of the page, before VPython's own.
 
-        no_webgl is text to print as soon as the page finds that its browser has no WebGL.
+        no_webgl is the text to print if the page reports that its browser has no WebGL.
         """
         self.page, websocket = sockets
-        vpython = sys.modules[handler.__module__]  # where the page's text is, with a websocket port chosen by VPython
+        vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
         vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
         super().__init__(address, own_files_only(handler, no_webgl))
 
     def server_bind(self) -> None:
-        """Take the page's socket, whatever the address that VPython asks for."""
+        """Use the page's socket, and ignore the address from VPython."""
         self.socket.close()
         self.socket = self.page
         self.server_name, self.server_port = self.page.getsockname()
@@ -102,16 +103,16 @@ class PageServer(http.server.ThreadingHTTPServer):
     def server_activate(self) -> None:
         super().server_activate()
         print(f"Newton's cradle is at http://localhost:{self.server_port}")
-        print("Open it yourself if no browser does. Ctrl+C, or closing the tab, ends the program.", flush=True)
+        print("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.", flush=True)
 
     def handle_error(self, request, client_address) -> None:
-        """Say nothing: the browser went away in the middle of an answer."""
+        """Print nothing: the browser disconnected in the middle of an answer."""
 
 
 def own_files_only(handler: Any, no_webgl) -> Any:
-    """Return VPython's request handler, changed to give nothing but its page and the files in its own two folders.
+    """Return VPython's request handler, limited to VPython's page and the files in VPython's own two folders.
 
-    The page can say that its browser has no WebGL; the text no_webgl is then printed.
+    If the page reports that its browser has no WebGL, the handler prints the text no_webgl.
     """
     files = {
         f"/{file.relative_to(folder).as_posix()}": (content_type, file)
@@ -141,13 +142,13 @@ def own_files_only(handler: Any, no_webgl) -> Any:
 
 
 def page_websocket(sockets) -> Any:
-    """Return what is to take the place of an event loop's create_server while VPython starts its websocket."""
+    """Return a replacement for an event loop's create_server, for the moment when VPython starts its websocket."""
     page, websocket = sockets
     origins = [f"http://{host}:{port_of(page)}" for host in ("localhost", "127.0.0.1")]
     create_server = asyncio.BaseEventLoop.create_server
 
     async def create_page_websocket(loop, factory, *_):
-        logging.getLogger("autobahn").setLevel(logging.CRITICAL)  # it quotes those whom it refuses
+        logging.getLogger("autobahn").setLevel(logging.CRITICAL)  # it quotes refused clients
         factory.setProtocolOptions(allowedOrigins=origins, allowNullOrigin=False, webStatus=False)
         factory.protocol = one_tab_only(factory.protocol)
         return await create_server(loop, factory, sock=websocket)
@@ -156,13 +157,13 @@ def page_websocket(sockets) -> Any:
 
 
 def one_tab_only(protocol: Any) -> Any:
-    """Return VPython's websocket protocol, changed to accept one connection, which must say its Origin.
+    """Return VPython's websocket protocol, limited to one connection, which must name its Origin.
 
-    Autobahn has checked an Origin before, but lets pass who says none. It calls onClose for a connection that was
-    refused, or never asked for anything, as well. VPython would then end the program, by a Ctrl+C that on Windows
+    Autobahn checks the Origin before this, but accepts a connection without one. It also calls onClose for a connection
+    that was refused, or that never sent a request. VPython would then end the program with a Ctrl+C, which on Windows
     reaches every program of the console.
     """
-    from autobahn.websocket.types import ConnectionDeny  # comes with VPython, which the tests can do without
+    from autobahn.websocket.types import ConnectionDeny  # comes with VPython, which the tests do not need
 
     tab = None
 

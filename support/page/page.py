@@ -1,4 +1,4 @@
-"""The page in the browser, from the start of VPython's servers until the tab is closed or Ctrl+C is pressed."""
+"""Run the page in the browser, from the start of VPython's servers until you close the tab or press Ctrl+C."""
 
 import asyncio
 import http.server
@@ -21,7 +21,7 @@ from support.start.command_line import command_line
 from support.start.interrupt import end_on_interrupt
 from support.start.options import check_lift
 
-# What the page begins with: its title, and what it needs of a browser.
+# The beginning of the page: its title, and the check of the browser's WebGL.
 PAGE_HEAD = Path(__file__).with_name("page_head.html")
 
 NO_WEBGL = """\
@@ -30,15 +30,16 @@ Use another browser. Or press Ctrl+C and type this, to see the single cradle as 
 
 
 def show_page(main, cradle, options, angles, remark="") -> None:
-    """Let main run with the page of a cradle, until the tab is closed; status 2 if something is refused.
+    """Run main with the page of a cradle, until the tab is closed.
 
-    cradle is as support/playback/cradle.py says, still without pendula. options are the viewer's, from
-    support/start/options.py. angles are the release angles (rad), each None to leave it as the cradle is made. The
-    page shows the remark, a line.
+    cradle follows the protocol in support/playback/cradle.py, and has no pendula yet. options are the page's, from
+    support/start/options.py. angles are the release angles (rad); None keeps the angle with which main makes the
+    cradle. remark is a line on the page. Exits with status 2 if the CSV, --lift or the port is wrong, with status 1 if
+    a function makes a mistake.
     """
     file = LiveFile(options.csv)
     try:
-        check_cradle(file.current)  # here, as later on it would be said on the page only
+        check_cradle(file.current)  # here, because later mistakes in the file appear only on the page
         check_lift(options.lift, file.current)
         sockets = page_sockets(options.port)
     except ValueError as error:
@@ -47,7 +48,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     viewer = None
     try:
         open_page(sockets, options.browser)
-        # It needs VPython's canvas and widgets, which all of the above does without.
+        # This import needs VPython's canvas and widgets; the code above does not.
         from support.page.viewer import Viewer
 
         viewer = Viewer(cradle, file, angles, options.lift, remark)
@@ -60,11 +61,11 @@ def show_page(main, cradle, options, angles, remark="") -> None:
 
 
 def open_page(sockets, launch_browser=True) -> None:
-    """Open VPython's page at these page_sockets, and wait for a browser.
+    """Open VPython's page at sockets, made by page_sockets, and wait for a browser.
 
-    From then on Ctrl+C and the closing of the tab end the process with status 0.
+    From then on, Ctrl+C and closing the tab end the process with status 0.
     """
-    os.environ["VPYTHON_HTTP_PORT"] = str(port_of(sockets[0]))  # where VPython sends the browser that it opens
+    os.environ["VPYTHON_HTTP_PORT"] = str(port_of(sockets[0]))  # VPython opens the browser at this port
     if not launch_browser:
         os.environ["VPYTHON_NO_LAUNCH_BROWSER"] = "1"
     logging.getLogger("asyncio").addFilter(is_worth_showing)
@@ -76,20 +77,20 @@ def open_page(sockets, launch_browser=True) -> None:
         replaced(signal, "signal", lambda *_: None),
         replaced(http.server, "HTTPServer", partial(PageServer, sockets, head, no_webgl)),
         replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets)),
-        # On Windows the usual loop stops listening if a connection ends before it is accepted.
+        # On Windows, the usual loop stops listening if a connection ends before it is accepted.
         replaced(asyncio, "new_event_loop", asyncio.SelectorEventLoop),
     ):
-        importlib.import_module("vpython.no_notebook")  # starts the servers, and returns when a browser is there
+        importlib.import_module("vpython.no_notebook")  # starts the servers, and returns when a browser has connected
 
 
 def is_worth_showing(record) -> bool:
-    """Whether a log record is about anything but VPython having talked to a tab that was just being closed."""
+    """Return whether to show a log record: not if VPython has only sent data to a tab that was just closing."""
     return not (record.exc_info and type(record.exc_info[1]).__name__ == "Disconnected")
 
 
 @contextmanager
 def replaced(owner, name, value):
-    """Put value in the place of a module's or class's attribute for the body of the with statement."""
+    """Replace an attribute of a module or class with value during the body of the with statement."""
     original = getattr(owner, name)
     setattr(owner, name, value)
     try:

@@ -1,4 +1,4 @@
-"""The control panel under the canvas: what a person can set there, and what the cradle does in numbers."""
+"""The control panel under the canvas: the settings, and the motion of the cradle in numbers."""
 
 from html import escape
 from pathlib import Path
@@ -8,27 +8,27 @@ from vpython import button, checkbox, menu, scene, slider, wtext
 from support.page.commands import Command
 from support.pendulum import from_lift, to_lift
 
-# How the page looks, and what its keys and its mouse do beyond what VPython does.
+# The style of the page, and additions to VPython's keys and mouse.
 PAGE = Path(__file__).with_name("panel.html")
 
 KEYS_HINT = "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs. Drag a bob with the mouse."
 SEPARATING = "Separating bobs collide too"
-SEPARATING_HINT = "as in the handout: with e below 1 they then stick together"
-FIXED_HINT = "fixed: the functions take no approaching_only"
-SAVING = "a CSV of what has been seen since the last restart, ten minutes at most"
+SEPARATING_HINT = "as in the handout: bobs with e below 1 then stick together"
+FIXED_HINT = "fixed: your functions have no approaching_only"
+SAVING = "writes a CSV with the data since the last restart, at most ten minutes"
 TRAINS = 7  # of impacts, a line for each
 
 
 class Panel:
-    """The widgets and texts. What is done to the widgets is given on as a command; show_... change what is to be seen.
+    """The widgets and texts. Each use of a widget gives a command; the methods show_... change the page.
 
-    The texts change only where something has changed, so that nothing flickers, and are as wide as before.
+    A text is sent only if it has changed, and keeps its width, so that nothing flickers or moves.
     """
 
     def __init__(self, give, cradle, remark=""):
-        """Make the panel for this cradle, below a remark, if there is one.
+        """Make the panel for this cradle, below the remark, if there is one.
 
-        give(command, value) takes the commands; another thread calls it.
+        The widgets call give(command, value), in a thread of VPython.
         """
         scene.append_to_caption(PAGE.read_text(encoding="utf-8"))
         self.error = wtext()
@@ -55,7 +55,7 @@ class Panel:
     def add_settings(self, give, cradle) -> None:
         """Add the sliders."""
         self.speed = Setting("Speed", 0.1, 2, 0.1, lambda speed: give(Command.SPEED, speed))
-        # The range of a VPython slider is fixed and the number of pendula is not, so this one goes from none to all.
+        # A VPython slider has a fixed range, but the number of pendula changes: this one has the lifted part, 0 to 1.
         self.count = 1
         self.lifted = Setting("Bobs lifted", 0, 1, 0.001, lambda part: give(Command.LIFT, round(part * self.count)))
         self.angles = [
@@ -64,7 +64,7 @@ class Panel:
         ]
 
     def add_collisions(self, give, cradle) -> None:
-        """Add the menu of collisions and their rule, which is fixed if the cradle takes none."""
+        """Add the menu of collisions and the checkbox of their rule, which is fixed if the cradle takes no rule."""
         add_label("Collisions")
         self.collisions = menu(
             choices=list(cradle.collisions),
@@ -80,17 +80,17 @@ class Panel:
             add_hint(FIXED_HINT)
 
     def show_error(self, message) -> None:
-        """Show this message above everything else, until it is shown an empty one."""
+        """Show this message above everything else; an empty message removes it."""
         set_text(self.error, f'<div class="error" role="alert">{escape(message)}</div>' if message else "")
 
     def show_end(self, words) -> None:
-        """Show that the program has ended, and why; what stands there no longer moves."""
+        """Show that the program has ended, and why; nothing on the page moves any more."""
         text = f"<strong>The program has ended.</strong> {escape(words)}"
         set_text(self.error, f'<div class="error ended" role="alert">{text}</div>')
 
     def show_settings(self, running, speed, angles, lifted, count) -> None:
-        """Show whether the cradle runs, its speed (times real time), its release angles (rad), and how many bobs
-        out of count are lifted.
+        """Show whether the cradle runs, its speed (times real time), its release angles (rad), and the number of
+        lifted bobs out of count.
         """
         self.count = count
         set_text(self.pause, "Pause" if running else "Run")
@@ -103,13 +103,13 @@ class Panel:
         self.lifted.show(lifted / count, f"{lifted} of {count}")
 
     def show_motion(self, reading, momentum, remark) -> None:
-        """Show the time and the energy, as Motion reads them, the momentum (kg m/s), and a remark about the speed."""
+        """Show the reading of Motion (time, energy), the momentum (kg m/s), and a remark about the speed."""
         moving = f"{momentum:+9.3f}" if abs(momentum) < 1e4 else f"{momentum:+9.2e}"
         text = f"{reading}   momentum {moving} kg m/s   {remark}".rstrip()
         set_text(self.readout, f'<pre class="readout">{text}</pre>')
 
     def show_saved(self, message, failed=False) -> None:
-        """Show what has been saved, and where, or why it failed."""
+        """Show a message about saved data: the file, or, if failed, the reason."""
         set_text(self.saved, f'<span class="{"failed" if failed else "hint"} saved">{escape(message)}</span>')
 
     def show_impacts(self, lines) -> None:
@@ -118,10 +118,10 @@ class Panel:
 
 
 class Setting:
-    """A slider with its name before it and its value, with the unit, behind it."""
+    """A slider, with its name before it, and its value and unit behind it."""
 
     def __init__(self, name, lowest, highest, step, bind):
-        """Make the slider; bind(value) is called when it is moved."""
+        """Make the slider; when you move it, it calls bind(value)."""
         add_label(name)
         self.slider = slider(min=lowest, max=highest, step=step, length=170, bind=lambda slider: bind(slider.value))
         self.text = wtext()
@@ -134,12 +134,12 @@ class Setting:
 
 
 def add_label(text) -> None:
-    """Add the name of the widget that comes next."""
+    """Add the name of the next widget."""
     wtext(text=f'<span class="label">{text}</span>')
 
 
 def add_hint(text) -> None:
-    """Add a small explanation, which ends a row."""
+    """Add a short explanation, and end the row."""
     wtext(text=f'<span class="hint">{text}</span>')
     end_row()
 
@@ -150,6 +150,6 @@ def end_row() -> None:
 
 
 def set_text(widget, text) -> None:
-    """Change the text of something on the page, if it is another: a person may be about to copy it."""
+    """Set the text of a widget only if it has changed: you may be about to copy it."""
     if widget.text != text:
         widget.text = text

@@ -1,4 +1,4 @@
-"""What stands around the pendula: frame and base, light, and a camera that has the whole swing in view."""
+"""The scenery around the pendula: frame, base, light, and a camera that shows the whole swing."""
 
 from math import tan
 from typing import NamedTuple
@@ -8,13 +8,13 @@ from vpython import box, cross, cylinder, distant_light, dot, norm, scene, textu
 from support.shapes import discard, make_shape
 
 STEEL = vector(0.75, 0.76, 0.78)
-BACKGROUND = vector(241, 242, 244) / 255  # the page's, in panel.html, so that the canvas has no edge
-CANVAS_WIDTH, CANVAS_HEIGHT = 1000, 400  # pixels, as the page opens
-MARGIN = 1.04  # how much more than the cradle is in view
+BACKGROUND = vector(241, 242, 244) / 255  # the same as in panel.html, so that the canvas has no visible edge
+CANVAS_WIDTH, CANVAS_HEIGHT = 1000, 400  # pixels, when the page opens
+MARGIN = 1.04  # the view is larger than the cradle by this factor
 
 
 class Room(NamedTuple):
-    """What a cradle takes up, all in m."""
+    """The space that a cradle needs, all in m."""
 
     left: float  # the first axle
     right: float  # the last axle
@@ -25,13 +25,13 @@ class Room(NamedTuple):
 
 
 class Scenery:
-    """The canvas with its light, and around a cradle the frame and the camera's view."""
+    """The canvas with its light, the frame around a cradle, and the camera's view of it."""
 
     def __init__(self):
         """Set the canvas: a pale background, soft light, and a camera that looks a little from the left and above."""
         scene.width, scene.height, scene.background = CANVAS_WIDTH, CANVAS_HEIGHT, BACKGROUND
         scene.forward = vector(-0.25, -0.18, -1)
-        scene.fov = 0.25  # rad: a far camera, since a near one skews what is off the centre
+        scene.fov = 0.25  # rad: a distant camera; a near one distorts shapes off the centre
         scene.lights = []
         scene.ambient = vector(0.45, 0.45, 0.45)
         distant_light(direction=vector(0.3, 0.6, 0.9), color=vector(0.5, 0.5, 0.5))
@@ -43,8 +43,8 @@ class Scenery:
     def surround(self, axles, bobs, reach) -> None:
         """Put a frame around the cradle with these axles and bobs, from left to right, and point the camera at it.
 
-        reach is how far below its axle a pendulum hangs (m). The camera stays as it is if the cradle takes up as much
-        room as the one before: someone may have turned it.
+        reach (m) is the distance from an axle to the centre of the lowest bob at rest. If the new cradle needs the same
+        space as the old one, the camera does not change: you may have turned it.
         """
         first, last = axles[0], axles[-1]
         room = Room(first.pos.x, last.pos.x, first.pos.y, first.width, reach, bobs[0].radius)
@@ -55,19 +55,19 @@ class Scenery:
             self.point_camera()
 
     def keep_in_view(self, bobs) -> None:
-        """Take the camera further back once a bob swings up above the frame."""
+        """Move the camera back as soon as a bob swings above the frame."""
         if not self.whole_circles and any(bob.pos.y > self.room.top for bob in bobs):
             self.whole_circles = True
             self.point_camera()
 
     def come_closer(self) -> None:
-        """Take the camera back to where it was before a bob swung up above the frame."""
+        """Undo keep_in_view: move the camera as near as before."""
         if self.whole_circles:
             self.whole_circles = False
             self.point_camera()
 
     def point_camera(self) -> None:
-        """Point the camera at the frame and at every swing up to the horizontal, or at all circles."""
+        """Point the camera at the frame and at all swings up to the horizontal, or at whole circles."""
         room = self.room
         swing = room.reach + room.radius
         left, right, bottom = frame_corners(room)
@@ -79,11 +79,11 @@ class Scenery:
 
 
 def view(points) -> None:
-    """Point the camera at the middle of these points, from as far as it takes to have them all in the canvas.
+    """Point the camera at the middle of these points, just far enough away to show them all in the canvas.
 
-    scene.range is half of what the shorter side of the canvas shows of the plane through the centre. A point that is
-    x off the axis of view and z nearer to the camera than the centre shows up at x d / (d - z) there, where
-    d = range / tan(fov / 2) is the distance of the camera. So range * side / shorter side must not be below that.
+    The shorter side of the canvas shows 2 scene.range (m) of the plane through the centre. The camera is at the
+    distance d = range / tan(fov / 2). A point at the distance x from the axis of view, and z nearer to the camera than
+    the centre, appears in that plane at x d / (d - z). So range * side / shorter side must be at least x d / (d - z).
     """
     forward = norm(scene.forward)
     sideways = norm(cross(forward, scene.up))
@@ -93,7 +93,7 @@ def view(points) -> None:
         places = [dot(point, direction) for point in points]
         center += direction * (min(places) + max(places)) / 2
     shorter = min(scene.width, scene.height)
-    scene.center = center  # once, as each setting goes to the page
+    scene.center = center  # only once, because each assignment is sent to the page
     scene.range = MARGIN * max(
         abs(dot(arm, direction)) * shorter / side - dot(arm, forward) * tan(scene.fov / 2)
         for arm in [point - center for point in points]

@@ -1,4 +1,4 @@
-"""The viewer: plays a cradle in step with the clock, and does with it what the person in front of the page asks for."""
+"""The viewer: plays a cradle in step with the clock, and carries out your commands on the page."""
 
 import time
 from math import inf
@@ -18,17 +18,17 @@ from support.playback.player import Player
 from support.playback.real_time import FRAME
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
-GOODBYE = 10.0  # s that the page has to fetch the program's last words
+GOODBYE = 10.0  # s that the page has to fetch the last message
 
 
 class Viewer(Player):
-    """The page with a cradle, its panel and its graph: what main is given as page."""
+    """The page with a cradle, its panel and its graph: the argument page of main."""
 
     def __init__(self, cradle: Cradle, file, angles, lifted, remark=""):
-        """Build the page of the cradle of this file (a LiveFile), with a remark, if there is one.
+        """Build the page for the cradle of this file (a LiveFile), with the remark, if there is one.
 
-        angles (rad) are the release angles, and lifted is the number of bobs to lift. None leaves it as the cradle is
-        made.
+        angles (rad) are the release angles, lifted is the number of bobs to lift. None keeps the value with which main
+        makes the cradle.
         """
         super().__init__(cradle, file.current, angles, lifted, TRAINS)
         self.file = file
@@ -40,30 +40,30 @@ class Viewer(Player):
 
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle, remark)
-        self.graph = EnergyGraph(CANVAS_WIDTH - 26)  # its borders, in panel.html
+        self.graph = EnergyGraph(CANVAS_WIDTH - 26)  # without its borders, in panel.html
 
     def script(self):
-        """Show the cradle, and keep it going for ever."""
+        """Show the cradle, and play it for ever."""
         yield from self.open()
         while True:
             yield from self.frame()
             self.pace.rest()
 
     def open(self):
-        """Show the cradle; go on when the page has it, so that the release is seen."""
+        """Show the cradle; start it when the page has it, so that you see the release."""
         yield from self.make()
         self.listen()
         self.wait_for_page()
         self.pace.restart()
 
     def wait_for_page(self, patience=inf) -> None:
-        """Wait until the page has asked for all that is new, or for at most patience (s)."""
+        """Wait until the page has fetched all changes, but at most patience (s)."""
         begin = time.monotonic()
         while not baseObj.empty() and time.monotonic() - begin < patience:
             time.sleep(FRAME)
 
     def frame(self):
-        """Do what must be done for one picture."""
+        """Do the work of one frame."""
         while not self.commands.empty():
             yield from self.carry_out(*self.commands.get())
         if self.file.changed():
@@ -78,21 +78,21 @@ class Viewer(Player):
         self.show_motion()
 
     def try_single_ticks(self) -> None:
-        """Find out anew whether the machine is fast enough for single ticks."""
+        """Measure again whether the machine is fast enough for single ticks."""
         self.at_once = False
         self.pace.forget_costs()
 
     def end(self, words) -> None:
-        """Say on the page that the program has ended, and why, and wait a moment until the page has that."""
+        """Show on the page that the program has ended, and why; wait a moment until the page has the message."""
         self.panel.show_end(words)
         self.wait_for_page(GOODBYE)
-        self.panel.show_saved("")  # the page asks for this after it has shown the rest
+        self.panel.show_saved("")  # the page fetches this after it has shown the message
         self.wait_for_page(GOODBYE)
 
     # --- commands ----------------------------------------------------------------------------------------------------
 
     def give(self, command, value=None) -> None:
-        """Put a command into the queue, for the next frame; may be called from any thread."""
+        """Put a command into the queue, for the next frame; any thread can call this."""
         self.commands.put((command, value))
 
     def listen(self) -> None:
@@ -102,7 +102,7 @@ class Viewer(Player):
             if event.key in KEYS and not (event.ctrl or event.alt):
                 self.give(*KEYS[event.key])
 
-        def ray(event):  # to where the mouse points: a place on it, and its direction
+        def ray(event):  # of the mouse: a point on it, and its direction
             return event.pos, scene.mouse.ray
 
         scene.bind("keydown", press)
@@ -112,7 +112,7 @@ class Viewer(Player):
         scene.bind("resize", lambda: self.give(Command.RESIZE))
 
     def carry_out(self, command, value):
-        """Do what a command says."""
+        """Carry out a command."""
         match command:
             case Command.PAUSE:
                 self.running = not self.running
@@ -134,7 +134,7 @@ class Viewer(Player):
         self.show_settings()
 
     def set(self, command, value) -> None:
-        """Do what a command says that neither makes nor moves pendula."""
+        """Carry out a command that neither makes nor moves pendula."""
         match command:
             case Command.SPEED:
                 self.pace.speed = value
@@ -151,7 +151,7 @@ class Viewer(Player):
                 self.scenery.point_camera()
 
     def make(self):
-        """Have the cradle made anew, lifted as it is set, and let go."""
+        """Let main make a new cradle, lift it as set, and release it."""
         yield from super().make()
         self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach)
         self.scenery.come_closer()
@@ -161,18 +161,18 @@ class Viewer(Player):
         self.show_settings()
 
     def save(self) -> None:
-        """Write what has happened since the last restart to a file in the folder where the program was started."""
+        """Write the data since the last restart to a new file in the current folder."""
         try:
             path = self.recording.save(Path.cwd())
             self.panel.show_saved(f"{len(self.recording.rows)} rows are in {path}")
         except OSError as error:
-            self.panel.show_saved(f"{error.filename or 'The present folder'}: {error.strerror}", failed=True)
-        self.pace.restart()  # what this took (ten minutes of a hundred pendula: ten seconds) is not made up for
+            self.panel.show_saved(f"{error.filename or 'The current folder'}: {error.strerror}", failed=True)
+        self.pace.restart()  # do not catch up on this time (ten minutes of a hundred pendula: ten seconds)
 
     # --- the mouse ---------------------------------------------------------------------------------------------------
 
     def follow_mouse(self, command, value) -> None:
-        """Grab a bob, drag the one that is held, or let go of it."""
+        """Grab a bob, drag the held bob, or let it go."""
         if command is Command.GRAB:
             self.grab(*value)
         elif self.cradle.held is not None:
@@ -183,7 +183,7 @@ class Viewer(Player):
                 self.motion.set_start()
 
     def grab(self, place, direction) -> None:
-        """Hold the bob to which this ray points, the foremost if there are several, if there is one."""
+        """Hold the foremost bob that this ray meets, if there is one."""
         hits = [
             (dot(bob.pos - place, direction), number)
             for number, bob in enumerate(self.cradle.bobs())
@@ -193,7 +193,7 @@ class Viewer(Player):
             self.cradle.hold(min(hits)[1])
 
     def drag(self, place, direction) -> None:
-        """Drag the bob that is held to where this ray meets the plane of swing, z = 0."""
+        """Drag the held bob to the point where this ray meets the plane of swing, z = 0."""
         if abs(direction.z) > 0.01 * mag(direction):  # seen from the side, the plane is a line
             point = place - direction * (place.z / direction.z)
             self.cradle.drag(self.cradle.held, point.x, point.y)
@@ -207,7 +207,7 @@ class Viewer(Player):
         self.graph.add(sample["t"], sample["kinetic"], sample["potential"])
 
     def reload(self):
-        """Have the cradle of the new file made, or say why the file makes none; the old one then swings on."""
+        """Let main make the cradle of the new file, or show the mistake in the file; the old cradle then swings on."""
         try:
             check_cradle(self.file.current)
         except ValueError as error:
@@ -218,10 +218,10 @@ class Viewer(Player):
         self.try_single_ticks()
         yield from self.make()
 
-    # --- what is to be read ------------------------------------------------------------------------------------------
+    # --- texts and numbers -------------------------------------------------------------------------------------------
 
     def show_settings(self) -> None:
-        """Show what is set."""
+        """Show the present settings."""
         made_angles, made_lifted = self.cradle.as_made()
         angles = [made if angle is None else angle for angle, made in zip(self.angles, made_angles, strict=True)]
         count = len(self.cradle.axles())

@@ -244,7 +244,7 @@ def test_the_ports_asked_for_are_used():
 def test_a_taken_port_is_refused(above, whose):
     port = free_port()
     with socket.create_server(("127.0.0.1", port + above)), running(VPYTHON_HTTP_PORT=str(port)) as process:
-        problem = f"port {port + above} ({whose}) cannot be had: "
+        problem = f"port {port + above} ({whose}) is not available: "
         assert refusal(process).startswith(problem)
 
 

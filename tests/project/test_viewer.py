@@ -201,7 +201,7 @@ def test_where_the_rule_cannot_be_chosen_the_box_says_so_and_is_fixed(csv, monke
     monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", lambda p, r, dt, g: tick(p, r, dt, g))
     box = Wall(csv).panel.separating
     assert (box.checked, box.disabled) == (True, True)
-    assert texts[-1] == "fixed: the functions take no approaching_only"
+    assert texts[-1] == "fixed: your functions have no approaching_only"
 
 
 @pytest.mark.parametrize(
@@ -492,7 +492,7 @@ def test_the_name_of_a_folder_is_shown_as_text(wall):
 
 
 def test_what_the_button_saves_is_told_beforehand(wall):
-    assert "since the last restart, ten minutes at most" in wall.panel.saved.text
+    assert "since the last restart, at most ten minutes" in wall.panel.saved.text
 
 
 def test_saving_again_after_another_cradle_has_its_columns(wall, csv, tmp_path, monkeypatch):
@@ -743,7 +743,7 @@ def test_the_panel_says_what_the_keys_do_and_what_the_handouts_rule_does(monkeyp
     Wall(csv)
     said = re.sub("<.*?>", "", " ".join(texts))
     assert "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs. Drag a bob with the mouse." in said
-    assert "as in the handout: with e below 1" in said
+    assert "as in the handout: bobs with e below 1" in said
 
 
 def test_a_remark_stands_above_the_widgets(monkeypatch, csv):
