@@ -1,4 +1,4 @@
-"""What a cradle is to the programs that show it."""
+"""The protocol of a cradle: its parts that the programs use."""
 
 from collections.abc import Mapping
 from contextlib import contextmanager
@@ -6,68 +6,67 @@ from typing import Any, Protocol
 
 
 class Cradle(Protocol):
-    """What the programs are told about a cradle and ask of it. What is inside a pendulum is none of their business."""
+    """Programs use a cradle only through these attributes and methods. They never look inside a pendulum."""
 
     dt: float  # one tick (s)
-    reach: float  # how far below its axle a pendulum hangs (m)
-    angles: Mapping[str, tuple[float, float]]  # its release angles by name: the least and the largest, in degrees
-    collisions: dict[str, Any]  # the names of the ways in which it can collide are the keys
-    collision: str  # the present one of them
-    held: int | None  # which of its bobs is held
-    takes_rule: bool  # whether its tick can be told that only approaching bobs collide
-    hits: list[tuple[int, int, bool]]  # noted, and not told yet: the two pendula (indices), whether they moved right
+    reach: float  # from an axle to the centre of the lowest bob at rest (m)
+    angles: Mapping[str, tuple[float, float]]  # name of a release angle -> (least, largest), degrees
+    collisions: dict[str, Any]  # the keys are the names of the kinds of collisions
+    collision: str  # the present key of collisions
+    held: int | None  # the held bob, an index into bobs
+    takes_rule: bool  # whether its tick has the parameter approaching_only
+    hits: list[tuple[int, int, bool]]  # new hits: (left, right, rightwards), with indices of pendula
 
     @contextmanager
     def reading_once(self):
-        """Read each file at most once while the body of the with statement makes pendula of it."""
+        """Read each file at most once in the body of the with statement."""
         yield
 
     def give_back(self) -> None:
-        """Hide the objects of the present pendula, so that new ones are made of them."""
+        """Hide the objects of the present pendula; the next pendula reuse them."""
 
     def take(self, pend_list, csv) -> None:
-        """Become the cradle of these pendula, made of the file at the path csv; raise a MistakeError if they are none.
+        """Take pend_list, made from the file at the path csv, as the new cradle.
 
-        pend_list is the loop's own list, which its ticks change.
+        It is the list of main, which the ticks change. Raises a MistakeError if it is no list of complete pendula.
         """
 
     def release(self, angles, lifted) -> None:
-        """Lift the first pendula to these angles (rad), let the others hang, all at rest.
+        """Lift the first `lifted` pendula to these angles (rad) and let the others hang, all at rest.
 
-        An angle that is None, or a number of lifted ones that is None, is as the cradle was made. If all are None, the
-        pendula are left as they were made.
+        None stands for the angle, or the number, with which the cradle was made. If all are None, nothing moves.
         """
 
     def as_made(self) -> tuple[list[float], int]:
-        """Return the angles (rad) to which the cradle was lifted as it was made, and of how many pendula."""
+        """Return the release angles (rad) with which the cradle was made, and the number of lifted pendula."""
 
     def collide(self, collision, csv) -> None:
-        """Collide from now on in this way, one of collisions; csv is the path of the cradle's file."""
+        """Set how bobs collide from now on (a key of collisions); csv is the path of the cradle's file."""
 
     @contextmanager
     def held_still(self):
-        """Hold the bob that is held, if there is one, while the body of the with statement does a few ticks."""
+        """Keep the held bob, if any, in its place while the body of the with statement does a few ticks."""
         yield
 
     @contextmanager
     def noting_hits(self):
-        """Note who hits whom while the body of the with statement does ticks."""
+        """Record the hits of the ticks in the body of the with statement."""
         yield
 
     def tick_at_once(self, ticks, rule) -> list[tuple[int, int, int, bool]] | None:
-        """Do so many ticks with this rule at once, and return the contacts as (tick, left, right, to the right).
+        """Do `ticks` ticks with this rule in one call; return the contacts as (tick, left, right, rightwards).
 
-        Return None, and do nothing, if that is not certain to be the same as single ticks.
+        Return None, and do nothing, if the result might differ from that of single ticks.
         """
 
     def check(self) -> None:
-        """Raise a MistakeError if a tick has made something of a pendulum that is no number."""
+        """Raise a MistakeError if a tick has changed the number of pendula, or set a coordinate to no finite number."""
 
     def axles(self) -> list:
         """Return the axles, from left to right."""
 
     def bobs(self) -> list:
-        """Return all bobs, which can be dragged, from left to right."""
+        """Return all bobs, from left to right."""
 
     def cords(self) -> list:
         """Return all cords."""
@@ -76,13 +75,13 @@ class Cradle(Protocol):
         """Return the angles of the pendula (rad), from left to right; of double ones, those of their upper cords."""
 
     def hold(self, bob) -> None:
-        """Hold this bob, an index into bobs, where it is."""
+        """Hold this bob (an index into bobs) in its place."""
 
     def drag(self, bob, x, y) -> None:
-        """Drag this bob, which is held, as near as it can come to x, y (m) in the plane of swing."""
+        """Drag this held bob as near as possible to x, y (m) in the plane of swing."""
 
     def let_go(self) -> None:
-        """Let go of the bob that is held, if there is one."""
+        """Let the held bob go, if there is one."""
 
     def energies(self) -> tuple[float, float]:
         """Return the kinetic and the potential energy (J)."""
@@ -91,4 +90,4 @@ class Cradle(Protocol):
         """Return the momentum to the right (kg m/s)."""
 
     def coordinates(self) -> dict[str, float]:
-        """Return where all pendula are (rad) and how fast they turn (rad/s), each by its name."""
+        """Return the coordinates of all pendula (rad) and their rates (rad/s), by name."""

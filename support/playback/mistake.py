@@ -1,4 +1,4 @@
-"""A mistake in one of the project's functions: how the programs tell of it."""
+"""Report a mistake in one of the handout's functions."""
 
 import linecache
 import sys
@@ -9,24 +9,24 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 class MistakeError(Exception):
-    """What a function has made is of no use, though it raised nothing."""
+    """A function raised no error, but its result is unusable."""
 
     def __init__(self, function, words):
-        """function is the one that made it, and words say what is wrong with that."""
+        """Name the function in the message, before words, which describe the mistake."""
         super().__init__(f"{function.__name__} {words}")
         self.code = function.__code__
 
 
 def is_own(frame) -> bool:
-    """Return whether a frame of a traceback is in one of the handout's files, which are in src/ itself."""
+    """Return whether a frame of a traceback is in one of the handout's files, which are directly in src/."""
     path = Path(frame.filename).resolve()
     return path.parent == ROOT / "src" and path.name != "text_cradle_run.py"
 
 
 def own_frames(error) -> list[traceback.FrameSummary]:
-    """Return the frames of an error that are in the handout's files: none if it did not arise in a call of these.
+    """Return the frames of an error that are in the handout's files: none if the error did not arise in these.
 
-    Where the loop of main asks the player something, main is right, and the mistake is the player's.
+    If main calls a method of the player, and the error arises there, main is right: return none, too.
     """
     if isinstance(error, MistakeError):
         file, line = error.code.co_filename, error.code.co_firstlineno
@@ -42,8 +42,8 @@ def own_frames(error) -> list[traceback.FrameSummary]:
 def tell_mistake(error) -> str:
     """Print the traceback of an error on stderr, and return the error in one line, with its place.
 
-    The traceback has the lines of the handout's files only, the last one last: what these call in support/ or in
-    VPython is right, but was given something wrong.
+    The traceback has only lines of the handout's files, the last one last. The functions of support/ and VPython that
+    they call are right, but got a wrong argument.
     """
     report = traceback.TracebackException.from_exception(error)
     report.stack[:] = own_frames(error) or report.stack

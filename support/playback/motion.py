@@ -1,25 +1,25 @@
-"""A cradle in motion: how long it has swung since it was let go, its impacts, its energy, and all that as data."""
+"""The motion of a cradle: the time since its release, its impacts, its energy, and all these as data."""
 
 from support.playback.cradle import Cradle
 from support.playback.impacts import ImpactTrains
 
 
 class Motion:
-    """Keeps account of what a cradle does."""
+    """Keeps the time, the impacts and the energy of a cradle."""
 
     def __init__(self, cradle: Cradle, impacts):
-        """Begin at time 0; the last trains of impacts, as many as impacts says, are remembered."""
+        """Begin at time 0; keep the last `impacts` trains of impacts."""
         self.cradle, self.trains = cradle, ImpactTrains(impacts)
         self.restart()
 
     def restart(self) -> None:
-        """Begin anew at time 0, with the energy of this moment as 100 %."""
+        """Begin again at time 0, with the energy of this moment as 100 %."""
         self.ticks = 0
         self.trains.clear()
         self.set_start()
 
     def set_start(self) -> None:
-        """Take the energy of this moment as that of the start, which is 100 %."""
+        """Take the energy of this moment as 100 %."""
         self.start_energy = sum(self.cradle.energies())
 
     def time(self) -> float:
@@ -27,13 +27,13 @@ class Motion:
         return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004
 
     def note_hits(self) -> None:
-        """Add the hits that the cradle has noted to the trains, as of this moment."""
+        """Add the new hits of the cradle to the trains, with the present time."""
         for left, right, rightwards in self.cradle.hits:
             self.trains.add(self.ticks * self.cradle.dt, left, right, rightwards)
         self.cradle.hits.clear()
 
     def do_at_once(self, ticks, rule) -> bool:
-        """Move on by so many ticks if the cradle can do them at once; return whether it could."""
+        """Do `ticks` ticks if the cradle can do them in one call; return whether it could."""
         contacts = self.cradle.tick_at_once(ticks, rule)
         if contacts is None:
             return False
@@ -43,9 +43,9 @@ class Motion:
         return True
 
     def parts(self, ticks, step):
-        """Yield so many ticks in parts, each of which ends at a multiple of step ticks since the start, or at the last.
+        """Split `ticks` ticks into parts that end at multiples of step ticks since the start; yield the length of each.
 
-        The caller must move on by each part before it takes the next one.
+        The last part may end earlier. The caller must do each part before it takes the next one.
         """
         while ticks > 0:
             part = min(ticks, step - self.ticks % step)
@@ -53,7 +53,7 @@ class Motion:
             ticks -= part
 
     def reading(self) -> str:
-        """Return time and energy as text that is always equally wide."""
+        """Return the time and the energy as text of constant width."""
         kinetic, potential = self.cradle.energies()
         parts = f"kinetic {self.in_percent(kinetic)}, potential {self.in_percent(potential)}"
         return f"t = {self.time():.2f} s".ljust(16) + f"energy {self.in_percent(kinetic + potential)} ({parts})"
@@ -64,7 +64,7 @@ class Motion:
         return f"{percent:6.2f} %" if percent < 1000 else " > 999 %"
 
     def sample(self) -> dict[str, float]:
-        """Return what the cradle does at this moment, by the names that are the columns of a data file.
+        """Return the data of this moment by name; the names are the columns of a data file.
 
         They are t (s), the cradle's coordinates (rad, rad/s), kinetic, potential and total energy (J), and the momentum
         to the right (kg m/s).

@@ -151,15 +151,15 @@ MISTAKES = {
     ),
     "no cradle shown": (
         *(RUN, [("            page.show(pend_list)\n", "")]),
-        ["visualize_cradle_run.py", "in main", "def main(page)", "main was asked for a cradle, and showed none: page.show is missing."],
+        ["visualize_cradle_run.py", "in main", "def main(page)", "main showed no cradle when page.wants_cradle() was True: page.show is missing."],
     ),
     "ticks without being asked": (
         *(RUN, [("        while page.wants_tick():  # in step with the clock\n", "        if pend_list:\n")]),
-        ["visualize_cradle_run.py", "in main", "def main(page)", "main was told that ticks are due, and did not ask"],
+        ["visualize_cradle_run.py", "in main", "def main(page)", "main did not call page.wants_tick() when ticks"],
     ),
     "a loop that ends": (
         *(RUN, [("    while page.is_running():", "    if page.is_running():")]),
-        ["visualize_cradle_run.py", "in main", "def main(page)", "main came to its end, but the simulation runs on."],
+        ["visualize_cradle_run.py", "in main", "def main(page)", "main ended, but the simulation still runs."],
     ),
 }  # fmt: skip
 
