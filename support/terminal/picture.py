@@ -1,31 +1,31 @@
-"""The cradle as a picture of plain ASCII characters, each of them twice as high as it is wide."""
+"""Draw the cradle with plain ASCII characters, which are twice as high as wide."""
 
 from math import atan2, pi
 
 from support.playback.cradle import Cradle
 
-CORD = 16  # columns that a cord is long where there is room: neighbouring bobs are then four columns apart
-STROKES = "-\\|/"  # a line to the right, and one that is turned down from there by 45, 90 and 135 degrees
+CORD = 16  # length of a cord in columns if there is room; neighbouring bobs are then four columns apart
+STROKES = "-\\|/"  # a line to the right, and lines turned down from it by 45, 90 and 135 degrees
 
 
 class TextPicture:
-    """Draws a cradle, always with the same part of the world in view."""
+    """Draws a cradle, always with the same part of space in view."""
 
     def __init__(self):
-        """Begin with what is below the axles; once a bob has been above them, there is room for that as well."""
+        """Show the space below the axles; once a bob has been above them, show the space up to there, too."""
         self.above = 0.0  # m
 
     def lines(self, cradle: Cradle, columns, rows) -> list[str]:
-        """Return the lines of a picture that is at most so many columns wide and rows high."""
+        """Return the lines of a picture, at most `columns` wide and `rows` high."""
         axles, bobs = [axle.pos for axle in cradle.axles()], [bob.pos for bob in cradle.bobs()]
         xs, ys = sorted(axle.x for axle in axles), sorted(axle.y for axle in axles)
         self.above = max(self.above, *(bob.y - ys[-1] for bob in bobs))
         left, width = xs[0] - cradle.reach, xs[-1] - xs[0] + 2 * cradle.reach
         top, height = ys[-1] + self.above, ys[-1] - ys[0] + cradle.reach + self.above
-        # Columns for a metre. Three columns and a row are left for what is rounded up, and for the brackets of a bob.
+        # Columns per metre. Three columns and a row stay free for rounding, and for the brackets of a bob.
         scale = min(CORD / cradle.reach, (columns - 3) / width, 2 * (rows - 1) / height)
         apart = (xs[-1] - xs[0]) / max(1, len(axles) - 1)
-        if apart * scale >= 1:  # whole columns from bob to bob: others look like groups of bobs
+        if apart * scale >= 1:  # whole columns from bob to bob: unequal gaps look like groups of bobs
             scale = int(apart * scale + 1e-9) / apart
         grid = [[" "] * columns for _ in range(round(height * scale / 2) + 1)]
 
@@ -35,7 +35,7 @@ class TextPicture:
         for cord in cradle.cords():
             (row, column), (end_row, end_column) = cell(cord.pos), cell(cord.pos + cord.axis)
             down, aside = end_row - row, end_column - column
-            steps = abs(down) if abs(aside) < 1.5 * abs(down) else abs(aside)  # one stroke a row, or one a column
+            steps = abs(down) if abs(aside) < 1.5 * abs(down) else abs(aside)  # one stroke per row, or per column
             stroke = STROKES[round(4 * atan2(-cord.axis.y, cord.axis.x) / pi) % 4]
             for step in range(steps):
                 grid[row + round(down * step / steps)][column + round(aside * step / steps)] = stroke

@@ -1,4 +1,4 @@
-"""The cradle in the terminal: a picture that moves, or lines to be read out."""
+"""Show the cradle in the terminal: as a moving picture, or as lines of text."""
 
 import os
 import sys
@@ -13,17 +13,17 @@ LINE = 0.5  # s from line to line
 
 
 def has_terminal() -> bool:
-    """Return whether there is a terminal that can show pictures. IDLE's shell says that it is one, and cannot."""
+    """Return whether the output is a terminal that can show pictures. IDLE's shell claims to be one, but cannot."""
     return sys.stdout.isatty() and sys.stdout is sys.__stdout__ and os.environ.get("TERM") != "dumb"
 
 
 class TextPlayer(Player):
-    """Plays a cradle in step with the clock, and shows it at the start, after each step (s), and at the end."""
+    """Plays a cradle in step with the clock, and shows it at the start, every step_seconds, and at the end."""
 
     step_seconds: float
 
     def __init__(self, cradle, csv, options):
-        """Play the cradle of this CSV (a Snapshot); options has angle, lift and seconds, as the options of main do."""
+        """Play the cradle of this CSV (a Snapshot); options has angle, lift and seconds, from read_text_options."""
         super().__init__(cradle, csv, [options.angle], options.lift, TRAINS)
         self.step = max(1, round(self.step_seconds / cradle.dt))
         self.last = options.seconds if options.seconds == inf else round(options.seconds / cradle.dt)  # tick
@@ -34,7 +34,7 @@ class TextPlayer(Player):
         yield from self.play()
 
     def play(self):
-        """Play the cradle that is there to its end."""
+        """Play the present cradle to its end."""
         self.note()
         self.pace.restart()
         while self.motion.ticks < self.last:
@@ -48,27 +48,27 @@ class TextPlayer(Player):
 
 
 class Pictures(TextPlayer):
-    """Shows the cradle as a picture that moves."""
+    """Shows the cradle as a moving picture."""
 
     step_seconds = PICTURE
 
     def __init__(self, cradle, csv, options, remark=""):
-        """The remark, if there is one, stands above the picture; for the rest see TextPlayer."""
+        """Show the remark, if there is one, above the picture; for the other arguments, see TextPlayer."""
         super().__init__(cradle, csv, options)
         self.picture, self.remark = TextPicture(), remark
         self.seen: list[str] = []
 
     def note(self) -> None:
         """Show a picture."""
-        # To the top left corner; clear each line, and in the end what is below.
+        # Go to the top left corner; clear each line, and at the end all lines below.
         lines = screen(self.motion, self.picture, self.pace.remark(), self.remark)
         text = "\n".join("\x1b[K" + line for line in lines)
-        self.seen = lines  # before it is shown: Ctrl+C is often pressed just when it is
+        self.seen = lines  # before print: Ctrl+C often comes during it
         print(f"\x1b[H{text}\x1b[J", end="", flush=True)
 
 
 def show_pictures(loop, player) -> None:
-    """Let the loop run with a player of Pictures, and leave the last one on the screen."""
+    """Run the loop with player (Pictures), and leave the last picture on the screen."""
     try:
         with own_screen():
             run(loop, player)
@@ -76,7 +76,7 @@ def show_pictures(loop, player) -> None:
         print("\n".join(player.seen))
 
 
-# --- without one -----------------------------------------------------------------------------------------------------
+# --- without a terminal ----------------------------------------------------------------------------------------------
 
 
 class Lines(TextPlayer):
@@ -91,7 +91,7 @@ class Lines(TextPlayer):
 
 
 def summary(motion) -> str:
-    """Return a line: the time, the energy, how far the highest pendulum is to which side, and the latest hits."""
+    """Return a line: the time, the energy, the angle and side of the highest pendulum, and the latest hits."""
     angles = [degrees(remainder(theta, 2 * pi)) for theta in motion.cradle.thetas()]
     number, angle = max(enumerate(angles, start=1), key=lambda numbered: abs(numbered[1]))
     total = motion.in_percent(sum(motion.cradle.energies())).strip()

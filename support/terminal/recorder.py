@@ -1,4 +1,4 @@
-"""A cradle's data, into a file, as fast as the machine can."""
+"""Write a cradle's data to a file, as fast as the machine can."""
 
 import shutil
 import sys
@@ -9,18 +9,18 @@ from support.files.recording import data_file
 from support.playback.player import Player, run
 from support.terminal.screen import switch_on_escapes
 
-PART = 1000  # ticks from one look at the progress to the next
-PATIENCE = 2.0  # s, after which a bar shows the progress
+PART = 1000  # ticks from one report of the progress to the next
+PATIENCE = 2.0  # s before a bar shows the progress
 REFRESH = 0.05  # s from one bar to the next
 
 
 class Recorder(Player):
-    """Writes a row of data after each so many seconds of simulated time, as fast as the machine can."""
+    """Writes a row of data for every options.every seconds of simulated time, as fast as the machine can."""
 
     def __init__(self, cradle, csv, options, writer, progress):
-        """Write by this writer (of data_file); progress(part) is told again and again how much is done.
+        """Write with writer, made by data_file; call progress(part) again and again with the finished part, 0 to 1.
 
-        options has angle, lift, seconds and every, as the options of main do.
+        options has angle, lift, seconds and every, from read_text_options.
         """
         super().__init__(cradle, csv, [options.angle], options.lift, 1)
         self.at_once, self.step = True, round(options.every / cradle.dt)
@@ -28,7 +28,7 @@ class Recorder(Player):
         self.writer, self.progress = writer, progress
 
     def script(self):
-        """Write all rows, the first at once."""
+        """Write all rows, the first one before any tick."""
         yield from self.make()
         self.writer.writerow(self.motion.sample())
         self.note()
@@ -43,7 +43,7 @@ class Recorder(Player):
 
 
 def record(loop, cradle, csv, options, remark="") -> None:
-    """Write the data of the next seconds to a file, whole or not at all."""
+    """Write the data of options.seconds to the file options.record, whole or not at all."""
     with data_file(options.record) as writer, progress_bar() as progress:
         recorder = Recorder(cradle, csv, options, writer, progress)
         run(loop, recorder)
@@ -53,7 +53,7 @@ def record(loop, cradle, csv, options, remark="") -> None:
 
 @contextmanager
 def progress_bar(clock=time.monotonic):
-    """Yield a function to be told how much is done, from 0 to 1; if it takes long, a terminal shows that."""
+    """Yield progress(part), which takes the finished part, 0 to 1. If it takes long, a terminal shows it as a bar."""
     begin = clock()
     next_look = begin + PATIENCE
 
@@ -74,6 +74,6 @@ def progress_bar(clock=time.monotonic):
 
 
 def show_progress(text) -> None:
-    """Write this to the terminal, if it is still there: the file does not depend on it."""
+    """Write text to the terminal, if it still exists: the file does not depend on it."""
     with suppress(OSError):
         print(text, end="", file=sys.stderr, flush=True)

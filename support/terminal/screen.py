@@ -1,4 +1,4 @@
-"""The terminal's screen: what stands there in each line, and how it is taken and given back."""
+"""The terminal's screen: its lines, and how the program takes it and gives it back."""
 
 import os
 import shutil
@@ -6,15 +6,15 @@ import sys
 import textwrap
 from contextlib import contextmanager
 
-WIDTH = 80  # columns that are used, where there are as many
+WIDTH = 80  # columns, at most
 TRAINS = 4  # of impacts, a line for each
-LOW = 18  # lines, and with fewer a terminal has room for the cradle only
+LOW = 18  # lines; a terminal with fewer lines shows no impacts
 
 
 def screen(motion, picture, speed, remark="") -> list[str]:
-    """Return what is to be seen, line by line, for the terminal as large as it is at this moment.
+    """Return the lines of the screen, for the present size of the terminal.
 
-    speed is the remark about the speed, and remark the one about the cradle.
+    speed is a remark about the speed, remark is a remark about the cradle.
     """
     size = shutil.get_terminal_size()
     columns = min(WIDTH, size.columns)
@@ -30,14 +30,14 @@ def screen(motion, picture, speed, remark="") -> list[str]:
 
 
 def switch_on_escapes() -> None:
-    """Let an older console of Windows understand what moves the cursor."""
+    """Let an older console of Windows understand the codes that move the cursor."""
     if sys.platform == "win32":
         os.system("")
 
 
 @contextmanager
 def own_screen():
-    """Take a screen of one's own, without a cursor; afterwards the terminal is as it was."""
+    """Use a separate screen, without a cursor; afterwards, the terminal shows its old lines again."""
     switch_on_escapes()
     print("\x1b[?1049h\x1b[?25l", end="")
     try:
