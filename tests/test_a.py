@@ -1,4 +1,4 @@
-"""A checks: the tick, a cradle that runs by it, and the program that makes the cradle and lets it run."""
+"""A checks: the tick, and the program that makes a cradle and lets it run."""
 
 from itertools import permutations
 from math import degrees, pi
@@ -9,22 +9,22 @@ from grading.telling import Wanted
 from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
 from support.files.cradle_csv import read_cells
 
-SHORT = 1e-9  # s: in such a tick nothing moves that could be seen
+SHORT = 1e-9  # s: a tick without visible motion
 
 
 def check_tick(pend_list, gives, *, dt=SHORT, g=9.81, hints=()):
-    """Check the omegas after a tick."""
+    """Check omega of each pendulum after a tick."""
 
     def see(_):
         return [pend["omega"] for pend in pend_list]
 
-    hints = [*hints, ([pend["omega"] for pend in pend_list], "These are the velocities from before.")]
+    hints = [*hints, ([pend["omega"] for pend in pend_list], "The velocities have not changed.")]
     what = "omega of each pendulum"
     expect("newton_cradle_tick", pend_list, R, dt, g, gives=gives, see=see, what=what, hints=hints)
 
 
 def touching(*omegas, radius=R / 8):
-    """Return pendula that hang straight down and touch, with these angular velocities (rad/s)."""
+    """Return pendula that hang straight down and touch, with these omegas (rad/s)."""
     pend_list = row(len(omegas), radius=radius)
     for pend, omega in zip(pend_list, omegas, strict=True):
         pend["omega"] = omega
@@ -41,11 +41,11 @@ def test_a_tick_swings_all_pendula():
         ([before] * 3, "No pendulum has swung."),
         (
             lambda came: all(abs(a - b) < 1e-5 for state in came for a, b in zip(state, twice, strict=True)),
-            "All have swung twice.",
+            "All pendula have swung twice.",
         ),
         ([once, before, before], "Only the first pendulum has swung."),
-        ([once, once, before], "The last pendulum has not swung; it has no pair, but it swings."),
-        (lambda came: same(came, came[:1] * 3), "Are r_param, dt and g handed on, in this order?"),
+        ([once, once, before], "The last pendulum has not swung. It has no pair, but it must swing too."),
+        (lambda came: same(came, came[:1] * 3), "Do you pass on r_param, dt and g, in this order?"),
     ]
 
     def see(_):
@@ -59,16 +59,16 @@ def test_a_tick_swings_all_pendula():
 def test_each_pendulum_is_handled_with_the_one_after_it():
     """For each pendulum (except the last) handle the pairwise interaction of that pendulum and the one after it."""
     hints = [
-        ([2.0, 1.0, 3.0], "Only the first pair has been handled: a return in the loop, or i - 1 in place of i + 1?"),
-        ([1.0, 3.0, 2.0], "Only the last pair has been handled."),
-        ([3.0, 1.0, 2.0], "The pairs are handled from the right; they must be from the left."),
-        ([1.0, 2.0, 3.0], "These are the velocities from before: has no pair been handled, or each one twice?"),
+        ([2.0, 1.0, 3.0], "You handled only the first pair. Is there a return in your loop, or i - 1 for i + 1?"),
+        ([1.0, 3.0, 2.0], "You handled only the last pair."),
+        ([3.0, 1.0, 2.0], "You handled the pairs from right to left. Go from left to right."),
+        ([1.0, 2.0, 3.0], "The velocities have not changed. Did you handle no pair, or each pair twice?"),
     ]
     check_tick(touching(1.0, 2.0, 3.0), [2.0, 3.0, 1.0], hints=hints)
-    twice = "These two have been handled twice: pend_list[-1], or [i - 1] if i is 0, is the last pendulum."
+    twice = "You handled this pair twice. Is an index -1? pend_list[-1] is the last pendulum."
     check_tick(touching(3.0, 0.0), [0.0, 3.0], hints=[([3.0, 0.0], twice)])
     check_tick(touching(3.0, 0.0, 0.0, 0.0, 0.0), [0.0, 0.0, 0.0, 0.0, 3.0])
-    check_tick(touching(0.0, 0.0, 3.0), [0.0, 3.0, 0.0])  # from the right it gets one place along a tick
+    check_tick(touching(0.0, 0.0, 3.0), [0.0, 3.0, 0.0])  # from the right, a hit moves one place per tick
     check_tick(touching(0.0, 0.0, -3.0), [0.0, -3.0, 0.0])
     check_tick(touching(-1.0, -2.0, -3.0), [-2.0, -3.0, -1.0])
 
@@ -78,7 +78,7 @@ def test_only_neighbours_are_pairs():
     """We can approach the entire sequence of pendula in a pairwise manner, so we only consider the collision of two
     pendula.
     """
-    hints = [([3.0, 2.0, 1.0], "All bobs touch here, as they are large; but pairs are neighbours only.")]
+    hints = [([3.0, 2.0, 1.0], "These large bobs all touch, but only neighbours are pairs.")]
     check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0], hints=hints)
 
 
@@ -96,9 +96,7 @@ def test_the_pairs_use_masses_and_restitution():
     """(Hint: Use another function you already wrote!)"""
     pend_list = touching(4.0, 0.0, 0.0)
     pend_list[0]["e"], pend_list[1]["mass"], pend_list[2]["mass"] = 0.5, 3.0, 3.0
-    hints = [
-        ([-2.0, 0.0, 2.0], "This is what e = 1 gives here: the e of a pair is that of the left one, which comes first.")
-    ]
+    hints = [([-2.0, 0.0, 2.0], "This is the result with e = 1. The left pendulum comes first, and its e counts.")]
     check_tick(pend_list, [-0.5, 0.0, 1.5], hints=hints)
 
 
@@ -115,10 +113,10 @@ def test_swings_come_before_collisions():
     """Performs a single timestep or tick of the Newton's cradle."""
     check_tick(touching(1.0, 0.0), [0.0, 1.0])
     pend_list = [hang(theta=-0.1, omega=1.0, radius=R / 8), hang(axle=(R / 4, 0, 0), radius=R / 8)]
-    hints = [([1.0, 0.0], "The swing brings these bobs together: it comes first, and then the collision.")]
+    hints = [([1.0, 0.0], "These bobs touch only after the swing. Swing first, then handle the pairs.")]
     check_tick(pend_list, [0.0, 1.0], dt=0.1, g=0.0, hints=hints)
     pend_list = [hang(radius=R / 8), hang(theta=0.1, omega=-1.0, axle=(R / 4, 0, 0), radius=R / 8)]
-    hints = [([0.0, -1.0], "It is the second one that comes to the first here: all swing before any collide.")]
+    hints = [([0.0, -1.0], "Here the second bob swings to the first one. All must swing before any collide.")]
     check_tick(pend_list, [-1.0, 0.0], dt=0.1, g=0.0, hints=hints)
 
 
@@ -137,7 +135,7 @@ def test_a_cradle_passes_the_swing_on():
         return abs(thetas[-1] / lift - 1) < 0.02 and all(abs(theta) < 0.1 for theta in thetas[:-1])
 
     half_a_period = 234  # ticks; 0.467 s, a bit more than pi sqrt(R / g), as the swing is large
-    words = "the last one at about 0.785, as high as the first one was, the others at about 0"
+    words = "the last one at about 0.785, as high as the first one was; the others at about 0"
     gives = Wanted(words, is_passed_on, like=[0.0] * 5)
     what = "theta of each pendulum"
     arguments = {"gives": gives, "see": see, "what": what, "times": half_a_period}
@@ -148,19 +146,19 @@ def test_a_cradle_passes_the_swing_on():
 
 
 class Page:
-    """A page that the main of a check is given: it says what is due, round by round, and notes what it is shown."""
+    """The page for main in a check: it asks for cradles and ticks, round by round, and records the result."""
 
     csv, rule = NC_FP, {}
 
     def __init__(self, *rounds, change=lambda pend_list: None):
-        """rounds are those of the outer loop, each as (is a cradle wanted, how many ticks are due).
+        """rounds has a pair for each pass of the outer loop: (wants a cradle, number of ticks).
 
-        change(pend_list) is what happens to a cradle when it is shown.
+        change(pend_list) is called when main shows a cradle.
         """
         self.rounds, self.change = rounds, change
         self.begun, self.asked, self.ticks = 0, False, 0
         self.shown: list = []  # the cradles
-        self.states: list = []  # (omega, theta) of the first pendulum each time that wants_tick is called
+        self.states: list = []  # (omega, theta) of the first pendulum at each call of wants_tick
 
     def __repr__(self):
         return "a page that wants " + ", then ".join(
@@ -187,7 +185,7 @@ class Page:
 
 
 def pendula() -> int:
-    """Return how many pendula the shipped file has, or 0 if it cannot be read: then main says why."""
+    """Return the number of pendula in newton_cradle_pends.csv, or 0 if it is not readable; main then says why."""
     try:
         return len(read_cells(NC_FP)) - 1
     except ValueError:
@@ -195,9 +193,9 @@ def pendula() -> int:
 
 
 def swings(ticks, r_param=R_PARAM, dt=DT, g=G):
-    """Return (omega, theta) of a pendulum that is let go at THETA_INIT, at the beginning and after each tick.
+    """Return (omega, theta) of a pendulum released at THETA_INIT, at the start and after each tick.
 
-    It moves by the student's own function for one pendulum, which is right: main waits for it.
+    The student's angle_update moves it. It is correct: main waits for it.
     """
     move, states = find("angle_update"), [(0.0, THETA_INIT)]
     while len(states) <= ticks:
@@ -222,15 +220,15 @@ def test_the_cradle_is_made_and_shown():
         return [[(0 if i else theta_init, abs(r_param)) for i in range(pendula())]]
 
     hints = [
-        ([], "The page was shown no cradle: give it yours with page.show."),
-        ([[]], "What the page was shown is no pend_list, or an empty one."),
-        (lambda came: came[0][0][1] is None, "These pendula have no objects: make_newton_cradle makes them."),
-        (made(R_PARAM, THETA_INIT), "make_newton_cradle takes R_PARAM first, and then THETA_INIT."),
-        (made(degrees(THETA_INIT)), "THETA_INIT is in rad, as make_newton_cradle wants it."),
-        (lambda came: came[0][0][0] != THETA_INIT, "The first pendulum must be lifted to THETA_INIT."),
+        ([], "You showed no cradle. Give your pend_list to page.show."),
+        ([[]], "You gave page.show no pend_list, or an empty one."),
+        (lambda came: came[0][0][1] is None, "Your pendula have no objects. make_newton_cradle makes them."),
+        (made(R_PARAM, THETA_INIT), "make_newton_cradle takes R_PARAM first, then THETA_INIT."),
+        (made(degrees(THETA_INIT)), "THETA_INIT is in radians already. Do not convert it."),
+        (lambda came: came[0][0][0] != THETA_INIT, "The first pendulum must start at THETA_INIT."),
         (lambda came: not same(came[0][0][1], R_PARAM), "The cords must be R_PARAM long."),
     ]
-    what = "of each cradle that was shown, theta of each pendulum and the length of its cord"
+    what = "theta and cord length of each pendulum, for each cradle on the page"
     expect("main", page, gives=made(THETA_INIT), see=see, what=what, hints=hints)
 
 
@@ -247,16 +245,16 @@ def test_the_cradle_ticks():
         return any(same(came[:2], swings(1, *order)) for order in orders)
 
     hints = [
-        ([], "The page was asked for no tick, or shown no cradle."),
-        ([start] * 5, "The cradle that is shown does not tick."),
-        ([start, first], "The cradle must tick as long as page.wants_tick() says so: while, not if."),
-        ([start, first, second, start, first], "The cradle is made again, though the page wants none."),
-        (lambda came: same(came[0], first), "The cradle ticks before a tick is due."),
-        (lambda came: same(came[1], second), "Each time a tick is due, the cradle ticks twice."),
-        (is_other_order, "Are the arguments of newton_cradle_tick in its order: pend_list, R_PARAM, DT, G?"),
-        (lambda came: not same(came[1], first), "Are R_PARAM, DT and G those of constants.py?"),
+        ([], "You never called page.wants_tick, or you showed no cradle."),
+        ([start] * 5, "The cradle that you showed does not tick."),
+        ([start, first], "Tick as long as page.wants_tick() is True: while, not if."),
+        ([start, first, second, start, first], "You made the cradle again, but the page did not want one."),
+        (lambda came: same(came[0], first), "Your cradle ticks before the page wants a tick."),
+        (lambda came: same(came[1], second), "Your cradle ticks twice when the page wants one tick."),
+        (is_other_order, "Check the order of the arguments of newton_cradle_tick: pend_list, R_PARAM, DT, G."),
+        (lambda came: not same(came[1], first), "Do you use R_PARAM, DT and G from constants.py?"),
     ]
-    what = "omega and theta of the first pendulum, each time that page.wants_tick is called"
+    what = "omega and theta of the first pendulum at each call of page.wants_tick"
     gives = [start, first, second, second, third]
     expect("main", page, gives=gives, see=lambda _: page.states, what=what, hints=hints)
 
@@ -267,10 +265,10 @@ def test_each_cradle_that_is_wanted_is_a_new_one():
     from data in the CSV file called newton_cradle_pends.csv which is stored in the variable NC_FP.
     """
     page = Page((True, 2), (True, 1))
-    gone_on = "The second cradle goes on where the first one was: make it again each time that the page wants one."
+    gone_on = "Your second cradle goes on where the first one was. Make a new one when the page wants one."
     hints = [
         (swings(3)[2:], gone_on),
-        (swings(1)[:1] * 2, "It is not the second cradle that ticks."),
+        (swings(1)[:1] * 2, "Your second cradle does not tick."),
     ]
     what = "omega and theta of the first pendulum, before and after the last tick"
     expect("main", page, gives=swings(1), see=lambda _: page.states[-2:], what=what, hints=hints)
@@ -286,7 +284,7 @@ def test_in_the_cradle_bobs_collide():
 
     page = Page((True, 1), change=push)
     if pendula() > 1:
-        hints = [([10.0, 0.0], "full_swing_update lets no bobs collide; newton_cradle_tick does.")]
-        what = "omega of the first two, of which the first is pushed against the second"
+        hints = [([10.0, 0.0], "Your bobs do not collide. full_swing_update only swings them.")]
+        what = "omega of the first two pendula (the first one hits the second)"
         see = {"see": lambda _: [pend["omega"] for pend in page.shown[0][:2]], "what": what}
         expect("main", page, gives=[0.0, 10.0], **see, hints=hints)

@@ -1,4 +1,4 @@
-"""D checks: from the CSV to a pend_list, and from there to pendula that can be seen."""
+"""D checks: a CSV becomes a pend_list, and its pendula get VPython objects."""
 
 import re
 from collections.abc import Iterator
@@ -15,7 +15,7 @@ from support.constants import NC_FP
 from support.files.cradle_csv import read_cells
 from support.pendulum import make_pendulum
 
-# Equal rows, values of 0, e of 0 and 1, many digits, more rows than columns, and no line break at the end.
+# It has equal rows, zeros, e = 0 and e = 1, many digits, more rows than columns, and no line break at the end.
 SEVEN_CSV = """\
 mass,e,theta,omega,color,texture
 12.625,1.0,0.4375,0.0,white,none
@@ -48,7 +48,7 @@ ASSISTANTS = [{"name": "Ada", "year": 2, "house": "Page"}, {"name": "Grace", "ye
 
 @contextmanager
 def files() -> Iterator[Path]:
-    """Yield a folder with these files. On Windows it stays behind if a solution has left one of them open."""
+    """Yield a folder with FILES. On Windows, it is not deleted if a solution left a file open."""
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         for name, text in FILES.items():
             (Path(folder) / name).write_text(text, encoding="utf-8")
@@ -56,37 +56,37 @@ def files() -> Iterator[Path]:
 
 
 def is_shipped(came):
-    """Return whether what came of one of these files has as many pendula as the shipped one."""
+    """Return whether a result from FILES has as many pendula as newton_cradle_pends.csv."""
     return isinstance(came, list) and len(came) == len(read_cells(NC_FP)) - 1 not in (1, 3)
 
 
 def values_of(first, key):
-    """Return a function that returns the values of this key in a first pend_list, and in the one that it is given."""
+    """Return a function that returns the values of key in the pend_list first, and in its own argument."""
     return lambda last: ([pend[key] for pend in first], [pend[key] for pend in last])
 
 
-OTHER_FILE = (is_shipped, "Do you read the file at relative_filepath, or another one?")
+OTHER_FILE = (is_shipped, "Do you read the file at relative_filepath?")
 
 
 # --- extract_and_convert ---------------------------------------------------------------------------------------------
 
 ROWS = [
-    (MIXED[:1], "This is the first pendulum alone: is there a return inside the loop?"),
+    (MIXED[:1], "Your list has only the first pendulum. Is your return inside the loop?"),
     (MIXED[:-1], "The last pendulum is missing."),
     (MIXED[1:], "The first pendulum is missing."),
-    (MIXED[::-1], "The pendula are in the reverse order."),
-    (MIXED[-1:], "This is the last pendulum alone: is the list made inside the loop?"),
-    ([MIXED[-1]] * 3, "This is the last pendulum again and again."),
-    ([list(pendulum) for pendulum in MIXED], "These are the keys alone, without their values."),
-    ([list(pendulum.values()) for pendulum in MIXED], "These are the values alone, without their keys."),
-    ([0, 1, 2], "These are the keys of bad_rep; the pendula are its values."),
-    (list(enumerate(MIXED)), "These are the keys of bad_rep together with its values; the values alone are needed."),
-    ([{i: pendulum} for i, pendulum in enumerate(MIXED)], "Each pendulum still has its number of bad_rep as a key."),
-    ([dict(enumerate(MIXED))], "This is bad_rep, in a list; the values of bad_rep are what is needed."),
-    ([MIXED], "This is the right list inside another list."),
-    (lambda came: len(came) > 3 and came[0] == came[1], "The same pendulum is there more than once."),
+    (MIXED[::-1], "Your pendula are in reverse order."),
+    (MIXED[-1:], "Your list has only the last pendulum. Do you make the list inside the loop?"),
+    ([MIXED[-1]] * 3, "Your list has the last pendulum three times."),
+    ([list(pendulum) for pendulum in MIXED], "You kept only the keys of each pendulum, without values."),
+    ([list(pendulum.values()) for pendulum in MIXED], "You kept only the values of each pendulum, without keys."),
+    ([0, 1, 2], "Your list has the keys of bad_rep. The pendula are its values."),
+    (list(enumerate(MIXED)), "Your list has the keys and the values of bad_rep. You need only the values."),
+    ([{i: pendulum} for i, pendulum in enumerate(MIXED)], "You kept the keys of bad_rep. You need only its values."),
+    ([dict(enumerate(MIXED))], "You put bad_rep into a list. You need only its values."),
+    ([MIXED], "You put the right list into another list."),
+    (lambda came: len(came) > 3 and came[0] == came[1], "Your list has the same pendulum more than once."),
     OTHER_FILE,
-    ([], "This is an empty list: does the loop append to it, and is the list made before the loop?"),
+    ([], "Your list is empty. Do you append to the list that you return?"),
 ]
 
 
@@ -100,13 +100,10 @@ def test_pend_list_is_a_list_of_dictionaries():
         lambda came: isinstance(came, list) and len(came) == 3 and all(isinstance(pend, dict) for pend in came),
     )
     hints = [
-        (
-            dict(enumerate(MIXED)),
-            "This is bad_rep itself, whose keys only count the pendula; a list does without them.",
-        ),
-        (tuple(MIXED), "This is a tuple; a list is needed."),
+        (dict(enumerate(MIXED)), "You returned bad_rep. You need a list, without the keys 0, 1, 2."),
+        (tuple(MIXED), "You returned a tuple. You need a list."),
         (lambda came: type(came).__name__ == "dict_values", "These are the values of bad_rep, but not yet a list."),
-        (lambda came: type(came).__name__ == "DataFrame", "This is the dataframe df itself."),
+        (lambda came: type(came).__name__ == "DataFrame", "You returned the dataframe df."),
     ]
     with files() as folder:
         expect("extract_and_convert", str(folder / "mixed.csv"), gives=kind, hints=[*hints, *ROWS])
@@ -130,7 +127,7 @@ def test_the_file_given_is_read():
     with files() as folder, working_in(folder):
         first = expect("extract_and_convert", "one.csv", gives=[ONE], hints=[OTHER_FILE])
         (folder / "one.csv").write_text(FILES["two.csv"])
-        what = "each mass of the file as it was, and as it is"
+        what = "each mass from the first call, and from this call with a new file"
         expect("extract_and_convert", "one.csv", gives=([3.0], [3.0, 4.0]), see=values_of(first, "mass"), what=what)
 
 
@@ -145,29 +142,29 @@ def test_any_csv_is_converted():
 
 
 def uniform(rows, **changed):
-    """Return these rows, each with the changed value."""
+    """Return copies of rows with the changed value."""
     return [{**row, **changed} for row in rows]
 
 
 def check_uniform(function, *arguments, also=(), **changed):
-    """Check that all pendula of two files get the changed value, and keep their others; also are more hints."""
+    """Check that all pendula of two files get the changed value and keep the others. also: more hints."""
     ((key, value),) = changed.items()
     right = uniform(MIXED, **changed)
     hints = [
         *also,
-        (MIXED, f"These are the file's values: {key} has not changed."),
-        ([right[0], *MIXED[1:]], f"Only the first pendulum has got its {key}."),
-        ([*MIXED[:-1], right[-1]], f"Only the last pendulum has got its {key}."),
-        (right[0], "This is the first pendulum alone; the whole pend_list is needed."),
-        (right[-1], "This is the last pendulum alone; the whole pend_list is needed."),
-        (right[:1], "This is the first pendulum alone; the whole pend_list is needed."),
-        (uniform(MIXED, **{key: str(value)}), f"{key} is text here; a number is needed."),
+        (MIXED, f"{key} has not changed. These are the values from the file."),
+        ([right[0], *MIXED[1:]], f"You changed {key} only in the first pendulum."),
+        ([*MIXED[:-1], right[-1]], f"You changed {key} only in the last pendulum."),
+        (right[0], "You returned only the first pendulum. You need the whole pend_list."),
+        (right[-1], "You returned only the last pendulum. You need the whole pend_list."),
+        (right[:1], "You returned only the first pendulum. You need the whole pend_list."),
+        (uniform(MIXED, **{key: str(value)}), f"You stored {key} as text. You need a number."),
         OTHER_FILE,
     ]
     with files() as folder, working_in(folder):
         first = expect(function, "mixed.csv", *arguments, gives=right, hints=hints)
         expect(function, "seven.csv", *arguments, gives=uniform(SEVEN, **changed))
-        what = f"each {key} of the first call, and of this one"
+        what = f"each {key} from the first call, and from this call"
         both = {"see": values_of(first, key), "what": what, "gives": ([value] * 3, [value])}
         hints = [(lambda came: OTHER_FILE[0](came[1]), OTHER_FILE[1])]
         expect(function, "one.csv", *arguments, **both, hints=hints)
@@ -178,7 +175,7 @@ def test_uniform_mass():
     """Returns a pend_list corresponding to the pendulums in a CSV file located at relative_filepath using a helper
     function from pds_helper.py, such that all the pendulum's mass values are assigned the value mass.
     """
-    also = [(uniform(MIXED, e=12.125), "It is e that has changed here, not mass.")]
+    also = [(uniform(MIXED, e=12.125), "You changed e, not mass.")]
     check_uniform("uniform_mass_newton_cradle", 12.125, mass=12.125, also=also)
     check_uniform("uniform_mass_newton_cradle", 0.5, mass=0.5)
 
@@ -189,31 +186,31 @@ def test_uniform_e():
     function from pds_helper.py, such that all the pendulum's coefficients of restitution are assigned a provided e
     value.
     """
-    also = [(uniform(MIXED, mass=0.0625), "It is mass that has changed here, not e.")]
+    also = [(uniform(MIXED, mass=0.0625), "You changed mass, not e.")]
     check_uniform("uniform_e_newton_cradle", 0.0625, e=0.0625, also=also)
     check_uniform("uniform_e_newton_cradle", 0, e=0)
     check_uniform("uniform_e_newton_cradle", 1, e=1)
 
 
 def is_number_for_a_file(came):
-    """Return whether this is the error of one who was given a number where the path of a file must be."""
+    """Return whether this is an error about a number in place of a path."""
     return isinstance(came, Exception) and re.search(r"\b(int|float)\b", str(came))
 
 
-NUMBER_FOR_A_FILE = (is_number_for_a_file, "uniform_e_newton_cradle takes relative_filepath first, and then e_val.")
+NUMBER_FOR_A_FILE = (is_number_for_a_file, "uniform_e_newton_cradle takes relative_filepath first, then e_val.")
 
 
 @check("elastic_newton_cradle")
 def test_elastic():
     """Returns a pend_list such that each pendulum has a perfectly elastic restitution coefficient value."""
-    also = [(uniform(MIXED, e=0), "This is perfectly inelastic."), NUMBER_FOR_A_FILE]
+    also = [(uniform(MIXED, e=0), "You set e = 0. That is perfectly inelastic."), NUMBER_FOR_A_FILE]
     check_uniform("elastic_newton_cradle", e=1, also=also)
 
 
 @check("inelastic_newton_cradle")
 def test_inelastic():
     """Returns a pend_list such that each pendulum has a perfectly inelastic restitution coefficient value."""
-    also = [(uniform(MIXED, e=1), "This is perfectly elastic."), NUMBER_FOR_A_FILE]
+    also = [(uniform(MIXED, e=1), "You set e = 1. That is perfectly elastic."), NUMBER_FOR_A_FILE]
     check_uniform("inelastic_newton_cradle", e=0, also=also)
 
 
@@ -221,7 +218,7 @@ def test_inelastic():
 
 
 def check_cradle(see, what, gives, file="mixed.csv", r_param=R, theta_init=0.6, hints=()):
-    """Check what see takes out of each pendulum of the cradle that is made of a file."""
+    """Check what see(pend) returns for each pendulum of the cradle from file."""
     ready = []
 
     def see_all(pend_list):
@@ -231,7 +228,7 @@ def check_cradle(see, what, gives, file="mixed.csv", r_param=R, theta_init=0.6, 
     def is_first_alone(_):
         return ready[:1] == [True] and len(ready) > 1 and not any(ready[1:])
 
-    hints = [(is_first_alone, "Only the first pendulum is ready: is there a return inside the loop?"), *hints]
+    hints = [(is_first_alone, "Only the first pendulum has objects. Is your return inside the loop?"), *hints]
     with files() as folder, working_in(folder):
         expect("make_newton_cradle", file, r_param, theta_init, gives=gives, see=see_all, what=what, hints=hints)
 
@@ -257,13 +254,13 @@ def test_the_first_pendulum_is_lifted():
     the first pendulum, and 0 for all the others.
     """
     hints = [
-        ([row["theta"] for row in MIXED], "These are the angles of the file."),
-        ([0.6, 0.6, 0.6], "All pendula are lifted; only the first one must be."),
-        ([0.6, *(row["theta"] for row in MIXED[1:])], "All but the first one still have the angle of the file."),
-        ([0, 0, 0.6], "The last pendulum is lifted; the first one must be."),
-        ([0, 0.6, 0.6], "All but the first one are lifted; it is the other way round."),
-        ([0, 0.6, 0], "The second pendulum is lifted: a list counts from 0."),
-        ([0, 0, 0], "The first pendulum is not lifted."),
+        ([row["theta"] for row in MIXED], "These are the angles from the file."),
+        ([0.6, 0.6, 0.6], "You lifted all pendula. Lift only the first one."),
+        ([0.6, *(row["theta"] for row in MIXED[1:])], "Only the first theta is new. The others are from the file."),
+        ([0, 0, 0.6], "You lifted the last pendulum. Lift the first one."),
+        ([0, 0.6, 0.6], "You lifted all pendula except the first one. Lift only the first one."),
+        ([0, 0.6, 0], "You lifted the second pendulum. A list counts from 0."),
+        ([0, 0, 0], "You did not lift the first pendulum."),
     ]
     check_cradle(lambda pend: pend["theta"], "theta of each pendulum", [0.6, 0, 0], hints=hints)
     for file, count, theta_init in [
@@ -280,8 +277,8 @@ def test_the_first_pendulum_is_lifted():
 def test_all_pendula_start_at_rest():
     """omega: the angular velocity, which should be 0 for all the pendula."""
     hints = [
-        ([row["omega"] for row in MIXED], "These are the angular velocities of the file."),
-        ([0.6, 0, 0], "theta and omega are mixed up."),
+        ([row["omega"] for row in MIXED], "These are the angular velocities from the file."),
+        ([0.6, 0, 0], "omega has the values of theta. Did you mix them up?"),
     ]
     check_cradle(lambda pend: pend["omega"], "omega of each pendulum", [0, 0, 0], hints=hints)
 
@@ -302,15 +299,15 @@ def test_objects_are_axle_bob_and_cord():
     def are_lists(came):
         return all(isinstance(objects, list) for objects in came)
 
-    hints = [(are_lists, "These are lists; tuples are needed, as the helper function returns them.")]
+    hints = [(are_lists, "You stored lists. You need tuples, as the helper function returns them.")]
     what = "objects of each pendulum"
-    check_cradle(lambda pend: pend["objects"], what, Wanted("a tuple of axle, bob and cord each", is_one), hints=hints)
+    check_cradle(lambda pend: pend["objects"], what, Wanted("a tuple (axle, bob, cord) for each", is_one), hints=hints)
 
 
 @check("make_newton_cradle", watched=True)
 def test_axle_positions():
     """The axle position of the ith pendulum can be defined as axle_pos = vector((-0.1+r_param/4 * i), r_param/5, 0)."""
-    # r_param, and by hand how far the axles are apart, and how high (m).
+    # r_param, and by hand the distance and the height of the axles (m).
     for r_param, apart, height in ((0.3, 0.075, 0.06), (1.0, 0.25, 0.2)):
 
         def places(left, apart, height):
@@ -320,16 +317,16 @@ def test_axle_positions():
         hints = [
             (
                 lambda came: same(came, [came[0]] * 3),
-                "All axles are in one place: does i count the pendula, and is r_param/4 not rounded?",
+                "All axles are in one place. Does i count the pendula? Do you round r_param/4?",
             ),
-            (places(-0.1 + apart, *right[1:]), "This counts the pendula from 1; i counts from 0."),
-            (places(0, *right[1:]), "The -0.1 is missing."),
-            (places(0.1, *right[1:]), "The sign of the 0.1 is wrong."),
-            (places(0, -0.1 + apart, height), "The brackets are wrong: i multiplies r_param/4 only."),
-            (places(-0.1, apart, 0), "The height of the axles, r_param/5, is missing."),
-            (places(-0.1, apart, -height), "The axles are below instead of above: y has the wrong sign."),
-            (places(-0.1, height, apart), "The r_param/4 and the r_param/5 are mixed up."),
-            (places(-0.1, -apart, height), "The pendula go to the left; they must go to the right."),
+            (places(-0.1 + apart, *right[1:]), "You counted the pendula from 1. Let i start at 0."),
+            (places(0, *right[1:]), "You forgot the -0.1."),
+            (places(0.1, *right[1:]), "The sign of 0.1 is wrong."),
+            (places(0, -0.1 + apart, height), "Check your brackets: i must multiply only r_param/4."),
+            (places(-0.1, apart, 0), "You forgot the height of the axles, r_param/5."),
+            (places(-0.1, apart, -height), "The sign of y is wrong. The axles must be above 0."),
+            (places(-0.1, height, apart), "You mixed up r_param/4 and r_param/5."),
+            (places(-0.1, -apart, height), "Your row goes to the left. It must go to the right."),
         ]
         what = "position of each axle"
         check_cradle(lambda pend: pend["objects"][0].pos, what, places(*right), r_param=r_param, hints=hints)
@@ -353,13 +350,13 @@ def test_bobs_hang_from_their_axles():
 
     swapped = [make_pendulum(vector(0, 0, 0), theta, R, vector(1, 1, 1), None)[1] for theta in (0.6, 0, 0)]
     hints = [
-        ([(bob.pos, bob.radius) for bob in swapped], "make_pendulum takes r_param first, and then theta."),
-        (bobs([0, 0, 0]), "The first bob hangs straight down: the helper function takes the angle, too."),
-        (bobs([0.6, 0.6, 0.6]), "All bobs are lifted, whatever the theta of their pendulum is."),
-        (bobs([row["theta"] for row in MIXED]), "The bobs are at the angles of the file, not at those of the cradle."),
-        (lambda came: came[1][1] != bobs([0])[0][1], "Is r_param handed on to the helper function as it is?"),
+        ([(bob.pos, bob.radius) for bob in swapped], "make_pendulum takes r_param first, then theta."),
+        (bobs([0, 0, 0]), "Your first bob hangs straight down. make_pendulum needs its theta."),
+        (bobs([0.6, 0.6, 0.6]), "All your bobs are lifted. Each bob hangs at the theta of its own pendulum."),
+        (bobs([row["theta"] for row in MIXED]), "Your bobs hang at the angles from the file, not at the new ones."),
+        (lambda came: came[1][1] != bobs([0])[0][1], "Do you give r_param to make_pendulum unchanged?"),
     ]
-    what = "where each bob is, seen from its axle, and its radius (m)"
+    what = "vector from the axle to the bob, and radius of the bob (m)"
     check_cradle(seen, what, bobs([0.6, 0, 0]), hints=hints)
     check_cradle(seen, what, bobs([-0.3, 0, 0], 1.0), r_param=1.0, theta_init=-0.3)
 
@@ -375,10 +372,10 @@ def test_bobs_have_the_color_and_texture_of_their_row():
     red, black = (color.red, textures.rug), (color.black, textures.metal)
     others = [(color.green, None), (color.blue, textures.stucco), (color.purple, textures.wood_old)]
     hints = [
-        ([first] * 3, "All bobs have the looks of the first row."),
-        ([last] * 3, "All bobs have the looks of the last row."),
-        ([(of, None) for of, _ in mixed], "The textures are missing."),
-        (lambda came: came[0][1] == "metal", "These are the textures' names; TEXTURE_MAP has what they stand for."),
+        ([first] * 3, "All your bobs have the color and texture of the first row."),
+        ([last] * 3, "All your bobs have the color and texture of the last row."),
+        ([(of, None) for of, _ in mixed], "Your bobs have no textures."),
+        (lambda came: came[0][1] == "metal", "You used the name of a texture. TEXTURE_MAP has the texture itself."),
     ]
     check_cradle(seen, "color and texture of each bob", mixed, hints=hints)
     seven = [(color.white, None), red, red, *others, black]
@@ -389,9 +386,9 @@ def test_bobs_have_the_color_and_texture_of_their_row():
 def test_the_pend_list_is_returned():
     """Return the updated pend_list."""
     is_list = Wanted("a list with 3 dictionaries", lambda came: isinstance(came, list) and len(came) == 3)
-    hints = [(lambda came: isinstance(came, dict), "This is one pendulum; the whole list is needed.")]
+    hints = [(lambda came: isinstance(came, dict), "You returned one pendulum. You need the whole pend_list.")]
     with files() as folder, working_in(folder):
         first = expect("make_newton_cradle", "mixed.csv", R, 0.6, gives=is_list, hints=hints)
-        what = "theta of the first pendulum, in the cradle that was made before this one, and in this one"
+        what = "theta of the first pendulum in the cradle of the first call, and in this one"
         thetas = {"see": lambda second: (first[0]["theta"], second[0]["theta"]), "what": what, "gives": (0.6, -0.3)}
         expect("make_newton_cradle", "mixed.csv", R, -0.3, **thetas)

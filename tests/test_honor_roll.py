@@ -1,4 +1,4 @@
-"""Honor roll checks: what a double pendulum is made of, and how it swings."""
+"""Honor roll checks: the objects of a double pendulum, and its swing."""
 
 from itertools import product
 from math import cos, pi, sin
@@ -15,13 +15,13 @@ AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
 
 
 def check_double_pendulum(see, what, theta, phi, gives, hints=(), cord=CORD, texture=textures.wood):
-    """Check what see takes out of the objects of a double pendulum."""
+    """Check what see(objects) returns for a double pendulum."""
     arguments = AXLE, cord, theta, phi, RED, texture
     expect("make_double_pendulum", *arguments, gives=gives, see=see, what=what, hints=hints)
 
 
 def arm(angle):
-    """Return the vector from one end of a cord to the other, at this angle (rad) from straight down."""
+    """Return the vector along a cord at this angle (rad) from straight down."""
     return vector(CORD * sin(angle), -CORD * cos(angle), 0)
 
 
@@ -38,9 +38,9 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
 
     gives = Wanted("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one)
     hints = [
-        (is_single, "This is a single pendulum."),
-        (lambda came: isinstance(came, list), "This is a list; a tuple is needed."),
-        (lambda came: isinstance(came, tuple) and len(came) == 5, "These are not in the order that is needed."),
+        (is_single, "You returned a single pendulum."),
+        (lambda came: isinstance(came, list), "You returned a list. You need a tuple."),
+        (lambda came: isinstance(came, tuple) and len(came) == 5, "Check the order and kinds of your objects."),
     ]
     check_double_pendulum(None, "", 0.7, 0.4, gives, hints)
 
@@ -74,11 +74,11 @@ def test_bobs_are_where_the_angles_say():
             ),
             (
                 places(arm(theta), arm(theta + phi)),
-                "The lower bob hangs from the axle; it must hang from the upper bob.",
+                "Your lower bob hangs from the axle. It must hang from the upper bob.",
             ),
-            (places(arm(theta), arm(theta) + arm(theta)), "phi makes no difference."),
-            (places(arm(phi), arm(phi) + arm(theta + phi)), "theta and phi are exchanged."),
-            (places(arm(0), arm(0) + arm(phi)), "theta makes no difference."),
+            (places(arm(theta), arm(theta) + arm(theta)), "You ignored phi."),
+            (places(arm(phi), arm(phi) + arm(theta + phi)), "You exchanged theta and phi."),
+            (places(arm(0), arm(0) + arm(phi)), "You ignored theta."),
         ]
         check_double_pendulum(see, what, theta, phi, right, hints)
     longer = AXLE, AXLE + 3 * arm(0.7), AXLE + 3 * arm(0.7) + 3 * arm(1.1)
@@ -110,7 +110,7 @@ def test_both_bobs_have_the_looks_that_are_given():
     radius = make_pendulum(AXLE, CORD, 0, RED, None)[1].radius
     for texture in (textures.wood, None):
         gives = [(RED, texture, radius, True)] * 2
-        what = "color, texture and radius of the upper and of the lower bob, and whether they can be seen"
+        what = "color, texture, radius and visible of the upper and of the lower bob"
         check_double_pendulum(see, what, 0.7, 0.4, gives, texture=texture)
 
 
@@ -120,12 +120,12 @@ LENGTH, DT, G = 0.5, 1e-6, 10.0  # m, s, m/s^2: g / R is 20 / s^2
 
 # omega_theta, omega_phi, theta, phi, and the accelerations of theta and of phi (rad/s^2), by hand, for equal masses.
 ACCELERATIONS = [
-    ((0.0, 0.0, 0.0, 0.0), (0.0, 0.0)),  # it hangs at rest
+    ((0.0, 0.0, 0.0, 0.0), (0.0, 0.0)),  # at rest, straight down
     ((0.0, 0.0, 0.0, pi / 2), (0.0, -20.0)),  # the upper cord hangs straight down, the lower one is level
-    ((0.0, 0.0, pi / 2, 0.0), (-20.0, 20.0)),  # both cords are level: the upper one falls, the lower one only sinks
+    ((0.0, 0.0, pi / 2, 0.0), (-20.0, 20.0)),  # both cords are level: the upper one falls, the lower one stays level
     ((0.0, 0.0, pi / 2, -pi / 2), (-20.0, 20.0)),  # the upper cord is level, the lower one hangs straight down
-    ((0.0, 2.0, 0.0, pi / 2), (2.0, -22.0)),  # the lower cord is level and turns: it pulls its upper bob along
-    ((2.0, -2.0, 0.0, pi / 2), (0.0, -24.0)),  # the upper bob moves and pulls the lower cord, which is level, along
+    ((0.0, 2.0, 0.0, pi / 2), (2.0, -22.0)),  # the lower cord is level and turns: it pulls the upper bob
+    ((2.0, -2.0, 0.0, pi / 2), (0.0, -24.0)),  # the upper bob moves and pulls the lower cord, which is level
 ]
 
 
@@ -133,22 +133,22 @@ ACCELERATIONS = [
 def test_both_angles_are_updated():
     """Define a double_angle_update() that updates both angles of the pendulum."""
     hints = [
-        ((0.6, -0.4, 3.0, -2.0), "The angles come first here; the angular velocities must."),
-        ((0.6, 3.0, -0.4, -2.0), "The order is omega_theta, omega_phi, theta, phi."),
+        ((0.6, -0.4, 3.0, -2.0), "You returned the angles first. The angular velocities come first."),
+        ((0.6, 3.0, -0.4, -2.0), "Return omega_theta, omega_phi, theta, phi, in this order."),
     ]
     state = 3.0, -2.0, 0.6, -0.4
-    expect("double_angle_update", *state, LENGTH, 0.0, G, gives=state, hints=hints)  # in no time nothing moves
+    expect("double_angle_update", *state, LENGTH, 0.0, G, gives=state, hints=hints)  # with dt = 0, nothing moves
     hints = [
-        ((3.0, 0.0, 0.6, 0.0), "The angles have not moved."),
+        ((3.0, 0.0, 0.6, 0.0), "Your angles have not changed."),
     ]
-    straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity it goes round evenly
+    straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity, it turns evenly
     expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, gives=(3.0, 0.0, 0.9, 0.0), hints=hints)
     expect("double_angle_update", 20.0, 0.0, 11.0, 0.0, LENGTH, 0.1, 0.0, gives=(20.0, 0.0, 13.0, 0.0))
 
 
 @check("double_angle_update", watched=True)
 def test_the_accelerations_are_those_of_the_laws_of_motion():
-    """Here, it is important to choose a valid reference frame (which one is in the function's docstring)."""
+    """Here, it is important to choose a valid reference frame (the function's docstring names it)."""
     for (state, gives), (length, g) in product(ACCELERATIONS, [(LENGTH, G), (2.0, 40.0)]):
 
         def see(came, state=state):
@@ -156,19 +156,18 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
 
         theta, phi = gives
         hints = [
-            ((-theta, -phi), "Both have the wrong sign."),
+            ((-theta, -phi), "Both accelerations have the wrong sign."),
             (
                 (theta, theta + phi),
-                "The second is the lower cord's; phi counts from the upper one's direction.",
+                "The second value is wrong: phi counts from the upper cord, not from straight down.",
             ),
-            ((theta / DT, phi / DT), "The time step dt is missing."),
+            ((theta / DT, phi / DT), "You forgot dt."),
         ]
         what = "changes of omega_theta and omega_phi, divided by dt"
         expect("double_angle_update", *state, length, DT, g, gives=gives, see=see, what=what, hints=hints)
 
 
-# theta, phi, m1, m2, and what becomes of them in a tenth of a second from rest, with g = 9.81 m/s^2, from the exact
-# equations.
+# theta, phi, m1, m2, and the state 0.1 s after release, with g = 9.81 m/s^2, from the exact equations.
 SWINGS = [
     ((0.6, -0.4, 1.0, 1.0), (-1.573797, 2.649524, 0.520225, -0.265745)),
     ((1.5, 1.0, 1.0, 1.0), (-1.870015, 1.553220, 1.405265, 1.083369)),
@@ -189,6 +188,6 @@ def test_a_tenth_of_a_second_of_swinging():
 
         gives = Wanted(f"within 0.005 of ({', '.join(f'{value:.3f}' for value in end)})", is_near, like=end)
         what = "omega_theta, omega_phi, theta and phi at the end"
-        # In steps that are short enough for any method of the first order.
+        # The steps are short enough for every method of the first order.
         arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, *masses
         expect("double_angle_update", *arguments, gives=gives, what=what, times=200, feeds=True)

@@ -1,12 +1,12 @@
-"""Cradles for the checks and the tests: CSV text, and single pendula made by hand. Nothing of src/ is used here."""
+"""Cradles for the checks and the tests: CSV text, and pendula made by hand, without src/."""
 
 from vpython import color, vector
 
 from support.pendulum import make_pendulum
 
-R = 0.4  # m, not the shipped cord length, so that a constant in place of the parameter shows
+R = 0.4  # m; R_PARAM differs, so a check finds the constant in place of the parameter
 
-# No two pendula alike, no value a default, and neither theta nor omega what make_newton_cradle must set.
+# All pendula differ, no value is a default, and make_newton_cradle must change theta and omega.
 MIXED_CSV = """\
 mass,e,theta,omega,color,texture
 1.5,0.9,0.3,2.0,red,metal
@@ -21,7 +21,7 @@ MIXED = [
 
 
 def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R, radius=None) -> dict:
-    """Return a pendulum that hangs from axle (x, y, z in m) at theta (rad), its bob of this radius (m) or as usual."""
+    """Return a pendulum at theta (rad) below axle (x, y, z in m); without radius (m), the bob has the usual one."""
     objects = make_pendulum(vector(*axle), r_param, theta, color.white, None)
     objects[1].radius = radius or objects[1].radius
     values = {"mass": mass, "e": e, "theta": theta, "omega": omega, "color": "white", "texture": "none"}
@@ -29,5 +29,5 @@ def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R,
 
 
 def row(count, **values) -> list[dict]:
-    """Return count pendula at rest, R / 4 apart, with these values (as for hang)."""
+    """Return count pendula with axles R / 4 apart, and these values for hang."""
     return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]

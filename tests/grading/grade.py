@@ -1,4 +1,4 @@
-"""The grade: what the outcomes of the checks amount to, for people and for a gradebook."""
+"""The grade from the outcomes of the checks, for people and for a gradebook."""
 
 from collections import Counter
 
@@ -7,11 +7,11 @@ from grading.handout import FUNCTIONS, SUITES
 
 
 def grade(outcomes) -> dict:
-    """Return the grade of these outcomes, by the names of the checks, as a course's gradebook can read it.
+    """Return the grade of outcomes (by the names of the checks) for a gradebook.
 
-    It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next"}: a point for each check
-    that passed; the highest tier that is complete with all below it, or None; and what to do next. A tier of which no
-    check was made is left out.
+    It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next"}. Each passed check gives a
+    point. The grade is the highest complete tier, with all tiers below it complete, or None. It has no entry for a tier
+    without checks in outcomes.
     """
     tiers = {}
     for tier in SUITES:
@@ -29,7 +29,7 @@ def grade(outcomes) -> dict:
 
 
 def next_step(outcomes) -> str:
-    """Return what to do next: the first thing in the order of the handout that is not right yet."""
+    """Return the next step: the first function in the order of the handout that is not right yet."""
     made = [check for tier in SUITES for check in checks(tier=tier) if check.name in outcomes]
     for check in made:
         function, outcome = FUNCTIONS[check.function], outcomes[check.name]
@@ -42,19 +42,19 @@ def next_step(outcomes) -> str:
             return f"{outcomes[check.name].message.removeprefix('waits for ')}, which {check.function} waits for"
     for tier in SUITES:
         if len([check for check in made if check.tier == tier]) < len(checks(tier=tier)):
-            return f"all checks of tier {tier}, which were not all run"
+            return f"run all checks of tier {tier}"
     return "nothing is left to write; show it to someone"
 
 
 def unwritten(outcomes) -> list[str]:
-    """Return where the functions are that are not written yet, in the order of the handout, each as a line of text."""
+    """Return a line with the place of each function that is not written yet, in the order of the handout."""
     made = [check for tier in SUITES for check in checks(tier=tier) if check.name in outcomes]
     places = {check.function: outcomes[check.name].place for check in made}
     return [f"{function} in {place}" for function, place in places.items() if place]
 
 
 def verdict(graded) -> list[str]:
-    """Return what a grade says: the tiers that were run, each by itself, if they do not begin with the first one."""
+    """Return lines with the grade; without the first tier, they say instead which tiers are complete."""
     if next(iter(SUITES)) in graded["tiers"]:
         return [f"Grade: {graded['grade'] or 'none yet'}."]
     tiers = graded["tiers"].items()
@@ -62,7 +62,7 @@ def verdict(graded) -> list[str]:
 
 
 def lines(outcomes) -> list[tuple[str, str]]:
-    """Return the grade of these outcomes as lines of text, each with its color."""
+    """Return the grade of outcomes as lines of text, each with its color."""
     graded = grade(outcomes)
     table = [(f"{'tier':<12}{'passed':>8}{'waiting':>9}{'failed':>8}{'points':>10}", "bold")]
     for tier, counts in graded["tiers"].items():
@@ -74,5 +74,5 @@ def lines(outcomes) -> list[tuple[str, str]]:
     table += [(f"{count} wait {message.removeprefix('waits ')}", "yellow") for message, count in waits.items()]
     what_next = graded["next"]
     if any(of.state == FAILED for of in outcomes.values()) and not unwritten(outcomes):
-        what_next = what_next.partition("; ")[0]  # where to read stands in the message that is shown
+        what_next = what_next.partition("; ")[0]  # the message above has the place in the handout
     return [*table, *((line, "bold") for line in [*verdict(graded), f"Next:  {what_next}."])]

@@ -1,9 +1,9 @@
-"""The grader: what is graded, how a check is judged, and what a student is told. pytest_grader.py brings it to pytest.
+"""The grader: the checks, the calls of the students' functions, and the outcomes. pytest_grader.py runs it in pytest.
 
-A check is a function in test_d.py, test_c.py, test_b.py, test_a.py or test_honor_roll.py with @check("...") above it,
-which names the function of the handout that it is a check of. Its docstring, a sentence of the handout, is its public
-name. It calls that function through expect, which compares what it returned or changed with what was expected; how the
-function is written does not matter here.
+A check is a function in test_d.py, test_c.py, test_b.py, test_a.py or test_honor_roll.py with @check("...") above it.
+The decorator names the function of the handout that it checks. Its docstring, a sentence of the handout, is its title.
+It calls the function through expect, which compares the result, or the changed arguments, with the expected ones. The
+code of the function does not matter.
 """
 
 import importlib
@@ -18,7 +18,7 @@ from numbers import Real
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import pandas  # noqa: F401  here, as its first import takes long, and the patience with a solution is short
+import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 from vpython import vector
 
 from grading.handout import FUNCTIONS, needed, SUITES
@@ -41,10 +41,10 @@ from grading.telling import (
 from support.constants import NC_FP
 from support.start.command_line import command_line
 
-PATIENCE = 5.0  # s after which a function that has not come back counts as one that never does
-LONG = 130  # characters of a list: of longer ones only the first difference is shown
+PATIENCE = 5.0  # s; then the grader stops a function
+LONG = 130  # characters; of a longer list, a message shows only the first difference
 
-# What is raised where something is looked for in a value that has another form.
+# Errors of a check that reads a value of the wrong form.
 OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
 
 
@@ -53,8 +53,8 @@ OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, Arith
 
 class Check(NamedTuple):
     function: str  # the name of the function that is checked
-    ask: Callable  # calls it, and raises MistakeError
-    watched: bool  # whether what is wrong can be seen: watch.py plays it
+    ask: Callable  # calls the function; raises MistakeError
+    watched: bool  # whether watch.py can play it
 
     @property
     def name(self) -> str:
@@ -65,15 +65,15 @@ class Check(NamedTuple):
         return FUNCTIONS[self.function].tier
 
     def title(self) -> str:
-        """Return the sentence of the handout that it is about, without line breaks."""
+        """Return its sentence of the handout, without line breaks."""
         return " ".join(self.ask.__doc__.split())
 
 
-CHECKS: dict[str, Check] = {}  # by name, in the order in which they stand in the suites
+CHECKS: dict[str, Check] = {}  # by name, in the order of the suites
 
 
 def check(function, watched=False) -> Callable:
-    """Return a decorator that makes a check of this function of the handout, whose scene may be watched."""
+    """Return a decorator that makes a check of this function of the handout. watched: watch.py can play it."""
 
     def add(ask):
         ask.is_check = True
@@ -94,16 +94,16 @@ def checks(*, tier=None, function=None) -> list[Check]:
 
 
 class MistakeError(Exception):
-    """What came back, or was changed, is not what the handout asks for."""
+    """A result that the handout does not ask for."""
 
     def __init__(self, call, lines, hung=False, playable=False):
-        """lines are what a student must read below the call, each as (label, text)."""
+        """lines are the (label, text) pairs below the call in the message."""
         super().__init__(message([("called", call.lines()), *lines]))
         self.call, self.hung, self.playable = call, hung, playable
 
 
 class WaitError(Exception):
-    """A check cannot be made before something else is in order, which is named."""
+    """A check waits for another function or file, which the error names."""
 
     def __init__(self, what, hung=False):
         super().__init__(what)
@@ -111,19 +111,19 @@ class WaitError(Exception):
 
 
 class UnwrittenError(Exception):
-    """The function of a check is not written yet; the place is named at which it must be."""
+    """The function of a check is not written yet; the error names its place."""
 
 
-CALLS: list[Call] = []  # those of the check that is made
+CALLS: list[Call] = []  # of the current check
 
 
 def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, feeds=False) -> Any:
-    """Call a student's function; raise MistakeError if what comes of it is not what it must give.
+    """Call a student's function, and return its result; raise MistakeError if the result is wrong.
 
-    see(result) takes out of the result, or out of the arguments, what is compared with gives (a Wanted, or a value for
-    same); what says in words what that is. hints are pairs of what a certain mistake gives (a value, an
-    error, or a test of that) and the sentence that names the mistake. times says how often it is called; if it feeds
-    itself, what it returns are the first arguments of the next call. Returns the last result.
+    see(result) returns the value to compare with gives, from the result or from the arguments; without see, it is the
+    result. gives is a Wanted, or a value for same. what describes the value in words. hints are pairs: the result of a
+    mistake (a value, or a test of a value or an error), and the sentence that names the mistake. times is the number
+    of calls; with feeds, the result of a call gives the first arguments of the next one.
     """
     call = Call(function, tuple(plain(argument) for argument in arguments), times)
     CALLS.append(call)
@@ -132,18 +132,18 @@ def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, fe
     result = run(call, solution, arguments, wanted, feeds, hints)
     for before, path in zip(call.arguments, arguments, strict=True):
         if isinstance(before, PlainFile) and plain(path) != before:
-            lines = [("came back", "The file is not as it was before.")]
-            raise MistakeError(call, [*lines, ("expected", "The file is read, and stays as it is.")])
+            lines = [("came back", "The file has changed.")]
+            raise MistakeError(call, [*lines, ("expected", "The file stays as it is. Only read it.")])
     try:
         came = see(result) if see else result
     except OTHER_FORM as error:
         lines = [
             *shown(result).split("\n"),
-            f"which has not the form that is looked for ({type(error).__name__}: {error})",
+            f"This has the wrong form ({type(error).__name__}: {error}).",
         ]
         raise MistakeError(call, [("came back", lines), wanted, *hint(result, gives, hints)]) from None
     if not fits(came, gives):
-        digits = 6 if shown(came) != shown(gives) else 15  # or they would look alike
+        digits = 6 if shown(came) != shown(gives) else 15  # else both would look the same
         at, *values = first_difference(what, came, gives)
         lines = [
             (label, about(at, value, digits)) for label, value in zip(("came back", "expected"), values, strict=True)
@@ -153,10 +153,10 @@ def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, fe
 
 
 def find(function) -> Callable:
-    """Return a student's function; raise MistakeError if there is none, or WaitError if another file is at fault."""
+    """Return a student's function; raise MistakeError if it is missing, or WaitError if another file is wrong."""
     file = FUNCTIONS[function].file
     try:
-        with working_in(ROOT):  # wherever the check is at this moment
+        with working_in(ROOT):  # the check may be in another folder
             module = importlib.import_module(module_of(file))
     except BaseException as error:  # also SystemExit
         hung = isinstance(error, KeyboardInterrupt)
@@ -168,13 +168,13 @@ def find(function) -> Callable:
         lines = [("came back", stopped(error))] if hung else [("it raised", raised(error))]
         raise MistakeError(Call(function), [*lines, *import_hint(error)], hung) from None
     if not callable(getattr(module, function, None)):
-        raise MistakeError(Call(function), [("came back", f"There is no such function in {file}.")])
+        raise MistakeError(Call(function), [("came back", f"{file} has no function {function}.")])
     return getattr(module, function)
 
 
 def run(call, solution, arguments, wanted, feeds, hints) -> Any:
-    """Return what a student's function returns; raise MistakeError if it raises something, or does not come back, and
-    UnwrittenError or WaitError if it, or one that it calls, is not written yet.
+    """Return the result of a student's function. Raise MistakeError if it raises an error or takes too long,
+    UnwrittenError if it is not written yet, and WaitError if it calls a function that is not written yet.
     """
     try:
         for _ in range(call.times):
@@ -191,7 +191,7 @@ def run(call, solution, arguments, wanted, feeds, hints) -> Any:
             raise WaitError(stub) from None
         if stub and call.arguments == tuple(map(plain, arguments)):
             raise UnwrittenError(place_of(error, FUNCTIONS[stub].file)) from None
-        has_worked = [("hint", "What you wrote has worked. Now delete this line.")] if stub else []
+        has_worked = [("hint", "Your code ran up to this line. Now delete it.")] if stub else []
         lines = [("it raised", raised(error)), wanted, *has_worked, *hint(error, None, hints)]
         raise MistakeError(call, lines) from None
     return result
@@ -199,7 +199,7 @@ def run(call, solution, arguments, wanted, feeds, hints) -> Any:
 
 @contextmanager
 def working_in(folder):
-    """Let relative paths start in this folder, in the body of the with statement."""
+    """Make this folder the working directory, in the body of the with statement."""
     before = os.getcwd()
     os.chdir(folder)
     try:
@@ -209,16 +209,16 @@ def working_in(folder):
 
 
 def module_of(file) -> str:
-    """Return the name by which a file of the project is imported."""
+    """Return the module name of a file of the project."""
     return file.removesuffix(".py").replace("/", ".")
 
 
 def stopped(error) -> list[str]:
-    """Return lines that say where something was stopped that took too long."""
+    """Return lines that say where the grader stopped a function."""
     return [f"nothing, within {PATIENCE:g} s; it was stopped here:", *own_lines(error)]
 
 
-LATE = threading.Event()  # whether a check was stopped because it took too long
+LATE = threading.Event()  # set if the grader stopped a check
 
 
 @contextmanager
@@ -228,7 +228,7 @@ def patience():
 
     def interrupt():
         in_time = over.wait(PATIENCE)
-        while not in_time:  # again and again, as the first one may be caught
+        while not in_time:  # repeat it: the solution may catch the first one
             with lock:
                 if not over.is_set():
                     LATE.set()
@@ -236,7 +236,7 @@ def patience():
             in_time = over.wait(0.5)
 
     LATE.clear()
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a job in the background ignores interrupts
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a background job ignores interrupts
     threading.Thread(target=interrupt, daemon=True).start()
     try:
         yield
@@ -247,7 +247,7 @@ def patience():
 
 
 def interrupt_main_thread() -> None:
-    """Do what Ctrl+C does, so that it also ends a sleep; on Windows a signal of any thread does that."""
+    """Do the same as Ctrl+C: this also ends a sleep. On Windows, any thread can send the signal."""
     if hasattr(signal, "pthread_kill"):
         signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
     else:
@@ -258,7 +258,7 @@ def interrupt_main_thread() -> None:
 
 
 def fits(came, wanted) -> bool:
-    """Return whether what came back is what is wanted: a value, or a Wanted or another test of it."""
+    """Return whether came is right; wanted is a value, a Wanted, or a test of a value."""
     test = wanted.is_one if isinstance(wanted, Wanted) else wanted if callable(wanted) else None
     try:
         return bool(test(came)) if test else same(came, wanted)
@@ -267,7 +267,7 @@ def fits(came, wanted) -> bool:
 
 
 def same(came, wanted) -> bool:
-    """Return whether two values are the same, numbers within rounding errors; 0 is also 0.0."""
+    """Return whether two values are equal, numbers within rounding errors; 0 equals 0.0."""
     if isinstance(wanted, vector):
         return isinstance(came, vector) and same(came.value, wanted.value)
     if isinstance(wanted, dict):
@@ -283,7 +283,7 @@ def same(came, wanted) -> bool:
 
 
 def first_difference(what, came, wanted) -> tuple:
-    """Return what, came and wanted: if they are long lists, those of the first element that is not right."""
+    """Return what, came and wanted; for long lists, those of the first wrong element."""
     are_lists = isinstance(came, list) and isinstance(wanted, list) and len(came) == len(wanted)
     are_long = are_lists and max(len(shown(came)), len(shown(wanted))) > LONG
     if are_long or (are_lists and isinstance(wanted[0], dict)):
@@ -293,7 +293,7 @@ def first_difference(what, came, wanted) -> tuple:
 
 
 def has_form_of(came, wanted) -> bool:
-    """Return whether what came back is wrong by its numbers only, so that a scene can be played with it."""
+    """Return whether only the numbers in came are wrong: watch.py can then play the scene."""
     if isinstance(wanted, Wanted):
         return has_form_of(came, wanted.like)
     if isinstance(wanted, (tuple, list)):
@@ -303,17 +303,17 @@ def has_form_of(came, wanted) -> bool:
 
 
 def hint(came, wanted, hints) -> list[tuple[str, str]]:
-    """Return the hint that fits what came back, or none."""
+    """Return the hint for this result, or no hint."""
     for mistaken, sentence in hints:
         if fits(came, mistaken):
             return [("hint", sentence)]
     if came is None:
-        return [("hint", "None: is a return reached, and with a value? (append, for one, returns None.)")]
+        return [("hint", "Your function returned None. Does it reach a return with a value? (append returns None.)")]
     if isinstance(wanted, tuple) and len(wanted) > 1 and isinstance(came, (list, tuple)):
         if same(tuple(came), wanted):
-            return [("hint", "This is a list; the handout asks for a tuple.")]
+            return [("hint", "You returned a list. Return a tuple.")]
         if same(tuple(reversed(came)), wanted):
-            return [("hint", "This is what the right values give in the wrong order.")]
+            return [("hint", "The values are right, but in the wrong order.")]
     return []
 
 
@@ -325,47 +325,47 @@ PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
 class Outcome(NamedTuple):
     state: str
     message: str = ""
-    call: Call | None = None  # the one that failed, or the first one if none did, if it can be watched
-    place: str = ""  # where the function of the check must be written, if it is not
+    call: Call | None = None  # the call that failed, else the first one; None if watch.py cannot play it
+    place: str = ""  # the place of the function, if it is not written yet
 
 
 class Grading:
-    """What has become of the checks, each of which is made once."""
+    """The outcomes of the checks. Each check is made once."""
 
     def __init__(self):
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
-        self.hung: dict[str, str] = {}  # functions and files that did not come back, and what kept them: mostly they
+        self.hung: dict[str, str] = {}  # functions and files that took too long, and the cause: mostly themselves
 
     def judge(self, check) -> Outcome:
-        """Return the outcome of a check. It waits if a function that its own one uses is not right itself."""
+        """Return the outcome of a check. It waits if its function uses a function that is wrong."""
         if check.name not in self.outcomes:
             self.outcomes[check.name] = self.outcome_of(check)
         return self.outcomes[check.name]
 
     def outcome_of(self, check) -> Outcome:
-        """Return the outcome of a check that has not been made yet."""
+        """Return the outcome of a check that was not made yet."""
         function = FUNCTIONS[check.function]
         waits = [name for name in needed(check.function) if self.is_wrong(name)]
         if waits:
-            # Only to see whether it is written at all; not again where something hangs.
+            # Find out whether the function is written; skip this if a function hangs.
             outcome = None if self.hung else self.make(checks(function=check.function)[0])
             is_written = outcome is None or not outcome.place
             return Outcome(WAITING, f"waits for {', '.join(waits)}") if is_written else outcome
         for name in (function.file, check.function):
             if self.hung.get(name) == name:
-                lines = [("not called", f"{name} did not come back within {PATIENCE:g} s before.")]
+                lines = [("not called", f"{name} took longer than {PATIENCE:g} s in an earlier check.")]
                 return Outcome(FAILED, message([*lines, where_to_read(check)]))
             if name in self.hung:
                 return Outcome(WAITING, f"waits for {self.hung[name]}")
         return self.make(check)
 
     def is_wrong(self, function) -> bool:
-        """Return whether the function is not written, or any of its own checks fails."""
+        """Return whether the function is not written, or one of its own checks fails."""
         outcomes = map(self.judge, checks(function=function))
         return any(outcome.place or outcome.state in (FAILED, FAULT) for outcome in outcomes)
 
     def make(self, check) -> Outcome:
-        """Return what comes of a check that must be made."""
+        """Make a check, and return its outcome."""
         CALLS.clear()
         shipped = Path(NC_FP)
         before = shipped.read_bytes() if shipped.is_file() else None
@@ -374,8 +374,8 @@ class Grading:
                 check.ask()
             if before and not (shipped.is_file() and shipped.read_bytes() == before):
                 shipped.write_bytes(before)
-                lines = [("came back", "newton_cradle_pends.csv had other contents than before; it has them again.")]
-                raise MistakeError(Call(check.function), [*lines, ("expected", "No file is written.")])
+                lines = [("came back", "Your code changed newton_cradle_pends.csv. It is restored now.")]
+                raise MistakeError(Call(check.function), [*lines, ("expected", "Your function writes no file.")])
         except MistakeError as mistake:
             if mistake.hung:
                 name = check.function if mistake.call.arguments is not None else FUNCTIONS[check.function].file
@@ -393,11 +393,11 @@ class Grading:
         except BaseException as error:
             if isinstance(error, KeyboardInterrupt) and not LATE.is_set():
                 raise
-            lines = ["This is a fault of the grader, not of the solution. Please show it to your teacher."]
+            lines = ["This is a fault of the grader, not of your code. Please show it to your teacher."]
             return Outcome(FAULT, "\n".join([*lines, traceback.format_exc().rstrip()]))
         return Outcome(PASSED, call=CALLS[0] if check.watched else None)
 
 
 def where_to_read(check) -> tuple[str, str]:
-    """Return where in the handout to read about the function of a check, as (label, text)."""
+    """Return the place in the handout about the function of a check, as (label, text)."""
     return "read", f"handout, {FUNCTIONS[check.function].read}: {check.function}"

@@ -1,4 +1,4 @@
-"""What the handout asks for: its functions, where they are written, where to read about them, and which use which."""
+"""The functions of the handout: their files, their places in the handout, and the functions that they use."""
 
 from typing import NamedTuple
 
@@ -10,9 +10,9 @@ class Function(NamedTuple):
     tier: str
     file: str
     parameters: str
-    read: str  # where in the handout
-    calls: tuple[str, ...] = ()  # the other functions here that it must use
-    reads: tuple[str, ...] = ()  # of a pendulum
+    read: str  # place in the handout
+    calls: tuple[str, ...] = ()  # the other functions here that it uses
+    reads: tuple[str, ...] = ()  # keys of a pendulum that messages show
 
 
 SPECIAL, SWINGING = "src/special_cradles.py", "src/swinging.py"
@@ -23,7 +23,7 @@ SWING = "Swing Implementation (C Tests), and Appendix: Physics Derivations"
 COLLISIONS = "Handling Collisions (B Tests), and Appendix: Conservation Laws"
 RUNNING, CHALLENGE = "Running the Simulation (A Tests)", "Honor Roll Challenge"
 
-# In the order of the handout, in which they are best written.
+# In the order of the handout.
 FUNCTIONS = {
     "extract_and_convert": Function("D", "src/pds_helper.py", "relative_filepath", CONVERTER),
     "uniform_mass_newton_cradle": Function("D", SPECIAL, "relative_filepath, mass", CREATION, ("extract_and_convert",)),
@@ -55,6 +55,6 @@ FUNCTIONS = {
 
 
 def needed(function) -> list[str]:
-    """Return the functions that this one calls, and those that they call, in the order of the handout."""
+    """Return all functions that this one uses, directly or not, in the order of the handout."""
     found = {name for called in FUNCTIONS[function].calls for name in (called, *needed(called))}
     return [name for name in FUNCTIONS if name in found]

@@ -1,4 +1,4 @@
-"""Import this first in a file that is started by its name, from any folder: the project's modules are then found."""
+"""Import this first in a program: Python then finds the project's modules from any folder."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What a student is told: calls, values and errors as text."""
+"""Calls, values and errors as text for students."""
 
 import re
 import traceback
@@ -14,41 +14,41 @@ from vpython import box, cylinder, sphere, vector
 from grading.handout import FUNCTIONS
 from grading.project_path import ROOT
 
-LABEL = 12  # columns of the words at the left of a message
-WIDTH = 62  # columns of what stands to the right of them, where it can be broken: a terminal has 80
-MOST = 20  # elements of a list that are shown
-PENDULA = 3  # pendula of a call that are shown
-DICTIONARIES = 1  # of a list that are shown
-ROWS = 4  # lines of a file that are shown
-LINES = 5  # lines of what came back, and of what was expected, that are shown
-MOST_CHARACTERS = 300  # of a text that are shown
+LABEL = 12  # columns of the labels of a message
+WIDTH = 62  # columns of the text to the right of them: a terminal has 80
+MOST = 20  # elements shown of a list
+PENDULA = 3  # pendula shown of a call
+DICTIONARIES = 1  # shown of a list of dictionaries
+ROWS = 4  # lines shown of a file
+LINES = 5  # lines shown of a result, and of an expected value
+MOST_CHARACTERS = 300  # shown of a text
 
 
 @dataclass(frozen=True)
 class Wanted:
-    """Something that is expected of which there is more than one: how to say it, and a test of what came back."""
+    """An expectation that several values meet: its words, and a test of a value."""
 
     words: str
     is_one: Callable
-    like: Any = None  # a value of its form
+    like: Any = None  # an example of its form
 
 
 class PlainFile(NamedTuple):
-    """A file that a function was given the path of."""
+    """A file whose path is an argument of a call."""
 
     path: str
     text: str
 
 
 class Call(NamedTuple):
-    """A call of a student's function, its arguments in plain values, as they were before it."""
+    """A call of a student's function; arguments has plain copies from before the call."""
 
     function: str
     arguments: tuple | None = None  # None if the function was not found
     times: int = 1
 
     def lines(self) -> list[str]:
-        """Return it as text: the call, and below it of the pendula and files that it was given what it reads."""
+        """Return it as text: the call, and below it the values of the pendula and files that the function reads."""
         function = FUNCTIONS[self.function]
         if self.arguments is None:
             return [f"{self.function}({function.parameters})"]
@@ -64,7 +64,7 @@ class Call(NamedTuple):
 
 
 def plain(value):
-    """Return an argument in plain values, as it is at this moment: a file with its text, pendula without objects."""
+    """Return a plain copy of an argument: a file with its text, pendula without objects."""
     if isinstance(value, list):
         return [plain(element) for element in value]
     if isinstance(value, dict) and "objects" in value:
@@ -77,9 +77,9 @@ def plain(value):
 
 
 def told(name, value, keys) -> list[str]:
-    """Return lines about an argument that is too long to stand in a call: a file, a pendulum, or a list of those.
+    """Return lines about an argument that is too long for the call: a file, a pendulum, or a list of pendula.
 
-    keys are what is told of a pendulum.
+    keys are the keys of a pendulum that the lines show.
     """
     if isinstance(value, PlainFile):
         rows = value.text.splitlines()
@@ -94,7 +94,7 @@ def told(name, value, keys) -> list[str]:
 
 
 def shown(value, digits=6) -> str:
-    """Return any value as text, numbers with this many digits, a list of dictionaries with one a line."""
+    """Return a value as text: numbers with this number of digits, each dictionary of a list on its own line."""
     try:
         return text_of(value, digits)
     except RecursionError:
@@ -104,7 +104,7 @@ def shown(value, digits=6) -> str:
 
 
 def text_of(value, digits) -> str:
-    """Return what shown returns; raises what the value itself raises."""
+    """Return the same as shown, but let errors of the value pass."""
     if isinstance(value, Wanted):
         return value.words
     if isinstance(value, bool) or value is None:
@@ -131,7 +131,7 @@ def text_of(value, digits) -> str:
 
 
 def joined(parts, whole, elements) -> str:
-    """Return the parts of a list, tuple or dictionary in lines, and how many there are if these are not all."""
+    """Return the parts of a list, tuple or dictionary in lines, and the full number if parts are left out."""
     has_pendula = any(isinstance(element, dict) for element in elements)
     if len(whole) > len(parts):
         parts = [*parts, f"... ({len(whole)} in all)"]
@@ -143,7 +143,7 @@ def joined(parts, whole, elements) -> str:
 
 
 def about(what, value, digits=6) -> list[str]:
-    """Return a value as lines, after the words for what it is: in one line if that is not long."""
+    """Return a value as lines, after the words in what: in one line if it is short."""
     lines = shown(value, digits).split("\n")
     if len(lines) > LINES:
         lines[LINES - 1 :] = [" ..."]
@@ -153,7 +153,7 @@ def about(what, value, digits=6) -> list[str]:
 
 
 def message(lines) -> str:
-    """Return labels and what belongs to them, a text or a list of lines, as one text."""
+    """Return pairs of a label and a text (or a list of lines) as one text."""
     block = []
     for label, text in lines:
         first, *others = text.split("\n") if isinstance(text, str) else text or [""]
@@ -165,14 +165,14 @@ def message(lines) -> str:
 
 
 def own_places(error) -> list[tuple[str, str]]:
-    """Return where in the student's own lines an error arose, the last place last: each as a place and its code."""
+    """Return the student's own lines in the traceback of an error, each as (place, code); the last call comes last."""
     places = [
         (frame.filename, f", line {frame.lineno}, in {frame.name}", frame.line or "")
         for frame in traceback.extract_tb(error.__traceback__)
     ]
     if isinstance(error, SyntaxError) and error.filename:
         places.append((error.filename, f", line {error.lineno}", (error.text or "").strip()))
-    # ROOT is resolved: to the share behind a drive of Windows, for one. "<string>" is no file.
+    # ROOT is resolved, for example to the share behind a drive on Windows. "<string>" is no file.
     files = [(Path(name).resolve(), place, code) for name, place, code in places if Path(name).is_absolute()]
     return [
         (file.relative_to(ROOT).as_posix() + place, code)
@@ -182,13 +182,13 @@ def own_places(error) -> list[tuple[str, str]]:
 
 
 def own_lines(error) -> list[str]:
-    """Return these places as lines of text."""
+    """Return own_places as lines of text."""
     lines = [line for place, code in own_places(error) for line in (place, f"    {code}")]
     return lines if len(lines) <= 8 else [*lines[:2], f"... ({len(lines) // 2} places in all)", *lines[-4:]]
 
 
 def raised(error) -> list[str]:
-    """Return lines that say what was raised, and where in the student's own lines."""
+    """Return an error, and its places in the student's own lines, as lines of text."""
     try:
         text = f"{type(error).__name__}: {error}"
     except Exception:
@@ -197,20 +197,21 @@ def raised(error) -> list[str]:
 
 
 def unwritten(error) -> str | None:
-    """Return the function whose place in the starter raised this error, as it is not written yet, or None."""
+    """Return the function that raised this error because it is not written yet, or None."""
     stub = re.fullmatch(r"(\w+) is not written yet", str(error)) if isinstance(error, NotImplementedError) else None
     return stub[1] if stub and stub[1] in FUNCTIONS else None
 
 
 def place_of(error, file) -> str:
-    """Return where in this file of src/ the error arose, as "FILE, line N"."""
+    """Return the place of an error in this file of src/, as "FILE, line N"."""
     places = [place for place, _ in own_places(error) if place.startswith(file)]
     return places[-1].rpartition(", in ")[0] if places else file
 
 
 def culprit_of(error) -> str | None:
-    """Return the file of src/ because of which an import failed, or None: the one with a function missing, the one
-    that is missing itself, the first one of a circle, or the one with the last line that was carried out.
+    """Return the file of src/ that made an import fail, or None.
+
+    It lacks a function, or is missing itself, or is the first one of a circle, or has the last line that ran.
     """
     missing = re.match(r"cannot import name '(\w+)' from 'src\.", str(error))
     if missing and missing[1] in FUNCTIONS:
@@ -220,15 +221,15 @@ def culprit_of(error) -> str | None:
     files = importing(error)
     if is_circle(error):
         order = [*{function.file: None for function in FUNCTIONS.values()}]
-        # It is the first one in the order of the handout that imports from a later one.
+        # In the order of the handout, it is the first file that imports from a later one.
         return min(files, key=lambda file: order.index(file) if file in order else len(order), default=None)
     return files[-1] if files else None
 
 
 def importing(error) -> list[str]:
-    """Return the files of src/ that were being imported when an error arose, the last one last."""
+    """Return the files of src/ whose import an error stopped, the last one last."""
     places = [place for place, _ in own_places(error)]
-    # Of their own lines, not of what they called.
+    # Only their own lines, not those of functions that they called.
     return [place.partition(",")[0] for place in places if place.endswith("in <module>") or ", in " not in place]
 
 
@@ -238,11 +239,11 @@ def is_circle(error) -> bool:
 
 
 def import_hint(error) -> list[tuple[str, str]]:
-    """Return the hint that fits an import that failed, or none."""
+    """Return the hint for a failed import, or no hint."""
     if is_circle(error):
-        return [("hint", f"Imports go round in a circle here: leave out the one in {culprit_of(error)}.")]
+        return [("hint", f"Your files import each other in a circle. Remove the import from {culprit_of(error)}.")]
     if isinstance(error, ModuleNotFoundError):
         is_here = (ROOT / "src" / f"{error.name}.py").is_file()
-        not_here = "Is its name right, and is it installed for the Python that runs this?"
-        return [("hint", f"Its name is src.{error.name}." if is_here else not_here)]
+        not_here = "Is the name right? Is the module installed for this Python?"
+        return [("hint", f"Write src.{error.name} in the import." if is_here else not_here)]
     return []

@@ -152,95 +152,83 @@ def test_a_failure_says_it_all_in_order(solve):
         "            pend2: mass 1, e 1, omega 0, bob (1, -4, 0), radius 0.5",
         "came back   omega of pend1 and of pend2: (0, 4)",
         "expected    omega of pend1 and of pend2: (1, 3)",
-        "hint        This is what e = 1 gives; that of pend1 is 0.5.",
+        "hint        This is the result with e = 1, but e of pend1 is 0.5.",
         "read        handout, Handling Collisions (B Tests), and Appendix: Conservation Laws: handle_two_bobs",
         f"watch       {command_line('tests/watch.py', ROOT)} test_e_is_the_first_pendulums",
     ]
 
 
 HINTS = [
-    ("extract_and_convert", "returns nothing", "None: is a return reached, and with a value?"),
-    ("extract_and_convert", "returns bad_rep", "This is bad_rep itself"),
-    ("extract_and_convert", "return inside the loop", "This is the first pendulum alone: is there a return inside"),
-    ("extract_and_convert", "the list made inside the loop", "This is the last pendulum alone: is the list made"),
-    ("extract_and_convert", "one dictionary for all rows", "This is the last pendulum again and again."),
+    ("extract_and_convert", "returns nothing", "Your function returned None. Does it reach"),
+    ("extract_and_convert", "returns bad_rep", "You returned bad_rep."),
+    ("extract_and_convert", "return inside the loop", "Your list has only the first pendulum. Is your"),
+    ("extract_and_convert", "the list made inside the loop", "Your list has only the last pendulum. Do you make"),
+    ("extract_and_convert", "one dictionary for all rows", "Your list has the last pendulum three times."),
     ("extract_and_convert", "counts from 1", "The first pendulum is missing."),
-    ("extract_and_convert", "the file given is ignored", "Do you read the file at relative_filepath"),
-    ("uniform_mass_newton_cradle", "only the first", "Only the first pendulum has got its mass."),
-    ("uniform_mass_newton_cradle", "compared, not assigned", "These are the file's values: mass has not changed."),
-    ("uniform_e_newton_cradle", "mass instead", "It is mass that has changed here, not e."),
-    ("elastic_newton_cradle", "e is 0", "This is perfectly inelastic."),
-    ("make_newton_cradle", "all are lifted", "All pendula are lifted; only the first one must be."),
-    ("make_newton_cradle", "the second is lifted", "The second pendulum is lifted: a list counts from 0."),
+    ("extract_and_convert", "the file given is ignored", "Do you read the file at relative_filepath?"),
+    ("uniform_mass_newton_cradle", "only the first", "You changed mass only in the first pendulum."),
+    ("uniform_mass_newton_cradle", "compared, not assigned", "mass has not changed. These are the values"),
+    ("uniform_e_newton_cradle", "mass instead", "You changed mass, not e."),
+    ("elastic_newton_cradle", "e is 0", "You set e = 0. That is perfectly inelastic."),
+    ("make_newton_cradle", "all are lifted", "You lifted all pendula. Lift only the first one."),
+    ("make_newton_cradle", "the second is lifted", "You lifted the second pendulum. A list counts from 0."),
     ("elastic_newton_cradle", "arguments exchanged", "uniform_e_newton_cradle takes relative_filepath first"),
-    ("make_newton_cradle", "return inside the loop", "Only the first pendulum is ready: is there a return inside the"),
-    ("make_newton_cradle", "angle and length exchanged", "make_pendulum takes r_param first, and then theta."),
-    ("make_newton_cradle", "axles from 0 on", "The -0.1 is missing."),
-    ("make_newton_cradle", "axles counted from 1", "This counts the pendula from 1"),
-    ("make_newton_cradle", "cords of the shipped length", "Is r_param handed on"),
-    ("make_newton_cradle", "the name of the texture", "These are the textures' names"),
-    ("angle_update", "the old omega", "This is what the old omega gives"),
-    ("angle_update", "degrees", "This is what degrees give"),
-    ("angle_update", "the sign of gravity", "This is what gravity gives with the wrong sign"),
-    ("angle_update", "the order of the result", "This is what the right values give in the wrong order."),
-    ("angle_update", "a list", "This is a list; the handout asks for a tuple."),
-    ("angle_update", "dt multiplies the old omega, too", "In the first formula, only the acceleration is multiplied"),
-    ("angle_update", "dt multiplies the old theta, too", "In the second formula, only the new omega is multiplied"),
-    ("angle_update", "theta divided by r_param", "r_param divides the sine of theta; it does not divide theta."),
-    ("angle_update", "rounded down", "// divides and rounds down; / only divides."),
+    ("make_newton_cradle", "return inside the loop", "Only the first pendulum has objects. Is your return"),
+    ("make_newton_cradle", "angle and length exchanged", "make_pendulum takes r_param first, then theta."),
+    ("make_newton_cradle", "axles from 0 on", "You forgot the -0.1."),
+    ("make_newton_cradle", "axles counted from 1", "You counted the pendula from 1."),
+    ("make_newton_cradle", "cords of the shipped length", "Do you give r_param to make_pendulum"),
+    ("make_newton_cradle", "the name of the texture", "You used the name of a texture."),
+    ("angle_update", "the old omega", "You used the old omega; theta moves with the new one."),
+    ("angle_update", "degrees", "This is the result with degrees. sin() takes radians."),
+    ("angle_update", "the sign of gravity", "The sign of gravity is wrong."),
+    ("angle_update", "the order of the result", "The values are right, but in the wrong order."),
+    ("angle_update", "a list", "You returned a list. Return a tuple."),
+    ("angle_update", "dt multiplies the old omega, too", "In the first formula, multiply only the acceleration"),
+    ("angle_update", "dt multiplies the old theta, too", "In the second formula, multiply only the new omega"),
+    ("angle_update", "theta divided by r_param", "You divided theta by r_param. Divide its sine."),
+    ("angle_update", "rounded down", "This is the result with //, which rounds down."),
     ("full_swing_update", "return inside the loop", "Only the first pendulum has swung"),
-    ("full_swing_update", "angle_update in place of swing_update", "angle_update takes no pendulum; swing_update does"),
-    ("full_swing_update", "angles thrown away", "omega and theta of all are as before: swing_update changes them"),
-    ("full_swing_update", "r_param and dt exchanged", "Are the arguments of swing_update in its order"),
-    ("full_swing_update", "dt and g exchanged", "Are the arguments of swing_update in its order"),
-    ("handle_collision", "masses exchanged", "This is what exchanged masses give."),
+    ("full_swing_update", "angle_update in place of swing_update", "angle_update takes no pendulum."),
+    ("full_swing_update", "angles thrown away", "omega and theta have not changed. swing_update"),
+    ("full_swing_update", "r_param and dt exchanged", "Check the order of the arguments of swing_update"),
+    ("full_swing_update", "dt and g exchanged", "Check the order of the arguments of swing_update"),
+    ("handle_collision", "masses exchanged", "You exchanged the masses."),
     ("handle_collision", "not converted back", "These are the linear velocities"),
-    ("handle_collision", "the new v1 in the second", "The second formula takes the new velocity"),
+    ("handle_collision", "the new v1 in the second", "In the second formula, you used the new velocity"),
     ("handle_collision", "brackets forgotten", "In the first formula, brackets are missing"),
-    ("handle_collision", "rounded down", "// divides and rounds down; / only divides."),
-    ("handle_collision", "rounded down on the way back", "// divides and rounds down; / only divides."),
-    (
-        "handle_collision",
-        "multiplied by the sum of the masses",
-        "The sum of the masses multiplies here; it must divide.",
-    ),
-    ("handle_collision", "divided by r_param both ways", "v is r_param times omega here"),
-    ("handle_two_bobs", "e as the last argument", "Are the arguments of handle_collision in its order"),
-    ("handle_two_bobs", "e as the third argument", "Are the arguments of handle_collision in its order"),
-    ("handle_two_bobs", "masses before omegas", "Are the arguments of handle_collision in its order"),
-    ("handle_two_bobs", "new omegas exchanged", "pend1 has got the new omega of pend2"),
-    ("handle_two_bobs", "masses exchanged", "This is what exchanged masses give."),
-    ("handle_two_bobs", "without the buffer", "This is what comes without the buffer of 1.05."),
-    ("handle_two_bobs", "less, not less or equal", "At just 1.05 times the sum they collide"),
-    ("handle_two_bobs", "distance along x", "This is what the distance along x alone gives."),
-    ("handle_two_bobs", "only approaching", "The handout does not ask whether the bobs approach."),
-    ("newton_cradle_tick", "swings twice", "All have swung twice."),
-    ("newton_cradle_tick", "collides before it swings", "The swing brings these bobs together"),
-    (
-        "newton_cradle_tick",
-        "each with the one before it",
-        "Only the first pair has been handled: a return in the loop, or",
-    ),
-    (
-        "newton_cradle_tick",
-        "each of all with the one before it",
-        "These two have been handled twice: pend_list[-1], or",
-    ),
-    ("newton_cradle_tick", "the pair exchanged", "This is what e = 1 gives here: the e of a pair is"),
-    ("newton_cradle_tick", "dt and g exchanged", "Are r_param, dt and g handed on, in this order?"),
-    ("main", "the cradle not shown", "The page was shown no cradle"),
-    ("main", "R_PARAM and THETA_INIT exchanged", "make_newton_cradle takes R_PARAM first, and then THETA_INIT."),
-    ("main", "THETA_INIT from degrees", "THETA_INIT is in rad"),
-    ("main", "made once, at the beginning", "The second cradle goes on where the first one was"),
-    ("main", "the first cradle ticks for ever", "It is not the second cradle that ticks."),
-    ("main", "two ticks", "Each time a tick is due, the cradle ticks twice."),
-    ("main", "DT and G exchanged", "Are the arguments of newton_cradle_tick in its order"),
-    ("main", "one tick a round", "The cradle must tick as long as page.wants_tick() says so: while, not if."),
-    ("main", "made in each round", "The cradle is made again, though the page wants none."),
-    ("main", "the file's pendula, not made", "These pendula have no objects: make_newton_cradle makes them."),
-    ("main", "full_swing_update", "full_swing_update lets no bobs collide; newton_cradle_tick does."),
+    ("handle_collision", "rounded down", "This is the result with //, which rounds down."),
+    ("handle_collision", "rounded down on the way back", "This is the result with //, which rounds down."),
+    ("handle_collision", "multiplied by the sum of the masses", "You multiplied by the sum of the masses."),
+    ("handle_collision", "divided by r_param both ways", "You divided by r_param twice."),
+    ("handle_two_bobs", "e as the last argument", "Check the order of the arguments of handle_collision"),
+    ("handle_two_bobs", "e as the third argument", "Check the order of the arguments of handle_collision"),
+    ("handle_two_bobs", "masses before omegas", "Check the order of the arguments of handle_collision"),
+    ("handle_two_bobs", "new omegas exchanged", "You exchanged the new omegas"),
+    ("handle_two_bobs", "masses exchanged", "You exchanged the masses."),
+    ("handle_two_bobs", "without the buffer", "These bobs are within the buffer."),
+    ("handle_two_bobs", "less, not less or equal", "At exactly 1.05 times the sum"),
+    ("handle_two_bobs", "distance along x", "Did you use only the distance along x?"),
+    ("handle_two_bobs", "only approaching", "These bobs move apart, but they touch."),
+    ("newton_cradle_tick", "swings twice", "All pendula have swung twice."),
+    ("newton_cradle_tick", "collides before it swings", "These bobs touch only after the swing."),
+    ("newton_cradle_tick", "each with the one before it", "You handled only the first pair. Is there a return"),
+    ("newton_cradle_tick", "each of all with the one before it", "You handled this pair twice. Is an index -1?"),
+    ("newton_cradle_tick", "the pair exchanged", "This is the result with e = 1. The left pendulum"),
+    ("newton_cradle_tick", "dt and g exchanged", "Do you pass on r_param, dt and g, in this order?"),
+    ("main", "the cradle not shown", "You showed no cradle."),
+    ("main", "R_PARAM and THETA_INIT exchanged", "make_newton_cradle takes R_PARAM first, then THETA_INIT."),
+    ("main", "THETA_INIT from degrees", "THETA_INIT is in radians already."),
+    ("main", "made once, at the beginning", "Your second cradle goes on where the first one was."),
+    ("main", "the first cradle ticks for ever", "Your second cradle does not tick."),
+    ("main", "two ticks", "Your cradle ticks twice when the page wants one tick."),
+    ("main", "DT and G exchanged", "Check the order of the arguments of newton_cradle_tick"),
+    ("main", "one tick a round", "Tick as long as page.wants_tick() is True: while, not if."),
+    ("main", "made in each round", "You made the cradle again, but the page did not want one."),
+    ("main", "the file's pendula, not made", "Your pendula have no objects. make_newton_cradle makes them."),
+    ("main", "full_swing_update", "Your bobs do not collide. full_swing_update only swings them."),
     ("make_double_pendulum", "phi from straight down", "The lower cord's angle from straight down is theta + phi."),
-    ("double_angle_update", "the sign of gravity", "Both have the wrong sign."),
+    ("double_angle_update", "the sign of gravity", "Both accelerations have the wrong sign."),
 ]
 
 
@@ -316,7 +304,7 @@ def test_what_never_comes_back_is_stopped_and_not_called_again(solve, monkeypatc
     messages = [outcome.message for (_, _), outcome in judge_from("D").items() if outcome.state == FAILED]
     assert "came back   nothing, within 0.2 s; it was stopped here:" in messages[0]
     assert [message.splitlines()[0] for message in messages[1:]] == [
-        "not called  angle_update did not come back within 0.2 s before."
+        "not called  angle_update took longer than 0.2 s in an earlier check."
     ]
     assert capsys.readouterr().out == "called\n"
 
@@ -336,7 +324,7 @@ def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
         "came back   nothing, within 0.2 s; it was stopped here:",
         "src/swinging.py, line 2, in <module>",
     ]
-    assert second.message.startswith("not called  src/swinging.py did not come back within 0.2 s before.")
+    assert second.message.startswith("not called  src/swinging.py took longer than 0.2 s in an earlier check.")
     assert {grading.judge(check).message for check in checks(function="full_swing_update")} == {
         "waits for angle_update"
     }
@@ -364,7 +352,7 @@ def test_whether_it_is_written_is_judged_by_calling(solve):
     assert {of for (of, _), outcome in judge_from("C").items() if outcome.state == FAILED} == {"full_swing_update"}
     message = first_failure("full_swing_update").message
     assert "\nit raised   NotImplementedError: full_swing_update is not written yet" in message
-    assert "\nhint        What you wrote has worked. Now delete this line." in message
+    assert "\nhint        Your code ran up to this line. Now delete it." in message
 
 
 def test_a_function_waits_for_one_that_it_need_not_use(solve):
@@ -378,7 +366,7 @@ def test_a_solution_that_writes_the_shipped_file_fails_and_the_file_is_put_back(
     before = Path(NC_FP).read_bytes()
     solve("uniform_mass_newton_cradle", WRONG["uniform_mass_newton_cradle"]["writes the shipped file"])
     message = first_failure("uniform_mass_newton_cradle").message
-    assert "came back   newton_cradle_pends.csv had other contents than before; it has them again." in message
+    assert "came back   Your code changed newton_cradle_pends.csv. It is restored now." in message
     assert Path(NC_FP).read_bytes() == before
 
 
@@ -452,7 +440,7 @@ def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
     outcome = grading.judge(grader.CHECKS["test_with_a_fault"])
     assert outcome.state == FAULT
     first, *others = outcome.message.splitlines()
-    assert first == "This is a fault of the grader, not of the solution. Please show it to your teacher."
+    assert first == "This is a fault of the grader, not of your code. Please show it to your teacher."
     assert others[-1] == "ZeroDivisionError: division by zero"
 
 
