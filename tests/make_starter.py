@@ -1,6 +1,6 @@
-"""Make what a student is handed: `python tests/make_starter.py FOLDER`.
+"""Make the folder that students get: `python tests/make_starter.py FOLDER`.
 
-It is the project with the bodies of the handout's functions taken out, and of tests/ what grades them.
+It is the project without the bodies of the handout's functions. Of tests/, it has only the graded tests.
 """
 
 import ast
@@ -25,12 +25,12 @@ FILES = [
 FOLDERS = ["src", "support", "tests/grading"]
 # Pictures of the READMEs, and files with answers: src/README.md, the fast path, the collisions of the double cradle.
 UNUSED = ["__pycache__", "README.md", "double.png", "swing.png", "many_ticks.py", "double_collisions.py"]
-PROVIDED = {"extract_and_convert": 2}  # how many statements the handout provides, at the beginning of a body
+PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
 
 RUN, DOUBLE_RUN = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"
-# Functions of the honor roll that no check is for, by their file.
+# Functions of the honor roll without a check, by their file.
 UNGRADED = {"src/double_cradle.py": ["double_cradle_tick"], DOUBLE_RUN: ["main"]}
-# What a body that is taken out needs, as the handout says it: the file still imports that.
+# Names that the bodies need, as the handout says: the files still import them.
 OFFERED = {
     *("COLOR_MAP", "DOUBLE_DT", "DT", "G", "PHI_INIT", "R_PARAM", "TEXTURE_MAP", "THETA_INIT", "cos", "mag", "sin"),
     *(
@@ -43,7 +43,7 @@ OFFERED = {
     *("make_newton_cradle", "make_pendulum", "vector"),
 }
 RULE = "    page.rule has the value of approaching_only, if the functions have this parameter.\n"
-# What a student's file says otherwise: the lines of the handout, and nothing of what is beyond it.
+# Changes in the students' files: they have the lines of the handout, and nothing beyond it.
 CHANGES = [
     ("pyproject.toml", re.compile(r"\n\[tool\.ruff\].*", re.DOTALL), ""),
     ("src/pds_helper.py", "pd.read_csv(cleaned(relative_filepath), **EXACT_FLOATS)", "pd.read_csv(relative_filepath)"),
@@ -120,21 +120,21 @@ collide, and the two calls in `main` of `src/visualize_double_cradle_run.py`.
 
 
 def main() -> None:
-    """Make the folder; status 2 if it cannot be had."""
-    parser = OneLineParser(description="Make what a student is handed.", allow_abbrev=False)
-    parser.add_argument("folder", metavar="FOLDER", type=Path, help="a folder to be made, or an empty one")
+    """Make the folder; the status is 2 if this fails."""
+    parser = OneLineParser(description="Make the folder that students get.", allow_abbrev=False)
+    parser.add_argument("folder", metavar="FOLDER", type=Path, help="a new or an empty folder")
     folder = parser.parse_args().folder
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        parser.error(f"argument FOLDER: found '{folder}', allowed is a new folder, or an empty one")
+        parser.error(f"argument FOLDER: found '{folder}', allowed is a new or an empty folder")
     try:
         make_starter(folder)
     except OSError as error:
         parser.error(f"argument FOLDER: {folder} cannot be made: {error.strerror}")
-    print(f"{folder} is ready, with {len(FUNCTIONS)} functions to be written. Its README.md says how to begin.")
+    print(f"{folder} is ready. Students write {len(FUNCTIONS)} functions in it. Its README.md says how to begin.")
 
 
 def make_starter(folder) -> None:
-    """Make the folder, or fill it; raises an OSError if that cannot be done."""
+    """Make or fill the folder; raise an OSError if this fails."""
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as work:
         made = Path(work)
@@ -153,7 +153,7 @@ def make_starter(folder) -> None:
 
 
 def for_students(file, source) -> str:
-    """Return the source of a file as students get it."""
+    """Return the source of a file in the form for students."""
     for of, before, after in CHANGES:
         if of == file:
             source, count = re.subn(before if isinstance(before, re.Pattern) else re.escape(before), after, source)
@@ -167,7 +167,7 @@ def for_students(file, source) -> str:
 def emptied(source, names) -> str:
     """Return the source of a module without the bodies of these functions, but with their docstrings.
 
-    Of main, only the two calls of functions that are a student's own are taken out.
+    main loses only its two calls of the student's own functions.
     """
     lines = source.splitlines()
     for node in reversed(ast.parse(source).body):
@@ -183,9 +183,9 @@ def emptied(source, names) -> str:
 
 
 def own_calls(main) -> list[tuple[int, int, int, str]]:
-    """Return the statements of main that call a student's own function.
+    """Return the statements of main that call the student's own functions.
 
-    Each is (line before, last line, indentation, words for what it does).
+    Each is (line before, last line, indentation, words that describe it).
     """
     return [
         (
@@ -201,7 +201,7 @@ def own_calls(main) -> list[tuple[int, int, int, str]]:
 
 
 def without_imports(source) -> str:
-    """Return the source of a module without the imports that neither it nor its student needs."""
+    """Return the source of a module without the imports that neither the code nor the student needs."""
     tree = ast.parse(source)
     used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} | OFFERED
     lines = source.splitlines()

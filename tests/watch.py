@@ -1,7 +1,7 @@
 """Watch a check in the terminal: `python tests/watch.py test_angle_update`.
 
-The pendula that the check hands over start as they are then. The function that is checked does its part in each tick,
-in real time. Of a function that makes pendula, the picture shows the pendula that it has made.
+The pendula start as the check gives them to your function. Your function does its part in each tick, in real time. If
+it makes pendula, the picture shows them.
 """
 
 import sys
@@ -33,26 +33,26 @@ from support.start.output import while_it_is_read
 from support.terminal.picture import TextPicture
 from support.terminal.players import has_terminal, Lines, Pictures, show_pictures
 
-COLUMNS, ROWS = 80, 20  # of a picture that does not move
+COLUMNS, ROWS = 80, 20  # of a still picture
 
 
 class Scene(Cradle):
     """The pendula of a call of a student's function.
 
-    It has as much of a cradle (support/playback/cradle.py) as the terminal needs.
+    It has only the parts of a cradle (support/playback/cradle.py) that the terminal needs.
     """
 
     dt = DT
     held, takes_rule = None, False
 
     def __init__(self, pend_list, r_param, g, tick=None):
-        """tick() moves them on by DT, and may return the hits as (left, right), indices; without it they stand."""
+        """tick() moves the pendula by DT, and may return hits as (left, right) indices. Without tick, they stand."""
         if not pend_list:
-            raise ValueError("there is no pendulum in it")
+            raise ValueError("the cradle has no pendulum")
         self.pend_list, self.hits = pend_list, []
         self.r_param, self.g, self.tick = r_param, g, tick
         lengths = [mag(bob.pos - pend["objects"][0].pos) for pend in pend_list for bob in pend["objects"][1::2]]
-        # However the pendula were made, all are in the picture.
+        # All pendula are in the picture, even with cords of a wrong length.
         self.reach = max(len(pend_list[0]["objects"]) // 2 * r_param, *lengths)
 
     def axles(self):
@@ -72,9 +72,9 @@ class Scene(Cradle):
 
 
 class SmallSwings(Scene):
-    """Two pendula that swing as small swings do, by theta'' = -w^2 theta with w = sqrt(G / R), however far they go.
+    """Two pendula with the swing of small angles, theta'' = -w^2 theta with w = sqrt(G / R), at all angles.
 
-    That needs no function of a student's: a time t after theta0 and omega0, theta is
+    It needs no function of the student. At the time t after theta0 and omega0, theta is
     theta0 cos(w t) + omega0 / w sin(w t), and omega is omega0 cos(w t) - theta0 w sin(w t).
     """
 
@@ -84,12 +84,12 @@ class SmallSwings(Scene):
         self.begin([(pend["theta"], pend["omega"]) for pend in pend_list])
 
     def begin(self, states):
-        """Begin now, with these theta0 (rad) and omega0 (rad/s) of each."""
+        """Start again now, with (theta0, omega0) in rad and rad/s for each pendulum."""
         self.states = states
         self.move_to(0.0)
 
     def move_to(self, time):
-        """Put them where they are this long (s) after they began."""
+        """Move the pendula to this time (s) after begin."""
         self.time = time
         c, s = cos(self.w * time), sin(self.w * time)
         for pend, (theta0, omega0) in zip(self.pend_list, self.states, strict=True):
@@ -106,7 +106,7 @@ class DoubleScene(Scene):
     """One double pendulum, whose bobs may have different masses."""
 
     def energies(self):
-        # Those of two bobs of mass m2 each, and of an upper one that has what m1 is more.
+        # The energies of two bobs of mass m2, and of an upper bob with the rest of m1.
         (pend,) = self.pend_list
         both, more = [{**pend, "mass": pend["m2"]}], [{**pend, "mass": pend["m1"] - pend["m2"]}]
         kinetic = double_kinetic_energy(both, self.r_param) + kinetic_energy(more, self.r_param)
@@ -115,12 +115,12 @@ class DoubleScene(Scene):
 
 
 def scene_of(call) -> Scene:
-    """Return the scene of a call, in which the function that was called does its part."""
+    """Return the scene of a call, with the function that was called."""
     given = dict(zip(FUNCTIONS[call.function].parameters.split(", "), call.arguments, strict=False))
     return SCENES[call.function](find(call.function), given)
 
 
-# Each scene is made of a student's solution of the function that was called, and of what it was given, by its names.
+# Each function takes a student's solution and the arguments of the call by name, and returns a scene.
 
 
 def made_cradle(solution, given):
@@ -136,7 +136,7 @@ def made_double_pendulum(solution, given):
 
 
 def one_pendulum(_, given):
-    from src.swinging import swing_update  # which uses angle_update
+    from src.swinging import swing_update  # it uses angle_update
 
     pend = hang(given["theta"], given["omega"], r_param=given["r_param"])
 
@@ -156,13 +156,13 @@ def row_that_swings(solution, given):
 
 
 def two_that_meet(solution, given):
-    """They start where they turn round, meet at the bottom, and there again after each half of a period."""
+    """Both start at their highest points, meet at the bottom, and meet there again after each half period."""
     r_param, e, m1, m2 = (given[name] for name in ("r_param", "e", "m1", "m2"))
     pend_list = [hang(mass=m1, r_param=r_param), hang(mass=m2, axle=(r_param / 4, 0, 0), r_param=r_param)]
     scene = SmallSwings(pend_list, r_param)
-    omegas = given["omega1"], given["omega2"]  # with which they meet
+    omegas = given["omega1"], given["omega2"]  # at the moment when they meet
     scene.begin([(-omega / scene.w, 0.0) for omega in omegas])
-    meet = pi / scene.w / 2  # s after they began
+    meet = pi / scene.w / 2  # s after begin
 
     def tick():
         nonlocal omegas, meet
@@ -187,7 +187,7 @@ def two_bobs(solution, given):
 
     def tick():
         before = states()
-        solution(*scene.pend_list, r_param)  # at first, of the very pendula of the check
+        solution(*scene.pend_list, r_param)  # the first call has the same values as in the check
         hits = [(0, 1)] if states() != before else []
         if hits:
             scene.begin(states())
@@ -240,7 +240,7 @@ def one_double_pendulum(solution, given):
 
 
 def pendulum(r_param, mass, e, theta, omega, axle, radius, **_):
-    """Return a pendulum again from what it was as plain values."""
+    """Return a pendulum with these plain values."""
     return hang(theta, omega, mass, e, axle, r_param, radius)
 
 
@@ -257,15 +257,16 @@ SCENES = {
 
 
 def main() -> None:
-    """Say how a check ends, and play it. Status 2 if there is no such check, 1 if it cannot be played, or if it fails
-    and there is nothing to watch.
+    """Print the outcome of a check, and play it.
+
+    The status is 2 if there is no such check, and 1 if the scene fails, or if the check fails without a scene.
     """
     all_checks = {check.name: check for tier in SUITES for check in checks(tier=tier)}
-    names = allowed(str, all_checks.__contains__, "the name of a check, as test_angle_update")
-    parser = OneLineParser(description="Watch a check, in the terminal.", allow_abbrev=False)
-    parser.add_argument("check", metavar="CHECK", type=names, help="its name, as test_angle_update")
+    names = allowed(str, all_checks.__contains__, "the name of a check, for example test_angle_update")
+    parser = OneLineParser(description="Watch a check in the terminal.", allow_abbrev=False)
+    parser.add_argument("check", metavar="CHECK", type=names, help="its name, for example test_angle_update")
     seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
-    text = "for how long (default: %(default)g)"
+    text = "duration in seconds (default: %(default)g)"
     parser.add_argument("--seconds", metavar="S", type=seconds, default=10.0, help=text)
     options = parser.parse_args()
 
@@ -285,10 +286,10 @@ def main() -> None:
 
 
 def play(scene, seconds) -> None:
-    """Show a scene for so many seconds, or as it is if nothing moves in it."""
+    """Play a scene for seconds, or show one picture if nothing moves in it."""
 
     class WatchedPictures(Pictures):
-        script = Pictures.play  # the cradle is there already
+        script = Pictures.play  # the cradle exists already
 
     class WatchedLines(Lines):
         script = Lines.play

@@ -1,4 +1,4 @@
-"""The scenes of tests/watch.py: how the pendula of a check move, and what is said of a check that cannot be played."""
+"""The scenes of tests/watch.py: the motion of a check's pendula, and the message if a scene fails."""
 
 from math import cos, pi, sin, sqrt
 
@@ -15,7 +15,7 @@ from support.constants import DT, G
 from support.pendulum import make_pendulum
 from support.terminal.picture import TextPicture
 
-W = sqrt(G / R)  # 1/s, of small swings
+W = sqrt(G / R)  # 1/s, for small swings
 
 
 def scene_of(function, *arguments):
@@ -24,7 +24,7 @@ def scene_of(function, *arguments):
 
 
 def play(scene, seconds):
-    """Let a scene move; return its hits as (time in s, left, right)."""
+    """Play a scene; return its hits as (time in s, left, right)."""
     ticks = range(1, round(seconds / DT) + 1)
     return [(round(tick * DT, 9), *pair) for tick in ticks for pair in scene.tick() or []]
 
@@ -44,7 +44,7 @@ def without_swings(monkeypatch):
 
 
 def meeting(monkeypatch, handle_collision, *arguments):
-    """Return the scene of a call of handle_collision, and the list of the arguments of its calls."""
+    """Return the scene of a call of handle_collision, and a list with the arguments of all its calls."""
     calls: list = []
 
     def noting_calls(*given):
@@ -121,7 +121,7 @@ def test_two_bobs_swing_from_their_last_change(monkeypatch, without_swings):
     changed: list = []
     monkeypatch.setattr(visualize_cradle_run, "handle_two_bobs", handle_two_bobs)
     scene = scene_of("handle_two_bobs", hang(0.2, 0.5), hang(-0.1, axle=(R, 0, 0)), R)
-    change = pi / W / 2  # s: pend2 comes down, and pend1 is at omega / W then
+    change = pi / W / 2  # s: then pend2 is at the bottom, and pend1 is at omega / W
     (hit,) = play(scene, change + 0.1)
     assert hit == (pytest.approx(change, abs=3 * DT), 0, 1)
     assert changed == [pytest.approx(0.5 / W, abs=1e-3)]
@@ -140,7 +140,7 @@ def test_the_handouts_two_bobs_hit(without_swings):
 
 
 def test_a_row_swings_by_full_swing_update_alone(monkeypatch):
-    """And what it returns, which should be nothing, is no list of hits."""
+    """The scene ignores its return value: it is no list of hits."""
 
     def full_swing_update(*arguments):
         calls.append(arguments[1:])
@@ -157,7 +157,7 @@ def test_a_row_swings_by_full_swing_update_alone(monkeypatch):
 
 @pytest.mark.parametrize("by_name", [False, True])
 def test_a_row_ticks_by_newton_cradle_tick_alone_and_tells_of_hits(monkeypatch, by_name):
-    """However it calls handle_two_bobs, and it gets what that returns."""
+    """It may call handle_two_bobs in any way, and gets its return value."""
 
     def newton_cradle_tick(pend_list, r_param, dt, g):
         calls.append((r_param, dt, g))
@@ -177,7 +177,7 @@ def test_a_row_ticks_by_newton_cradle_tick_alone_and_tells_of_hits(monkeypatch, 
     pend_list[2]["omega"] = -3.0
     scene = scene_of("newton_cradle_tick", pend_list, R, 0.1, 5.0)
     assert play(scene, DT) == [(DT, 1, 2), (DT, 0, 1)]
-    assert play(scene, DT) == [(DT, 0, 1)]  # of those two at rest nothing changes
+    assert play(scene, DT) == [(DT, 0, 1)]  # the two others are at rest
     assert calls == [(R, DT, 5.0)] * 2
     assert returned == ["swapped"] * 4
     assert visualize_cradle_run.handle_two_bobs is handle_two_bobs
@@ -206,7 +206,7 @@ def test_a_double_pendulum_of_any_masses_keeps_its_energy(masses):
 
 
 def test_the_picture_has_room_for_cords_that_are_too_long(monkeypatch, tmp_path):
-    """As they are if theta and r_param are exchanged: theta is three times r_param here, or 0."""
+    """The cords are too long if theta and r_param are exchanged: here, theta is three times r_param, or 0."""
 
     def exchanged(axle, r_param, theta, *looks):
         return make_pendulum(axle, theta, r_param, *looks)
@@ -234,7 +234,7 @@ def draw(scene, _):
 
 @pytest.fixture
 def main(monkeypatch, capsys):
-    """A function that watches test_angle_update, which has this outcome; it returns status, stdout and stderr."""
+    """A function that watches test_angle_update with this outcome; it returns status, stdout and stderr."""
 
     def main(outcome, play=say):
         monkeypatch.setattr("sys.argv", ["watch.py", "test_angle_update", "--seconds", "3"])
@@ -270,7 +270,7 @@ def test_a_check_is_played_whether_it_passes_or_fails(main, outcome, told):
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (Call("full_swing_update", ([], R, 0.1, G)), "ValueError: there is no pendulum in it"),
+        (Call("full_swing_update", ([], R, 0.1, G)), "ValueError: the cradle has no pendulum"),
         (Call("handle_collision", (1, "4", 0.0, 1.0, 1.0, R)), "TypeError: bad operand type for unary -: 'str'"),
     ],
 )
