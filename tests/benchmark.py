@@ -1,6 +1,6 @@
-"""How fast the cradle is, and how true, also beside pymunk, a physics engine for games. Takes a few minutes.
+"""The speed and the accuracy of the cradle, also compared with pymunk, a physics engine for games.
 
-Run by hand, `.venv/bin/python tests/benchmark.py`, and not by pytest: what counts are the ratios within one run.
+Run it by hand: `.venv/bin/python tests/benchmark.py`. It takes a few minutes. Compare numbers only within one run.
 """
 
 import json
@@ -29,21 +29,21 @@ from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.energy import kinetic_energy, potential_energy
 
-CRADLES = (5, 1), (50, 1), (500, 1), (50, 0)  # how many pendula, and their e
-CLING = 3.0  # s after which bobs of e = 0 cling together
+CRADLES = (5, 1), (50, 1), (500, 1), (50, 0)  # number of pendula, and their e
+CLING = 3.0  # s; then bobs with e = 0 cling together
 MINUTE = 60.0  # s, simulated
-SAMPLE = 0.01  # s between two looks at the energy
+SAMPLE = 0.01  # s between two measurements of the energy
 TICKS = [DT * times for times in (1, 2, 5, 10, 20)]  # s
 STEPS = [1 / 100, 1 / 200, 1 / 500, 1 / 1000, 1 / 2000, 1 / 5000]  # s, of pymunk
 
 
 def csv_of(count, e=1) -> str:
-    """Return the CSV of so many equal pendula."""
+    """Return the CSV of count equal pendula."""
     return "mass,e,color,texture\n" + f"1,{e},red,metal\n" * count
 
 
 def cradle_of(count, e=1):
-    """Return the pend_list of so many equal pendula, the first of them lifted; of bobs of e = 0, when they cling."""
+    """Return the pend_list of count equal pendula, the first one lifted; with e = 0, at a time when they cling."""
     with tempfile.TemporaryDirectory() as folder:
         csv = Path(folder, "cradle.csv")
         csv.write_text(csv_of(count, e))
@@ -54,14 +54,14 @@ def cradle_of(count, e=1):
 
 
 def do_at_once(pend_list, dt, ticks) -> None:
-    """Do so many ticks of dt (s) by many_ticks, with the rule of the programs."""
+    """Do ticks of dt (s) by many_ticks, with the rule of the programs."""
     scope = {**vars(visualize_cradle_run), "DT": dt}
     if many_ticks(scope, pend_list, ticks, {"approaching_only": True}) is None:
         raise ValueError("many_ticks does not know what it stands in for: see tests/project/test_many_ticks.py")
 
 
 def cpu_time(make, run) -> float:
-    """Return the processor time (s) of run(make()), the least of five, without that of make()."""
+    """Return the processor time (s) of run(made), with made = make(): the least of five."""
     times = []
     for _ in range(5):
         made, start = make(), time.process_time()
@@ -71,9 +71,9 @@ def cpu_time(make, run) -> float:
 
 
 def energy_error(energy, advance) -> float:
-    """Return by how much the energy is off at most, as a part of that at the start, at any SAMPLE of a MINUTE.
+    """Return the largest energy error in a MINUTE, at each SAMPLE, as a part of the energy at the start.
 
-    energy() returns it, and advance() goes on by one SAMPLE.
+    energy() returns the energy, and advance() moves on by one SAMPLE.
     """
     start, error = energy(), 0.0
     for _ in range(round(MINUTE / SAMPLE)):
@@ -83,7 +83,7 @@ def energy_error(energy, advance) -> float:
 
 
 def show_table(*rows) -> None:
-    """Print these rows, of which the first is the head, as a table in Markdown."""
+    """Print rows as a table in Markdown; the first row is the head."""
     head, *others = ([str(cell) for cell in row] for row in rows)
     for row in (head, ["---"] * len(head), *others):
         print(f"| {' | '.join(row)} |")
@@ -94,7 +94,7 @@ def show_table(*rows) -> None:
 
 
 def tick_costs() -> list[tuple[float, float]]:
-    """Return the costs (s) of a tick by newton_cradle_tick and by many_ticks, for each of CRADLES."""
+    """Return the time (s) of a tick by newton_cradle_tick and by many_ticks, for each of CRADLES."""
     costs = []
     for count, e in CRADLES:
         ticks, more_ticks = 20_000 // count, 1_000_000 // count
@@ -112,13 +112,13 @@ def tick_costs() -> list[tuple[float, float]]:
 
 
 def tick_costs_on_vpython() -> list[tuple[float, float]]:
-    """Return the same on VPython's own objects, by this program in another process."""
+    """Return tick_costs with VPython's own objects, from this program in another process."""
     done = subprocess.run([sys.executable, __file__, "vpython"], stdout=subprocess.PIPE, check=True)
     return json.loads(done.stdout)
 
 
 def show_ticks() -> None:
-    """Print how many ticks a second can be done."""
+    """Print the number of ticks per second."""
     rows = [("pendula", "newton_cradle_tick", "without VPython", "many_ticks", "times", "us a pendulum and tick")]
     for (count, e), (single, at_once), (stub, _) in zip(CRADLES, tick_costs_on_vpython(), tick_costs(), strict=True):
         speeds = (f"{1 / cost:,.0f}" for cost in (single, stub, at_once))
@@ -146,11 +146,11 @@ def our_minute(dt) -> tuple[float, float]:
 
 
 class PymunkCradle:
-    """The same five pendula of pymunk's circles and pin joints."""
+    """The same five pendula, with circles and pin joints of pymunk."""
 
     def __init__(self, iterations=10, gap=0.0005, stiff=False, collision_bias=None):
-        """Set what can be set: how often each step is refined, the gap between bobs at rest (a part of their diameter),
-        whether joints are corrected at once, and how slowly bobs that overlap are pushed apart (None: pymunk's own).
+        """iterations refine each step. gap is the distance of bobs at rest (a part of their diameter). stiff joints are
+        corrected fully in each step. collision_bias slows the separation of bobs that overlap (None: pymunk's own).
         """
         import pymunk
 
@@ -175,7 +175,7 @@ class PymunkCradle:
         return sum(body.velocity.length**2 / 2 + G * (body.position.y + R_PARAM) for body in self.space.bodies)
 
     def advance(self, dt, seconds) -> None:
-        """Go on by so many seconds in steps of dt (s)."""
+        """Move on by seconds, in steps of dt (s)."""
         for _ in range(round(seconds / dt)):
             self.space.step(dt)
 
@@ -202,7 +202,7 @@ def best_settings(dt) -> dict:
 
 
 def show_minutes() -> None:
-    """Print processor time and energy error of a minute, ours and pymunk's, and how they compare."""
+    """Print and compare processor time and energy error of a minute, ours and pymunk's."""
     ours = [our_minute(dt) for dt in TICKS]
     rows = [("many_ticks, tick", "processor time", "energy error")]
     rows += [(f"{1000 * dt:g} ms", *shown(*minute)) for dt, minute in zip(TICKS, ours, strict=True)]
@@ -214,7 +214,7 @@ def show_minutes() -> None:
     for dt in STEPS:
         for name, settings in ("its own", {}), ("the best", best_settings(dt)):
             cpu, error = pymunk_minute(dt, **settings)
-            # Between two of our ticks, as of a straight line of the logarithms; for a longer time that of the smallest.
+            # Our error in this time: on a line of the logarithms between two ticks, or that of the smallest tick.
             our_error = np.exp(np.interp(np.log(cpu), times, errors, left=np.nan))
             compared = ("-", "-") if np.isnan(our_error) else (f"{our_error:.2g}", f"{error / our_error:.1f}")
             rows.append((f"{1000 * dt:g} ms", name, *shown(cpu, error), *compared))
@@ -230,8 +230,9 @@ def shown(cpu, error) -> tuple[str, str]:
 
 
 def viewer_load(program, count, seconds=40) -> tuple[float, float]:
-    """Return which part of a processor core a program takes with so many pendula, and how many simulated seconds pass
-    in one, with Chromium drawing its page on the same machine.
+    """Return the part of a core that a program takes with count pendula, and the simulated seconds per second.
+
+    Chromium draws the page on the same machine.
     """
     from playwright.sync_api import sync_playwright
     from project.programs import ARGUMENTS, CHROMIUM, first_lines, running
@@ -248,7 +249,7 @@ def viewer_load(program, count, seconds=40) -> tuple[float, float]:
             page = browser.new_page(viewport={"width": 1000, "height": 840})
             page.goto(first_lines(process))
             page.wait_for_function("() => $('.readout').length")
-            time.sleep(10)  # until it runs evenly
+            time.sleep(10)  # then it runs evenly
             before = measure()
             time.sleep(seconds)
             cpu, simulated, passed = (end - start for end, start in zip(measure(), before, strict=True))
@@ -257,7 +258,7 @@ def viewer_load(program, count, seconds=40) -> tuple[float, float]:
 
 
 def show_viewer(plain) -> None:
-    """Print what the viewer takes, with the fast path, and in the project plain, which does without."""
+    """Print the load of the viewer, with the fast path, and without it in the project plain."""
     rows = [("pendula", "of a core", "simulated seconds in one", "single ticks: of a core", "simulated seconds in one")]
     for count in (5, 50, 100):
         loads = [viewer_load(root / "src" / "visualize_cradle_run.py", count) for root in (ROOT, plain)]
@@ -270,7 +271,7 @@ def show_viewer(plain) -> None:
 
 
 def show_recording(plain) -> None:
-    """Print what it takes to record a minute, with the fast path, and in the project plain, which does without."""
+    """Print the time to record a minute, with the fast path, and without it in the project plain."""
     rows = [("pendula", "--record of a minute", "by single ticks")]
     for count in (5, 100):
         times = []
@@ -288,7 +289,7 @@ def show_recording(plain) -> None:
 
 
 def project_without_fast_path(folder) -> Path:
-    """Return a copy of the project, in this folder, in which the tick has one more line, that does nothing."""
+    """Copy the project to this folder, with one more line without effect in the tick; return the copy."""
     from project.programs import copy_project
 
     project = copy_project(Path(folder), csv_of(5))
@@ -302,7 +303,7 @@ if __name__ == "__main__":
     if "vpython" in sys.argv:
         import vpython
 
-        vpython.baseObj._view_constructed = True  # the page is there, as it were: no server, no browser
+        vpython.baseObj._view_constructed = True  # VPython then believes that the page is open: no server, no browser
         print(json.dumps(tick_costs()))
     else:
         show_ticks()
