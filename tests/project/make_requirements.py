@@ -1,9 +1,9 @@
 """Make support/requirements.txt: `python tests/project/make_requirements.py PYTHON ...`.
 
-It lists the packages that the programs really import, with the bounds of pyproject.toml. A new major version may need
-a package that `pip install --no-deps` would not bring, so each bound ends below it. Each PYTHON can start the programs;
-several Pythons need more packages than one. Some packages import others only if they are there. To leave those out,
-take Pythons that have nothing but the packages of the present list.
+The file lists the packages that the programs import, with the bounds of pyproject.toml. A new major version may need
+a package that `pip install --no-deps` does not install, so each bound ends below it. Each PYTHON must be able to start
+the programs; several Pythons together need more packages than one. Some packages import others only if they are
+installed. To leave those out, use Pythons with only the packages of the present list.
 """
 
 import json
@@ -20,7 +20,7 @@ HEAD = """\
 # VPython also asks for Jupyter, which a program that is started as a file does without: a hundred more packages.
 # Made by tests/project/make_requirements.py.
 """
-# Prints which package each module comes from: {module: (name, version)}.
+# Prints the package of each module: {module: (name, version)}.
 PACKAGES = """
 import json
 from importlib import metadata
@@ -36,9 +36,7 @@ def bounds() -> dict[str, str]:
 
 
 def imported(python) -> dict[str, str]:
-    """Return the packages that a cradle's page imports with this Python, up to where it waits for a browser, as
-    {name: version}.
-    """
+    """Return the packages that the page imports with this Python before it waits for a browser, as {name: version}."""
     program = [python, "-X", "importtime", ROOT / "src" / "visualize_cradle_run.py", "--no-browser"]
     with tempfile.TemporaryFile("w+") as told:
         with subprocess.Popen(program, stdout=subprocess.PIPE, stderr=told) as process:
@@ -54,7 +52,7 @@ def imported(python) -> dict[str, str]:
 
 
 def lines(found) -> list[str]:
-    """Return the requirements for these packages, [(name, version), ...]; a name may come with several versions."""
+    """Return the requirements for these packages, [(name, version), ...]; a name may have several versions."""
     majors: dict[str, int] = {}
     for name, version in found:
         majors[name] = max(majors.get(name, 0), int(version.partition(".")[0]))
@@ -63,7 +61,7 @@ def lines(found) -> list[str]:
 
 
 def requirement(name, bound, major) -> str:
-    """Return a package with its bound, and below the version after this major one if the bound has no upper end."""
+    """Return a package with its bound. Without an upper end, the bound ends below the next major version."""
     parts = [bound] if "<" in bound else [*filter(None, [bound]), f"<{major + 1}"]
     return name + ",".join(parts)
 

@@ -1,7 +1,7 @@
-"""Right solutions, written in other ways: what the graded suites must not fail.
+"""Correct solutions in other ways. The graded suites must accept them all.
 
-RIGHT has for each function of the handout ways to write it, each as the body of the function, or as a pair (what to
-replace, what by) in the plain body in wrong_solutions.py. Add one, and tests/project/test_graded_suites.py covers it.
+RIGHT has ways to write each function of the handout: the body of the function, or a pair (old text, new text) for its
+body in PLAIN (wrong_solutions.py). Add one, and tests/project/test_graded_suites.py covers it.
 """
 
 RIGHT = {

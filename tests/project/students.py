@@ -1,4 +1,4 @@
-"""A student who writes into a starter: the functions of some tiers, in a plain way."""
+"""Write functions into a starter, as a student does."""
 
 from textwrap import dedent, indent
 
@@ -7,7 +7,7 @@ from wrong_solutions import PLAIN
 
 from grading.handout import FUNCTIONS
 
-# What PLAIN has no mistakes for, and what the honor roll asks for beyond the checks.
+# Bodies that PLAIN lacks, and those of the honor roll without a check.
 BODIES = {
     "extract_and_convert": "return list(bad_rep.values())",
     "uniform_mass_newton_cradle": RIGHT["uniform_mass_newton_cradle"]["by index"],
@@ -25,7 +25,7 @@ BODIES = {
 
 
 def write(starter, *functions) -> None:
-    """Write these functions in the place of their stubs; main's two calls, too."""
+    """Replace the stubs of these functions; for main, its two calls."""
     for function in functions:
         file = FUNCTIONS[function].file if function in FUNCTIONS else "src/double_cradle.py"
         if function == "main":
@@ -36,7 +36,7 @@ def write(starter, *functions) -> None:
 
 
 def write_tiers(starter, tiers) -> None:
-    """Write all functions of these tiers: DC are those of D and of C."""
+    """Write all functions of these tiers: "DC" stands for D and C."""
     write(starter, *(name for name, function in FUNCTIONS.items() if function.tier in list(tiers)))
 
 
@@ -46,7 +46,7 @@ def write_all(starter) -> None:
 
 
 def replace(starter, file, function, body) -> None:
-    """Write this body in the place of the first stub of the function, as a student does."""
+    """Replace the first stub of the function by this body."""
     path = starter / file
     lines = path.read_text(encoding="utf-8").splitlines()
     number = next(i for i, line in enumerate(lines) if f'"{function} is not written yet"' in line)

@@ -1,4 +1,4 @@
-"""The graded suites, judged as a grader: they let nothing wrong pass, fail nothing right, and say what is wrong."""
+"""The graded suites reject wrong solutions, accept correct ones, and name the mistake."""
 
 import re
 import sys
@@ -24,7 +24,7 @@ from support.constants import NC_FP
 from support.start.command_line import command_line
 from support.terminal.picture import TextPicture
 
-# All of them first: one that is imported while a solution is in its place would keep it.
+# Import all modules first: a module that is imported later would keep a solution of a test.
 MODULES = {name: import_module(module_of(of.file)) for name, of in FUNCTIONS.items()}
 
 CHECKS = [check for tier in SUITES for check in checks(tier=tier)]
@@ -33,16 +33,16 @@ RIGHT_ROWS = [(function, way) for function, ways in RIGHT.items() for way in way
 
 
 def put(monkeypatch, function, version):
-    """Put a version of a function, as the tables have it, in its place wherever it is used."""
+    """Replace a function by a version from the tables, in all modules that use it."""
     if isinstance(version, tuple):
         assert version[0] in PLAIN[function]
         version = PLAIN[function].replace(*version)
-    for name, value in {"cos": cos, "sin": sin, "vector": vector}.items():  # a student's file imports them
+    for name, value in {"cos": cos, "sin": sin, "vector": vector}.items():  # the student's file imports them
         if not hasattr(MODULES[function], name):
             monkeypatch.setattr(MODULES[function], name, value, raising=False)
     made: dict = {}
     original = getattr(MODULES[function], function)
-    # A student's has the handout's parameters; the handout does not say which those of the honor roll are.
+    # The student's function has the parameters of the handout; for the honor roll, the handout names none.
     is_said = FUNCTIONS[function].tier != HONOR
     own = signature(original).replace(return_annotation=Signature.empty)
     parameters = f"({FUNCTIONS[function].parameters})" if is_said else own
@@ -58,9 +58,9 @@ def solve(monkeypatch):
 
 
 def judge_from(tier, alone=False):
-    """Return the outcome of each check of this tier and those above it, or of it alone, by its function and name.
+    """Return the outcome of each check of this tier and the tiers above it, by (function, name). alone: only this tier.
 
-    The other tiers count as passed: the functions of those below are the project's.
+    The other tiers count as passed: the tiers below use the project's own functions.
     """
     grading, tiers = Grading(), list(SUITES)
     judged = tiers[tiers.index(tier) :][: 1 if alone else None]
@@ -68,12 +68,12 @@ def judge_from(tier, alone=False):
     return {(check.function, check.name): grading.judge(check) for check in CHECKS if check.tier in judged}
 
 
-HINTS_TRIED: set = set()  # all sentences that the checks have compared a mistake with
+HINTS_TRIED: set = set()  # all hints that the checks tried
 
 
 @cache
 def outcomes_of(function, mistake, alone):
-    """Return what becomes of the checks with this wrong solution: those of its tier alone, or those above, too."""
+    """Return the outcomes of the checks of its tier (and, unless alone, of the tiers above) with this wrong solution."""
 
     def hint(came, gives, hints):
         HINTS_TRIED.update(sentence for _, sentence in hints)
@@ -86,9 +86,9 @@ def outcomes_of(function, mistake, alone):
         return judge_from(FUNCTIONS[function].tier, alone)
 
 
-# --- they let nothing wrong pass, and a fault costs once -------------------------------------------------------------
+# --- wrong solutions fail, and a mistake costs points once -----------------------------------------------------------
 
-# What a failure must be like: what was called, what came of it, what was expected, a hint, where to read, and how to
+# The form of a failure: the call, the result, the expected result, a hint, the place in the handout, and the command to
 # watch it.
 FORM = re.compile(
     r"called      .+?\n(came back|it raised)   .+?\nexpected    .+?\n(hint        [^\n]+\n)?"
@@ -106,9 +106,9 @@ def test_the_tables_are_large_and_name_each_function():
 @pytest.mark.parametrize("alone", slow_but_for([True], [True, False]))
 @pytest.mark.parametrize(("function", "mistake"), WRONG_ROWS)
 def test_nothing_wrong_passes(function, mistake, alone):
-    """It fails in its own checks, and nowhere else: those of functions that use it wait, and no other one cares.
+    """It fails only its own checks. The checks of functions that use it wait, and all others pass.
 
-    The tiers below, which cannot use it, are left out: they take the most time.
+    The tiers below cannot use it. The test skips them, as they take the most time.
     """
     outcomes = outcomes_of(function, mistake, alone)
     assert {of for (of, _), outcome in outcomes.items() if outcome.state == FAILED} == {function}
@@ -124,7 +124,7 @@ def test_nothing_wrong_passes(function, mistake, alone):
 @pytest.mark.parametrize("alone", slow_but_for([True], [True, False]))
 @pytest.mark.parametrize(("function", "way"), RIGHT_ROWS)
 def test_nothing_right_fails(solve, function, way, alone):
-    """Neither in its own tier alone, nor in any."""
+    """It fails neither in its own tier nor in another one."""
     solve(function, RIGHT[function][way])
     outcomes = judge_from(FUNCTIONS[function].tier, alone=True) if alone else judge_from("D")
     assert {key: outcome for key, outcome in outcomes.items() if outcome.state != PASSED} == {}
@@ -244,7 +244,7 @@ def test_each_hint_is_what_some_mistake_gives():
     assert HINTS_TRIED - given == set()
 
 
-ROWS = 17  # of a message, so that pytest's output is 45 of them: tests/project/test_grader_output.py
+ROWS = 17  # of a message; then pytest prints at most 45 (tests/project/test_grader_output.py)
 
 
 @pytest.mark.parametrize(("function", "mistake"), WRONG_ROWS)
@@ -282,7 +282,7 @@ def test_of_pendula_and_files_only_what_matters_is_told(solve):
 
 
 def test_no_two_mistakes_give_the_same():
-    """Or the hint would name one where it is the other."""
+    """Otherwise, a hint could name the wrong mistake."""
     for suite in ("test_c", "test_b"):
         results = [result for result, _ in import_module(suite).MISTAKES]
         for i, result in enumerate(results):
@@ -334,7 +334,7 @@ STUB = 'raise NotImplementedError("{} is not written yet")'
 
 
 def test_what_is_not_written_waits(solve):
-    """And so do those that use it, if they are written themselves."""
+    """Functions that use it wait too, if they are written themselves."""
     for name in ("angle_update", "full_swing_update"):
         solve(name, STUB.format(name))
     messages = {(of, outcome.state, outcome.message) for (of, _), outcome in judge_from("C").items()}
@@ -420,7 +420,7 @@ def test_a_solution_that_ends_the_program_ends_its_check_only(solve, ending):
 
 @pytest.mark.parametrize("code", ["1 / 0", "import nothing_of_that_name"])
 def test_only_lines_of_files_are_a_students(monkeypatch, code):
-    """Not "<string>", and not the importing machinery, even where the tests are started in src/."""
+    """Not "<string>", and not Python's import code, even if the tests start in src/."""
     monkeypatch.chdir(ROOT / "src")
     try:
         exec(code)

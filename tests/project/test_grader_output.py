@@ -1,4 +1,4 @@
-"""What `pytest` prints in a student's folder: of functions that are not written, and of mistakes, on 80 columns."""
+"""The output of `pytest` in a student's folder, on 80 columns: missing functions, and mistakes."""
 
 import ast
 import os
@@ -27,7 +27,7 @@ STUBS = {
 
 @pytest.fixture
 def student(tmp_path_factory):
-    """A function that makes a student's folder, in which these bodies are in the place of the functions' own."""
+    """A function that makes a student's folder with these bodies of functions."""
     folder = tmp_path_factory.mktemp("s")
 
     def make(**bodies):
@@ -44,7 +44,7 @@ def student(tmp_path_factory):
 
 
 def put(file, function, body):
-    """Put a body in the place of that of a function in a file."""
+    """Replace the body of a function in a file."""
     lines = file.read_text().splitlines()
     (node,) = (
         node for node in ast.parse("\n".join(lines)).body if isinstance(node, ast.FunctionDef) and node.name == function
@@ -54,7 +54,7 @@ def put(file, function, body):
 
 
 def run(folder, *options):
-    """Return the exit status of pytest in a folder, and the rows that it printed, as a terminal breaks them."""
+    """Return the exit status of pytest in a folder, and its output as rows of a terminal."""
     environment = {name: value for name, value in os.environ.items() if name != "PYTEST_ADDOPTS"}
     command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *options]
     environment["COLUMNS"] = str(COLUMNS)
@@ -67,7 +67,7 @@ def run(folder, *options):
 
 
 def section(rows, title):
-    """Return the rows from below this title to the next one. There is one such title."""
+    """Return the rows between this title and the next one. The title occurs once."""
     (begin,) = (i for i, row in enumerate(rows) if row.strip("=_ ") == title)
     below = rows[begin + 1 :]
     return below[: next(i for i, row in enumerate(below) if row.startswith(("===", "_")))]
@@ -101,7 +101,7 @@ def test_in_a_fresh_starter_all_waits(student):
 
 
 def test_of_a_mistake_the_first_message_comes_last(student):
-    """What a solution prints is shown of the first one only."""
+    """pytest shows only the printed lines of the first one."""
     mistake = WRONG["make_newton_cradle"]["bobs all hang"]
     body = "for i in range(25):\n    print('row', i)\n" + dedent(PLAIN["make_newton_cradle"].replace(*mistake))
     collision = "print('collision')\nreturn omega1, omega2"
@@ -118,7 +118,7 @@ def test_of_a_mistake_the_first_message_comes_last(student):
 
 @pytest.mark.slow
 def test_one_mistake_takes_no_more_than_a_screen(student):
-    """One that fails nearly all checks of its function, with a message of as many rows as any."""
+    """The mistake fails nearly all checks of its function, and its message is among the longest."""
     status, rows = run(student(extract_and_convert=WRONG["extract_and_convert"]["returns bad_rep"]))
     assert status == 1
     assert len(rows) <= 45

@@ -1,4 +1,4 @@
-"""More cradles for the project's tests: CSV text, double pendula made by hand, and cradles that are played."""
+"""More cradles for the project's tests: CSV text, double pendula made by hand, and cradles that run."""
 
 from itertools import combinations
 from math import pi, sqrt
@@ -19,10 +19,10 @@ from support.playback.player import Player
 
 MAINS = {LiveCradle: visualize_cradle_run.main, LiveDoubleCradle: visualize_double_cradle_run.main}
 
-# Of a small swing at the shipped constants (s), so that tests wait as long as it takes after someone has edited them.
+# s, for small swings; it uses the constants, so the tests wait long enough if someone edits them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
 
-# Five equal elastic pendula, as the shipped file has them until someone edits it.
+# Five equal elastic pendula, as in the shipped file.
 HEADER, GOOD = "mass,e,theta,omega,color,texture\n", "1.0,1.0,0.0,0.0,red,metal\n"
 FIVE_CSV = HEADER + GOOD * 5
 
@@ -35,7 +35,7 @@ def hang_double(theta=0.0, phi=0.0, omega=0.0, phi_omega=0.0, mass=1.0, e=1.0, a
 
 
 def distances(pend_list) -> list[float]:
-    """Return how far each two bobs of different pendula, single or double, are apart, 1 being where they touch."""
+    """Return the distances of all pairs of bobs of different pendula; at 1, they touch."""
     return [
         mag(bob2.pos - bob1.pos) / (BUFFER * (bob1.radius + bob2.radius))
         for pend1, pend2 in combinations(pend_list, 2)
@@ -45,14 +45,14 @@ def distances(pend_list) -> list[float]:
 
 
 def make_live(kind=LiveCradle, **options) -> LiveCradle:
-    """Return a cradle with these options, still without pendula."""
+    """Return a cradle with these options, without pendula."""
     main, none = MAINS[kind], {"elastic": False, "inelastic": False, "e": None, "mass": None}
     many = many_ticks if kind is LiveCradle else None
     return kind(main.__globals__, SimpleNamespace(**{**none, **options}), many)
 
 
 def go_on(player, script) -> None:
-    """Do what main does, until this part of the player's script has come to its end."""
+    """Run the loop of main until this part of the player's script ends."""
     scope = player.cradle.scope
     for _ in script:
         if player.wants_cradle():
@@ -65,15 +65,15 @@ def go_on(player, script) -> None:
 
 
 def thetas(lifts) -> list:
-    """Return the angles (rad) of cords that are lifted by these angles (degrees); None stays None."""
+    """Return theta (rad) for each lift (degrees); None stays None."""
     return [None if lift is None else from_lift(lift) for lift in lifts]
 
 
 class Swing(Player):
-    """A player that does as many ticks as a test says."""
+    """A player with the number of ticks that a test sets."""
 
     def __init__(self, csv, angles, lifted, impacts=4, kind=LiveCradle, **options):
-        """Have the cradle of this CSV (a Snapshot) made, with these options, and let go from angles (degrees)."""
+        """Make the cradle of this CSV (a Snapshot) with these options, and release it from angles (degrees)."""
         super().__init__(make_live(kind, **options), csv, thetas(angles), lifted, impacts)
         go_on(self, self.make())
 
@@ -81,24 +81,24 @@ class Swing(Player):
         return iter(())
 
     def swing(self, ticks):
-        """Do so many ticks, and return the hits."""
+        """Do `ticks` ticks, and return the hits."""
         go_on(self, self.advance(ticks))
 
     def read(self, csv):
-        """Have the cradle of this CSV (a Snapshot) made."""
+        """Make the cradle of this CSV (a Snapshot)."""
         self.snapshot = csv
         go_on(self, self.make())
 
 
 def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4) -> Swing:
-    """Return a cradle of this CSV (written to the folder), just let go from this angle (degrees)."""
+    """Write this CSV to the folder; return its cradle, released from this angle (degrees)."""
     file = folder / "cradle.csv"
     file.write_text(csv)
     return Swing(Snapshot(file), [angle], lift, impacts)
 
 
 def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False):
-    """Do so many ticks by many_ticks with the shipped functions and these constants; return the contacts, or None."""
+    """Call many_ticks with the shipped functions and these constants; return the contacts, or None."""
     scope = {**vars(visualize_cradle_run), "R_PARAM": r_param, "DT": dt, "G": g}
     return many_ticks(scope, pend_list, ticks, {"approaching_only": True} if approaching_only else {})
 

@@ -1,9 +1,9 @@
-"""Wrong solutions, by the mistakes of beginners: what the graded suites must not let pass.
+"""Wrong solutions with the mistakes of beginners. The graded suites must reject them all.
 
-WRONG has for each function of the handout the mistakes that can be made in it, and for each of these the wrong version:
-the body of the function, or a pair (what to replace, what by) that puts the mistake into the right body in PLAIN. Add a
-line, and tests/project/test_graded_suites.py covers it. A body can use all that the function's file has, and `from ...
-import ...`. The right versions that must pass are in right_solutions.py.
+WRONG has the mistakes of each function of the handout, and for each mistake the wrong version: the body of the function,
+or a pair (old text, new text) that puts the mistake into the right body in PLAIN. Add a line, and
+tests/project/test_graded_suites.py covers it. A body can use all names of the function's file, and
+`from ... import ...`. right_solutions.py has the correct versions.
 """
 
 PLAIN = {
