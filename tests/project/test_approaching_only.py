@@ -1,7 +1,7 @@
 """The programs' rule that only approaching bobs collide: handle_two_bobs with approaching_only=True.
 
-By default it is the handout's to the letter; tests/test_b.py holds it to that. What becomes of whole cradles by the two
-rules: test_physics.py.
+By default, handle_two_bobs follows the handout to the letter; tests/test_b.py tests that. test_physics.py tests whole
+cradles with both rules.
 """
 
 from math import pi
@@ -33,7 +33,7 @@ def touching(theta, omega1, omega2):
         (0.0, 1.0, 1.0, False),
         (1.2, 1.0, 0.0, True),
         (-1.2, 1.0, 0.0, True),
-        (2.5, 1.0, 0.0, False),  # above the axle a bob with positive omega moves to the left ...
+        (2.5, 1.0, 0.0, False),  # above the axle, a bob with positive omega moves to the left ...
         (2.5, 0.0, 1.0, True),
         (-2.5, 0.0, 1.0, True),
         (pi, 1.0, 0.0, False),

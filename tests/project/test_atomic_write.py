@@ -1,4 +1,4 @@
-"""What replaces a file only when complete. That write_to_csv goes by it, and how it fails: test_csv.py."""
+"""whole_file replaces a file only when the new one is complete. test_csv.py tests it in write_to_csv."""
 
 import errno
 import os
@@ -66,7 +66,7 @@ def test_a_file_that_stays_open_stays_as_it_is(tmp_path, monkeypatch):
 
 
 def open_elsewhere(monkeypatch, times):
-    """Let os.replace fail so often, as on Windows while another program has the target open; return the pauses (s)."""
+    """Let os.replace fail `times` times, as on Windows if a program has the file open; return the pauses (s)."""
     really, pauses = os.replace, []
 
     def replace(*paths):

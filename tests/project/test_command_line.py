@@ -1,4 +1,4 @@
-"""What the programs advise to type in a terminal."""
+"""The commands that the programs tell a person to type."""
 
 import os
 import shutil

@@ -1,4 +1,4 @@
-"""The constants: the names that a CSV may use are complete, and the CSV is found."""
+"""The constants: all names for a CSV are there, and NC_FP finds the CSV."""
 
 import os
 
@@ -8,12 +8,12 @@ from support import constants
 
 
 def names(namespace):
-    """Return the public names of a class's values, without its functions."""
+    """Return the public names in a class, without functions."""
     return {name for name, value in vars(namespace).items() if name[0] != "_" and isinstance(value, (str, vector))}
 
 
 def test_every_color_of_vpython_has_its_name():
-    """The stand-in's colors are VPython's: test_headless_vpython.py."""
+    """test_headless_vpython.py compares the colors of the stand-in with those of VPython."""
     assert {name: getattr(color, name) for name in names(color)} == constants.COLOR_MAP
 
 

@@ -1,4 +1,4 @@
-"""The CSV: what is refused and in which words, what is accepted silently, and writing it."""
+"""The CSV: refused files and their messages, accepted files, and writing."""
 
 import os
 import random
@@ -20,12 +20,12 @@ MASS, E = "allowed is a number above 0 and up to 1e6 (kg)", "allowed is a number
 
 
 def cell(column, text):
-    """Return a CSV whose third line has this text in this column."""
+    """Return a CSV with this text in this column of its third line."""
     values = {"mass": "1", "e": "1", "theta": "0", "omega": "0", "color": "red", "texture": "none", column: text}
     return HEADER + GOOD + ",".join(values.values()) + "\n"
 
 
-# What no file of any kind may be: extract_and_convert refuses these too. The message follows the file's name.
+# extract_and_convert refuses these files, too. The message comes after the name of the file.
 UNREADABLE = {
     "empty": (b"", ": is empty, the first line must name the columns"),
     "blank lines only": (b"\n  \n\n", ": is empty, the first line must name the columns"),
@@ -53,7 +53,7 @@ UNREADABLE = {
 
 NEEDS = "a cradle needs one column of each of mass, e, color, texture"
 
-# What can be read, but makes no cradle.
+# Readable files that give no cradle.
 NO_CRADLE = {
     "header only": (HEADER, ": names columns but has no pendulum, a cradle needs at least one row below them"),
     "semicolons": (
@@ -151,7 +151,7 @@ def test_unreadable(content, message, save, monkeypatch, capsys):
 @pytest.mark.parametrize(("content", "message"), NO_CRADLE.values(), ids=NO_CRADLE)
 def test_no_cradle(content, message, save, monkeypatch, capsys):
     filepath = save(content)
-    extract_and_convert(filepath)  # which takes any CSV
+    extract_and_convert(filepath)  # it accepts any CSV
     assert complaint(make_newton_cradle, filepath, R_PARAM, 0) == filepath + message
     assert the_programs_complaint(monkeypatch, capsys, filepath) == filepath + message + "\n"
 
@@ -211,7 +211,7 @@ def test_any_number_of_pendula(count, save):
 
 
 def test_what_the_check_takes_for_a_number_is_one_for_pandas(save):
-    """The check reads a cell's text by itself; a cell that it passes must not become text in pend_list."""
+    """The check reads the text of a cell itself. A cell that it accepts must not become text in pend_list."""
     random_text, passed = random.Random(1), 0
     for _ in range(2000):
         text = "".join(random_text.choices("0123456789.eE+-x ", k=random_text.randint(1, 6)))
@@ -229,7 +229,7 @@ def test_what_the_check_takes_for_a_number_is_one_for_pandas(save):
 
 
 def numbers(count):
-    """Return floats of all sizes, among them the ones whose last bit a careless reader loses."""
+    """Return floats of all sizes; a careless reader loses the last bit of some of them."""
     source = random.Random(2)
     return [0.1 + 0.2, 1 / 3, 5e-324, 1.7976931348623157e308, -0.0] + [
         source.uniform(-1, 1) * 10.0 ** source.randint(-30, 30) for _ in range(count)
@@ -255,7 +255,7 @@ def test_objects_are_not_written_and_pend_list_is_left_alone(tmp_path, save):
 
 
 def test_every_key_is_a_column(tmp_path):
-    """Also one that not all pendula have, and text in any language."""
+    """Also a key that only some pendula have, and text in any language."""
     file = tmp_path / "cradle.csv"
     write_to_csv([MIXED[0], {**MIXED[1], "note": "schön, \u03c9"}], file)
     first, second = extract_and_convert(file)
@@ -295,7 +295,7 @@ def test_a_failure_leaves_the_old_file_whole(step, tmp_path, monkeypatch):
 
 
 def test_a_half_written_file_is_never_seen(tmp_path, monkeypatch):
-    """What stands under the name is the old file until the new one is complete."""
+    """The name stands for the old file until the new one is complete."""
     file = tmp_path / "cradle.csv"
     file.write_text(MIXED_CSV)
     seen = []
@@ -329,14 +329,14 @@ def test_only_a_file_is_replaced(tmp_path):
 def test_a_write_protected_file_is_not_replaced(tmp_path, monkeypatch):
     file = tmp_path / "cradle.csv"
     file.write_text(MIXED_CSV)
-    monkeypatch.setattr("os.access", lambda path, mode: False)  # the administrator, for one, may write it all the same
+    monkeypatch.setattr("os.access", lambda path, mode: False)  # for example, the administrator may still write it
     with pytest.raises(OSError, match="write-protected"):
         write_to_csv(MIXED[:1], file)
     assert file.read_text() == MIXED_CSV
 
 
 def test_a_file_that_cannot_even_be_begun(tmp_path, monkeypatch):
-    """On a read-only disk nothing can be opened for writing, nor removed; the message is about the first."""
+    """On a read-only disk, opening for writing fails, and deleting too; the message names the first error."""
 
     def fail(*arguments, **keywords):
         raise OSError(30, "Read-only file system")

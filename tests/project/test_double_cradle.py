@@ -1,4 +1,4 @@
-"""The double cradle. What it is made of, its laws of motion, its hits, and its page."""
+"""The double cradle: its objects, laws of motion, hits, and page."""
 
 import random
 from collections import defaultdict
@@ -33,11 +33,11 @@ from support import shapes
 from support.constants import BUFFER, COLOR_MAP, DOUBLE_DT, G, PHI_INIT, R_PARAM, TEXTURE_MAP, THETA_INIT
 from support.energy import double_kinetic_energy, double_potential_energy
 
-SAMPLE = 0.01  # s between two looks at the energy
+SAMPLE = 0.01  # s between two measurements of the energy
 
 
 def make_row(count, theta, phi, **values):
-    """Return a row of double pendula, the first one lifted to theta and phi (rad), the others hanging."""
+    """Return a row of double pendula, the first one at theta and phi (rad), the others straight down."""
     row = [hang_double(axle=(i * R_PARAM / 4, 0), **values) for i in range(count)]
     row[0]["theta"], row[0]["phi"] = theta, phi
     return row
@@ -49,7 +49,7 @@ def energy(pend_list):
 
 
 def tick(pend_list, ticks, dt=DOUBLE_DT, r_param=R_PARAM, g=G):
-    """Do so many ticks; return the hits as (tick, left, right), ticks from 0, and indices of pendula."""
+    """Do `ticks` ticks; return the hits as (tick, left, right): ticks from 0, and indices of pendula."""
     hits = []
 
     def noting_hits(*arguments):
@@ -67,7 +67,7 @@ def tick(pend_list, ticks, dt=DOUBLE_DT, r_param=R_PARAM, g=G):
 
 
 def check_objects(objects, axle, r_param, theta, phi):
-    """Check that axle, bobs and cords are where they have to be; both angles are positive to the right."""
+    """Check the positions of axle, bobs and cords; both angles are positive to the right."""
     arm1 = (r_param * sin(theta), -r_param * cos(theta), 0)
     arm2 = (r_param * sin(theta + phi), -r_param * cos(theta + phi), 0)
     box, bob1, cord1, bob2, cord2 = objects
@@ -90,7 +90,7 @@ def test_make_double_pendulum(r_param, theta, phi):
 
 
 def test_make_double_newton_cradle(tmp_path):
-    """The first pendulum starts at (theta_init, phi_init), the others hang; a row's mass is that of each bob."""
+    """The first pendulum starts at (theta_init, phi_init), the others hang; each bob has the mass of its row."""
     file = tmp_path / "mixed.csv"
     file.write_text(MIXED_CSV)
     pend_list = double_cradle.make_double_newton_cradle(str(file), 0.4, 0.6, -0.4)
@@ -107,7 +107,7 @@ def test_make_double_newton_cradle(tmp_path):
 
 
 def test_the_single_cradles_objects_become_the_double_ones(tmp_path, monkeypatch):
-    """So none is left over: VPython keeps every object for ever."""
+    """No object is left over: VPython keeps every object until the end."""
 
     def make_newton_cradle(*arguments):
         pend_list = original(*arguments)
@@ -148,7 +148,7 @@ def test_the_normal_modes_of_small_swings(sign, swings):
     """Their angular frequencies squared are g/R (2 - sqrt 2) and g/R (2 + sqrt 2), for equal masses.
 
     For small angles and equal masses the equations of motion are 2 alpha'' + beta'' = -2 g/R alpha and alpha'' + beta''
-    = -g/R beta; put alpha = A cos(w t), beta = B cos(w t) into them, and B / A is sqrt 2 or -sqrt 2.
+    = -g/R beta; with alpha = A cos(w t) and beta = B cos(w t), B / A is sqrt 2 or -sqrt 2.
     """
     alpha, beta = 1e-3, -sign * sqrt(2) * 1e-3
     state, crossings, time = (0.0, 0.0, alpha, beta - alpha), [], 0.0
@@ -164,9 +164,9 @@ def test_the_normal_modes_of_small_swings(sign, swings):
 
 
 def reference(theta, phi, r_param, g, m1, m2, seconds):
-    """Return what double_angle_update returns, after so many seconds from rest, from Hamilton's equations.
+    """Return the state of double_angle_update some seconds after release, from Hamilton's equations.
 
-    They are those for the angles alpha and beta of the two cords from straight down, and their momenta p = M q'.
+    They have the angles q = (alpha, beta) of the two cords from straight down, and the momenta p = M q'.
     M is in src/double_collisions.py, and L in src/double_cradle.py: p' = dL/dq is
     (-A - (m1 + m2) g R sin(alpha), A - m2 g R sin(beta)), with A = m2 R^2 alpha' beta' sin(alpha - beta).
     """
@@ -189,7 +189,7 @@ def reference(theta, phi, r_param, g, m1, m2, seconds):
 @pytest.mark.parametrize(("m1", "m2"), [(1.0, 1.0), (3.0, 0.5), (0.5, 3.0)])
 @pytest.mark.parametrize(("theta", "phi"), [(0.6, -0.4), (2.0, 1.0)])
 def test_two_seconds_of_one_double_pendulum(theta, phi, m1, m2):
-    """double_angle_update updates both angles, and swings as the exact equations say."""
+    """double_angle_update updates both angles, and agrees with the exact equations."""
     state = (0.0, 0.0, theta, phi)
     for _ in range(round(2 / DOUBLE_DT)):
         state = double_cradle.double_angle_update(*state, R_PARAM, DOUBLE_DT, G, m1, m2)
@@ -237,8 +237,8 @@ def velocities(pend):
 
 
 def touching_pair(dice):
-    """Return two double pendula with everything random that approach each other with the one bob of each that touches,
-    those two bobs' numbers (0 or 1), and the unit vector from one to the other.
+    """Return two random double pendula with one pair of bobs that touch and approach each other, the numbers of these
+    bobs (0 or 1), and the unit vector from one to the other.
     """
     while True:
         values = [
@@ -263,14 +263,14 @@ def touching_pair(dice):
 
 
 def turn_back(*pend_list):
-    """Let these pendula move as they did, backwards."""
+    """Reverse the motion of these pendula."""
     for pend in pend_list:
         pend["omega"], pend["phi_omega"] = -pend["omega"], -pend["phi_omega"]
 
 
 @pytest.mark.parametrize("contacts", slow_but_for([1000], [1000, 10_000]))
 def test_random_contacts(contacts):
-    """They part at e times the speed at which they met, and the energy is kept at e = 1 and never grows below."""
+    """They separate with e times the speed of approach. The energy stays the same at e = 1, and never grows below."""
     dice = random.Random(3)
     for _ in range(contacts):
         pend1, pend2, bob1, bob2, (x, y) = touching_pair(dice)
@@ -312,16 +312,16 @@ def test_separating_bobs_are_left_alone():
 
 
 def closing_speed(pend1, pend2, bob1, bob2, x, y):
-    """Return how fast these two bobs approach each other along the unit vector (x, y), in m/s."""
+    """Return the speed (m/s) at which two bobs approach each other along the unit vector (x, y)."""
     (vx1, vy1), (vx2, vy2) = velocities(pend1)[bob1], velocities(pend2)[bob2]
     return (vx1 - vx2) * x + (vy1 - vy2) * y
 
 
 def test_the_cords_carry_part_of_a_hit_to_the_other_bob():
-    """By hand: two rows of bobs that hang straight down, one swinging stiffly at 1 rad/s.
+    """By hand: two double pendula hang straight down; one swings stiffly at 1 rad/s.
 
-    Stiff, both cords turn at 1 rad/s, the upper bobs meet at R and the lower ones at 2 R. All is exchanged, as between
-    single pendula: with the velocities of the two bobs as coordinates the mass matrix is diagonal.
+    Both cords turn at 1 rad/s: the upper bobs hit with speed R, the lower ones with 2 R. The pendula exchange all
+    velocities, as single pendula do: in the velocities of the two bobs, the mass matrix is diagonal.
     """
     pend1, pend2 = hang_double(omega=1.0), hang_double(axle=(0.999 * R_PARAM / 4, 0))
     double_collisions.handle_two_double_bobs(pend1, pend2, R_PARAM)
@@ -330,11 +330,10 @@ def test_the_cords_carry_part_of_a_hit_to_the_other_bob():
 
 
 def test_an_upper_bob_that_is_hit_draws_its_lower_one_along():
-    """By hand: it is hit at a right angle to its cord, in the direction in which its lower cord goes off.
+    """By hand: the hit is at a right angle to the upper cord, along the lower cord, so both bobs take part.
 
-    So it has both bobs behind it, while the lower bob of the one that hits it, back at its axle, hangs by a cord that
-    is turned about: it moves with its upper bob, of which it takes the whole impulse's share as one body. One unit of
-    momentum meets two: the velocities are exchanged as between masses of 1 and 2.
+    The lower bob of the other pendulum is right above its upper bob, so the hit does not change its velocity. So a mass
+    of 1 hits a mass of 2.
     """
     hit = hang_double(phi=pi / 2, axle=(0.999 * R_PARAM / 4, 0))
     hitting = hang_double(omega=1.0, phi=-pi, phi_omega=-1.0)  # both its bobs move at R, its lower cord does not turn
@@ -353,7 +352,7 @@ def test_bobs_that_do_not_touch_are_left_alone():
 
 @pytest.mark.parametrize("bob", [0, 1])
 def test_the_radii_count(bob):
-    """Only those two bobs touch of which one is larger."""
+    """Only the two bobs with different sizes touch."""
     row = make_row(2, 0.0, 0.0)
     row[0]["omega"] = 3.0
     row[1]["objects"][1 + 2 * bob].radius *= 1.1
@@ -364,7 +363,7 @@ def test_the_radii_count(bob):
 
 @pytest.mark.parametrize("larger", [0, 1])
 def test_an_upper_and_a_lower_bob_touch_by_their_own_radii(larger):
-    """The second pendulum hangs one cord higher, with its lower bob beside the first one's upper bob."""
+    """The second pendulum hangs one cord higher: its lower bob is beside the upper bob of the first one."""
     pair = hang_double(omega=1.0), hang_double(axle=(R_PARAM / 4, R_PARAM))
     assert not double_collisions.handle_two_double_bobs(*pair, R_PARAM)
     pair[larger]["objects"][3 if larger else 1].radius *= 1.1
@@ -374,7 +373,7 @@ def test_an_upper_and_a_lower_bob_touch_by_their_own_radii(larger):
 
 @pytest.mark.parametrize("approaching_only", [True, False])
 def test_separating_bobs_collide_only_if_they_are_to(approaching_only):
-    """In a pair as in a tick."""
+    """This holds for a pair, and for a tick."""
     for tick in (False, True):
         pend1, pend2 = hang_double(e=0.5), hang_double(omega=1.0, axle=(0.999 * R_PARAM / 4, 0))
         if tick:
@@ -404,9 +403,9 @@ STARTS = [(THETA_INIT, PHI_INIT, 20), (THETA_INIT, PHI_INIT, 3), (-0.8, -0.8, 6)
 
 @pytest.mark.parametrize(("theta", "phi", "seconds"), slow_but_for([(THETA_INIT, PHI_INIT, 3)], STARTS))
 def test_twenty_seconds_of_five_elastic_double_pendula(monkeypatch, theta, phi, seconds):
-    """They keep their energy, and no two neighbouring bobs are closer than 0.97 of touching, in any tick.
+    """The energy stays the same, and neighbouring bobs never come closer than 0.97 of the contact distance.
 
-    From other starts than the shipped one it is less than that: bobs come closest in the first seconds.
+    The shorter tests suffice for other angles: bobs come closest in the first seconds.
     """
     closest = []
 
@@ -423,12 +422,12 @@ def test_twenty_seconds_of_five_elastic_double_pendula(monkeypatch, theta, phi, 
         hits += len(tick(pend_list, round(SAMPLE / DOUBLE_DT)))
         assert energy(pend_list) == pytest.approx(at_start, rel=1e-6)
         closest.append(min(distances(pend_list)))  # from VPython's objects
-    assert min(closest) > 0.98  # the bar is 0.97
+    assert min(closest) > 0.98  # the limit is 0.97
     assert hits > 13.5 * seconds / PERIOD
 
 
 def test_bobs_that_lie_on_one_another_do_not_sink_in_and_gain_nothing():
-    """Two inelastic pendula whose axles are closer than their bobs are thick lean against each other for ever."""
+    """Two inelastic pendula with axles closer than one bob diameter lean against each other for ever."""
     pend1, pend2 = hang_double(-0.1, 0.0, e=0.0), hang_double(0.1, 0.0, e=0.0, axle=(R_PARAM / 10, 0))
     at_start = least = energy([pend1, pend2])
     closest, hits = [], 0
@@ -443,7 +442,7 @@ def test_bobs_that_lie_on_one_another_do_not_sink_in_and_gain_nothing():
 
 @pytest.mark.parametrize(("e", "apart", "expected"), [(0.5, 0.97, 0.98), (1, 0.97, 0.97), (0.5, 0.9, 0.9)])
 def test_bobs_that_lie_on_one_another_are_moved_apart(e, apart, expected):
-    """To 0.98 of touching; not elastic ones, nor those that are so close that they must have been put there."""
+    """To 0.98 of the contact distance, but not elastic bobs, and not bobs that a person put so close."""
     pend1, pend2 = hang_double(0.3, 0.4, omega=0.1, e=e), hang_double(0.3, -0.5, omega=-0.1, axle=(0.1, 0.0))
     bob1, bob2 = pend1["objects"][3], pend2["objects"][3]
     direction = (bob2.pos - bob1.pos).hat
@@ -456,7 +455,7 @@ def test_bobs_that_lie_on_one_another_are_moved_apart(e, apart, expected):
 
 
 def test_bobs_that_their_cords_hold_back_are_not_moved_apart():
-    """One hangs straight down above the other, which stands on its cord: only a wild turn would part them a little."""
+    """One hangs straight down above the other, which stands on its cord: only a large turn would separate them."""
     pend1, pend2 = hang_double(1e-3, pi, e=0.0), hang_double(pi, pi, omega=1e-3, e=0.0, axle=(0.0, -0.45))
     upper, standing = pend1["objects"][1], pend2["objects"][1]
     lower_by = standing.pos.y - upper.pos.y + 0.97 * BUFFER * 2 * upper.radius
@@ -467,7 +466,7 @@ def test_bobs_that_their_cords_hold_back_are_not_moved_apart():
 
 
 def test_inelastic_bobs_that_begin_in_each_other_gain_nothing():
-    """As from theta = 0, phi = -14 degrees, where the lower bobs overlap."""
+    """For example at theta = 0, phi = -14 degrees, where the lower bobs overlap."""
     pend_list = make_row(3, 0.0, 14 * pi / 180, e=0.0)
     least = energy(pend_list)
     for _ in range(200):
@@ -477,7 +476,7 @@ def test_inelastic_bobs_that_begin_in_each_other_gain_nothing():
 
 
 def test_a_tick_swings_and_then_handles_each_pair():
-    """The pairs from left to right: a hit runs through a whole row in one tick."""
+    """The pairs are handled from left to right: a hit runs through a whole row in one tick."""
     pend_list = [hang_double(axle=(i * 0.999 * R_PARAM / 4, 0)) for i in range(5)]
     pend_list[0]["omega"] = 1.0
     double_cradle.double_cradle_tick(pend_list, R_PARAM, 1e-7, G)
@@ -505,7 +504,7 @@ def test_bobs_that_come_to_touch_in_a_tick_hit_at_its_end():
 
 
 def test_a_hit_that_sets_off_another_one_to_the_left_does_so_in_its_tick():
-    """From the right a hit goes one pair further with each sweep."""
+    """A hit from the right moves on by one pair per sweep."""
     pend_list = [hang_double(axle=(i * 0.999 * R_PARAM / 4, 0)) for i in range(3)]
     pend_list[2]["omega"] = -1.0
     assert tick(pend_list, 1, 1e-7) == [(0, 1, 2), (0, 0, 1)]
@@ -513,7 +512,7 @@ def test_a_hit_that_sets_off_another_one_to_the_left_does_so_in_its_tick():
 
 
 def test_a_cradle_of_twice_the_size_in_twice_the_gravity_moves_alike():
-    """Its equations have g/R only, and its bobs touch at the same angles."""
+    """The equations have only g/R, and the bobs touch at the same angles."""
     cradles = []
     for scale in (1, 2):
         r_param = scale * R_PARAM
@@ -526,13 +525,13 @@ def test_a_cradle_of_twice_the_size_in_twice_the_gravity_moves_alike():
 
 
 def test_not_only_neighbours_collide():
-    """The lower bobs of the first and the third pendulum, with the second one lifted out of their way."""
+    """The lower bobs of the first and the third pendulum hit, while the second one is lifted out of the way."""
     pend_list = [hang_double(axle=(i * R_PARAM / 8, 0)) for i in range(3)]
     pend_list[1]["theta"] = pi
     pend_list[0]["omega"] = 1.0
     double_cradle.double_cradle_tick(pend_list, R_PARAM, 1e-4, G)
     double_cradle.double_cradle_tick(pend_list, R_PARAM, 1e-9, G)
-    assert pend_list[2]["phi_omega"] == pytest.approx(2, abs=0.01)  # it has the other one's 2 R, by its own cord alone
+    assert pend_list[2]["phi_omega"] == pytest.approx(2, abs=0.01)  # the lower cord alone takes over the speed 2 R
 
 
 def test_the_first_one_comes_down_and_hits_go_along_the_row():
@@ -555,7 +554,7 @@ class TestPage:
         with running(program.with_name("visualize_double_cradle_run.py")) as process:
             open_cradle(page, first_lines(process), bobs=6)
             at_rest = [[-0.1 + R_PARAM / 4 * i, R_PARAM / 5 - R_PARAM * cord] for i in range(3) for cord in (1, 2)]
-            wait_until(lambda: bobs_on(page)[-1][0] > at_rest[-1][0] + R_PARAM / 4)  # the last one was hit
+            wait_until(lambda: bobs_on(page)[-1][0] > at_rest[-1][0] + R_PARAM / 4)  # the last one had a hit
             pause(page)
             assert page.evaluate(MOVES) == 0
             press(page, "Restart")
@@ -572,5 +571,5 @@ class TestPage:
 
 
 def bobs_on(page):
-    """Return where the bobs are (x, y in m), from left to right, and those above one another from below."""
+    """Return the positions of the bobs (x, y in m), from left to right, and from the bottom up."""
     return sorted(page.evaluate(BOBS))

@@ -1,4 +1,4 @@
-"""A bob that is dragged pushes its neighbours aside, and they theirs."""
+"""A dragged bob pushes its neighbours aside, and they push theirs."""
 
 import random
 from itertools import pairwise
@@ -13,13 +13,13 @@ from src.beyond.dragging import cord_angles, drag_bob, drag_pendulum, touching_a
 
 
 def drag(pend_list, held, theta):
-    """Drag the held pendulum to theta in one go; return where all are then."""
+    """Drag the held pendulum to theta in one step; return the thetas of all pendula."""
     drag_pendulum(pend_list, held, [theta], R)
     return [pend["theta"] for pend in pend_list]
 
 
 def gaps(pend_list):
-    """Return how far each pair of neighbouring bobs is apart, 1 being where they begin to collide."""
+    """Return the distance of each pair of neighbouring bobs; at 1, they collide."""
     bobs = [pend["objects"][1] for pend in pend_list]
     return [mag(b.pos - a.pos) / (1.05 * (a.radius + b.radius)) for a, b in pairwise(bobs)]
 
@@ -27,7 +27,7 @@ def gaps(pend_list):
 @pytest.mark.parametrize("held", range(5))
 @pytest.mark.parametrize("theta", [-1.5, -1.0, -0.3, -0.001, 0.001, 0.3, 1.0, 1.5])
 def test_those_in_its_way_go_along_and_the_others_stay(held, theta):
-    """The thetas stay in order from left to right, no bob reaches into another, and pushed ones just touch."""
+    """The thetas stay in order from left to right, no bobs overlap, and pushed bobs just touch."""
     pend_list = row(5)
     thetas = drag(pend_list, held, theta)
     assert thetas[held] == pytest.approx(theta)
@@ -66,12 +66,12 @@ def test_larger_bobs_are_pushed_further():
 
 
 def test_a_bob_that_hangs_elsewhere_is_not_pushed():
-    """The held one is lifted to the left, away from its neighbour, and on over its axle."""
+    """The held bob goes to the left, away from its neighbour, and on over its axle."""
     assert drag(row(2), 0, -3.0) == pytest.approx([-3.0, 0])
 
 
 def test_a_bob_on_the_axle_of_another_pendulum_is_out_of_its_reach():
-    """No direction leads there, and no angle."""
+    """There is no direction and no angle to the axle."""
     pend, other = row(2)
     other["objects"][1].pos = pend["objects"][0].pos
     assert touching_angle(pend, 0, other["objects"][1], R) is None
@@ -80,7 +80,7 @@ def test_a_bob_on_the_axle_of_another_pendulum_is_out_of_its_reach():
 @pytest.mark.parametrize("side", [-1, 1])
 @pytest.mark.parametrize("turns", [-2, 0, 1])
 def test_it_touches_where_the_law_of_cosines_says(side, turns):
-    """By hand: two axles in one place; chords of equal cords, D = 2 R sin(delta / 2)."""
+    """By hand: two axles in one place, equal cords, D = 2 R sin(delta / 2)."""
     pend, other = hang(0.5 + 0.01 * side + 2 * pi * turns), hang(0.5)["objects"][1]
     delta = 2 * asin(1.05 * 2 * other.radius / (2 * R))
     angle = touching_angle(pend, 0, other, R)
@@ -92,7 +92,7 @@ def test_it_touches_where_the_law_of_cosines_says(side, turns):
 
 
 def test_it_goes_the_short_way_round():
-    """From one side of the top to the other the mouse crosses it; the neighbours below are not touched."""
+    """The mouse crosses the top from one side to the other; the neighbours below stay."""
     pend_list = row(3)
     pend_list[1]["theta"] = 3.0
     assert drag(pend_list, 1, -3.0) == pytest.approx([0, 2 * pi - 3.0, 0])
@@ -105,7 +105,7 @@ def test_there_and_back_leaves_the_pushed_where_they_were_pushed_to():
 
 
 def test_a_bob_that_comes_round_over_the_top_pushes_the_others_from_their_other_side():
-    """The first one, dragged up on the left, over its axle and down on the right, meets the last one first."""
+    """A person drags the first bob up on the left, over its axle and down on the right: it meets the last bob first."""
     pend_list = row(3)
     for theta in (-2.0, -3.1, 2.2, 1.0, 0.5):
         before = [pend["theta"] for pend in pend_list]
@@ -129,7 +129,7 @@ def test_a_bob_that_has_been_round_is_pushed_from_its_side():
 
 
 def double_row(count):
-    """Return double pendula at rest, R / 4 apart."""
+    """Return double pendula that hang straight down, R / 4 apart, and move."""
     return [hang_double(axle=(i * R / 4, 0), omega=2.0, phi_omega=-1.0, r_param=R) for i in range(count)]
 
 
@@ -156,7 +156,7 @@ def test_a_lower_bob_follows_the_mouse_and_its_cords_bend_to_the_same_side_as_be
 @pytest.mark.parametrize("side", [-1, 1])
 @pytest.mark.parametrize("turns", [0, 1])
 def test_straight_cords_bend_so_that_the_upper_bob_hangs_lower(side, turns):
-    """To the left as to the right; and however often the lower cord has gone round."""
+    """To the left and to the right; also after full turns of the lower cord."""
     pend_list = double_row(1)
     pend_list[0]["phi"] = 2 * pi * turns
     drag_bob(pend_list, 0, 1, side * 0.5, -0.3, R)
@@ -175,7 +175,7 @@ def test_a_lower_bob_is_stretched_to_where_it_is_nearest():
 def test_a_lower_cord_that_turns_alone_does_not_get_past_its_neighbour():
     pend_list = double_row(2)
     drag_bob(pend_list, 0, 1, R * sin(2.0), -R - R * cos(2.0), R)
-    assert pend_list[1]["omega"] == 0  # it was pushed
+    assert pend_list[1]["omega"] == 0  # a bob pushed it
     assert min(distances(pend_list)) > 1
 
 
@@ -198,8 +198,8 @@ def test_both_bobs_push_those_in_their_way(held, bob, x, y):
 
 
 def test_a_bob_stops_where_there_is_no_room_for_those_in_its_way():
-    """The neighbour's upper bob, pushed down between the dragged bob and the dragged pendulum's other one, is stuck."""
-    for seed in (26, 47, 55, 57):  # without a stop, bobs end up in one another
+    """The neighbour's upper bob is stuck between the two bobs of the dragged pendulum."""
+    for seed in (26, 47, 55, 57):  # without a stop, bobs overlap at the end
         dice, pend_list = random.Random(seed), double_row(5)
         for _ in range(12):
             held, bob = dice.randrange(5), dice.randrange(2)
@@ -208,7 +208,7 @@ def test_a_bob_stops_where_there_is_no_room_for_those_in_its_way():
 
 
 def test_where_there_is_no_room_all_stay_where_they_were(monkeypatch):
-    """It does not jump to where there is room again, and those it has nothing to do with swing on."""
+    """It does not jump to the next free place, and the other pendula swing on."""
     pend_list, room = double_row(3), iter([False, *[True] * 99])
     monkeypatch.setattr("src.beyond.dragging.push_others", lambda *_: next(room))
     drag_bob(pend_list, 0, 0, 0.3, -0.3, R)

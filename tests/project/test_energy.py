@@ -1,4 +1,4 @@
-"""Energy, momentum and exact figures, against what is worked out by hand, or known."""
+"""Energy, momentum and exact figures, compared with values by hand or from tables."""
 
 from math import pi, radians, sqrt
 
@@ -27,12 +27,12 @@ def test_kinetic_energy():
 
 
 def test_potential_energy():
-    """The first bob is half a cord higher than at rest, the second a whole one."""
+    """The first bob is half a cord higher than at rest, the second one a whole cord."""
     assert potential_energy(PENDULA, LENGTH, G) == pytest.approx(3 * G * 0.25 + 1 * G * 0.5)
 
 
 def test_momentum():
-    """To the right: half of the first bob's velocity, and nothing of the second one's, which moves straight down."""
+    """To the right: half of the velocity of the first bob; the second one moves straight down."""
     assert momentum(PENDULA, LENGTH) == pytest.approx(3 * 2 * 0.5)
 
 
@@ -54,7 +54,7 @@ def test_the_potential_energy_of_double_pendula():
 
 
 def test_the_momentum_of_double_pendula():
-    """The first one's: 1 m/s of each bob, of the lower one also 3 m/s times cos 150 degrees; the other's: 1 and 3."""
+    """First pendulum: 1 m/s for each bob, and 3 m/s times cos 150 degrees for the lower one; second: 1 and 3 m/s."""
     assert double_momentum(DOUBLES, LENGTH) == pytest.approx(3 * (1 + 1 - 3 * sqrt(3) / 2) + 1 + 3)
 
 

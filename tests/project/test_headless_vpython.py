@@ -1,8 +1,7 @@
-"""The stand-in beside VPython itself: the same short programs on both give the same numbers and refuse the same things.
+"""The stand-in and VPython itself: the same short programs give the same numbers and the same errors.
 
-VPython's vectors and shapes work without a browser once its record says that the page is there already; so each side
-runs all the programs in a process of its own, and no browser is needed here. What needs one, the picture, is tested in
-test_browser.py, on VPython alone.
+VPython's vectors and shapes work without a browser if VPython believes that the page is open. Each side runs all
+programs in its own process, without a browser. test_browser.py tests the picture, on VPython alone.
 """
 
 import json
@@ -15,7 +14,7 @@ from programs import ROOT
 
 from support import headless_vpython
 
-# Statements, and at the end an expression, whose value is compared.
+# Statements, and at the end an expression; the test compares its value.
 VALUES = """
 vector(1, 2, 3) + vector(0.1, 0.2, 0.3)
 vector(1, 2, 3) - vector(0.1, 0.2, 0.3)
@@ -115,7 +114,7 @@ scene.lights = []; distant_light(direction=vector(0, 0, 1)); len(scene.lights)
 scene.mouse.ray
 """.strip().splitlines()
 
-# Expressions and statements that VPython refuses; the kind of error is compared.
+# Expressions and statements that VPython refuses; the test compares the kind of error.
 REFUSED = """
 vector(1, 2)
 vector()
@@ -152,11 +151,11 @@ sphere(1)
 box(vector(1, 2, 3))
 """.strip().splitlines()
 
-# VPython's vectors that are not compiled (there was neither a wheel nor a compiler) refuse these with another error.
+# VPython's vectors without compiled code refuse these with a different error.
 UNCOMPILED = dict.fromkeys(["mag((1, 2, 3))", "mag(3)"], "refused: AttributeError")
 WHOSE_VECTOR = "vector.__module__"
 
-# Run on both sides: reads the programs, prints for each its value, or the kind of error.
+# Both sides run this: it reads the programs, and prints the value or the kind of error of each.
 RUNNER = """
 import json, sys
 if sys.argv[1] == "headless":
@@ -187,7 +186,7 @@ json.dump([outcome(program) for program in json.load(sys.stdin)], sys.stdout, de
 
 
 def outcomes(side):
-    """Return what each of the programs comes to on this side, in a process of its own."""
+    """Return the results of all programs on this side, from its own process."""
     command = [sys.executable, "-c", RUNNER, side]
     programs = [*VALUES, *REFUSED, WHOSE_VECTOR]
     words = json.dumps(programs)
@@ -226,6 +225,6 @@ def test_the_same_refusals(program, both):
 
 
 def test_text_is_no_number():
-    """As for VPython's compiled vector; its slower one, for machines without a compiler, would take it."""
+    """VPython's compiled vector refuses it too; its slower vector without compiled code accepts it."""
     with pytest.raises(TypeError):
         headless_vpython.vector("1", 2, 3)

@@ -1,4 +1,4 @@
-"""The contact strip: trains of impacts from single contacts."""
+"""The list of impacts: it joins single contacts to trains."""
 
 import pytest
 
@@ -8,7 +8,7 @@ TICK = 1e-4  # s
 
 
 def lines(contacts, rightwards=True, count=5):
-    """Return the strip after these contacts (the left bob's index), a tick apart, from t = 0.71 s on."""
+    """Return the strip after these contacts (index of the left bob), one per tick, from t = 0.71 s on."""
     trains = ImpactTrains(count)
     for tick, left in enumerate(contacts):
         trains.add(0.71 + tick * TICK, left, left + 1, rightwards)
@@ -37,7 +37,7 @@ def test_a_train_is_written_in_the_order_of_the_hits(contacts, rightwards, train
 
 @pytest.mark.parametrize("middle", [1, 2])
 def test_two_hits_run_through_each_other(middle):
-    """The first and the last bob come in; the hits meet between the second and the third bob, or one further on."""
+    """The first and the last bob come in; the hits meet between the bobs 2 and 3, or one place further on."""
     trains = ImpactTrains(5)
     there, back = [0, 1, 2, 3][: middle + 1], [3, 2, 1, 0][: 3 - middle]
     contacts = [*((left, True) for left in there[:-1]), *((left, False) for left in back), (middle, True)]
@@ -62,7 +62,7 @@ def test_a_train_goes_on_as_long_as_its_contacts_follow_one_another():
 
 
 def test_a_hit_may_go_past_a_neighbour():
-    """As in a double cradle: from the first pendulum to the third, and on from there."""
+    """In a double cradle: from the first pendulum to the third one, and on from there."""
     trains = ImpactTrains(5)
     trains.add(0.0, 0, 2, True)
     trains.add(TICK, 2, 3, True)

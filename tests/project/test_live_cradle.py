@@ -1,4 +1,4 @@
-"""The cradle as the programs play with it: options, reloading, releasing, holding, and what made and moved it."""
+"""The cradle of the programs: options, reloading, releasing, holding, and the functions that make and move it."""
 
 import re
 from collections import defaultdict
@@ -30,7 +30,7 @@ def csv(tmp_path):
 
 
 def live(csv, angle=30, lifted=1, **options):
-    """Return a player with the cradle of this CSV and these options, let go from 30 degrees."""
+    """Return a player with the cradle of this CSV and these options, released from 30 degrees."""
     return Swing(csv, [angle], lifted, **options)
 
 
@@ -85,7 +85,7 @@ def test_release_lifts_the_first_bobs_outwards_and_all_are_at_rest(csv, lifted, 
 
 
 def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(csv):
-    """As many of newton_cradle_tick, at the shipped constants."""
+    """Same result as `ticks` calls of newton_cradle_tick with the shipped constants."""
     player, same = live(csv(FIVE_CSV)), live(csv(FIVE_CSV))
     ticks = round(0.3 * PERIOD / DT)
     player.swing(ticks)
@@ -96,7 +96,7 @@ def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(csv):
 
 
 def test_a_restart_makes_each_pendulum_of_its_own_shapes(csv):
-    """So that the page sees each bob where it was, whatever came between."""
+    """The page keeps the objects of each bob, even if a different cradle came between."""
     player = live(csv(FIVE_CSV))
     before = [pend["objects"] for pend in player.cradle.pend_list]
     player.read(csv(HEADER + GOOD * 2))
@@ -122,7 +122,7 @@ def test_a_reload_takes_new_pendula_of_the_old_shapes(csv, monkeypatch):
 
 
 def made_otherwise(monkeypatch, change):
-    """Let make_newton_cradle make a cradle that change(pend_list) has changed."""
+    """Replace make_newton_cradle: it calls change(pend_list) on each new cradle."""
     make = visualize_cradle_run.make_newton_cradle
 
     def make_newton_cradle(*given):
@@ -144,7 +144,7 @@ def test_what_make_newton_cradle_made_is_seen_first(csv, monkeypatch):
     ("angle", "lifted", "degrees_"), [(20, None, [20, 20, 0]), (None, 3, [10, 10, 10]), (5, 1, [5, 0, 0])]
 )
 def test_an_angle_or_a_number_that_is_set_takes_its_place(csv, monkeypatch, angle, lifted, degrees_):
-    """What is not set stays as the cradle was made, with two bobs at 10 degrees."""
+    """The other value stays as make_newton_cradle made it: two bobs at 10 degrees."""
 
     def change(pend_list):
         for pend in pend_list[:2]:
@@ -197,7 +197,7 @@ def test_a_tick_that_leaves_no_number_is_told_of(csv, monkeypatch, value):
 
 
 def test_functions_with_the_handouts_own_parameters_work(csv, monkeypatch):
-    """They are not told of approaching_only, whichever of the two does not take it."""
+    """main passes no approaching_only if one of the two functions does not take it."""
     tick, meet = visualize_cradle_run.newton_cradle_tick, visualize_cradle_run.handle_two_bobs
     player = live(csv(FIVE_CSV))
     assert (player.cradle.takes_rule, player.separating, player.rule) == (True, False, {"approaching_only": True})
@@ -218,7 +218,7 @@ def test_functions_with_the_handouts_own_parameters_work(csv, monkeypatch):
 
 
 def test_a_train_is_noted_though_it_leaves_the_inner_bobs_as_they_were(csv):
-    """All in one tick: an equal bob in the middle then has the velocity from before."""
+    """In one tick, an equal bob in the middle gets its old velocity back."""
     player = live(csv(FIVE_CSV), lifted=0)
     for bob in player.cradle.bobs():
         bob.radius *= 1.01
@@ -257,14 +257,14 @@ def test_a_held_bob_stays_and_throws_others_back(csv, approaching_only):
         assert player.motion.trains.runs() == []
         hit = hit or cradle.pend_list[0]["omega"] < 0 < energy
         assert values(player, "theta")[1:] == [0, 0, 0, 0]
-    assert hit  # it came back as from a wall
+    assert hit  # it came back, as from a wall
     assert sum(cradle.energies()) == pytest.approx(energy, rel=0.01)
     assert values(player, "mass") == masses
     assert components(bob.pos) != rest
 
 
 def test_a_bob_that_is_held_has_no_speed(csv):
-    """However fast it was when it was taken, paused or not."""
+    """At every speed before, paused or not."""
     player = live(csv(FIVE_CSV))
     player.swing(1000)
     cradle = player.cradle
@@ -274,7 +274,7 @@ def test_a_bob_that_is_held_has_no_speed(csv):
 
 
 def test_momentum_is_that_to_the_right(csv):
-    """At 60 degrees half of what goes along the arc, and below 0 to the left."""
+    """At 60 degrees, it is half of the momentum along the arc; to the left, it is negative."""
     cradle = live(csv(FIVE_CSV)).cradle
     cradle.pend_list[0].update(theta=radians(60), omega=-2.0)
     assert cradle.momentum() == pytest.approx(-R_PARAM)
@@ -292,7 +292,7 @@ def test_a_bob_that_is_let_go_swings_from_where_it_is_with_no_speed(csv):
     cradle = player.cradle
     cradle.hold(4)
     axle = cradle.axles()[4].pos
-    cradle.drag(4, axle.x + 3, axle.y)  # along its arc, however far away the mouse is
+    cradle.drag(4, axle.x + 3, axle.y)  # along its arc, even if the mouse is far away
     cradle.let_go()
     assert (values(player, "theta")[4], values(player, "omega")[4]) == (pytest.approx(radians(90)), 0)
     player.swing(100)

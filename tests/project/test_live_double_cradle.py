@@ -1,4 +1,4 @@
-"""The double cradle as the programs play with it: releasing, holding, dragging, what is recorded."""
+"""The double cradle of the programs: releasing, holding, dragging, recording."""
 
 from collections import defaultdict
 from itertools import pairwise, product
@@ -23,7 +23,7 @@ OUTWARDS = copysign(1, THETA_INIT)
 
 @pytest.fixture
 def live(tmp_path):
-    """A function that returns the double cradle of this CSV, let go from 30 and 20 degrees."""
+    """A function that returns the double cradle of this CSV, released from 30 and 20 degrees."""
 
     def live(text=FIVE_CSV, angles=(30, 20), lifted=1, **options):
         path = tmp_path / "cradle.csv"
@@ -53,7 +53,7 @@ INTO_OTHERS = product([1, 2], [(45, -120), (0, -14), (0, -20), (10, -40), (30, -
 
 @pytest.mark.parametrize(("lifted", "angles"), slow_but_for([(1, (0, -14)), (2, (10, -40))], INTO_OTHERS))
 def test_a_release_into_those_that_hang_pushes_them_aside(live, lifted, angles):
-    """Inelastic, they would otherwise be thrown out of one another."""
+    """Otherwise, inelastic bobs would jump apart."""
     player = live(inelastic=True)
     player.cradle.release(thetas(angles), lifted)
     assert min(distances(player.cradle.pend_list)) > 0.98
@@ -189,7 +189,7 @@ def test_the_axles_are_a_quarter_of_a_cord_apart(live):
 
 def test_what_is_shown_and_recorded(live):
     player = live(MIXED_CSV)
-    player.swing(2000)  # until all have been hit
+    player.swing(2000)  # until all had a hit
     pend_list = player.cradle.pend_list
     energies = double_kinetic_energy(pend_list, R_PARAM), double_potential_energy(pend_list, R_PARAM, G)
     assert player.cradle.energies() == energies

@@ -1,4 +1,4 @@
-"""The watched CSV, on a clock made for the test: whichever way an editor saves, and whatever it leaves half done."""
+"""The watched CSV, on a clock of the test, for every way in which an editor saves, also in two steps."""
 
 import os
 
@@ -17,7 +17,7 @@ class Clock:
 
 @pytest.fixture
 def live(tmp_path):
-    """A watched file, and a function that looks at it once more."""
+    """A watched file, and a function that checks it again."""
     path = tmp_path / "cradle.csv"
     path.write_text("old\n")
     clock = Clock()
@@ -80,7 +80,7 @@ def test_a_file_saved_as_it_was_is_no_news(live):
 
 
 def test_a_file_that_goes_and_comes_back_as_it_was_is_news_both_times(live):
-    """In between the page shows that it cannot be read."""
+    """In between, the page says that the file is not readable."""
     path, file, look = live
     path.unlink()
     assert [look(), look(), look()] == [False, True, False]
@@ -92,7 +92,7 @@ def test_a_file_that_goes_and_comes_back_as_it_was_is_news_both_times(live):
 
 
 def test_the_file_is_read_once_a_poll(tmp_path, monkeypatch):
-    """Not once a frame."""
+    """The program does not read it in every frame."""
     reads, clock = [], Clock()
     monkeypatch.setattr("support.files.live_file.Snapshot", lambda path: reads.append(path) or "always the same")
     file = LiveFile(tmp_path / "cradle.csv", clock)

@@ -1,4 +1,4 @@
-"""many_ticks: to the last bit what the loop of main does, on plain numbers; or nothing, where that is not certain."""
+"""many_ticks gives the same bits as the loop of main, on plain numbers; if this is not certain, it does nothing."""
 
 import ast
 import os
@@ -26,13 +26,13 @@ from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import BUFFER
 
 SEEDS = 30
-DT, G = 1e-4, 9.81  # s, m/s^2: the tests below do not change with the shipped ones
+DT, G = 1e-4, 9.81  # s, m/s^2: these tests do not depend on the shipped constants
 
 
 def random_cradle(seed):
-    """Return pendula of any mass, e, angle, radius and place, in a row of 1 to 12, and what they are advanced by.
+    """Return a row of 1 to 12 random pendula (mass, e, angle, radius, place), and the arguments r_param, dt, g, ticks.
 
-    In every second cradle each pendulum swings almost like the one before it, as bobs do that were lifted together.
+    In every second cradle, each pendulum swings almost like the one before it, as after a common lift.
     """
     dice = random.Random(seed)
     pend_list = []
@@ -52,7 +52,7 @@ def random_cradle(seed):
 
 
 def hair_breadth(seed):
-    """Return two bobs far from the origin that swing side by side, as far apart as they reach, but for rounding."""
+    """Return two bobs far from the origin that swing side by side at the contact distance, except for rounding."""
     dice = random.Random(seed)
     theta, x = dice.uniform(-1, 1), dice.choice([1, 10, 100])
     pend_list = [hang(theta, mass=mass, axle=(x + i * R / 4, 0, 0)) for i, mass in enumerate([1, 3])]
@@ -62,7 +62,7 @@ def hair_breadth(seed):
 
 
 def just_touching(seed):
-    """Return two bobs that are after one tick as far apart as they reach, but for a rounding error."""
+    """Return two bobs that are at the contact distance after one tick, except for a rounding error."""
     dice = random.Random(seed)
     places = [(dice.uniform(-1, 1), dice.uniform(-5, 5)) for _ in range(2)]
     axles = [(i * R / 4, dice.uniform(-0.1, 0.1), dice.uniform(-0.1, 0.1)) for i in range(2)]
@@ -73,8 +73,8 @@ def just_touching(seed):
 
 
 def do_one_by_one(pend_list, r_param=R, dt=DT, g=G, ticks=1000, approaching_only=False):
-    """Do so many ticks by newton_cradle_tick; return the contacts as many_ticks does."""
-    contacts, hits = [], []  # of all ticks, and of one
+    """Call newton_cradle_tick `ticks` times; return the contacts as many_ticks does."""
+    contacts, hits = [], []  # for all ticks, and for one
     original = visualize_cradle_run.handle_two_bobs
 
     def handle_two_bobs(pend1, pend2, r_param, **rule):
@@ -95,7 +95,7 @@ def do_one_by_one(pend_list, r_param=R, dt=DT, g=G, ticks=1000, approaching_only
 
 
 def state(pend_list):
-    """Return all that a tick changes as text, which has each bit of a number, also the sign of 0.0."""
+    """Return all values that a tick changes as text with every bit, and with the sign of 0.0."""
     shown = [(shape.pos.value, shape.axis.value) for pend in pend_list for shape in pend["objects"]]
     return repr(([[pend[key] for key in pend if key != "objects"] for pend in pend_list], shown))
 
@@ -127,8 +127,8 @@ def test_so_it_does_where_bobs_just_touch():
 
 
 def test_so_it_does_where_angles_are_so_large_that_they_are_rounded_coarsely():
-    """In each tick the one angle grows by a rounding error more than the other, though the velocities are alike."""
-    bit = 2.0**-23  # rad, from one number to the next between 2**29 and 2**30
+    """In each tick, one angle grows by a rounding error more than the other, with equal velocities."""
+    bit = 2.0**-23  # rad, the step between two floats from 2**29 to 2**30
 
     def pair():
         turned = (2**29 + 40000) // (2 * pi) * 2 * pi
@@ -157,7 +157,7 @@ def test_so_it_does_with_whole_numbers_and_zeros_of_both_signs(theta, omega, mas
 
 
 def test_the_random_cradles_are_worth_it():
-    """In many of them bobs hit, and in some of them two that part do, so that the two rules differ."""
+    """Many cradles have hits; in some of them, separating bobs hit, so the two rules differ."""
     hits = differ = 0
     for seed in range(SEEDS):
         ends = []
@@ -172,7 +172,7 @@ def test_the_random_cradles_are_worth_it():
 
 def test_no_ticks_change_nothing():
     pend_list, _ = random_cradle(1)
-    pend_list[0]["theta"] += 1  # its bob is still where it was
+    pend_list[0]["theta"] += 1  # its bob has not moved yet
     before = state(pend_list)
     assert do_at_once(pend_list, ticks=0) == []
     assert state(pend_list) == before
@@ -194,7 +194,7 @@ def test_the_rule_can_say_that_separating_bobs_collide():
 
 
 def test_it_tells_of_contacts_in_their_order():
-    """The first bob runs through the row; the tick of a contact is the one in which omega changes."""
+    """The hit of the first bob runs through the row. The tick of a contact is the tick that changes omega."""
     pend_list = row(4)
     pend_list[0]["theta"] = -0.2
     contacts = do_at_once(pend_list, ticks=4000, approaching_only=True)
@@ -235,9 +235,9 @@ def test_a_contact_that_only_the_right_bob_notices_is_told():
 @pytest.mark.parametrize("g", [0, G])
 @pytest.mark.parametrize(("angle", "velocity"), [(1e-6, 1e-6), (0.1, 0.1), (3, 0.001), (1, 5), (0.01, 5), (3, 50)])
 def test_no_two_bobs_touch_while_they_are_said_to_be_free(angle, velocity, g):
-    """Bobs that fly straight at each other, and come closer by so much in so many ticks, are free for fewer ticks.
+    """The number of free ticks is lower than the number of ticks in which two bobs can close the gap.
 
-    Slow ones without gravity, side by side, are free for one tick fewer: there is no time to be lost.
+    Slow bobs side by side, without gravity, are free for just one tick fewer: the bound is tight.
     """
     dice = random.Random(1)
     for _ in range(50):
@@ -256,7 +256,7 @@ def test_no_two_bobs_touch_while_they_are_said_to_be_free(angle, velocity, g):
 
 
 def arm(theta):
-    """Return where a bob is, as seen from its axle (m), as a complex number."""
+    """Return the position of a bob relative to its axle (m), as a complex number."""
     return R * (sin(theta) - 1j * cos(theta))
 
 
@@ -264,9 +264,9 @@ def arm(theta):
 
 
 def copies(folder, changed="", old="", new=""):
-    """Return modules of copies of swinging and visualize_cradle_run in this folder; the changed one has new for old.
+    """Copy swinging and visualize_cradle_run to this folder, replace old by new in one of them, and return the modules.
 
-    A copy of pendulum, which swinging then uses, may be the changed one, too.
+    The changed file may also be a copy of pendulum, which swinging then uses.
     """
     modules = []
     for name, place in (("pendulum", "support"), ("swinging", "src"), ("visualize_cradle_run", "src")):
@@ -283,7 +283,7 @@ def copies(folder, changed="", old="", new=""):
 
 
 def load(path):
-    """Return the module of this file."""
+    """Return the module from this file."""
     spec = spec_from_file_location("copy_of_" + path.stem, path)
     made = module_from_spec(spec)
     sys.dont_write_bytecode, before = True, sys.dont_write_bytecode
@@ -293,7 +293,7 @@ def load(path):
 
 
 def is_taken(cradle) -> bool:
-    """Return whether the fast path stands in for the loop of this module; check that it changes nothing if not."""
+    """Return whether the fast path replaces the loop of this module; if not, check that it changes nothing."""
     pend_list = row(3, omega=1.0)
     before = state(pend_list)
     taken = many_ticks(vars(cradle), pend_list, 100, {"approaching_only": True}) is not None
@@ -326,7 +326,7 @@ PART = "<= omega2 * cos"
 VALUES = 'm1, m2 = pend1["mass"], pend2["mass"]'
 BOBS = 'bob1, bob2 = pend1["objects"][1], pend2["objects"][1]'
 TICK = "def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False)"
-EDITS = {  # what is changed: (the file, old code, new code)
+EDITS = {  # changes: (file, old code, new code)
     "air resistance in the tick": (CRADLE, SWING, SWING + '    for p in pend_list:\n        p["omega"] *= 0.999\n'),
     "a wall": (CRADLE, SWING, SWING + '    if pend_list[0]["theta"] < -1:\n        pend_list[0]["omega"] *= -1\n'),
     "swinging after the collisions": (
@@ -379,7 +379,7 @@ def test_it_steps_back_after_a_change_in_a_file(edit, tmp_path):
     assert not is_taken(copies(tmp_path, *EDITS[edit])[1])
 
 
-SAME = {  # what makes no difference: (the file, old code, new code)
+SAME = {  # changes without effect: (file, old code, new code)
     "a docstring": (SWINGING, '"""Swing every pendulum of the cradle for dt (s)."""', '"""Swing all."""'),
     "no docstring": (SWINGING, '    """Swing every pendulum of the cradle for dt (s)."""\n', ""),
     "a comment": (SWINGING, THETA, THETA + "  # semi-implicit"),
@@ -406,7 +406,7 @@ def test_it_stands_in_where_an_edit_makes_no_difference(edit, tmp_path):
 
 
 def wrapped(function):
-    """Return a function that does the same, and looks the same."""
+    """Return a wrapper that does the same as the function, and looks the same."""
 
     @wraps(function)
     def wrapper(*arguments, **others):
@@ -427,7 +427,7 @@ def replace_constant(function, old, new):
 
 
 class Globals(dict):
-    """Global names, of which one more is there when it is asked for."""
+    """Global names with one more name that appears only on access."""
 
     def __missing__(self, name):
         return sin
@@ -438,7 +438,7 @@ def with_globals(function, names):
     return FunctionType(function.__code__, names, function.__name__, function.__defaults__)
 
 
-PATCHES = {  # what is done to the copies of swinging (s) and visualize_cradle_run (c)
+PATCHES = {  # changes of the copies of swinging (s) and visualize_cradle_run (c)
     "a lambda": lambda s, c: vars(c).update(newton_cradle_tick=lambda *_, **__: None),
     "a wrapper": lambda s, c: vars(c).update(newton_cradle_tick=wrapped(c.newton_cradle_tick)),
     "a partial": lambda s, c: vars(c).update(newton_cradle_tick=partial(c.newton_cradle_tick)),
@@ -495,7 +495,7 @@ def test_it_steps_back_after_a_patch(patch, tmp_path):
 
 @pytest.mark.parametrize("name", ["sin", "cos", "mag", "vector"])
 def test_it_steps_back_from_another_math_or_vpython(name, tmp_path, monkeypatch):
-    """It is as if all modules had been imported after a patch."""
+    """The test imitates modules that were imported after a patch."""
     swinging, cradle = copies(tmp_path)
     other = type("vector", (vector,), {}) if name == "vector" else lambda number: number
     importers = [vars(module) for module in (swinging, cradle, many_ticks_module)]
@@ -523,7 +523,7 @@ def test_it_does_not_ask_again_while_nothing_changes(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("edit", ["a small angle", "another order of a sum", "a new default"])
 def test_what_runs_counts_and_not_what_its_file_says_now(edit, tmp_path):
-    """A file that is put right after its import is still the wrong one in memory."""
+    """If someone corrects a file after its import, the module in memory is still wrong."""
     cradle = copies(tmp_path, *EDITS[edit])[1]
     for name in ("swinging", "visualize_cradle_run"):
         (tmp_path / f"{name}.py").write_bytes((ROOT / "src" / f"{name}.py").read_bytes())
@@ -567,7 +567,7 @@ class Ball(sphere):
     """A bob of another kind."""
 
 
-STRANGE = {  # what is done to a row of three pendula, p
+STRANGE = {  # changes of a row of three pendula, p
     "a mass that is text": lambda p: p[0].update(mass="1"),
     "a true mass": lambda p: p[1].update(mass=True),
     "a mass of its own kind": lambda p: p[1].update(mass=type("Mass", (float,), {})(1)),

@@ -11,7 +11,7 @@ from support.constants import DT, G, R_PARAM
 
 @pytest.fixture
 def player(tmp_path):
-    """Three unequal pendula, let go from 30 degrees."""
+    """Three unequal pendula that start at 30 degrees."""
     return make_swing(tmp_path, MIXED_CSV)
 
 
@@ -66,7 +66,7 @@ def test_only_approaching_bobs_collide_unless_told_otherwise(tmp_path):
 
 
 def test_impacts_are_those_of_single_ticks_however_many_are_done_at_once(tmp_path):
-    """Their times, and in which direction they run."""
+    """The times and the directions of the impacts."""
     at_once, one_by_one = make_swing(tmp_path, impacts=99), make_swing(tmp_path, impacts=99)
     at_once.at_once = True
     ticks = round(1.3 * PERIOD / DT)
@@ -81,7 +81,7 @@ def test_impacts_are_those_of_single_ticks_however_many_are_done_at_once(tmp_pat
 
 
 def test_the_energy_of_the_start_is_100_percent(tmp_path):
-    """Be it kinetic or potential; ten times that is not told exactly, and nothing is no part of nothing."""
+    """For kinetic and potential energy. Above ten times, the text is not exact; 0 of 0 is 0 %."""
     player = make_swing(tmp_path)
     motion = player.motion
     player.cradle.pend_list[0]["omega"] = 2.0

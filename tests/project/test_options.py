@@ -1,4 +1,4 @@
-"""The command line: what it takes, what it refuses and in which words."""
+"""The command line: accepted options, refused options, and their messages."""
 
 from math import degrees, inf, pi
 
@@ -162,7 +162,7 @@ def test_the_port_may_come_from_vpythons_environment_variable(monkeypatch, capsy
 
 
 def help_of(read_options, capsys):
-    """Return what --help says, on one line."""
+    """Return the text of --help on one line."""
     with pytest.raises(SystemExit) as ended:
         read_options(["--help"])
     assert ended.value.code == 0

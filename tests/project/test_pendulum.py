@@ -1,4 +1,4 @@
-"""The objects of a pendulum, as make_pendulum builds them."""
+"""The objects that make_pendulum makes."""
 
 from math import cos, sin
 
@@ -13,7 +13,7 @@ from support.pendulum import make_pendulum
 @pytest.mark.parametrize("theta", [0.0, 0.7, -0.7, 2.0])
 @pytest.mark.parametrize("r_param", [0.2, 1.5])
 def test_the_bob_hangs_from_the_axle_at_theta(r_param, theta):
-    """theta is positive to the right; the cord reaches from the axle's to the bob's centre."""
+    """theta is positive to the right; the cord goes from the centre of the axle to that of the bob."""
     axle, bob, cord = make_pendulum(vector(0.3, 0.1, 0), r_param, theta, color.red, textures.wood)
     arm = (r_param * sin(theta), -r_param * cos(theta), 0)
     assert components(axle.pos) == components(cord.pos) == (0.3, 0.1, 0)
@@ -30,7 +30,7 @@ def test_all_sizes_go_with_the_cord():
 
 
 def test_the_cords_up_is_square_to_the_swing():
-    """VPython turns it otherwise whenever the axis is set, which takes four times as long."""
+    """Otherwise, VPython computes it at each change of the axis, and that takes four times as long."""
     cord = make_pendulum(vector(0, 0, 0), 0.2, 0.7, color.red, None)[2]
     assert components(cord.up) == (0, 0, 1)
 

@@ -1,4 +1,4 @@
-"""The cradle as ASCII characters: it fits, and each bob is where it belongs."""
+"""The cradle as ASCII characters: it fits, and each bob is in the right place."""
 
 from itertools import pairwise
 from math import radians
@@ -11,7 +11,7 @@ from support.terminal.picture import TextPicture
 
 
 def cradle(pend_list):
-    """Return what a picture asks of a cradle."""
+    """Return the parts of a cradle that a picture uses."""
     axles, bobs, cords = ([pend["objects"][part] for pend in pend_list] for part in range(3))
     return SimpleNamespace(reach=R, axles=lambda: axles, bobs=lambda: bobs, cords=lambda: cords)
 
@@ -39,7 +39,7 @@ def test_three_at_rest():
 
 
 def test_the_outer_ones_swing_out():
-    """By 30 degrees a cord of 8 lines ends one line higher, and 8 columns aside."""
+    """At 30 degrees, a cord of 8 lines ends one line higher, and 8 columns to the side."""
     lines = draw(-30, 0, 30)
     assert lines[7] == "        (1)          |          (3)"
     assert lines[8] == "                    (2)"

@@ -1,19 +1,19 @@
-"""The pace of the simulation, on a clock made for the test: time passes only in ticks and sleeps."""
+"""The pace of the simulation, on a clock of the test: only ticks and sleeps take time."""
 
 import pytest
 
 from support.playback.real_time import FRAME, MAX_BEHIND, RealTime
 
-DT = 1e-4  # s a tick
+DT = 1e-4  # s per tick
 
 
 class Wall:
-    """A wall clock, on which a RealTime runs frame by frame until it shows `until`."""
+    """A wall clock; a RealTime runs on it frame by frame until the time `until`."""
 
     def __init__(self, cost, until):
         self.now, self.cost, self.until = 0.0, cost, until
         self.ticks, self.slept, self.frames = 0, 0.0, 0
-        self.interruptions = {}  # frame -> seconds by which its sleep is longer than asked for
+        self.interruptions = {}  # frame -> s that its sleep is too long
         self.pace = RealTime(DT, self.clock, self.sleep)
 
     def clock(self):
@@ -31,14 +31,14 @@ class Wall:
         self.now += seconds + self.interruptions.get(self.frames, 0)
 
     def frame(self):
-        """Do what is due in a frame."""
+        """Run one frame."""
         ticks = self.pace.due()
         if ticks:
             self.advance(ticks)
             self.pace.did(ticks)
 
     def run(self):
-        """Let the frames follow one another until the end; return the simulated time (s)."""
+        """Run all frames; return the simulated time (s)."""
         while self.now < self.until:
             self.frame()
             self.pace.rest()
@@ -57,13 +57,13 @@ def test_a_simulated_second_lasts_a_second_at_speed_1(cost, speed):
 def test_it_sleeps_when_there_is_nothing_to_do():
     wall = Wall(cost=20e-6, until=60)
     wall.run()
-    assert wall.slept == pytest.approx(60 * 0.8, rel=0.01)  # 10,000 ticks a second of 20 us are a fifth of the time
+    assert wall.slept == pytest.approx(60 * 0.8, rel=0.01)  # 10,000 ticks per second of 20 us take a fifth of the time
     assert wall.frames == pytest.approx(60 / FRAME, rel=0.01)
 
 
 @pytest.mark.parametrize("cost", [200e-6, 1e-3, 5e-3])
 def test_a_slow_machine_shows_slow_motion(cost):
-    """Pictures keep coming, the simulation moves on steadily, and the page's threads get a share of the time."""
+    """Pictures keep coming, the simulation moves on steadily, and the threads of the page get time too."""
     wall = Wall(cost, until=60)
     assert wall.run() == pytest.approx(0.75 * 60 / cost * DT, rel=0.35)
     assert wall.frames == pytest.approx(60 / FRAME, rel=0.15)
@@ -74,7 +74,7 @@ def test_a_slow_machine_shows_slow_motion(cost):
 def test_a_tick_longer_than_a_frame_ends_in_no_spiral():
     wall = Wall(cost=0.1, until=60)
     wall.run()
-    assert wall.ticks == wall.frames - 1 == 600  # one a frame, but for the first, in which no time has passed yet
+    assert wall.ticks == wall.frames - 1 == 600  # one per frame, except the first, before any time has passed
 
 
 def test_a_hiccup_is_made_up_for():
@@ -84,7 +84,7 @@ def test_a_hiccup_is_made_up_for():
 
 
 def test_a_machine_that_is_busy_now_and_then_keeps_up():
-    """A tick that took long because another program ran says nothing about the next one."""
+    """If another program slows down a tick, this says nothing about the next tick."""
     wall = Wall(cost=10e-6, until=60)
     advance = wall.advance
 
@@ -147,7 +147,7 @@ def test_slow_motion_is_remarked_on(kept_up, remark):
 
 @pytest.mark.parametrize(("cost", "speed", "too_slow"), [(45e-6, 1, False), (55e-6, 1, True), (30e-6, 2, True)])
 def test_ticks_that_cost_more_than_there_is_time_are_too_slow(cost, speed, too_slow):
-    """Half of the time is for single ticks: at speed 1 that is 50 us for each of 0.1 ms."""
+    """Single ticks get half of the time: at speed 1, that is 50 us for a tick of 0.1 ms."""
     wall = Wall(cost, until=60)
     wall.pace.speed = speed
     wall.run()

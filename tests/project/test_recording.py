@@ -1,4 +1,4 @@
-"""Data to take away: which samples are kept, and the files that they are written to."""
+"""Saved data: the samples, and their files."""
 
 import os
 import re
@@ -14,7 +14,7 @@ from support.files.recording import check_record, data_file, EVERY, Recording, R
 
 @pytest.fixture
 def player(tmp_path):
-    """Three unequal pendula, let go from 30 degrees."""
+    """Three unequal pendula that start at 30 degrees."""
     return make_swing(tmp_path, MIXED_CSV)
 
 
@@ -51,7 +51,7 @@ def test_only_the_last_ten_minutes_are_kept(motion):
 
 
 def test_half_of_a_file_is_none(tmp_path):
-    """Not even where rows are still being made when it goes wrong."""
+    """Not even if the error comes while the program makes the rows."""
     with pytest.raises(ZeroDivisionError), data_file(tmp_path / "data.csv") as writer:
         writer.writerow([1, 2])
         raise ZeroDivisionError
@@ -74,7 +74,7 @@ def test_data_may_be_replaced_by_data_and_nothing_else(tmp_path):
 
 
 def test_a_file_that_another_program_has_open_is_refused_before_anything_is_made(tmp_path, monkeypatch):
-    """Excel lets others read it, and not write it."""
+    """Excel lets other programs read it, but not write it."""
     file = tmp_path / "data.csv"
     file.write_text("t,theta_1,momentum\n")
 

@@ -1,4 +1,4 @@
-"""Which room of the project knows which: every import of src/ and support/ is looked at."""
+"""The rooms (folders) of the project import only allowed rooms: a test of every import in src/ and support/."""
 
 import ast
 from graphlib import TopologicalSorter
@@ -6,14 +6,14 @@ from graphlib import TopologicalSorter
 import pytest
 from programs import ROOT
 
-# The handout's modules, in its order: each may import the ones before it.
+# The handout's modules in its order: a module may import only earlier ones.
 HANDOUT = (
     *("pds_helper", "special_cradles", "swinging", "visualize_cradle_run"),
     *("double_collisions", "double_cradle", "visualize_double_cradle_run"),
 )
 PROGRAM = "src.text_cradle_run"
-START = "src.beyond.in_browser"  # what the programs with a page begin with
-# Which other rooms the modules of a room may import.
+START = "src.beyond.in_browser"  # the programs with a page import it first
+# The other rooms that the modules of a room may import.
 MAY_IMPORT = {
     "support": set(),
     "support.files": {"support"},
@@ -30,7 +30,7 @@ MODULES = {name: file for name, file in MODULES.items() if not name.endswith("__
 
 
 def imported(tree) -> set[str]:
-    """Return the project's modules that are imported anywhere in this tree."""
+    """Return the project's modules that this syntax tree imports."""
     names = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
@@ -42,7 +42,7 @@ def imported(tree) -> set[str]:
 
 
 def imports_of(name) -> set[str]:
-    """Return the project's modules that this one imports; what is only for a start by its name is left out."""
+    """Return the project's modules that this module imports, without those for a start as a program."""
     tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
     tree.body = [node for node in tree.body if not is_for_a_start(node)]
     return imported(tree)
@@ -80,7 +80,7 @@ def test_all_modules_of_src_are_the_handouts_or_known_to_be_more():
 
 def test_no_circle():
     graph = {name: imported(ast.parse(file.read_text(encoding="utf-8"))) for name, file in MODULES.items()}
-    assert len(list(TopologicalSorter(graph).static_order())) == len(MODULES)  # or a CycleError that names the circle
+    assert len(list(TopologicalSorter(graph).static_order())) == len(MODULES)  # a CycleError names the circle
 
 
 def test_the_rooms_inside_src_and_support_hand_nothing_on():
@@ -91,6 +91,6 @@ def test_the_rooms_inside_src_and_support_hand_nothing_on():
 
 @pytest.mark.parametrize("folder", ["src", "tests"])
 def test_the_path_is_changed_in_one_place(folder):
-    """One for the files that are started in src/, and one for those in tests/."""
+    """One place for the programs in src/, and one for those in tests/."""
     changing = [file.name for file in (ROOT / folder).rglob("*.py") if "\nsys.path" in file.read_text(encoding="utf-8")]
     assert changing == ["project_path.py"]

@@ -1,4 +1,4 @@
-"""The frame, and the camera, of which a view is worked out here point by point."""
+"""The frame and the camera; the tests compute the view point by point."""
 
 from math import cos, pi, sin, tan
 
@@ -11,13 +11,13 @@ from support.page.scenery import CANVAS_HEIGHT, CANVAS_WIDTH, Scenery
 
 
 def pendula(count):
-    """Return the axles and bobs of count pendula, as make_newton_cradle hangs them."""
+    """Return the axles and bobs of count pendula, with the positions of make_newton_cradle."""
     pend_list = [hang(axle=(-0.1 + i * R / 4, R / 5, 0)) for i in range(count)]
     return tuple([pend["objects"][i] for pend in pend_list] for i in (0, 1))
 
 
 def seen_at(point):
-    """Return where a point is seen: 0 is the middle of the canvas, +-1 its edges, to the right and upwards."""
+    """Return the position of a point on the canvas: 0 is the middle, +-1 are the edges, to the right and upwards."""
     forward, sideways = norm(scene.forward), norm(cross(scene.forward, scene.up))
     camera = scene.center - forward * (scene.range / tan(scene.fov / 2))
     arm = point - camera
@@ -27,7 +27,7 @@ def seen_at(point):
 
 
 def outline(axle, bob, lowest, highest):
-    """Return points all round a bob on a swing from lowest to highest (rad), and back."""
+    """Return points around a bob on its swing from lowest to highest (rad)."""
     thetas = [side * (lowest + (highest - lowest) * i / 20) for i in range(21) for side in (-1, 1)]
     centres = [axle.pos + vector(R * sin(theta), -R * cos(theta), 0) for theta in thetas]
     return [c + vector(cos(a), sin(a), 0) * bob.radius for c in centres for a in (0, pi / 2, pi, 3 * pi / 2)]
@@ -54,7 +54,7 @@ def test_every_swing_up_to_the_horizontal_is_in_view(count, size):
     ends = [end for bar in scenery.frame if type(bar) is cylinder for end in (bar.pos, bar.pos + bar.axis)]
     assert is_in_view(swings + corners + ends)
     largest = max(abs(part) for point in swings + corners + ends for part in seen_at(point))
-    assert largest > 0.85  # and no smaller than need be
+    assert largest > 0.85  # and not smaller than necessary
 
 
 @pytest.mark.parametrize("count", [1, 5, 50])
@@ -77,7 +77,7 @@ def test_a_bob_above_the_frame_widens_the_view_until_it_starts_anew(count):
 
 
 def test_the_view_is_widened_once():
-    """Someone may have zoomed in since."""
+    """A person may zoom in after that."""
     axles, bobs = pendula(5)
     scenery = Scenery()
     scenery.surround(axles, bobs, R)
@@ -112,7 +112,7 @@ def test_another_cradle_is_looked_at_from_nearby_again():
 
 
 def test_the_frame_carries_the_axles():
-    """Rails lie from the first axle to the last and beyond, at the ends of the axles; posts stand on the base."""
+    """The rails run along the ends of the axles, and beyond the first and the last axle; posts stand on the base."""
     axles, bobs = pendula(5)
     scenery = Scenery()
     scenery.surround(axles, bobs, R)

@@ -1,4 +1,4 @@
-"""Shapes that are discarded and used again."""
+"""Discarded shapes are used again."""
 
 from collections import defaultdict
 

@@ -26,7 +26,7 @@ def test_swing_update_moves_bob_and_cord():
     assert pend_dict["objects"] is objects or tuple(pend_dict["objects"]) == objects
     assert components(axle.pos) == pytest.approx(axle_end)
     assert components(bob.pos) == pytest.approx(bob_end, abs=1e-12)
-    ends = sorted([components(cord.pos), components(cord.pos + cord.axis)])  # it may be drawn from either end
+    ends = sorted([components(cord.pos), components(cord.pos + cord.axis)])  # a student may draw it from either end
     assert ends[0] == pytest.approx(min(axle_end, bob_end), abs=1e-12)
     assert ends[1] == pytest.approx(max(axle_end, bob_end), abs=1e-12)
 

@@ -1,4 +1,4 @@
-"""The cradle in the terminal: what it shows and says, how it keeps time, and what it writes."""
+"""The cradle in the terminal: its pictures, messages, timing, and files."""
 
 import csv
 import os
@@ -44,7 +44,7 @@ def five(tmp_path):
 
 
 def text_player(folder, kind, seconds):
-    """Return a player of this kind with five equal bobs, let go from 30 degrees, for so many seconds."""
+    """Return a player of this kind for `seconds`, with five equal bobs that start at 30 degrees."""
     (folder / "cradle.csv").write_text(FIVE_CSV)
     csv = Snapshot(folder / "cradle.csv")
     return kind(make_live(), csv, SimpleNamespace(angle=from_lift(30), lift=1, seconds=seconds))
@@ -54,7 +54,7 @@ def text_player(folder, kind, seconds):
 
 
 class Wall(players.TextPlayer):
-    """A player on whose clock time passes only by sleeping."""
+    """A player with a clock on which only sleeping takes time."""
 
     def __init__(self, folder, seconds, step):
         self.step_seconds, self.now = step, 50.0
@@ -63,7 +63,7 @@ class Wall(players.TextPlayer):
         super().__init__(make_live(), csv, SimpleNamespace(angle=from_lift(30), lift=1, seconds=seconds))
         self.pace = RealTime(self.cradle.dt, lambda: self.now, self.sleep)
         self.at_once = True
-        self.shown = []  # (s on the wall, s simulated)
+        self.shown = []  # (real s, simulated s)
 
     def sleep(self, seconds):
         self.now += max(seconds, 1e-4)
@@ -102,7 +102,7 @@ def test_half_a_second_is_no_less_on_the_wall(tmp_path, kind):
 
 
 def test_into_a_pipe_it_says_a_line_each_half_second_without_vpython(run, five):
-    seconds = 0.7 + PERIOD / 2  # so that the hits have gone through the row and come back
+    seconds = 0.7 + PERIOD / 2  # after the hits have run through the row and back
     done = run(str(PROGRAM), five, "--seconds", str(seconds), "--angle", "30", "--elastic")
     assert (done.returncode, done.stderr) == (0, "")
     times = [*(f"{0.5 * i:.2f}" for i in range(int(2 * seconds) + 1)), f"{seconds:.2f}"]
@@ -155,7 +155,7 @@ def test_ctrl_c_ends_the_lines_quietly(five):
 
 
 class Terminal:
-    """A program on a terminal of its own, for the body of a with statement."""
+    """A program in its own terminal, for the body of a with statement."""
 
     def __init__(self, *arguments, lines=24, columns=80, term="xterm"):
         import fcntl
@@ -167,7 +167,7 @@ class Terminal:
         if self.process == 0:
             try:
                 fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", lines, columns, 0, 0))
-                sizes = {"LINES", "COLUMNS"}  # which would hide that of the terminal
+                sizes = {"LINES", "COLUMNS"}  # they would hide the size of the terminal
                 environment = {name: value for name, value in os.environ.items() if name not in sizes}
                 os.execve(sys.executable, [sys.executable, str(PROGRAM), *arguments], {**environment, "TERM": term})
             finally:
@@ -183,12 +183,12 @@ class Terminal:
             os.waitpid(self.process, 0)
 
     def read_until(self, condition):
-        """Read on until condition(what has been said) holds, or the program ends; return whether it holds."""
+        """Read until condition(text so far) holds, or the program ends; return whether it holds."""
         while not condition(self.said):
             assert time.monotonic() < self.deadline, self.said
             if select.select([self.terminal], [], [], 1)[0]:
                 data = b""
-                with suppress(OSError):  # which is how Linux says that it has ended; macOS reads nothing
+                with suppress(OSError):  # on Linux, this means that the program has ended; macOS reads nothing
                     data = os.read(self.terminal, 65536)
                 if not data:
                     return condition(self.said)
@@ -196,14 +196,14 @@ class Terminal:
         return True
 
     def end(self, keys=b""):
-        """Press these keys, wait until the program has ended, and return its status and its last words."""
+        """Press these keys, wait for the end of the program, and return its status and its last text."""
         os.write(self.terminal, keys)
         self.read_until(lambda said: False)
         return os.waitstatus_to_exitcode(os.waitpid(self.process, 0)[1]), self.said.rpartition(RESTORED)[2]
 
 
 def pictures(said):
-    """Return all complete pictures, each as its lines."""
+    """Return all complete pictures, each as a list of lines."""
     return [re.sub(r"\x1b\[K", "", text).splitlines() for text in re.findall(r"\x1b\[H(.*?)\x1b\[J", said, re.DOTALL)]
 
 
@@ -220,11 +220,11 @@ def test_on_a_terminal_a_picture_moves_until_ctrl_c(five):
     times = [re.match(r"t = (\d+\.\d\d) s +energy", picture[0])[1] for picture in seen]
     assert times[:8] == ["0.00", "0.05", "0.10", "0.15", "0.20", "0.25", "0.30", "0.35"]
     assert {len(picture) for picture in seen} == {len(seen[0])}
-    assert len({picture[8] for picture in seen}) > 2  # in which the bobs are that swing
+    assert len({picture[8] for picture in seen}) > 2  # a line with bobs that swing
     assert max(map(len, seen[0])) <= 80
     assert seen[0][-1] == "Ctrl+C ends it."
     left = last_words.replace("\r", "").splitlines()
-    if left[0] != seen[-1][0]:  # Ctrl+C came just before the next picture, which is then what is left on the screen
+    if left[0] != seen[-1][0]:  # Ctrl+C came just before the next picture, so that picture stays on the screen
         assert float(left[0].split()[2]) == pytest.approx(float(seen[-1][0].split()[2]) + 0.05)
     else:
         assert left == seen[-1]
@@ -288,7 +288,7 @@ def test_a_terminal_that_cannot_move_its_cursor_gets_lines(five):
 
 @posix
 def test_however_often_ctrl_c_is_pressed_the_terminal_is_restored(five):
-    """By signals: at a Ctrl+C a terminal also throws away the words that nobody has read yet."""
+    """The test sends signals: at Ctrl+C, a terminal also deletes text that was not read yet."""
     with Terminal(five) as terminal:
         assert terminal.read_until(lambda said: HOME in said)
         for _ in range(4):

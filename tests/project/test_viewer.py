@@ -1,6 +1,6 @@
-"""The viewer, its panel and its graph on the stand-in: what the widgets, keys and mouse do, and what is to be read.
+"""The viewer, its panel and its graph on the stand-in: widgets, keys, mouse, and texts.
 
-The wall clock is the test's, so that time passes only when a test lets it.
+Time passes only when a test moves its own wall clock.
 """
 
 import os
@@ -31,7 +31,7 @@ from support.playback.real_time import FRAME, RealTime
 
 
 class Wall:
-    """The wall clock, and the viewer that lives by it."""
+    """The wall clock, and the viewer that uses it."""
 
     def __init__(self, csv, *angles, kind=LiveCradle, remark=""):
         self.now = 100.0
@@ -40,14 +40,14 @@ class Wall:
         self.viewer = Viewer(make_live(kind), live_file, thetas(angles or [30]), 1, remark)
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=None)
         self.panel = self.viewer.panel
-        self.viewer.at_once = True  # what single ticks do is the same, and takes longer
+        self.viewer.at_once = True  # single ticks give the same result, but take longer
         go_on(self.viewer, self.viewer.open())
 
     def clock(self):
         return self.now
 
     def wait(self, seconds=0.0):
-        """Let this time pass, frame by frame."""
+        """Let this time (s) pass, frame by frame."""
         for _ in range(max(1, round(seconds / FRAME))):
             self.now += seconds and FRAME
             self.viewer.next_refresh = 0
@@ -57,7 +57,7 @@ class Wall:
         return [pend["theta"] for pend in self.viewer.cradle.pend_list]
 
     def lifts(self):
-        """Return how far the bobs are lifted, in whole degrees."""
+        """Return the angles of the bobs, in whole degrees."""
         return [round(abs(theta) * 180 / pi) for theta in self.thetas()]
 
     def time(self):
@@ -68,7 +68,7 @@ class Wall:
         self.wait()
 
     def mouse(self, kind, point):
-        """Move the mouse to where this point is seen, straight from the front, and let this happen."""
+        """Move the mouse to this point, seen straight from the front, and send this event."""
         scene.mouse.ray = vector(0, 0, -1)
         event = SimpleNamespace(pos=point + vector(0, 0, 0.5))
         function = scene.bound[kind]
@@ -90,13 +90,13 @@ def wall(csv):
 
 @pytest.fixture
 def single(csv):
-    """A single pendulum, for what takes long."""
+    """A single pendulum, for long tests."""
     csv.write_text(HEADER + GOOD)
     return Wall(csv)
 
 
 def set_slider(setting, value):
-    """Move a slider as a person does: VPython sets its value, and calls what is bound to it."""
+    """Move a slider as a person does: VPython sets its value, and calls the bound function."""
     setting.slider.value = value
     setting.slider.bind(setting.slider)
 
@@ -118,7 +118,7 @@ def test_pause_and_run(wall):
     wall.panel.pause.bind()
     wall.wait(1)
     assert (wall.panel.pause.text, wall.panel.step.disabled) == ("Pause", True)
-    assert wall.time() == pytest.approx(2, abs=4 * FRAME)  # the pause is not made up for
+    assert wall.time() == pytest.approx(2, abs=4 * FRAME)  # the simulation does not catch up after the pause
 
 
 @pytest.mark.parametrize("speed", [0.1, 1, 2])
@@ -164,7 +164,7 @@ def test_release_angle(wall):
 
 
 def test_bobs_lifted(wall):
-    """The slider goes from none to all; whatever it is put to, it snaps to a whole number of bobs."""
+    """The slider goes from none to all, and always snaps to a whole number of bobs."""
     set_slider(wall.panel.lifted, 0.55)
     wall.wait()
     assert wall.lifts() == [30, 30, 30, 0, 0]
@@ -225,7 +225,7 @@ def test_digits_lift_that_many(wall, digit, lifted):
 
 
 def test_a_callback_only_queues(wall):
-    """It comes in another thread, in the middle of a tick."""
+    """The event comes in another thread, in the middle of a tick."""
     thetas = wall.thetas()
     set_slider(wall.panel.angles[0], 75)
     wall.panel.pause.bind()
@@ -278,7 +278,7 @@ def test_what_is_set_stays_set(wall, csv, anew):
 
 
 def test_what_passed_before_it_ran_is_not_owed(wall, monkeypatch):
-    """The page takes a while to open."""
+    """The page opens slowly."""
 
     def wait_for_page():
         wall.now += 5
@@ -324,7 +324,7 @@ def test_a_click_beside_the_bobs_takes_none(wall):
 
 
 def test_of_two_bobs_under_the_mouse_the_nearer_one_is_taken(wall):
-    """Seen along the row."""
+    """The view is along the row."""
     set_slider(wall.panel.lifted, 0)
     wall.wait()
     bob = wall.viewer.cradle.bobs()[2]
@@ -332,7 +332,7 @@ def test_of_two_bobs_under_the_mouse_the_nearer_one_is_taken(wall):
     scene.bound["mousedown"](SimpleNamespace(pos=vector(bob.pos)))
     wall.wait()
     assert wall.viewer.cradle.held == 4
-    scene.bound["mousemove"](SimpleNamespace(pos=vector(1, 1, 1)))  # in the plane of swing there is no such place
+    scene.bound["mousemove"](SimpleNamespace(pos=vector(1, 1, 1)))  # no point in the plane of swing is under the mouse
     wall.wait()
     assert wall.lifts() == [0] * 5
 
@@ -343,7 +343,7 @@ def test_a_bob_is_dragged_to_where_a_slanting_view_shows_the_mouse(wall):
     wall.wait()
     axle, ray = wall.viewer.cradle.axles()[0], vector(-0.3, -0.2, -1)
 
-    def seen(x, y):  # a place in front of the one in the plane of swing
+    def seen(x, y):  # a point in front of the plane of swing
         return SimpleNamespace(pos=axle.pos + vector(x, y, 0) - 0.3 * ray)
 
     scene.mouse.ray = ray
@@ -386,7 +386,7 @@ def test_a_saved_csv_makes_a_new_cradle(wall, csv):
     assert ">2 of 2<" in wall.panel.lifted.text.text
     csv.write_text(FIVE_CSV)
     wall.wait(3 * POLL)
-    assert ">3 of 5<" in wall.panel.lifted.text.text  # what was set, where it is possible again
+    assert ">3 of 5<" in wall.panel.lifted.text.text  # the old settings, where they are possible again
 
 
 def test_a_csv_saved_while_paused_is_shown(wall, csv):
@@ -426,7 +426,7 @@ def test_a_cradle_that_is_made_anew_lets_go_of_the_bob(wall, csv):
 
 
 def saved(wall):
-    """Press the button, and return the data of the file of which the page then says that it holds them."""
+    """Press the button, and return the data of the file that the page names."""
     wall.panel.save.bind()
     wall.wait()
     count, path = re.fullmatch(
@@ -526,7 +526,7 @@ def test_the_readout(wall):
     wall.viewer.cradle.pend_list[0].update(theta=0.0, omega=3.0)
     wall.wait()
     text = re.sub("<.*?>", "", wall.panel.readout.text)
-    start = G * R_PARAM * (1 - 3**0.5 / 2)  # J: 1 kg lifted by 30 degrees
+    start = G * R_PARAM * (1 - 3**0.5 / 2)  # J: 1 kg at 30 degrees
     percent = 100 * (3 * R_PARAM) ** 2 / 2 / start
     assert (
         f"energy {percent:6.2f} % (kinetic {percent:6.2f} %, potential   0.00 %)   momentum {3 * R_PARAM:+9.3f} kg m/s"
@@ -535,7 +535,7 @@ def test_the_readout(wall):
 
 
 def test_the_readout_is_steady(single):
-    """It has the same width at all times, and whatever stands in it stays in its place."""
+    """It always has the same width, and its parts stay in place."""
     texts = set()
     for _ in range(120):  # past t = 10 s, with one digit more
         single.wait(0.1)
@@ -578,7 +578,7 @@ def test_a_cradle_at_rest_has_no_percentages_of_nothing(wall):
 
 @pytest.mark.slow
 def test_slow_motion_is_admitted(wall, monkeypatch):
-    """Where the fast path steps back, as a function is another now."""
+    """The fast path is off, because a function has changed."""
     wall.wait(2)
     assert wall.panel.readout.text.endswith(" kg m/s</pre>")
     tick = visualize_cradle_run.newton_cradle_tick
@@ -589,7 +589,7 @@ def test_slow_motion_is_admitted(wall, monkeypatch):
 
     monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", slow)
     wall.wait(3)
-    # In a frame 0.75 of its length is spent on ticks, at 0.45 of real time; and the test's frames come on top of that.
+    # Ticks take 0.75 of a frame, at 0.45 of real time; the frames of the test come on top of that.
     assert f"   x{0.75 * 0.45 / 1.75:.1f}<" in wall.panel.readout.text
 
 
@@ -605,7 +605,7 @@ def test_ticks_are_done_at_once_only_where_single_ones_are_too_slow(wall, monkey
 
     many = wall.viewer.cradle.many_ticks
 
-    def many_ticks(scope, *given):  # to the fast path the function is the shipped one
+    def many_ticks(scope, *given):  # the fast path sees the shipped function
         return many({**scope, "newton_cradle_tick": tick}, *given)
 
     monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", slow)
@@ -641,7 +641,7 @@ def test_the_contact_strip_where_hits_come_from_both_sides(wall):
 
 
 def test_what_has_not_changed_is_not_sent_again(wall):
-    """Or a person could not select it."""
+    """Otherwise, a person could not select it."""
     wall.panel.pause.bind()
     wall.wait(0.5)
     texts = [wall.panel.readout, wall.panel.impacts, wall.panel.error, wall.panel.speed.text]
@@ -717,7 +717,7 @@ def test_the_graph_is_as_wide_as_the_canvas_with_its_borders(wall):
 
 
 def test_a_resized_canvas_is_filled(wall):
-    """The view is the one of a cradle that was shown at this size from the start."""
+    """The view is the same as for a cradle with this size from the start."""
     scene.width, scene.height = 300, 420
     scene.bound["resize"]()
     wall.wait()
@@ -764,7 +764,7 @@ def test_the_page_says_that_the_program_has_ended(wall):
 
 
 def test_numbers_change_ten_times_a_second(wall):
-    """And the graph; not with each picture, which nobody could read."""
+    """The graph too; not with each picture, because nobody could read that."""
     seen = []
     for _ in range(60):
         wall.now += FRAME
