@@ -57,7 +57,7 @@ def do_at_once(pend_list, dt, ticks) -> None:
     """Do ticks of dt (s) by many_ticks, with the rule of the programs."""
     scope = {**vars(visualize_cradle_run), "DT": dt}
     if many_ticks(scope, pend_list, ticks, {"approaching_only": True}) is None:
-        raise ValueError("many_ticks does not know what it stands in for: see tests/project/test_many_ticks.py")
+        raise ValueError("many_ticks does not know these functions: see tests/project/test_many_ticks.py")
 
 
 def cpu_time(make, run) -> float:

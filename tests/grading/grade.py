@@ -10,8 +10,8 @@ def grade(outcomes) -> dict:
     """Return the grade of outcomes (by the names of the checks) for a gradebook.
 
     It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next"}. Each passed check gives a
-    point. The grade is the highest complete tier, with all tiers below it complete, or None. It has no entry for a tier
-    without checks in outcomes.
+    point. The grade is the highest complete tier, with all tiers below it complete, or None. A tier without checks in
+    outcomes has no entry.
     """
     tiers = {}
     for tier in SUITES:

@@ -90,7 +90,7 @@ def checks(*, tier=None, function=None) -> list[Check]:
     return [check for check in CHECKS.values() if check.tier == tier and function in (None, check.function)]
 
 
-# --- how a check asks ------------------------------------------------------------------------------------------------
+# --- calling students' functions -------------------------------------------------------------------------------------
 
 
 class MistakeError(Exception):

@@ -130,7 +130,7 @@ def complaint(function, *arguments):
 
 
 def the_programs_complaint(monkeypatch, capsys, filepath):
-    """Return what the program prints on stderr for this file; it must end with status 2, and print nothing else."""
+    """Return the message on stderr for this file; the program must end with status 2, and print nothing else."""
     monkeypatch.setattr(sys, "argv", ["visualize_cradle_run.py", filepath])
     monkeypatch.setattr("support.page.page.open_page", lambda *_: pytest.fail("a browser was to be opened"))
     with pytest.raises(SystemExit) as ended:

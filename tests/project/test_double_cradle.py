@@ -63,7 +63,7 @@ def tick(pend_list, ticks, dt=DOUBLE_DT, r_param=R_PARAM, g=G):
     return [(number, *pair) for number, pairs in enumerate(hits) for pair in pairs]
 
 
-# --- what it is made of ----------------------------------------------------------------------------------------------
+# --- its objects -----------------------------------------------------------------------------------------------------
 
 
 def check_objects(objects, axle, r_param, theta, phi):

@@ -36,7 +36,7 @@ def test_momentum():
     assert momentum(PENDULA, LENGTH) == pytest.approx(3 * 2 * 0.5)
 
 
-# The upper cord at 60 degrees, the lower one at a right angle to it, at 150 degrees; and one that hangs down.
+# One with its cords at 60 and 150 degrees, and one that hangs straight down.
 DOUBLES = [
     hang_double(theta=pi / 3, phi=pi / 2, omega=4.0, phi_omega=2.0, mass=3.0),
     hang_double(omega=2.0, phi_omega=2.0),
@@ -44,12 +44,12 @@ DOUBLES = [
 
 
 def test_the_kinetic_energy_of_double_pendula():
-    """The upper bobs move at 2 and 1 m/s, the lower ones relative to them at 3 m/s, square to that, and 2 m/s along."""
+    """Upper bobs: 2 and 1 m/s. Lower bobs relative to them: 3 m/s at a right angle, and 2 m/s in the same direction."""
     assert double_kinetic_energy(DOUBLES, LENGTH) == pytest.approx(3 * (2**2 + 2**2 + 3**2) / 2 + (1**2 + 3**2) / 2)
 
 
 def test_the_potential_energy_of_double_pendula():
-    """The first one's upper bob is 0.25 m higher than at rest, its lower one that and 0.5 m (1 + cos 30 degrees)."""
+    """The bobs of the first one are higher than at rest: by 0.25 m, and by 0.25 + 0.5 (1 + cos 30 degrees) m."""
     assert double_potential_energy(DOUBLES, LENGTH, G) == pytest.approx(3 * G * (0.25 + 0.25 + 0.5 * (1 + sqrt(3) / 2)))
 
 

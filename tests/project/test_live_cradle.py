@@ -118,7 +118,7 @@ def test_a_reload_takes_new_pendula_of_the_old_shapes(csv, monkeypatch):
     assert values(player, "mass") == [2, 2]
 
 
-# --- what is seen first ----------------------------------------------------------------------------------------------
+# --- the first picture -----------------------------------------------------------------------------------------------
 
 
 def made_otherwise(monkeypatch, change):
@@ -235,7 +235,7 @@ def test_the_functions_are_themselves_again_after_the_ticks(csv):
     assert visualize_cradle_run.handle_two_bobs is meet
 
 
-# --- held ------------------------------------------------------------------------------------------------------------
+# --- holding ---------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("approaching_only", [False, True])

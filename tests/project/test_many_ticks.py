@@ -100,7 +100,7 @@ def state(pend_list):
     return repr(([[pend[key] for key in pend if key != "objects"] for pend in pend_list], shown))
 
 
-# --- the same to the last bit ----------------------------------------------------------------------------------------
+# --- the same bits ---------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("approaching_only", [False, True])
@@ -229,7 +229,7 @@ def test_a_contact_that_only_the_right_bob_notices_is_told():
     assert [pend["omega"] for pend in pair] == [1, pytest.approx(2)]
 
 
-# --- how long bobs are free ------------------------------------------------------------------------------------------
+# --- free bobs -------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("g", [0, G])
@@ -260,7 +260,7 @@ def arm(theta):
     return R * (sin(theta) - 1j * cos(theta))
 
 
-# --- never with other functions --------------------------------------------------------------------------------------
+# --- not with other functions ----------------------------------------------------------------------------------------
 
 
 def copies(folder, changed="", old="", new=""):
@@ -312,8 +312,8 @@ def test_it_knows_the_shipped_function(name):
     nodes = [node for file in files for node in ast.parse(file.read_bytes()).body]
     (tree,) = (node for node in nodes if isinstance(node, ast.FunctionDef) and node.name == name)
     assert digest(tree) == STANDS_IN_FOR[name], (
-        f"{name} is changed, and so many_ticks steps back. If the change is meant: let src/beyond/many_ticks.py do the "
-        f'same, and once the other tests here pass with it put "{digest(tree)}" for {name} into STANDS_IN_FOR.'
+        f"{name} has changed, so many_ticks does not run. If you want this change, make it in src/beyond/many_ticks.py "
+        f'too. When the other tests here pass, put "{digest(tree)}" for {name} into STANDS_IN_FOR.'
     )
 
 
@@ -554,7 +554,7 @@ def test_it_steps_back_where_the_file_cannot_say_what_runs(text, tmp_path):
     assert not is_taken(cradle)
 
 
-# --- never with other pendula ----------------------------------------------------------------------------------------
+# --- not with other pendula ------------------------------------------------------------------------------------------
 
 
 def in_objects(pend, part, new):

@@ -87,7 +87,7 @@ def test_a_file_that_another_program_has_open_is_refused_before_anything_is_made
         check_record(file)
 
 
-@pytest.mark.skipif(os.name != "posix", reason="names may be longer, and the words are others")
+@pytest.mark.skipif(os.name != "posix", reason="names may be longer, and the messages differ")
 def test_a_name_that_is_too_long_is_refused_before_anything_is_made(tmp_path):
     with pytest.raises(ValueError, match=f"^--record: {tmp_path}/n+: File name too long$"):
         check_record(tmp_path / ("n" * 300))

@@ -435,7 +435,7 @@ def test_the_progress_is_told_however_rare_the_rows_are(tmp_path):
     assert parts == pytest.approx([number / 100 for number in range(1, 101)])
 
 
-# --- what is refused -------------------------------------------------------------------------------------------------
+# --- refused options -------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(

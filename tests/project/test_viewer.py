@@ -422,7 +422,7 @@ def test_a_cradle_that_is_made_anew_lets_go_of_the_bob(wall, csv):
     assert wall.viewer.cradle.held is None
 
 
-# --- data to take away -----------------------------------------------------------------------------------------------
+# --- saved data ------------------------------------------------------------------------------------------------------
 
 
 def saved(wall):
@@ -517,7 +517,7 @@ def test_a_folder_that_cannot_be_written_to_is_named_on_the_page(wall, tmp_path,
     assert wall.time() > time  # and the cradle swings on
 
 
-# --- what is to be read ----------------------------------------------------------------------------------------------
+# --- the texts -------------------------------------------------------------------------------------------------------
 
 
 def test_the_readout(wall):

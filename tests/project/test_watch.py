@@ -202,7 +202,7 @@ def test_a_double_pendulum_of_any_masses_keeps_its_energy(masses):
     assert scene.energies()[0] > 2 * kinetic
 
 
-# --- what was made ---------------------------------------------------------------------------------------------------
+# --- made pendula ----------------------------------------------------------------------------------------------------
 
 
 def test_the_picture_has_room_for_cords_that_are_too_long(monkeypatch, tmp_path):
