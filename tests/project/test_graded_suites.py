@@ -73,7 +73,7 @@ HINTS_TRIED: set = set()  # all hints that the checks tried
 
 @cache
 def outcomes_of(function, mistake, alone):
-    """Return the outcomes of the checks of its tier (and, unless alone, of the tiers above) with this wrong solution."""
+    """Return the outcomes of the checks with this wrong solution; alone: only those of its tier."""
 
     def hint(came, gives, hints):
         HINTS_TRIED.update(sentence for _, sentence in hints)
@@ -124,7 +124,7 @@ def test_nothing_wrong_passes(function, mistake, alone):
 @pytest.mark.parametrize("alone", slow_but_for([True], [True, False]))
 @pytest.mark.parametrize(("function", "way"), RIGHT_ROWS)
 def test_nothing_right_fails(solve, function, way, alone):
-    """It fails neither in its own tier nor in another one."""
+    """It fails in no tier."""
     solve(function, RIGHT[function][way])
     outcomes = judge_from(FUNCTIONS[function].tier, alone=True) if alone else judge_from("D")
     assert {key: outcome for key, outcome in outcomes.items() if outcome.state != PASSED} == {}
