@@ -241,7 +241,7 @@ def is_circle(error) -> bool:
 def import_hint(error) -> list[tuple[str, str]]:
     """Return the hint for a failed import, or no hint."""
     if is_circle(error):
-        return [("hint", f"Your files import each other in a circle. Remove the import from {culprit_of(error)}.")]
+        return [("hint", f"Your files import each other in a circle. Remove the import in {culprit_of(error)}.")]
     if isinstance(error, ModuleNotFoundError):
         is_here = (ROOT / "src" / f"{error.name}.py").is_file()
         not_here = "Is the name right? Is the module installed for this Python?"

@@ -151,7 +151,7 @@ def test_an_import_in_a_circle_is_told(student):
     assert "called      angle_update(omega, theta, r_param, dt, g)" in text
     assert "it raised   ImportError: cannot import name 'full_swing_update' from partially initialized module" in text
     assert "            src/swinging.py, line 5, in <module>" in text
-    assert "hint        Your files import each other in a circle. Remove the import from src/swinging.py." in text
+    assert "hint        Your files import each other in a circle. Remove the import in src/swinging.py." in text
     assert "12 wait for src/swinging.py" in rows
     assert rows[-2] == "Next:  angle_update in src/swinging.py."
 
