@@ -1,4 +1,6 @@
-"""What pytest leaves out as long as no -m says what to run: tests with one of two marks."""
+"""The choices of a plain `pytest`: it leaves out tests with one of two marks, and runs the others in two processes."""
+
+import os
 
 import pytest
 
@@ -11,6 +13,15 @@ MARKS = {
 def pytest_configure(config):
     for name, words in MARKS.items():
         config.addinivalue_line("markers", f"{name}: {words}")
+
+
+@pytest.hookimpl(tryfirst=True)  # before pytest-xdist looks for -n
+def pytest_cmdline_main(config):
+    option = config.option
+    takes_all = config.args_source is pytest.Config.ArgsSource.TESTPATHS and not (option.keyword or option.tier)
+    is_first = "PYTEST_XDIST_WORKER" not in os.environ  # and not one of the two
+    if takes_all and is_first and not option.usepdb and getattr(option, "numprocesses", 0) is None:  # 0 without xdist
+        option.numprocesses = 2
 
 
 @pytest.hookimpl(trylast=True)  # after -k and -m have chosen

@@ -63,12 +63,13 @@ def pytest_collection_modifyitems(items):
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config, log):
-    """Have xdist give all checks to one process, and each other test to whoever is free, unless --dist says how."""
+    """Have xdist give all checks to one process, and each file of other tests to one, unless --dist says how."""
     from xdist.scheduler import LoadScopeScheduling
 
     class Scheduling(LoadScopeScheduling):
         def _split_scope(self, nodeid):
-            return "checks" if Path(nodeid.partition("::")[0]).stem in SUITES.values() else nodeid
+            file = nodeid.partition("::")[0]
+            return "checks" if Path(file).stem in SUITES.values() else file
 
     return Scheduling(config, log) if config.option.dist == "load" else None
 

@@ -143,7 +143,7 @@ def test_an_import_in_a_circle_is_told(student):
     swinging = folder / "src" / "swinging.py"
     source = swinging.read_text()
     swinging.write_text(
-        source.replace("from vpython", "from src.visualize_cradle_run import handle_two_bobs\nfrom vpython")
+        source.replace("from support", "from src.visualize_cradle_run import handle_two_bobs\nfrom support")
     )
     status, rows = run(folder)
     assert status == 1
@@ -166,6 +166,7 @@ def test_a_test_of_the_projects_that_is_skipped_still_says_why(student):
     assert [row for row in section(rows, "Grade") if " wait " in row] == ["4 wait for angle_update"]
 
 
+@pytest.mark.slow
 def test_side_by_side_the_suites_say_the_same(student):
     """With two processes of pytest-xdist, of which one makes all checks; a third one writes the grade."""
     pytest.importorskip("xdist")

@@ -27,7 +27,6 @@ for _ in range(13):
     for _ in range(round(0.05 / DT)):
         run.newton_cradle_tick(pend_list, R_PARAM, DT, G, **rule)
 print(json.dumps(rows))
-sys.path.append("src")  # as for a program that is started there
 sys.argv[1:] = ["--record", "data.csv", "--seconds", "0.6", "--every", "0.05"]
 runpy.run_path("src/text_cradle_run.py", run_name="__main__")
 """

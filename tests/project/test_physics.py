@@ -41,7 +41,7 @@ def after_hits(pend_list, hits):
     assert hits == 0
 
 
-@pytest.mark.parametrize("release", slow_but_for([45, 60], range(5, 65, 5)))  # degrees
+@pytest.mark.parametrize("release", slow_but_for([45], range(5, 65, 5)))  # degrees
 def test_five_equal_elastic_bobs_for_a_minute(release):
     pend_list = make_row(5, -radians(release))
     at_start = energy(pend_list)
@@ -57,7 +57,7 @@ def test_five_equal_elastic_bobs_for_a_minute(release):
     assert max(map(max, highest[1:4])) < 1.5
 
 
-@pytest.mark.parametrize("amplitude", slow_but_for([5, 170], [5, 30, 60, 90, 120, 150, 170]))  # degrees
+@pytest.mark.parametrize("amplitude", slow_but_for([30], [5, 30, 60, 90, 120, 150, 170]))  # degrees
 def test_the_period_of_one_pendulum_over_twenty_swings(amplitude):
     theta_max = radians(amplitude)
     pend_list = make_row(1, theta_max)

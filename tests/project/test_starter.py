@@ -422,12 +422,14 @@ def test_a_fault_of_the_grader_fails_and_is_no_point(starter):
     assert (graded["grade"], graded["next"]) == (None, "show your teacher the grader's fault in test_angle_update")
 
 
+@pytest.mark.slow
 def test_the_suites_run_in_the_order_of_the_handout(starter):
     _, lines, _ = grade(starter)
     files = [line.split()[0].replace(os.sep, "/") for line in lines if line.startswith(f"tests{os.sep}")]
     assert files == [f"tests/{suite}.py" for suite in SUITES.values()]
 
 
+@pytest.mark.slow
 def test_one_tier_alone(starter):
     write_tiers(starter, "D")
     status, lines, graded = grade(starter, "--tier", "d")
