@@ -4,7 +4,7 @@ from collections import deque
 
 GAP = 0.005  # s: the longest time between two contacts of one train
 MOST = 12  # runs in a train, at most: bobs that stay together touch for ever
-LINE = 36  # characters, beside the panel
+STRIP_WIDTH = 36  # characters, beside the panel
 WHOLE = 9  # bobs: only the ends of a longer run are shown
 
 
@@ -36,7 +36,7 @@ class ImpactTrains:
             pass_on(train[3], left + 1, right + 1, rightwards)
         train[1:3] = time, (left, right)
 
-    def lines(self, longest=LINE) -> list[str]:
+    def lines(self, longest=STRIP_WIDTH) -> list[str]:
         """Return a line for each train, the latest first, with at most `longest` characters: t = 0.71 s  1-2-3-4-5."""
         times = [f"t = {train[0]:.2f} s  " for train in reversed(self.trains)]
         lines = [time + runs for time, runs in zip(times, self.runs(), strict=True)]

@@ -277,6 +277,7 @@ def energy_after(page, seconds):
     return readings[-1][1]
 
 
+@pytest.mark.clock
 @pytest.mark.parametrize(("part", "speed", "span"), [(0.01, 0.1, 30), (0.475, 1.0, 10), (0.99, 2.0, 10)])
 def test_simulated_time_keeps_step_with_the_wall(page, play, program, part, speed, span):
     """Within 0.5 % over a span (s), with one bob: its ticks take little time.
