@@ -45,7 +45,7 @@ for reload in range(1, reloads + 1):
     go_on(viewer.reload())
     viewer.show_motion()
     vpython.baseObj.initialize()
-    if reload in (10, reloads):
+    if reload in (10, reloads // 2, reloads):
         gc.collect()
         measured[reload] = len(vpython.baseObj.object_registry), tracemalloc.get_traced_memory()[0]
 json.dump(measured, sys.stdout)
@@ -61,7 +61,8 @@ def test_reloads_leave_nothing_behind(tmp_path, reloads):
         files[-1].write_text(HEADER + f"1,1,0,0,{looks}\n" * count)
     command = [sys.executable, "-c", PROGRAM, str(reloads), *map(str, files)]
     done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
-    (objects_early, bytes_early), (objects_late, bytes_late) = json.loads(done.stdout).values()
+    (objects_early, *_, objects_late), (early, middle, late) = zip(*json.loads(done.stdout).values(), strict=True)
     assert objects_late == objects_early
     # What is not used again would come to megabytes; pandas before 3.0 itself keeps a little of each file it has read.
-    assert bytes_late - bytes_early < 500 * reloads
+    # Once in a while Python enlarges its table of names, by two megabytes: a leak grows in both halves.
+    assert min(middle - early, late - middle) < 250 * reloads

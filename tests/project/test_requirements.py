@@ -105,7 +105,7 @@ def test_what_shows_nothing_in_a_browser_needs_pandas_only(environment, tmp_path
     def run(folder, *arguments):
         return subprocess.run([python, *arguments], cwd=folder, capture_output=True, text=True)
 
-    assert "pend_list: what extract_and_convert returns" in run(project, "pds_tester.py").stdout
+    assert "pend_list: the result of extract_and_convert" in run(project, "pds_tester.py").stdout
     assert "t = 0.10 s" in run(project, "src/text_cradle_run.py", "--seconds", "0.1").stdout
     graded = run(
         ROOT,
