@@ -44,4 +44,4 @@ def pytest_testnodedown(node):
 def pytest_terminal_summary(terminalreporter, config):
     if getattr(config, "left_out", 0):
         command = f'.venv/bin/pytest -m "{" or ".join(LEFT_OUT)}"'
-        terminalreporter.write_line(f"Left out (browser, slow): {config.left_out}. To run them: {command}")
+        terminalreporter.write_line(f"Left out ({', '.join(LEFT_OUT)}): {config.left_out}. To run them: {command}")

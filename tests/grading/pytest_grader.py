@@ -1,7 +1,7 @@
 """The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table ends a run.
 
 With pytest-xdist (-n 2), other processes run the tests and report to the first one, which shows the table. One of them
-gets all checks, in their order, as they share a Grading: so they say what they say without it.
+makes all checks in their order, because the checks share a Grading.
 """
 
 import json
@@ -46,7 +46,7 @@ def pytest_configure(config):
 
 
 def pytest_ignore_collect(collection_path, config):
-    """Leave out what is not of the tier that is wanted, unread: it may not even be possible to import it."""
+    """Leave out the files of other tiers, without reading them: an import in them may fail."""
     tier = config.option.tier
     return True if tier and collection_path.is_file() and collection_path.stem != SUITES[TIERS[tier]] else None
 

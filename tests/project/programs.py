@@ -48,7 +48,7 @@ needs_vpython = [with_vpython, on_posix]
 
 
 def slow_but_for(kept, values):
-    """Return parameters of a test, of which only the kept ones are not marked as slow."""
+    """Return the values as parameters of a test; all except the kept ones have the mark slow."""
     each = {value: value if isinstance(value, tuple) else (value,) for value in values}
     assert {*kept} <= {*each}
     return [value if value in kept else pytest.param(*each[value], marks=pytest.mark.slow) for value in each]
@@ -127,7 +127,7 @@ def readout(page, name):
 
 
 def wait_until(condition, seconds=SECONDS):
-    """Wait until condition() holds, for at most so many seconds."""
+    """Wait until condition() holds; fail after `seconds`."""
     deadline = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < deadline, "it never came"

@@ -168,7 +168,7 @@ def test_a_test_of_the_projects_that_is_skipped_still_says_why(student):
 
 @pytest.mark.slow
 def test_side_by_side_the_suites_say_the_same(student):
-    """With two processes of pytest-xdist, of which one makes all checks; a third one writes the grade."""
+    """With pytest-xdist, one of two processes makes all checks. The first process writes the grade."""
     pytest.importorskip("xdist")
     folder = student(
         angle_update="print('swing')\nreturn omega, theta",

@@ -203,7 +203,7 @@ class TestOnThePage:
     pytestmark = needs_vpython
 
     def test_the_page_says_that_the_program_has_ended_and_why(self, page, project):
-        """After a while; what stands there is greyed out."""
+        """The mistake comes after a while. The page greys out the cradle."""
         change(
             project,
             SWINGING,
