@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 import pytest
-from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, PROGRAM, SECONDS
+from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, new_page, PROGRAM, SECONDS
 from whole_cradles import FIVE_CSV
 
 from support.start.options import PORT_VARIABLE
@@ -22,7 +22,8 @@ for name in ("SIGHUP", "SIGINT"):
 
 def pytest_itemcollected(item):
     """Mark what opens a page, but for one test, which is always made: it proves that the page works."""
-    if "page" in item.fixturenames and item.name != "test_the_cradle_swings_until_the_tab_is_closed[chromium]":
+    kept = "test_the_cradle_swings_until_the_tab_is_closed[chromium]"
+    if {"page", "shared"}.intersection(item.fixturenames) and item.name != kept:
         item.add_marker(pytest.mark.browser)
 
 
@@ -89,8 +90,5 @@ def launch_firefox(driver, environment):
 @pytest.fixture
 def page(request):
     """A new tab in Chromium, or in the browser that a test asks for (in_both_browsers)."""
-    browser = request.getfixturevalue(getattr(request, "param", "chromium"))
-    page = browser.new_page(viewport={"width": 1000, "height": 700})
-    page.set_default_timeout(SECONDS * 1000)
-    yield page
-    page.close()
+    with new_page(request.getfixturevalue(getattr(request, "param", "chromium"))) as page:
+        yield page

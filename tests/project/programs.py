@@ -67,8 +67,11 @@ def copy_project(folder, csv) -> Path:
 
 
 @contextmanager
-def running(program=None, *arguments, folder=os.sep, python=sys.executable, **environment):
-    """Start the program as a user would, from this folder; yield the process, and end it in any case."""
+def running(program=None, *arguments, folder=os.sep, python=sys.executable, patience=5 * SECONDS, **environment):
+    """Start the program as a user would, from this folder; yield the process, and end it in any case.
+
+    After `patience` seconds it ends, too: a test that waits for its output then fails.
+    """
     environment = {**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment}
     environment.pop("PYTHONUNBUFFERED", None)  # it must not wait for a full buffer with what it has to say
     process = subprocess.Popen(
@@ -79,12 +82,12 @@ def running(program=None, *arguments, folder=os.sep, python=sys.executable, **en
         stderr=subprocess.PIPE,
         text=True,
     )
-    patience = threading.Timer(5 * SECONDS, process.kill)
-    patience.start()
+    timer = threading.Timer(patience, process.kill)
+    timer.start()
     try:
         yield process
     finally:
-        patience.cancel()
+        timer.cancel()
         process.kill()
         process.communicate()
 
@@ -111,6 +114,15 @@ def refusal(process):
     assert (status, stdout) == (2, "")
     assert stderr.count("\n") == 1
     return stderr
+
+
+@contextmanager
+def new_page(browser):
+    """Open a new tab in this browser, and close it in the end."""
+    page = browser.new_page(viewport={"width": 1000, "height": 700})
+    page.set_default_timeout(SECONDS * 1000)
+    yield page
+    page.close()
 
 
 def open_cradle(page, address, bobs=5):
