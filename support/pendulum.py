@@ -76,6 +76,6 @@ def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cy
     axis = arm(theta, r_param)
     bob = make_shape(sphere, pos=place + axis, radius=radius, color=color, texture=texture, shininess=1)
     # up is at right angles to the plane of swing: VPython turns any other up when the axis changes, which is slow.
-    up, dark = vector(0, 0, 1), vector(0.15, 0.15, 0.17)
-    cord = make_shape(cylinder, pos=place, axis=axis, up=up, radius=r_param / 200, color=dark)
+    up, grey = vector(0, 0, 1), vector(0.45, 0.45, 0.47)  # grey is seen on a pale and on a dark page
+    cord = make_shape(cylinder, pos=place, axis=axis, up=up, radius=r_param / 200, color=grey)
     return bob, cord

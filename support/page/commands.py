@@ -24,6 +24,7 @@ class Command(Enum):
     DRAG = auto()  # the held bob to the ray, as for GRAB
     LET_GO = auto()  # the held bob
     RESIZE = auto()  # fit the view to the canvas
+    VIEW = auto()  # the camera back to where it was at the start
 
 
 # The commands of the keys; the names of the keys are VPython's.
@@ -31,5 +32,6 @@ KEYS = {
     " ": (Command.PAUSE, None),
     "right": (Command.STEP, None),
     "r": (Command.RESTART, None),
+    "v": (Command.VIEW, None),
     **{str(count): (Command.LIFT, count) for count in range(1, 10)},
 }

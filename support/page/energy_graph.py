@@ -16,10 +16,9 @@ HIDING = "<style>.glowscript-graph { display: none }</style>"
 class EnergyGraph:
     """Kinetic, potential and total energy (J) over simulated time (s). While hidden, it takes and sends no points."""
 
-    def __init__(self, width):
-        """Make the graph, width pixels wide, without points."""
-        titles = {"xtitle": "t (s)", "ytitle": "energy (J)"}
-        self.graph = graph(width=width, height=160, xmin=0, xmax=SHOWN, ymin=0, **titles)
+    def __init__(self):
+        """Make the graph, without points; panel.css sets its size, and panel.js its colors."""
+        self.graph = graph(xmin=0, xmax=SHOWN, ymin=0)
         self.curves = [gcurve(graph=self.graph, color=color, label=name) for name, color in CURVES.items()]
         self.style = wtext()
         self.shown = True

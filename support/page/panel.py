@@ -1,4 +1,4 @@
-"""The control panel under the canvas: the settings, and the motion of the cradle in numbers."""
+"""The control panel beside the canvas: the settings, and the motion of the cradle in numbers."""
 
 from html import escape
 from pathlib import Path
@@ -8,13 +8,19 @@ from vpython import button, checkbox, menu, scene, slider, wtext
 from support.page.commands import Command
 from support.pendulum import from_lift, to_lift
 
-# The style of the page, and additions to VPython's keys and mouse.
-PAGE = Path(__file__).with_name("panel.html")
+# The style of the page, and additions to VPython's page.
+STYLE, SCRIPT = (Path(__file__).with_name(name) for name in ("panel.css", "panel.js"))
 
-KEYS_HINT = "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs. Drag a bob with the mouse."
+KEYS_HINT = (
+    "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs, V resets the view, F presents. Drag a bob."
+)
+PRESENT = (
+    '<button onclick="present()" title="Show only the cradle and its numbers, in full screen (F)">Present</button>'
+)
 SEPARATING = "Separating bobs collide too"
 SEPARATING_HINT = "as in the handout: bobs with e below 1 then stick together"
 FIXED_HINT = "fixed: your functions have no approaching_only"
+GRAPH = "Energy (J) over time (s)"
 SAVING = "writes a CSV with the data since the last restart, at most ten minutes"
 TRAINS = 7  # of impacts, a line for each
 
@@ -30,26 +36,35 @@ class Panel:
 
         The widgets call give(command, value), in a thread of VPython.
         """
-        scene.append_to_caption(PAGE.read_text(encoding="utf-8"))
+        style, script = (file.read_text(encoding="utf-8") for file in (STYLE, SCRIPT))
+        scene.append_to_caption(f"<style>{style}</style><script>{script}</script>")
+        begin_part("messages")
         self.error = wtext()
         if remark:
             wtext(text=f'<div class="remark" role="note">{escape(remark)}</div>')
-
+        begin_part("controls")
         self.add_buttons(give)
+        begin_part("numbers")
+        self.readout, self.impacts = wtext(), wtext()
+        begin_part("settings")
         self.add_settings(give, cradle)
         self.add_collisions(give, cradle)
-        self.readout, self.impacts = wtext(), wtext()
-        end_row()
-        self.graph = checkbox(text="Energy graph", checked=True, bind=lambda box: give(Command.GRAPH, box.checked))
+        begin_part("graph")
+        self.graph = checkbox(text=GRAPH, checked=True, bind=lambda box: give(Command.GRAPH, box.checked))
+        begin_part("data")
         self.save = button(text="Save data", bind=lambda: give(Command.SAVE))
         self.saved = wtext()
         self.show_saved(SAVING)
+        scene.append_to_caption("<script>arrange()</script>")
 
     def add_buttons(self, give) -> None:
         """Add the buttons that have keys."""
         self.pause = button(text="Pause", bind=lambda: give(Command.PAUSE))
         self.step = button(text="Step", bind=lambda: give(Command.STEP))
         self.restart = button(text="Restart", bind=lambda: give(Command.RESTART))
+        self.view = button(text="Reset view", bind=lambda: give(Command.VIEW))
+        scene.append_to_caption(PRESENT)
+        end_row()
         add_hint(KEYS_HINT)
 
     def add_settings(self, give, cradle) -> None:
@@ -102,11 +117,13 @@ class Panel:
             setting.show(lift, f"{lift:.4g}&deg;")
         self.lifted.show(lifted / count, f"{lifted} of {count}")
 
-    def show_motion(self, reading, momentum, remark) -> None:
-        """Show the reading of Motion (time, energy), the momentum (kg m/s), and a remark about the speed."""
-        moving = f"{momentum:+9.3f}" if abs(momentum) < 1e4 else f"{momentum:+9.2e}"
-        text = f"{reading}   momentum {moving} kg m/s   {remark}".rstrip()
-        set_text(self.readout, f'<pre class="readout">{text}</pre>')
+    def show_motion(self, time, percents, momentum, remark) -> None:
+        """Show the time (s), the energies (% by name), the momentum (kg m/s), and a remark about the speed."""
+        rows = {"t": f"{time:.2f} s {remark}"}
+        rows |= {name: percent_cell(percent) for name, percent in percents.items()}
+        rows["momentum"] = momentum_cell(momentum)
+        lines = [f'<tr><th scope="row">{name}</th><td>{cell}</td></tr>' for name, cell in rows.items()]
+        set_text(self.readout, f'<table class="readout">{"".join(lines)}</table>')
 
     def show_saved(self, message, failed=False) -> None:
         """Show a message about saved data: the file, or, if failed, the reason."""
@@ -131,6 +148,25 @@ class Setting:
         if self.slider.value != value:
             self.slider.value = value
         set_text(self.text, f'<span class="value">{text}</span>')
+
+
+def percent_cell(percent) -> str:
+    """Return a percentage with one decimal, and with four while the mouse is over it."""
+    if percent >= 1000:
+        return "&gt; 999 %"
+    return f'<span class="short">{percent:.1f} %</span><span class="exact">{percent:.4f} %</span>'
+
+
+def momentum_cell(momentum) -> str:
+    """Return the momentum (kg m/s) as text, with an arrow in its direction."""
+    moving = f"{momentum:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
+    arrow = "" if abs(momentum) < 0.0005 else " &rarr;" if momentum > 0 else " &larr;"
+    return f'<span title="plus: to the right, minus: to the left">{moving} kg m/s{arrow}</span>'
+
+
+def begin_part(name) -> None:
+    """Begin a new part of the panel; panel.js and panel.css know its name."""
+    wtext(text=f'<i class="part" data-name="{name}"></i>')
 
 
 def add_label(text) -> None:

@@ -3,13 +3,14 @@
 from math import tan
 from typing import NamedTuple
 
-from vpython import box, cross, cylinder, distant_light, dot, norm, scene, textures, vector
+from vpython import box, cross, cylinder, distant_light, dot, mag, norm, scene, textures, vector
 
 from support.shapes import discard, make_shape
 
 STEEL = vector(0.75, 0.76, 0.78)
-BACKGROUND = vector(241, 242, 244) / 255  # the same as in panel.html, so that the canvas has no visible edge
-CANVAS_WIDTH, CANVAS_HEIGHT = 1000, 400  # pixels, when the page opens
+BACKGROUND = vector(241, 242, 244) / 255  # the same as in panel.css, so that the canvas has no visible edge
+FORWARD = vector(-0.25, -0.18, -1)  # the camera looks a little from the left and from above
+NEAREST, FARTHEST = 0.1, 3.0  # of the range with which the whole cradle fills the canvas
 MARGIN = 1.04  # the view is larger than the cradle by this factor
 
 
@@ -28,9 +29,9 @@ class Scenery:
     """The canvas with its light, the frame around a cradle, and the camera's view of it."""
 
     def __init__(self):
-        """Set the canvas: a pale background, soft light, and a camera that looks a little from the left and above."""
-        scene.width, scene.height, scene.background = CANVAS_WIDTH, CANVAS_HEIGHT, BACKGROUND
-        scene.forward = vector(-0.25, -0.18, -1)
+        """Set soft light and a distant camera; panel.js sets the size of the canvas, and its color on a dark page."""
+        scene.background = BACKGROUND
+        scene.forward = FORWARD
         scene.fov = 0.25  # rad: a distant camera; a near one distorts shapes off the centre
         scene.lights = []
         scene.ambient = vector(0.45, 0.45, 0.45)
@@ -39,6 +40,7 @@ class Scenery:
         self.frame: list = []
         self.room = Room(0, 0, 0, 0, 0, 0)
         self.whole_circles = False  # whether the view has room for bobs that swing above the frame
+        self.home = scene.center, scene.range  # of the camera that shows the whole cradle
 
     def surround(self, axles, bobs, reach) -> None:
         """Put a frame around the cradle with these axles and bobs, from left to right, and point the camera at it.
@@ -76,6 +78,20 @@ class Scenery:
         corners = [vector(x, y, z) for x in (left, right) for y in (room.top, ground) for z in (-depth, depth)]
         swings = [vector(x, y, 0) for x in (room.left - swing, room.right + swing) for y in (room.top, top)]
         view(corners + swings)
+        self.home = scene.center, scene.range
+
+    def reset_view(self) -> None:
+        """Point the camera at the cradle as at the start."""
+        scene.forward = FORWARD
+        self.point_camera()
+
+    def limit_view(self) -> None:
+        """Bring the camera back if it is so near, so far or so much to one side that nothing of the cradle is seen."""
+        center, distance = self.home
+        if not NEAREST * distance <= scene.range <= FARTHEST * distance:
+            scene.range = min(max(scene.range, NEAREST * distance), FARTHEST * distance)
+        if mag(scene.center - center) > distance:
+            scene.center = center + norm(scene.center - center) * distance
 
 
 def view(points) -> None:

@@ -12,7 +12,7 @@ from support.files.recording import EVERY, Recording
 from support.page.commands import Command, KEYS
 from support.page.energy_graph import EnergyGraph
 from support.page.panel import Panel, TRAINS
-from support.page.scenery import CANVAS_WIDTH, Scenery
+from support.page.scenery import Scenery
 from support.playback.cradle import Cradle
 from support.playback.player import Player
 from support.playback.real_time import FRAME
@@ -40,7 +40,7 @@ class Viewer(Player):
 
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle, remark)
-        self.graph = EnergyGraph(CANVAS_WIDTH - 26)  # without its borders, in panel.html
+        self.graph = EnergyGraph()
 
     def script(self):
         """Show the cradle, and play it for ever."""
@@ -75,6 +75,7 @@ class Viewer(Player):
         if self.cradle.held is not None:
             self.motion.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
+        self.scenery.limit_view()
         self.show_motion()
 
     def try_single_ticks(self) -> None:
@@ -149,6 +150,8 @@ class Viewer(Player):
                 self.save()
             case Command.RESIZE:
                 self.scenery.point_camera()
+            case Command.VIEW:
+                self.scenery.reset_view()
 
     def make(self):
         """Let main make a new cradle, lift it as set, and release it."""
@@ -233,6 +236,6 @@ class Viewer(Player):
         if self.pace.clock() < self.next_refresh:
             return
         self.next_refresh = self.pace.clock() + REFRESH
-        self.panel.show_motion(self.motion.reading(), self.cradle.momentum(), self.pace.remark())
+        self.panel.show_motion(self.motion.time(), self.motion.percents(), self.cradle.momentum(), self.pace.remark())
         self.panel.show_impacts(self.motion.trains.lines())
         self.graph.draw()

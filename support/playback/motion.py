@@ -54,14 +54,16 @@ class Motion:
 
     def reading(self) -> str:
         """Return the time and the energy as text of constant width."""
-        kinetic, potential = self.cradle.energies()
-        parts = f"kinetic {self.in_percent(kinetic)}, potential {self.in_percent(potential)}"
-        return f"t = {self.time():.2f} s".ljust(16) + f"energy {self.in_percent(kinetic + potential)} ({parts})"
+        total, kinetic, potential = map(in_words, self.percents().values())
+        parts = f"kinetic {kinetic}, potential {potential}"
+        return f"t = {self.time():.2f} s".ljust(16) + f"energy {total} ({parts})"
 
-    def in_percent(self, energy) -> str:
-        """Return an energy (J) in percent of the one at the start."""
-        percent = 100 * energy / self.start_energy if self.start_energy else 0.0
-        return f"{percent:6.2f} %" if percent < 1000 else " > 999 %"
+    def percents(self) -> dict[str, float]:
+        """Return the energy, and its kinetic and potential parts, in percent of the energy at the start."""
+        kinetic, potential = self.cradle.energies()
+        energies = {"energy": kinetic + potential, "kinetic": kinetic, "potential": potential}
+        unit = self.start_energy / 100
+        return {name: energy / unit if unit else 0.0 for name, energy in energies.items()}
 
     def sample(self) -> dict[str, float]:
         """Return the data of this moment by name; the names are the columns of a data file.
@@ -72,3 +74,8 @@ class Motion:
         kinetic, potential = self.cradle.energies()
         energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
         return {"t": self.time(), **self.cradle.coordinates(), **energies, "momentum": self.cradle.momentum()}
+
+
+def in_words(percent) -> str:
+    """Return a percentage as text of constant width."""
+    return f"{percent:6.2f} %" if percent < 1000 else " > 999 %"

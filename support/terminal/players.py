@@ -4,6 +4,7 @@ import os
 import sys
 from math import degrees, inf, pi, remainder
 
+from support.playback.motion import in_words
 from support.playback.player import Player, run
 from support.terminal.picture import TextPicture
 from support.terminal.screen import own_screen, screen, TRAINS, WIDTH
@@ -94,7 +95,7 @@ def summary(motion) -> str:
     """Return a line: the time, the energy, the angle and side of the highest pendulum, and the latest hits."""
     angles = [degrees(remainder(theta, 2 * pi)) for theta in motion.cradle.thetas()]
     number, angle = max(enumerate(angles, start=1), key=lambda numbered: abs(numbered[1]))
-    total = motion.in_percent(sum(motion.cradle.energies())).strip()
+    total = in_words(motion.percents()["energy"]).strip()
     side = "left" if angle < 0 else "right"
     line = f"t = {motion.time():.2f} s, energy {total}, pendulum {number} at {abs(angle):.0f} degrees {side}"
     impacts = f", hits {', '.join(reversed(motion.trains.runs()))}" if motion.trains.runs() else ""

@@ -117,25 +117,27 @@ def refusal(process):
 
 
 @contextmanager
-def new_page(browser):
-    """Open a new tab in this browser, and close it in the end."""
-    page = browser.new_page(viewport={"width": 1000, "height": 700})
+def new_page(browser, **settings):
+    """Open a new tab in this browser, with Playwright's settings, and close it in the end."""
+    page = browser.new_page(viewport={"width": 1000, "height": 700}, **settings)
     page.set_default_timeout(SECONDS * 1000)
     yield page
     page.close()
 
 
-def open_cradle(page, address, bobs=5):
-    """Open the page, wait for its bobs and their numbers, and make the canvas small: no graphics card draws it."""
+def open_cradle(page, address, bobs=5, small=True):
+    """Open the page, and wait for its bobs and their numbers; keep the canvas small: no graphics card draws it."""
     page.goto(address)
     page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === {bobs}")
     page.wait_for_function("() => $('.readout').length")
-    page.evaluate("() => Object.assign(glowObjs[0], {width: 320, height: 200})")
+    if small:
+        page.add_style_tag(content=".canvas { max-width: 320px !important; max-height: 200px !important; }")
+        page.wait_for_function("() => glowObjs[0].width <= 320 && glowObjs[0].height <= 200")
 
 
 def readout(page, name):
     """Return a number of the readout, by the word before it."""
-    return float(re.search(name + r"[ =]+([-+0-9.]+)", page.locator(".readout").inner_text())[1])
+    return float(re.search(rf"^{name}\s+([-+0-9.]+)", page.locator(".readout").inner_text(), re.MULTILINE)[1])
 
 
 def wait_until(condition, seconds=SECONDS):

@@ -7,7 +7,7 @@ from vpython import box, cross, cylinder, dot, mag, norm, scene, vector
 from whole_cradles import components
 
 from grading.cradles import hang, R
-from support.page.scenery import CANVAS_HEIGHT, CANVAS_WIDTH, Scenery
+from support.page.scenery import FARTHEST, FORWARD, NEAREST, Scenery
 
 
 def pendula(count):
@@ -38,7 +38,7 @@ def is_in_view(points):
 
 
 @pytest.mark.parametrize("count", [1, 2, 5, 13, 50])
-@pytest.mark.parametrize("size", [(CANVAS_WIDTH, CANVAS_HEIGHT), (300, 600), (1900, 300)])
+@pytest.mark.parametrize("size", [(1000, 400), (300, 600), (1900, 300)])
 def test_every_swing_up_to_the_horizontal_is_in_view(count, size):
     axles, bobs = pendula(count)
     scenery = Scenery()
@@ -97,6 +97,36 @@ def test_a_turned_and_zoomed_view_is_kept_as_long_as_the_cradle_is_as_large():
     scenery.surround(*pendula(6), R)
     assert scene.range < 7
     assert components(scene.forward) == (0, 0, -1)
+
+
+def test_a_reset_view_is_as_at_the_start():
+    scenery = Scenery()
+    scenery.surround(*pendula(5), R)
+    near, center = scene.range, components(scene.center)
+    scene.range, scene.forward, scene.center = 7, vector(0, 0, -1), vector(9, 9, 9)
+    scenery.reset_view()
+    assert components(scene.forward) == components(FORWARD)
+    assert (scene.range, components(scene.center)) == (near, center)
+
+
+@pytest.mark.parametrize(("zoomed", "kept"), [(0.01, NEAREST), (0.5, 0.5), (2.0, 2.0), (50.0, FARTHEST)])
+def test_the_view_is_neither_too_near_nor_too_far(zoomed, kept):
+    scenery = Scenery()
+    scenery.surround(*pendula(5), R)
+    near = scene.range
+    scene.range = zoomed * near
+    scenery.limit_view()
+    assert scene.range == pytest.approx(kept * near)
+
+
+@pytest.mark.parametrize(("moved", "kept"), [(0.5, 0.5), (9.0, 1.0)])
+def test_the_view_stays_at_the_cradle(moved, kept):
+    scenery = Scenery()
+    scenery.surround(*pendula(5), R)
+    near, center = scene.range, vector(scene.center)
+    scene.center = center + moved * near * vector(0, 1, 0)
+    scenery.limit_view()
+    assert components(scene.center - center) == pytest.approx((0, kept * near, 0))
 
 
 def test_another_cradle_is_looked_at_from_nearby_again():

@@ -1,0 +1,204 @@
+// Additions to VPython's page: sizes that follow the window, keys, touch, the camera's limits, names for screen readers.
+{
+  // VPython sends a slider's value only if it differs from the last value that it sent. It does not send the first value,
+  // or a value that you choose again after the program has moved the slider. This change sends each of them once.
+  lastsliders = new Proxy({}, { has: () => true, get: (told, i) => told[i] === sliders[i] ? sliders[i] : {} });
+
+  const scene = () => glowObjs[0];
+  const find = (selector, place = document) => [...place.querySelectorAll(selector)];
+  const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const FINGER = 2; // a finger that is within so many radii of a bob's centre is on the bob
+
+  // --- the graph -----------------------------------------------------------------------------------------------------
+
+  // VPython rounds 2.5 at the axis of a graph to 3, draws the legend over the curves, and knows no dark page.
+  const plot = $.plot;
+  let drawn = null; // what the last plot was drawn from
+  $.plot = Object.assign((place, curves, options) => {
+    drawn = [place, curves, options];
+    if (!place.width() || !place.height()) return place.data("plot"); // it is hidden, and must not be drawn
+    const seen = curves.map(curve => dark.matches && curve.label === "total" ? { ...curve, color: css("--ink") } : curve);
+    return plot(place, seen, $.extend(true, {}, options, {
+      yaxis: { tickFormatter: value => Number(value.toPrecision(6)), labelWidth: 44 },
+      legend: { noColumns: 3, position: "ne", margin: [0, -24], backgroundOpacity: 0 },
+      grid: { color: css("--pale"), borderColor: css("--line"), tickColor: css("--line"), backgroundColor: "transparent", borderWidth: 1 },
+    }));
+  }, plot);
+
+  function redraw() {
+    if (drawn?.[0].is(":visible")) $.plot(...drawn);
+  }
+
+  // --- the parts of the page -----------------------------------------------------------------------------------------
+
+  // VPython puts all widgets one after the other. The program calls this function after the last one: each mark
+  // <i class="part" data-name="..."> begins a section.
+  function arrange() {
+    const canvas = document.querySelector(".glowscript-canvas-wrapper"), panel = canvas.nextElementSibling;
+    canvas.classList.add("canvas");
+    panel.classList.add("panel");
+    panel.setAttribute("role", "main");
+    let section;
+    for (const node of [...panel.childNodes]) {
+      const mark = node.querySelector?.(".part");
+      if (mark) {
+        section = panel.appendChild(document.createElement("section"));
+        section.className = mark.dataset.name;
+        node.remove();
+      } else if (section && node.innerHTML !== " ") section.append(node); // VPython puts a space behind a button
+    }
+    document.querySelector("section.graph").append(document.querySelector(".glowscript-graph") ?? "");
+    new MutationObserver(moveGraph).observe(document.querySelector(".glowscript"), { childList: true });
+    nameWidgets();
+    new ResizeObserver(fit).observe(canvas);
+    dark.addEventListener("change", paint);
+    paint();
+    setInterval(describe, 1000);
+    requestAnimationFrame(limit);
+  }
+
+  function moveGraph() { // VPython adds the graph with its first points
+    const graph = document.querySelector(".glowscript > .glowscript-graph");
+    if (!graph) return;
+    document.querySelector("section.graph").append(graph);
+    new ResizeObserver(redraw).observe(graph);
+  }
+
+  function fit() { // the canvas fills its part of the window; the program then points the camera
+    const { clientWidth: width, clientHeight: height } = document.querySelector(".canvas");
+    if (width && height) {
+      Object.assign(scene(), { width, height });
+      scene().trigger("resize", { event: "resize" });
+    }
+  }
+
+  function paint() { // the canvas has the color of the page
+    const [red, green, blue] = css("--back").match(/\w\w/g).map(part => parseInt(part, 16) / 255);
+    scene().background = vec(red, green, blue);
+    redraw();
+  }
+
+  // --- names for screen readers --------------------------------------------------------------------------------------
+
+  function nameWidgets() {
+    document.documentElement.lang = "en";
+    for (const box of find(".panel input[type=checkbox]")) { // a click on its text must do the same as one on the box
+      const label = document.createElement("label");
+      const text = box.nextElementSibling;
+      box.before(label);
+      label.append(box, text);
+    }
+    find(".panel .label").forEach((label, number) => {
+      const widget = label.parentElement.nextElementSibling;
+      const element = widget.matches("select") ? widget : widget.querySelector(".ui-slider-handle");
+      label.id = `label-${number}`;
+      element.setAttribute("aria-labelledby", label.id);
+      label.addEventListener("click", () => element.focus());
+      if (element === widget) return;
+      element.setAttribute("role", "slider");
+      const value = widget.nextElementSibling;
+      const tell = () => {
+        const slider = $(widget), lifted = value.innerText.match(/^(\d+) of (\d+)$/);
+        if (lifted) slider.slider("option", "step", 1 / lifted[2]); // a key lifts one bob more
+        const now = { now: slider.slider("value"), min: slider.slider("option", "min"), max: slider.slider("option", "max") };
+        if (lifted) Object.assign(now, { now: +lifted[1], max: +lifted[2] });
+        for (const [name, number] of Object.entries({ ...now, text: value.innerText }))
+          element.setAttribute(`aria-value${name}`, number);
+      };
+      new MutationObserver(tell).observe(value, { childList: true });
+      tell();
+    });
+    const canvas = document.querySelector(".canvas");
+    canvas.setAttribute("role", "img");
+  }
+
+  function describe() { // the canvas, in words; at most once a second, or a screen reader would never end
+    const bobs = glowObjs.filter(o => o?.constructor.name === "sphere" && o.visible).length;
+    const state = find(".readout tr").slice(0, 2).map(row => row.innerText.replace(/\s+/g, " ").trim()).join(", ");
+    const words = `${document.title} with ${bobs} ${bobs === 1 ? "bob" : "bobs"}: ${state}`;
+    const canvas = document.querySelector(".canvas");
+    if (canvas.ariaLabel !== words) canvas.ariaLabel = words;
+  }
+
+  // --- the camera, the mouse and fingers -----------------------------------------------------------------------------
+
+  function limit() { // the camera never looks at the base from below, and stays upright
+    const { forward, up } = scene();
+    if (forward.y > 0) scene().forward = vec(forward.x, 0, forward.z);
+    if (up.y !== 1) scene().up = vec(0, 1, 0);
+    requestAnimationFrame(limit);
+  }
+
+  function bobAt(x, y, reach) { // whether a bob, larger by the factor reach, is seen there
+    const mouse = scene().mouse;
+    mouse.__update({ pageX: x, pageY: y });
+    const meets = bob => bob.pos.sub(mouse.pos).cross(mouse.ray).mag < reach * bob.radius;
+    return glowObjs.some(o => o?.constructor.name === "sphere" && o.visible && meets(o));
+  }
+
+  const isCanvas = event => event.target.tagName === "CANVAS" && event.target.closest(".canvas");
+
+  // A bob that you grab on the canvas also follows the mouse outside it, and you can let it go there.
+  addEventListener("pointerdown", event => {
+    if (isCanvas(event) && event.pointerType === "mouse") event.target.setPointerCapture(event.pointerId);
+  }, true);
+  addEventListener("pointermove", event => {
+    if (!isCanvas(event) || event.pointerType !== "mouse") return;
+    const held = event.buttons === 1;
+    if (!held || event.target.style.cursor !== "grabbing")
+      event.target.style.cursor = !bobAt(event.pageX, event.pageY, 1) ? "" : held ? "grabbing" : "grab";
+  }, true);
+
+  // One finger on a bob drags it at once: VPython would wait whether the finger turns the camera.
+  addEventListener("touchstart", event => {
+    if (!isCanvas(event) || event.touches.length > 1) return;
+    const [finger] = event.touches, onBob = bobAt(finger.clientX, finger.clientY, FINGER);
+    Object.assign(scene(), { userspin: !onBob, userzoom: !onBob });
+  }, { capture: true, passive: true });
+  addEventListener("touchend", event => {
+    if (!event.touches.length) setTimeout(() => Object.assign(scene(), { userspin: true, userzoom: true }));
+  }, { passive: true });
+
+  // A slider knows only the mouse.
+  for (const [touch, mouse] of [["touchstart", "mousedown"], ["touchmove", "mousemove"], ["touchend", "mouseup"]])
+    addEventListener(touch, event => {
+      if (!event.target.closest(".ui-slider")) return;
+      const { clientX, clientY } = event.changedTouches[0];
+      event.target.dispatchEvent(new MouseEvent(mouse, { bubbles: true, cancelable: true, clientX, clientY }));
+      if (event.cancelable) event.preventDefault();
+    }, { passive: false });
+
+  // --- to present ----------------------------------------------------------------------------------------------------
+
+  function present() {
+    if (document.documentElement.classList.toggle("presenting")) document.documentElement.requestFullscreen?.().catch(() => {});
+    else if (document.fullscreenElement) document.exitFullscreen();
+  }
+  addEventListener("fullscreenchange", () => document.documentElement.classList.toggle("presenting", !!document.fullscreenElement));
+
+  // --- keys ----------------------------------------------------------------------------------------------------------
+
+  // The keys control the cradle, and do not scroll the page; but a widget that you reach with the Tab key keeps them.
+  // VPython does not get the keys that are stopped here: unknown keys, such as volume keys, cause an error in it.
+  document.body.addEventListener("keydown", event => {
+    const known = !event.metaKey && /^([ -~]|ArrowRight|Control|Shift|Alt)$/.test(event.key);
+    const repeated = event.repeat && event.key !== "ArrowRight";
+    if (event.target !== document.body || !known || repeated) event.stopPropagation();
+    else if (event.key === " " || event.key === "ArrowRight") event.preventDefault();
+    else if (event.key === "f" && !event.ctrlKey && !event.altKey) present();
+  });
+  addEventListener("keydown", event => { // without full screen, Escape does not reach fullscreenchange
+    if (event.key === "Escape" && document.documentElement.classList.contains("presenting")) present();
+  }, true);
+  // A widget that you use with the mouse does not keep them.
+  let byMouse = false;
+  addEventListener("pointerdown", () => byMouse = true, true);
+  addEventListener("keydown", () => byMouse = false, true);
+  for (const [type, isSelect] of [["click", false], ["change", true]]) // a click on a menu only opens it
+    addEventListener(type, event => {
+      if (byMouse && (event.target.tagName === "SELECT") === isSelect) document.activeElement.blur();
+    }, true);
+
+  Object.assign(window, { arrange, present });
+}
