@@ -25,6 +25,7 @@ class Command(Enum):
     LET_GO = auto()  # the held bob
     RESIZE = auto()  # fit the view to the canvas
     VIEW = auto()  # the camera back to where it was at the start
+    SHOW_AGAIN = auto()  # send a page that was loaded again what it needs; the cradle restarts
 
 
 # The commands of the keys; the names of the keys are VPython's.

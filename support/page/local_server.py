@@ -2,7 +2,7 @@
 
 VPython's own servers listen on every address of the machine. They send any picture, script or page on its disk
 (GET /../../secret.js). They obey the scripts of all other pages that are open in the browser. They end the program when
-any client disconnects from the websocket. This module changes that:
+any client disconnects from the websocket, and show a page that is loaded again nothing. This module changes that:
 
 - Both servers listen only on 127.0.0.1, at the ports page and page + 1, so that two `ssh -L` options reach them from
   another machine. The program takes both ports before anything else starts, and keeps them: no other program can take
@@ -11,22 +11,32 @@ any client disconnects from the websocket. This module changes that:
   list of these files, and never joins it to a folder, so no spelling of a path leads elsewhere. On one more path,
   /no-webgl, the page (and no other page) reports to the terminal that its browser cannot draw.
 - Only the page can use the websocket: for each connection, the browser names the page of the script, its Origin, and a
-  script cannot change it. Only one tab can use it, because VPython can show a cradle only once. Only closing this tab
-  ends the program.
+  script cannot change it.
+- Only one tab shows the cradle: VPython sends each change once. Each tab has a name (page_head.html). A second tab is
+  closed with the code ELSEWHERE, unless it asks to take the cradle over: then, the first one is closed with this code.
+- If the tab comes back, because you reloaded it or opened it again, it gets all that VPython has sent so far, and the
+  cradle restarts. If it does not begin to load within RETURN seconds, the program ends.
 - The program never prints text from other clients.
 """
 
 import asyncio
 import errno
 import http.server
+import json
 import logging
 import os
 import socket
 import sys
+import time
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
+
+from support.page.replay import Replay
+
+RETURN = 3.0  # s that a closed tab has to come back
+ELSEWHERE = 4001  # closes the websocket of a tab because another one shows the cradle; page_head.html knows it
 
 
 def page_sockets(port) -> tuple[socket.socket, socket.socket]:
@@ -76,6 +86,46 @@ def port_of(listener) -> int:
     return listener.getsockname()[1]
 
 
+class Place:
+    """The place of the one tab that shows the cradle. Each tab here is a websocket's connection."""
+
+    def __init__(self, show_again) -> None:
+        """Begin without a tab; call show_again() for each tab that gets the place."""
+        self.show_again = show_again
+        self.tab: Any = None
+        self.expect_tab()
+
+    def take(self, tab) -> bool:
+        """Give the place to this tab, and return True, unless another tab has it and need not give it up."""
+        if self.tab and self.tab.name != tab.name and not tab.takes_over:
+            tab.sendClose(ELSEWHERE)
+            return False
+        if self.tab:
+            self.tab.sendClose(ELSEWHERE)
+        self.tab = tab
+        self.show_again()
+        return True
+
+    def leave(self, tab) -> None:
+        """If the tab of this place was closed, end the program soon, unless a tab comes."""
+        if tab is self.tab:
+            self.tab = None
+            self.expect_tab()
+            self.end_if_left()
+
+    def expect_tab(self) -> None:
+        """Wait RETURN seconds for a tab, from now on, because one has just left or loads; any thread can call this."""
+        self.until = time.monotonic() + RETURN
+
+    def end_if_left(self) -> None:
+        """End the program if no tab has come in time; otherwise, look again when the time is over."""
+        rest = self.until - time.monotonic()
+        if not self.tab and rest <= 0:
+            os._exit(0)
+        elif not self.tab:
+            asyncio.get_running_loop().call_later(rest, self.end_if_left)
+
+
 class PageServer(http.server.ThreadingHTTPServer):
     """The server of VPython's page. It prints its address as soon as a browser can connect.
 
@@ -83,16 +133,16 @@ class PageServer(http.server.ThreadingHTTPServer):
     advance, without using it, would block the page.
     """
 
-    def __init__(self, sockets, head, no_webgl, address, handler) -> None:
+    def __init__(self, sockets, place, head, no_webgl, address, handler) -> None:
         """Serve at sockets, made by page_sockets; head is HTML for the beginning of the page, before VPython's own.
 
-        no_webgl is the text to print if the page reports that its browser has no WebGL.
+        Tell place of each request. no_webgl is the text to print if the page reports that its browser has no WebGL.
         """
         self.page, websocket = sockets
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
         vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
-        super().__init__(address, own_files_only(handler, no_webgl))
+        super().__init__(address, own_files_only(handler, place, no_webgl))
 
     def server_bind(self) -> None:
         """Use the page's socket, and ignore the address from VPython."""
@@ -109,10 +159,11 @@ class PageServer(http.server.ThreadingHTTPServer):
         """Print nothing: the browser disconnected in the middle of an answer."""
 
 
-def own_files_only(handler: Any, no_webgl) -> Any:
+def own_files_only(handler: Any, place, no_webgl) -> Any:
     """Return VPython's request handler, limited to VPython's page and the files in VPython's own two folders.
 
-    If the page reports that its browser has no WebGL, the handler prints the text no_webgl.
+    It tells place of each request: a slow machine loads a page for seconds before it opens the websocket. If the page
+    reports that its browser has no WebGL, the handler prints the text no_webgl.
     """
     files = {
         f"/{file.relative_to(folder).as_posix()}": (content_type, file)
@@ -122,6 +173,7 @@ def own_files_only(handler: Any, no_webgl) -> Any:
 
     class OwnFilesHandler(handler):
         def do_GET(self) -> None:  # noqa: N802
+            place.expect_tab()
             path = unquote(self.path)
             if self.path == "/":
                 super().do_GET()  # the page; VPython waits for this call
@@ -141,8 +193,11 @@ def own_files_only(handler: Any, no_webgl) -> Any:
     return OwnFilesHandler
 
 
-def page_websocket(sockets) -> Any:
-    """Return a replacement for an event loop's create_server, for the moment when VPython starts its websocket."""
+def page_websocket(sockets, place) -> Any:
+    """Return a replacement for an event loop's create_server, for the moment when VPython starts its websocket.
+
+    Only the tab in this place can use the websocket.
+    """
     page, websocket = sockets
     origins = [f"http://{host}:{port_of(page)}" for host in ("localhost", "127.0.0.1")]
     create_server = asyncio.BaseEventLoop.create_server
@@ -150,33 +205,49 @@ def page_websocket(sockets) -> Any:
     async def create_page_websocket(loop, factory, *_):
         logging.getLogger("autobahn").setLevel(logging.CRITICAL)  # it quotes refused clients
         factory.setProtocolOptions(allowedOrigins=origins, allowNullOrigin=False, webStatus=False)
-        factory.protocol = one_tab_only(factory.protocol)
+        factory.protocol = one_tab_only(factory.protocol, place)
         return await create_server(loop, factory, sock=websocket)
 
     return create_page_websocket
 
 
-def one_tab_only(protocol: Any) -> Any:
-    """Return VPython's websocket protocol, limited to one connection, which must name its Origin.
+def one_tab_only(protocol: Any, place) -> Any:
+    """Return VPython's websocket protocol, limited to the tab in this place, which must name itself and its Origin.
 
     Autobahn checks the Origin before this, but accepts a connection without one. It also calls onClose for a connection
     that was refused, or that never sent a request. VPython would then end the program with a Ctrl+C, which on Windows
     reaches every program of the console.
     """
-    from autobahn.websocket.types import ConnectionDeny  # comes with VPython, which the tests do not need
+    from autobahn.exception import Disconnected  # comes with VPython, which the tests do not need
+    from autobahn.websocket.types import ConnectionDeny
 
-    tab = None
+    replay = Replay()
 
     class OneTabProtocol(protocol):
         def onConnect(self, request) -> None:  # noqa: N802
-            nonlocal tab
-            if tab is not None or not request.origin:
+            if not request.origin or "tab" not in request.params:
                 raise ConnectionDeny(ConnectionDeny.FORBIDDEN)
-            tab = self
+            self.name, self.takes_over = request.params["tab"], "take" in request.params
+            self.is_new = True  # has nothing of the cradle yet
             super().onConnect(request)
 
+        def onOpen(self) -> None:  # noqa: N802
+            if place.take(self):
+                super().onOpen()
+
+        async def onMessage(self, *message) -> None:  # noqa: N802
+            if self is place.tab:  # VPython forgets each change when it answers a message
+                await super().onMessage(*message)
+
+        def sendMessage(self, payload, **options) -> None:  # noqa: N802
+            replay.add(json.loads(payload))
+            if self.is_new:
+                self.is_new = False
+                payload = json.dumps(replay.message()).encode()
+            with suppress(Disconnected):  # the tab was just closed, and the next one gets it
+                super().sendMessage(payload, **options)
+
         def onClose(self, *how) -> None:  # noqa: N802
-            if self is tab:
-                os._exit(0)
+            place.leave(self)
 
     return OneTabProtocol

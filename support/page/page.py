@@ -3,7 +3,6 @@
 import asyncio
 import http.server
 import importlib
-import logging
 import os
 import signal
 import sys
@@ -14,14 +13,15 @@ from pathlib import Path
 
 from support.files.cradle_csv import check_cradle
 from support.files.live_file import LiveFile
-from support.page.local_server import page_sockets, page_websocket, PageServer, port_of
+from support.page.commands import Command
+from support.page.local_server import page_sockets, page_websocket, PageServer, Place, port_of
 from support.playback.mistake import tell_mistake
 from support.playback.player import run
 from support.start.command_line import command_line
 from support.start.interrupt import end_on_interrupt
 from support.start.options import check_lift
 
-# The beginning of the page: its title, and the check of the browser's WebGL.
+# The beginning of the page: its title, the check of the browser's WebGL, and the messages of a page without a cradle.
 PAGE_HEAD = Path(__file__).with_name("page_head.html")
 
 NO_WEBGL = """\
@@ -30,7 +30,7 @@ Use another browser. Or press Ctrl+C and type this, to see the single cradle as 
 
 
 def show_page(main, cradle, options, angles, remark="") -> None:
-    """Run main with the page of a cradle, until the tab is closed.
+    """Run main with the page of a cradle, until the tab is closed for good.
 
     cradle follows the protocol in support/playback/cradle.py, and has no pendula yet. options are the page's, from
     support/start/options.py. angles are the release angles (rad); None keeps the angle with which main makes the
@@ -47,7 +47,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
         sys.exit(2)
     viewer = None
     try:
-        open_page(sockets, options.browser)
+        open_page(sockets, options.browser, lambda: viewer and viewer.give(Command.SHOW_AGAIN))
         # This import needs VPython's canvas and widgets; the code above does not.
         from support.page.viewer import Viewer
 
@@ -60,32 +60,31 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     os._exit(1)  # VPython's threads would keep the process alive
 
 
-def open_page(sockets, launch_browser=True) -> None:
+def open_page(sockets, launch_browser, show_again) -> None:
     """Open VPython's page at sockets, made by page_sockets, and wait for a browser.
 
-    From then on, Ctrl+C and closing the tab end the process with status 0.
+    From then on, Ctrl+C and closing the tab end the process with status 0. Each time a browser loads the page,
+    show_again() is called, in another thread.
     """
     os.environ["VPYTHON_HTTP_PORT"] = str(port_of(sockets[0]))  # VPython opens the browser at this port
     if not launch_browser:
         os.environ["VPYTHON_NO_LAUNCH_BROWSER"] = "1"
-    logging.getLogger("asyncio").addFilter(is_worth_showing)
     terminal_cradle = command_line("src/text_cradle_run.py", Path.cwd())
-    head = PAGE_HEAD.read_text(encoding="utf-8").replace("TERMINAL_CRADLE", escape(terminal_cradle))
+    this_program = command_line(f"src/{Path(sys.argv[0]).name}", Path.cwd())
+    head = PAGE_HEAD.read_text(encoding="utf-8")
+    for name, command in {"TERMINAL_CRADLE": terminal_cradle, "THIS_PROGRAM": this_program}.items():
+        head = head.replace(name, escape(command))
     no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"
+    place = Place(show_again)
     end_on_interrupt()
     with (
         replaced(signal, "signal", lambda *_: None),
-        replaced(http.server, "HTTPServer", partial(PageServer, sockets, head, no_webgl)),
-        replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets)),
+        replaced(http.server, "HTTPServer", partial(PageServer, sockets, place, head, no_webgl)),
+        replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets, place)),
         # On Windows, the usual loop stops listening if a connection ends before it is accepted.
         replaced(asyncio, "new_event_loop", asyncio.SelectorEventLoop),
     ):
         importlib.import_module("vpython.no_notebook")  # starts the servers, and returns when a browser has connected
-
-
-def is_worth_showing(record) -> bool:
-    """Return whether to show a log record: not if VPython has only sent data to a tab that was just closing."""
-    return not (record.exc_info and type(record.exc_info[1]).__name__ == "Disconnected")
 
 
 @contextmanager

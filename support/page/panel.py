@@ -94,6 +94,14 @@ class Panel:
             self.separating.checked = self.separating.disabled = True
             add_hint(FIXED_HINT)
 
+    def send_again(self) -> None:
+        """Send what you have set to a page that was loaded again: VPython has only received it, and never sent it."""
+        for setting in (self.speed, self.lifted, *self.angles):
+            setting.slider.value = setting.slider.value
+        self.collisions.selected = self.collisions.selected
+        for box in (self.separating, self.graph):
+            box.checked = box.checked
+
     def show_error(self, message) -> None:
         """Show this message above everything else; an empty message removes it."""
         set_text(self.error, f'<div class="error" role="alert">{escape(message)}</div>' if message else "")

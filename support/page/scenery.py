@@ -82,7 +82,7 @@ class Scenery:
 
     def reset_view(self) -> None:
         """Point the camera at the cradle as at the start."""
-        scene.forward = FORWARD
+        scene.forward, scene.up = FORWARD, vector(0, 1, 0)
         self.point_camera()
 
     def limit_view(self) -> None:

@@ -41,6 +41,7 @@ class Viewer(Player):
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle, remark)
         self.graph = EnergyGraph()
+        self.listen()
 
     def script(self):
         """Show the cradle, and play it for ever."""
@@ -52,7 +53,6 @@ class Viewer(Player):
     def open(self):
         """Show the cradle; start it when the page has it, so that you see the release."""
         yield from self.make()
-        self.listen()
         self.wait_for_page()
         self.pace.restart()
 
@@ -130,6 +130,10 @@ class Viewer(Player):
                 yield from self.make()
             case Command.GRAB | Command.DRAG | Command.LET_GO:
                 self.follow_mouse(command, value)
+            case Command.SHOW_AGAIN:
+                self.panel.send_again()
+                self.scenery.reset_view()
+                yield from self.open()
             case _:
                 self.set(command, value)
         self.show_settings()

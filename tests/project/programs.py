@@ -126,8 +126,13 @@ def new_page(browser, **settings):
 
 
 def open_cradle(page, address, bobs=5, small=True):
-    """Open the page, and wait for its bobs and their numbers; keep the canvas small: no graphics card draws it."""
+    """Open the page, and wait until it shows the cradle."""
     page.goto(address)
+    wait_for_cradle(page, bobs, small)
+
+
+def wait_for_cradle(page, bobs=5, small=True):
+    """Wait for the bobs and their numbers; if small, make the canvas small: no graphics card draws it."""
     page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === {bobs}")
     page.wait_for_function("() => $('.readout').length")
     if small:

@@ -1,6 +1,5 @@
 """The program as a person meets it: VPython itself, a page in Chromium and Firefox, Ctrl+C and closed tabs."""
 
-import logging
 import shlex
 import signal
 import socket
@@ -26,7 +25,6 @@ from programs import (
 )
 
 from support.constants import R_PARAM
-from support.page.page import is_worth_showing
 
 pytestmark = needs_vpython
 
@@ -115,20 +113,6 @@ def test_what_a_browser_asks_for_in_vain_is_no_news():
                 pass
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
-
-
-def test_only_talking_to_a_closing_tab_is_no_news():
-    """A student's own error in VPython's thread is shown, a connection lost in the middle of a message is not."""
-
-    class Disconnected(RuntimeError):  # noqa: N818
-        """As autobahn's, which VPython's websocket raises."""
-
-    def is_shown(error):
-        return is_worth_showing(logging.makeLogRecord({"exc_info": (type(error), error, None)}))
-
-    assert is_worth_showing(logging.makeLogRecord({}))
-    assert is_shown(ValueError("a student's own"))
-    assert not is_shown(Disconnected("Attempt to send on a closed protocol"))
 
 
 def test_ctrl_c_ends_it_while_it_waits_for_a_browser():

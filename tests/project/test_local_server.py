@@ -1,12 +1,16 @@
 """Closed doors: what the running program's two servers do with anyone but its own page in a browser on this machine."""
 
+import asyncio
 import http.client
+import json
 import re
 import signal
 import socket
+from collections import Counter
 from contextlib import suppress
 from importlib.machinery import PathFinder
 from pathlib import Path
+from types import SimpleNamespace
 from urllib.parse import quote
 
 import pytest
@@ -22,11 +26,12 @@ from programs import (
     refusal,
     running,
     SECONDS,
+    wait_until,
 )
 from whole_cradles import FIVE_CSV
 
 from support.constants import R_PARAM
-from support.page.local_server import page_sockets, port_of
+from support.page.local_server import ELSEWHERE, one_tab_only, page_sockets, Place, port_of, RETURN
 
 pytestmark = needs_vpython
 
@@ -65,11 +70,18 @@ def get(port, path):
     return int(head.split()[1]), body
 
 
-def shake_hands(port, *headers):
+def shake_hands(port, *headers, path="/?tab=any"):
     """Ask this websocket for a connection; return the connection and the answer's status, 101 if it is accepted."""
     connection = socket.create_connection(("127.0.0.1", port), timeout=SECONDS)
     key = "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ=="
-    lines = ["GET / HTTP/1.1", f"Host: localhost:{port}", "Upgrade: websocket", "Connection: Upgrade", key, *headers]
+    lines = [
+        f"GET {path} HTTP/1.1",
+        f"Host: localhost:{port}",
+        "Upgrade: websocket",
+        "Connection: Upgrade",
+        key,
+        *headers,
+    ]
     connection.sendall("".join(f"{line}\r\n" for line in [*lines, ""]).encode())
     reply = http.client.HTTPResponse(connection)
     reply.begin()
@@ -179,18 +191,299 @@ def test_who_names_no_origin_gets_no_websocket(port):
     assert stranger(port + 1) == 403
 
 
-@pytest.mark.parametrize("host", ["localhost", "127.0.0.1"])
-def test_the_page_gets_one_websocket_and_ends_the_program(host):
+def test_who_names_no_tab_gets_no_websocket(port):
+    assert shake_hands(port + 1, f"Origin: http://localhost:{port}", path="/")[1] == 403
+
+
+class Tab:
+    """A tab of the page, as the websocket of the page at this port knows it."""
+
+    def __init__(self, page, name, host="localhost"):
+        self.connection, status = shake_hands(page + 1, f"Origin: http://{host}:{page}", path=f"/?tab={name}")
+        assert status == 101
+
+    def ask(self):
+        """Ask for the changes, as the page does, and return the answer."""
+        self.send(1, b"trigger")
+        return json.loads(self.frame(1))
+
+    def send(self, kind, data):
+        """Send a frame (RFC 6455): 1 is text, 8 closes. A client's frames have a mask; this one changes nothing."""
+        self.connection.sendall(bytes([0x80 | kind, 0x80 | len(data), 0, 0, 0, 0]) + data)
+
+    def frame(self, kind):
+        """Return the data of the next frame, which must be of this kind."""
+        first, length = self.read(2)
+        assert first == 0x80 | kind
+        longer = {126: 2, 127: 8}.get(length)
+        return self.read(int.from_bytes(self.read(longer), "big") if longer else length)
+
+    def read(self, count):
+        data = b""
+        while len(data) < count:
+            part = self.connection.recv(count - len(data))
+            assert part, "the connection was closed"
+            data += part
+        return data
+
+    def is_closed_with(self, code):
+        return int.from_bytes(self.frame(8), "big") == code
+
+    def close(self):
+        """Close it as a browser does."""
+        self.send(8, (1001).to_bytes(2, "big"))
+        self.connection.close()
+
+
+@pytest.fixture
+def started():
+    """A program that waits for a websocket, and the port of its page."""
     with running() as process:
         page = int(first_lines(process).rpartition(":")[2])
-        origin = f"Origin: http://{host}:{page}"
-        tab, status = shake_hands(page + 1, origin)
-        assert status == 101
-        for _ in range(2):  # the first one's going away would have ended the program
-            assert stranger(page + 1, origin) == 403
-        assert process.poll() is None
-        tab.close()
-        assert end(process) == QUIETLY
+        get(page, "/")
+        yield process, page
+
+
+def kinds(answer):
+    """Return how many objects of each kind an answer makes."""
+    return Counter(cmd["cmd"] for cmd in answer.get("cmds", []) if "cmd" in cmd)
+
+
+def all_of_it(tab):
+    """Ask until the base is there, which comes last; return how many objects of each kind the answers make."""
+    made: Counter = Counter()
+    wait_until(lambda: made.update(kinds(tab.ask())) or made["box"] == 6)
+    return made
+
+
+@pytest.mark.parametrize("host", ["localhost", "127.0.0.1"])
+def test_a_tab_that_is_closed_for_good_ends_the_program(started, host):
+    process, page = started
+    tab = Tab(page, "first", host)
+    all_of_it(tab)
+    tab.close()
+    assert end(process) == QUIETLY
+
+
+def test_a_tab_that_ends_without_a_word_ends_the_program(started):
+    """Its browser has crashed, in the middle of a message."""
+    process, page = started
+    tab = Tab(page, "first")
+    all_of_it(tab)
+    tab.connection.sendall(b"\x81\xff")
+    tab.connection.close()
+    assert end(process) == QUIETLY
+
+
+def test_ctrl_c_ends_it_while_it_waits_for_a_tab_to_come_back(started):
+    process, page = started
+    tab = Tab(page, "first")
+    all_of_it(tab)
+    tab.close()
+    process.send_signal(signal.SIGINT)
+    assert end(process) == QUIETLY
+
+
+@pytest.mark.parametrize("name", ["first", "second"])
+def test_the_next_tab_gets_in_one_answer_all_that_was_sent(started, name):
+    process, page = started
+    tab = Tab(page, "first")
+    made = all_of_it(tab)
+    tab.close()
+    again = Tab(page, name)
+    answer = again.ask()
+    assert kinds(answer) == made
+    assert len([text for text in answer["attrs"] if text.startswith("m0G")]) == 5  # keys, mouse, resize
+    assert not kinds(again.ask())
+    assert process.poll() is None
+
+
+def test_a_reload_takes_over_from_a_connection_that_the_browser_has_not_closed_yet(started):
+    """The old connection then gets none of the changes: they are sent only once."""
+    _, page = started
+    tab = Tab(page, "first")
+    made = all_of_it(tab)
+    again = Tab(page, "first")
+    assert tab.is_closed_with(ELSEWHERE)
+    assert kinds(again.ask()) == made
+    wait_until(lambda: "attrs" in again.ask())
+
+
+def test_another_tab_is_told_so_unless_it_takes_over(started):
+    process, page = started
+    first = Tab(page, "first")
+    made = all_of_it(first)
+    second = Tab(page, "second")
+    assert second.is_closed_with(ELSEWHERE)
+    second.close()
+    first.ask()
+    taking = Tab(page, "second&take=1")
+    assert first.is_closed_with(ELSEWHERE)
+    first.close()
+    assert kinds(taking.ask()) == made
+    taking.close()
+    assert end(process) == QUIETLY
+
+
+def test_what_never_becomes_a_connection_takes_no_tabs_place(started):
+    process, page = started
+    tab = Tab(page, "first")
+    all_of_it(tab)
+    annoy(page)
+    with socket.create_connection(("127.0.0.1", page + 1), timeout=SECONDS) as half:
+        half.sendall(f"GET /?tab=first HTTP/1.1\r\nOrigin: http://localhost:{page}\r\n".encode())
+        tab.ask()
+    tab.ask()
+    assert process.poll() is None
+
+
+# --- the place of the tab --------------------------------------------------------------------------------------------
+
+
+class Clock:
+    """A clock, and an event loop, for a Place: time passes only in pass_time."""
+
+    def __init__(self):
+        self.now, self.timers = 100.0, []
+
+    def call_later(self, delay, function):
+        self.timers.append((self.now + delay, function))
+
+    def pass_time(self, seconds):
+        self.now += seconds
+        due = [timer for timer in self.timers if timer[0] <= self.now]
+        self.timers = [timer for timer in self.timers if timer not in due]
+        for _, function in due:
+            function()
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    clock = Clock()
+    monkeypatch.setattr("time.monotonic", lambda: clock.now)
+    monkeypatch.setattr("asyncio.get_running_loop", lambda: clock)
+    return clock
+
+
+@pytest.fixture
+def ends(monkeypatch):
+    """The list of the statuses with which the program has ended."""
+    ends = []
+    monkeypatch.setattr("os._exit", ends.append)
+    return ends
+
+
+def a_tab(name, takes_over=False):
+    return SimpleNamespace(name=name, takes_over=takes_over, sendClose=lambda code: None)
+
+
+def test_the_program_ends_when_the_time_to_come_back_is_over(clock, ends):
+    place, tab = Place(lambda: None), a_tab("first")
+    assert place.take(tab)
+    clock.pass_time(100)
+    place.leave(tab)
+    clock.pass_time(RETURN - 0.1)
+    assert not ends
+    clock.pass_time(0.1)
+    assert ends == [0]
+
+
+def test_a_tab_that_loads_slowly_gets_the_time_that_it_needs(clock, ends):
+    """It asks for file after file before it opens its websocket."""
+    place, tab = Place(lambda: None), a_tab("first")
+    place.take(tab)
+    place.leave(tab)
+    for _ in range(4):
+        clock.pass_time(0.8 * RETURN)
+        place.expect_tab()
+    place.take(tab)
+    clock.pass_time(100)
+    assert not ends
+    place.leave(tab)
+    clock.pass_time(RETURN)
+    assert ends == [0]
+
+
+def test_only_the_tab_that_has_the_place_can_leave_it(clock, ends):
+    place, first, second, third = Place(lambda: None), a_tab("first"), a_tab("second"), a_tab("third", True)
+    assert [place.take(tab) for tab in (first, second, third)] == [True, False, True]
+    for tab in (first, second):
+        place.leave(tab)
+        clock.pass_time(100)
+    assert (place.tab, ends) == (third, [])
+
+
+def test_each_tab_that_gets_the_place_lets_the_cradle_be_shown_again(clock):
+    shown = []
+    place = Place(lambda: shown.append(place.tab.name))
+    for tab in (a_tab("first"), a_tab("second"), a_tab("first"), a_tab("second", True)):
+        place.take(tab)
+    assert shown == ["first", "first", "second"]
+
+
+class Connection:
+    """In place of VPython's protocol: it answers each message with the next of the changes."""
+
+    changes: list = []
+
+    def __init__(self, tab):
+        self.sent, self.closed = [], None
+        self.onConnect(SimpleNamespace(origin="of the page", params={"tab": [tab]}))
+        self.onOpen()
+
+    def onConnect(self, request):  # noqa: N802
+        pass
+
+    def onOpen(self):  # noqa: N802
+        pass
+
+    async def onMessage(self, data, is_binary):  # noqa: N802
+        self.sendMessage(json.dumps({"attrs": [self.changes.pop(0)]}).encode(), isBinary=is_binary)
+
+    def sendMessage(self, payload, isBinary):  # noqa: N802
+        from autobahn.exception import Disconnected
+
+        if self.closed:
+            raise Disconnected("Attempt to send on a closed protocol")
+        self.sent.append(json.loads(payload)["attrs"])
+
+    def sendClose(self, code):  # noqa: N802
+        self.closed = code
+
+
+def ask(connection):
+    asyncio.run(connection.onMessage(b"trigger", False))
+
+
+@pytest.fixture
+def connect():
+    """A function that connects a tab with this name to a websocket for one tab."""
+    return one_tab_only(Connection, Place(lambda: None))
+
+
+def test_a_tab_that_was_replaced_takes_no_change_from_the_next(connect):
+    Connection.changes = ["a1a1", "a1b2", "a1c3"]
+    first = connect("first")
+    ask(first)
+    again = connect("first")
+    for tab in (first, again, first, again):
+        ask(tab)
+    assert (first.sent, again.sent) == ([["a1a1"]], [["a1a1", "a1b2"], ["a1c3"]])
+
+
+def test_a_change_that_a_closing_tab_did_not_get_is_for_the_next(connect):
+    """And that it did not get it is no news: VPython goes on."""
+    Connection.changes = ["a1a1", "a1b2", "a1c3"]
+    first = connect("first")
+    ask(first)
+    first.closed = True
+    ask(first)
+    again = connect("first")
+    ask(again)
+    assert again.sent == [["a1a1", "a1b2", "a1c3"]]
+
+
+# --- strangers and ports ---------------------------------------------------------------------------------------------
 
 
 def test_strangers_neither_end_the_program_nor_appear_on_the_screen(page, program):

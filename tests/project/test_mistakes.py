@@ -217,7 +217,9 @@ class TestOnThePage:
         assert stderr.splitlines()[-1].startswith("NameError: name 'omegaa' is not defined")
         said = page.locator(".error").inner_text()
         assert said.startswith("The program has ended. NameError: name 'omegaa' is not defined")
-        assert said.endswith("(src/swinging.py, line 14)")
+        assert "(src/swinging.py, line 14)" in said
+        page.get_by_text("To start it again, type this command").wait_for()
+        assert page.locator(".notice").count() == 0
         opacity = "() => getComputedStyle(document.querySelector('.glowscript-canvas-wrapper')).opacity"
         assert float(page.evaluate(opacity)) < 0.5
 

@@ -104,7 +104,7 @@ def test_importing_the_viewer_starts_nothing():
 def start(monkeypatch):
     """A function that starts a program with a command line, and returns what its page and its main were given."""
     shown = []
-    monkeypatch.setattr("support.page.page.open_page", lambda *given: shown.append(given))
+    monkeypatch.setattr("support.page.page.open_page", lambda *given: shown.append(given[:2]))
     monkeypatch.setattr("support.page.page.page_sockets", lambda port: f"sockets at {port}")
     monkeypatch.setattr("support.page.page.run", lambda main, viewer: shown.append(viewer))
     monkeypatch.setattr("os._exit", lambda status: None)
