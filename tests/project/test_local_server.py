@@ -31,7 +31,7 @@ from programs import (
 from whole_cradles import FIVE_CSV
 
 from support.constants import R_PARAM
-from support.page.local_server import ELSEWHERE, one_tab_only, page_sockets, Place, port_of, RETURN
+from support.page.local_server import ELSEWHERE, one_tab_only, own_files_only, page_sockets, Place, port_of, RETURN
 
 pytestmark = needs_vpython
 
@@ -402,6 +402,18 @@ def test_a_tab_that_loads_slowly_gets_the_time_that_it_needs(clock, ends):
     place.leave(tab)
     clock.pass_time(RETURN)
     assert ends == [0]
+
+
+def test_each_request_for_a_file_counts_as_loading(clock):
+    class Handler:
+        mimes: dict = {}
+        path = "/"
+        do_GET = print  # noqa: N815
+
+    place = Place(lambda: None)
+    clock.pass_time(100)
+    own_files_only(Handler, place, "")().do_GET()
+    assert place.until == clock.now + RETURN
 
 
 def test_only_the_tab_that_has_the_place_can_leave_it(clock, ends):

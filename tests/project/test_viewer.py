@@ -269,7 +269,7 @@ def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     assert (first["theta"], first["phi"]) == pytest.approx((outwards * 75 * pi / 180, -outwards * 40 * pi / 180))
 
 
-@pytest.mark.parametrize("anew", ["restart", "reload"])
+@pytest.mark.parametrize("anew", ["restart", "reload", "page"])
 def test_what_is_set_stays_set(wall, csv, anew):
     set_slider(wall.panel.speed, 0.5)
     for widget, value in ((wall.panel.separating, "checked"), (wall.panel.collisions, "selected")):
@@ -279,6 +279,9 @@ def test_what_is_set_stays_set(wall, csv, anew):
     if anew == "reload":
         csv.write_text(HEADER + GOOD * 2)
         wall.wait(3 * POLL)
+    elif anew == "page":
+        wall.viewer.give(Command.SHOW_AGAIN)
+        wall.wait()
     else:
         wall.press("r")
     assert (wall.viewer.pace.speed, wall.viewer.separating, wall.viewer.running) == (0.5, True, False)
@@ -730,6 +733,16 @@ def test_a_view_far_away_comes_back_by_itself(wall):
     scene.range = 1e3
     wall.wait()
     assert scene.range < 10
+
+
+def test_a_page_that_was_loaded_again_shows_the_first_view_and_restarts(wall):
+    wall.wait(1)
+    first = (components(scene.forward), components(scene.center), scene.range)
+    scene.forward, scene.center, scene.range = vector(1, 0, -1), vector(1, 1, 1), 5
+    wall.viewer.give(Command.SHOW_AGAIN)
+    wall.wait()
+    assert (components(scene.forward), components(scene.center), scene.range) == first
+    assert wall.time() == 0
 
 
 def test_a_swing_above_the_frame_is_in_view_until_the_bobs_start_anew(wall):
