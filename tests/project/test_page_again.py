@@ -135,6 +135,11 @@ def test_a_page_that_the_browser_has_kept_is_loaded_again(page, started):
     assert started.poll() is None
 
 
+def test_a_page_that_the_browser_keeps_after_you_have_left_it_ends_the_program(page, started):
+    page.evaluate("dispatchEvent(new PageTransitionEvent('pagehide', {persisted: true}))")
+    assert end(started) == QUIETLY
+
+
 def test_a_tab_that_is_closed_for_good_ends_the_program_soon(page, started):
     page.close()
     assert started.wait(timeout=RETURN + 7) == 0  # the three seconds, and much more than the machine needs for the rest
