@@ -98,5 +98,6 @@ def summary(motion) -> str:
     total = in_words(motion.percents()["energy"]).strip()
     side = "left" if angle < 0 else "right"
     line = f"t = {motion.time():.2f} s, energy {total}, pendulum {number} at {abs(angle):.0f} degrees {side}"
-    impacts = f", hits {', '.join(reversed(motion.trains.runs()))}" if motion.trains.runs() else ""
+    trains = motion.trains.trains
+    impacts = f", hits: {', '.join(map(str, trains))}" if trains else ""
     return line + (impacts if len(line + impacts) <= WIDTH else ", many hits")

@@ -91,7 +91,7 @@ def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(csv):
     player.swing(ticks)
     for _ in range(ticks):
         newton_cradle_tick(same.cradle.pend_list, R_PARAM, DT, G, approaching_only=True)
-    assert player.motion.trains.runs() == ["1-2-3-4-5"]
+    assert [*map(str, player.motion.trains.trains)] == ["1-2-3-4-5"]
     assert values(player, "theta") == values(same, "theta")
 
 
@@ -214,7 +214,7 @@ def test_functions_with_the_handouts_own_parameters_work(csv, monkeypatch):
             assert (player.cradle.takes_rule, player.separating, player.rule) == (False, True, {})
             player.swing(5000)
             assert values(player, "theta") == values(by_the_handout, "theta")
-            assert player.motion.trains.runs() == by_the_handout.motion.trains.runs()
+            assert player.motion.trains.lines() == by_the_handout.motion.trains.lines()
 
 
 def test_a_train_is_noted_though_it_leaves_the_inner_bobs_as_they_were(csv):
@@ -225,7 +225,7 @@ def test_a_train_is_noted_though_it_leaves_the_inner_bobs_as_they_were(csv):
     player.cradle.pend_list[0]["omega"] = 2.0
     player.swing(1)
     assert values(player, "omega") == pytest.approx([0, 0, 0, 0, 2.0], abs=1e-9)
-    assert player.motion.trains.runs() == ["1-2-3-4-5"]
+    assert [*map(str, player.motion.trains.trains)] == ["1-2-3-4-5"]
 
 
 def test_the_functions_are_themselves_again_after_the_ticks(csv):
@@ -254,7 +254,7 @@ def test_a_held_bob_stays_and_throws_others_back(csv, approaching_only):
     hit = False
     for _ in range(round(0.5 * PERIOD / DT / 100)):
         player.swing(100)
-        assert player.motion.trains.runs() == []
+        assert player.motion.trains.lines() == []
         hit = hit or cradle.pend_list[0]["omega"] < 0 < energy
         assert values(player, "theta")[1:] == [0, 0, 0, 0]
     assert hit  # it came back, as from a wall

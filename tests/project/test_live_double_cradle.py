@@ -97,7 +97,7 @@ def test_ticks_are_those_of_the_double_cradle_and_the_hits_are_noted(live, appro
     for _ in range(ticks):
         double_cradle_tick(same.cradle.pend_list, R_PARAM, DOUBLE_DT, G, approaching_only)
     assert values(player, "phi") == values(same, "phi")
-    assert player.motion.trains.runs()[-1].startswith("1-2")
+    assert player.motion.trains.trains[0].runs[0][:2] == [1, 2]
 
 
 @pytest.mark.parametrize("bob", [2, 3])
@@ -108,7 +108,7 @@ def test_a_held_bob_stays_with_its_pendulum_and_throws_others_back(live, bob):
     thrown_back = False
     for _ in range(100):
         player.swing(50)
-        assert player.motion.trains.runs() == []
+        assert player.motion.trains.lines() == []
         assert (values(player, "theta")[1:], values(player, "phi")[1:]) == ([0.0] * 4, [0.0] * 4)
         thrown_back = thrown_back or double_momentum(player.cradle.pend_list[:1], R_PARAM) * OUTWARDS > 0.2
     assert thrown_back

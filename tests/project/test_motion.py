@@ -73,11 +73,11 @@ def test_impacts_are_those_of_single_ticks_however_many_are_done_at_once(tmp_pat
     at_once.swing(ticks)
     for _ in range(ticks):
         one_by_one.swing(1)
-        if len(one_by_one.motion.trains.trains) == 1 and one_by_one.motion.trains.trains[0][2] == (0, 1):
+        if len(one_by_one.motion.trains.trains) == 1 and one_by_one.motion.trains.trains[0].last == (1, 2):
             first = one_by_one.motion.time()
     assert at_once.motion.trains.lines() == one_by_one.motion.trains.lines()
-    assert at_once.motion.trains.trains[0][0] == pytest.approx(first, abs=DT / 2)
-    assert {"1-2-3-4-5", "5-4-3-2-1"} <= set(at_once.motion.trains.runs())
+    assert at_once.motion.trains.trains[0].begin == pytest.approx(first, abs=DT / 2)
+    assert {"1-2-3-4-5", "5-4-3-2-1"} <= {*map(str, at_once.motion.trains.trains)}
 
 
 def test_the_energy_of_the_start_is_100_percent(tmp_path):

@@ -108,9 +108,9 @@ def test_into_a_pipe_it_says_a_line_each_half_second_without_vpython(run, five):
     times = [*(f"{0.5 * i:.2f}" for i in range(int(2 * seconds) + 1)), f"{seconds:.2f}"]
     for line, at in zip(done.stdout.splitlines(), times, strict=True):
         state = r"energy (99.9\d|100.\d\d) %, pendulum (1 at \d+ degrees left|5 at \d+ degrees right)"
-        assert re.fullmatch(rf"t = {at} s, {state}(, hits [\d ,-]+|, many hits)?", line)
+        assert re.fullmatch(rf"t = {at} s, {state}(, hits: [\d ,-]+|, many hits)?", line)
     assert done.stdout.startswith("t = 0.00 s, energy 100.00 %, pendulum 1 at 30 degrees left\n")
-    assert done.stdout.index("hits 1-2-3-4-5") < done.stdout.index("5-4-3")
+    assert done.stdout.index("hits: 1-2-3-4-5") < done.stdout.index("5-4-3")
 
 
 def test_lines_are_at_most_80_columns_long(run, tmp_path):
@@ -124,7 +124,7 @@ def test_the_latest_hits_are_told_in_their_order(tmp_path):
     motion = make_swing(tmp_path).motion
     motion.trains.add(0.1, 0, 1, True)
     motion.trains.add(0.3, 3, 4, False)
-    assert players.summary(motion).endswith(" left, hits 1-2, 5-4")
+    assert players.summary(motion).endswith(" left, hits: 1-2, 5-4")
 
 
 def test_a_bob_that_has_gone_round_is_told_of_where_it_is(tmp_path):

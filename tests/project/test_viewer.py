@@ -625,8 +625,8 @@ def test_the_contact_strip(wall):
     lines = re.sub("<.*?>", "", wall.panel.impacts.text).splitlines()
     assert lines[0] == "Impacts"
     assert re.fullmatch(r"t = \d\.\d\d s  5-4-3-2-1", lines[1])
-    assert lines[-1] == f"t = {wall.viewer.motion.trains.trains[0][0]:.2f} s  1-2-3-4-5"
-    assert wall.viewer.motion.trains.trains[0][0] == pytest.approx(PERIOD / 4, rel=0.05)
+    assert lines[-1] == f"t = {wall.viewer.motion.trains.trains[0].begin:.2f} s  1-2-3-4-5"
+    assert wall.viewer.motion.trains.trains[0].begin == pytest.approx(PERIOD / 4, rel=0.05)
 
 
 def test_the_contact_strip_where_hits_come_from_both_sides(wall):
