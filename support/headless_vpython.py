@@ -366,6 +366,10 @@ class wtext(PageItem):
     text = ""
 
 
+class label(PageItem):
+    text, visible = "", True
+
+
 class button(PageItem):
     text, disabled = "", False
 

@@ -274,6 +274,10 @@ class LiveCradle:
         """Return the momentum to the right (kg m/s)."""
         return momentum(self.pend_list, R_PARAM)
 
+    def masses(self) -> list[float]:
+        """Return the masses of the pendula's bobs (kg), from left to right."""
+        return [pend["mass"] for pend in self.pend_list]
+
     def thetas(self) -> list[float]:
         """Return the angles of the pendula (rad), from left to right."""
         return [pend["theta"] for pend in self.pend_list]

@@ -1,9 +1,9 @@
 """The scenery around the pendula: frame, base, light, and a camera that shows the whole swing."""
 
-from math import tan
+from math import inf, tan
 from typing import NamedTuple
 
-from vpython import box, cross, cylinder, distant_light, dot, mag, norm, scene, textures, vector
+from vpython import box, cross, cylinder, distant_light, dot, label, mag, norm, scene, textures, vector
 
 from support.shapes import discard, make_shape
 
@@ -12,6 +12,10 @@ BACKGROUND = vector(241, 242, 244) / 255  # the same as in panel.css, so that th
 FORWARD = vector(-0.25, -0.18, -1)  # the camera looks a little from the left and from above
 NEAREST, FARTHEST = 0.1, 3.0  # of the range with which the whole cradle fills the canvas
 MARGIN = 1.04  # the view is larger than the cradle by this factor
+INK = vector(0.5, 0.5, 0.53)  # of the numbers on the axles, on a pale and on a dark page
+TEXT = 1 / 30  # height of the numbers, in heights of the canvas
+SMALLEST = 12  # pixels
+LETTER = 0.55  # width of a letter, in heights of the text
 
 
 class Room(NamedTuple):
@@ -23,6 +27,7 @@ class Room(NamedTuple):
     depth: float  # from rail to rail
     reach: float  # from an axle to the centre of the lowest bob at rest
     radius: float  # of the bobs
+    lines: int  # of text above the axles
 
 
 class Scenery:
@@ -38,23 +43,30 @@ class Scenery:
         distant_light(direction=vector(0.3, 0.6, 0.9), color=vector(0.5, 0.5, 0.5))
         distant_light(direction=vector(-0.6, 0.3, 0.4), color=vector(0.25, 0.25, 0.25))
         self.frame: list = []
-        self.room = Room(0, 0, 0, 0, 0, 0)
+        self.room = Room(0, 0, 0, 0, 0, 0, 0)
         self.whole_circles = False  # whether the view has room for bobs that swing above the frame
         self.home = scene.center, scene.range  # of the camera that shows the whole cradle
+        self.axles: list = []
+        self.masses: list[float] = []  # kg; empty if all are equal
+        self.labels: list = []  # VPython keeps every label for ever, so a new cradle takes those of the old one
 
-    def surround(self, axles, bobs, reach) -> None:
+    def surround(self, axles, bobs, reach, masses) -> None:
         """Put a frame around the cradle with these axles and bobs, from left to right, and point the camera at it.
 
-        reach (m) is the distance from an axle to the centre of the lowest bob at rest. If the new cradle needs the same
-        space as the old one, the camera does not change: you may have turned it.
+        The axles carry their numbers, and the masses (kg) if these differ. reach (m) is the distance from an axle to
+        the centre of the lowest bob at rest. If the new cradle needs the same space as the old one, the camera does not
+        change: you may have turned it.
         """
+        self.axles, self.masses = axles, masses if len({*masses}) > 1 else []
         first, last = axles[0], axles[-1]
-        room = Room(first.pos.x, last.pos.x, first.pos.y, first.width, reach, bobs[0].radius)
+        room = Room(first.pos.x, last.pos.x, first.pos.y, first.width, reach, bobs[0].radius, 2 if self.masses else 1)
         if room != self.room:
             self.room, self.whole_circles = room, False
             discard(self.frame)
             self.frame = make_frame(room)
             self.point_camera()
+        else:
+            self.number_axles()
 
     def keep_in_view(self, bobs) -> None:
         """Move the camera back as soon as a bob swings above the frame."""
@@ -77,8 +89,12 @@ class Scenery:
         depth, ground = room.depth / 2 + room.reach / 10, bottom - room.reach / 20  # the base stands out a little
         corners = [vector(x, y, z) for x in (left, right) for y in (room.top, ground) for z in (-depth, depth)]
         swings = [vector(x, y, 0) for x in (room.left - swing, room.right + swing) for y in (room.top, top)]
-        view(corners + swings)
+        # The canvas is about 1.1 times as high as the frame.
+        writing = room.radius / 2 + (room.lines + 0.5) * 1.3 * TEXT * 1.1 * (room.top - ground)
+        texts = [vector(x, room.top + writing, 0) for x in (room.left, room.right)]
+        view(corners + swings + texts)
         self.home = scene.center, scene.range
+        self.number_axles()
 
     def reset_view(self) -> None:
         """Point the camera at the cradle as at the start."""
@@ -92,6 +108,28 @@ class Scenery:
             scene.range = min(max(scene.range, NEAREST * distance), FARTHEST * distance)
         if mag(scene.center - center) > distance:
             scene.center = center + norm(scene.center - center) * distance
+
+    def number_axles(self) -> None:
+        """Write the numbers of the pendula, and their masses if these differ, above the axles that have room for it."""
+        texts = [[str(number)] for number in range(1, len(self.axles) + 1)]
+        for text, mass in zip(texts, self.masses, strict=False):
+            text.append(f"{mass:g}")
+        height = max(SMALLEST, TEXT * scene.height)
+        widest = LETTER * height * (0.4 + max(len(line) for text in texts for line in text))  # pixels, with a gap
+        apart = (self.room.right - self.room.left) / max(1, len(texts) - 1)
+        widest *= 2 * scene.range / min(scene.width, scene.height)  # m
+        step = next((step for step in (1, 5, 10, 50) if step * apart >= widest), inf)
+        shown = [(self.axles[i].pos, text) for i, text in enumerate(texts) if i == 0 or (i + 1) % step == 0]
+        if self.masses:
+            shown.append((self.axles[0].pos - vector(max(widest, apart), 0, 0), [" ", "kg"]))
+        self.labels += [
+            label(box=False, line=False, opacity=0, color=INK, yoffset=1) for _ in shown[len(self.labels) :]
+        ]
+        for mark, (place, text) in zip(self.labels, shown, strict=False):
+            mark.pos, mark.text = place + vector(0, self.room.radius / 2, 0), "\n".join(text)
+            mark.height, mark.visible = height, True
+        for mark in self.labels[len(shown) :]:
+            mark.visible = False
 
 
 def view(points) -> None:

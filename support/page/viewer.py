@@ -160,7 +160,7 @@ class Viewer(Player):
     def make(self):
         """Let main make a new cradle, lift it as set, and release it."""
         yield from super().make()
-        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach)
+        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, self.cradle.masses())
         self.scenery.come_closer()
         self.recording.clear()
         self.graph.clear()

@@ -71,6 +71,9 @@ class Cradle(Protocol):
     def cords(self) -> list:
         """Return all cords."""
 
+    def masses(self) -> list[float]:
+        """Return the masses of the pendula's bobs (kg), from left to right."""
+
     def thetas(self) -> list[float]:
         """Return the angles of the pendula (rad), from left to right; of double ones, those of their upper cords."""
 
