@@ -6,7 +6,7 @@ from copy import deepcopy
 from functools import partial
 from inspect import signature
 from itertools import accumulate
-from math import cos, isfinite
+from math import cos, inf, isfinite
 from numbers import Real
 from operator import itemgetter
 from typing import Any
@@ -273,6 +273,15 @@ class LiveCradle:
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""
         return momentum(self.pend_list, R_PARAM)
+
+    def swings_through(self) -> bool:
+        """Return whether a bob swings through others: below the axles, two that are no neighbours are in wrong order.
+
+        Above the axles, bobs that swing over the top may be in any order.
+        """
+        places = [(bob.pos.x, bob.pos.y < axle.pos.y) for axle, bob in zip(self.axles(), self.bobs(), strict=True)]
+        rightmost = accumulate((x if is_low else -inf for x, is_low in places), max)
+        return any(left > x for left, (x, is_low) in zip(rightmost, places[2:], strict=False) if is_low)
 
     def masses(self) -> list[float]:
         """Return the masses of the pendula's bobs (kg), from left to right."""

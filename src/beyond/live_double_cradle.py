@@ -24,6 +24,10 @@ class LiveDoubleCradle(LiveCradle):
         for i in reversed(range(min(lifted, len(self.pend_list)))):
             push_others(self.pend_list, i, R_PARAM)
 
+    def swings_through(self) -> bool:
+        """Return whether a bob swings through others: never, because any two bobs can collide."""
+        return False
+
     def meeting_place(self) -> dict[str, Any]:
         """Return the globals with the function that lets two pendula hit: the tick's, or those of a function there."""
         place = self.scope[self.ticker].__globals__

@@ -22,6 +22,7 @@ SEPARATING_HINT = "as in the handout: bobs with e below 1 then stick together"
 FIXED_HINT = "fixed: your functions have no approaching_only"
 GRAPH = "Energy (J) over time (s)"
 SAVING = "writes a CSV with the data since the last restart, at most ten minutes"
+SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
 TRAINS = 7  # of impacts, a line for each
 
 
@@ -137,9 +138,10 @@ class Panel:
         """Show a message about saved data: the file, or, if failed, the reason."""
         set_text(self.saved, f'<span class="{"failed" if failed else "hint"} saved">{escape(message)}</span>')
 
-    def show_impacts(self, lines) -> None:
-        """Show the last trains of impacts, a line for each."""
-        set_text(self.impacts, '<pre class="impacts">' + "\n".join(["Impacts", *lines]) + "</pre>")
+    def show_impacts(self, lines, swung_through=False) -> None:
+        """Show the last trains of impacts, a line for each, and a note if a bob has swung through others."""
+        note = f'\n<span class="hint">{SWUNG_THROUGH}</span>' if swung_through else ""
+        set_text(self.impacts, '<pre class="impacts">' + "\n".join(["Impacts", *lines]) + note + "</pre>")
 
 
 class Setting:

@@ -37,6 +37,7 @@ class Viewer(Player):
         self.step = max(1, round(EVERY / cradle.dt))
         self.recording = Recording()
         self.next_refresh = -inf
+        self.swung_through = False  # whether a bob has swung through others since the last restart
 
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle, remark)
@@ -164,6 +165,7 @@ class Viewer(Player):
         self.scenery.come_closer()
         self.recording.clear()
         self.graph.clear()
+        self.swung_through = False
         self.note()
         self.show_settings()
 
@@ -241,5 +243,6 @@ class Viewer(Player):
             return
         self.next_refresh = self.pace.clock() + REFRESH
         self.panel.show_motion(self.motion.time(), self.motion.percents(), self.cradle.momentum(), self.pace.remark())
-        self.panel.show_impacts(self.motion.trains.lines())
+        self.swung_through = self.swung_through or self.cradle.swings_through()
+        self.panel.show_impacts(self.motion.trains.lines(), self.swung_through)
         self.graph.draw()

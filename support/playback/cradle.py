@@ -71,6 +71,9 @@ class Cradle(Protocol):
     def cords(self) -> list:
         """Return all cords."""
 
+    def swings_through(self) -> bool:
+        """Return whether a bob swings through others, because the tick lets only neighbours collide."""
+
     def masses(self) -> list[float]:
         """Return the masses of the pendula's bobs (kg), from left to right."""
 

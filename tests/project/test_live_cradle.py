@@ -10,6 +10,7 @@ from whole_cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD, Swing, the
 
 from grading.cradles import MIXED_CSV
 from src import visualize_cradle_run
+from src.beyond.dragging import move
 from src.visualize_cradle_run import newton_cradle_tick
 from support import shapes
 from support.constants import DT, G, R_PARAM, THETA_INIT
@@ -116,6 +117,17 @@ def test_a_reload_takes_new_pendula_of_the_old_shapes(csv, monkeypatch):
     assert len(left) == 3 * 3
     assert not any(shape.visible for shape in left)
     assert values(player, "mass") == [2, 2]
+
+
+@pytest.mark.parametrize(
+    ("bob", "angle", "through"),
+    [(0, -90, False), (0, 20, False), (0, 45, True), (0, 100, False), (4, -45, True), (4, -100, False)],
+)
+def test_a_bob_swings_through_others_if_it_is_on_the_wrong_side_of_one_that_is_no_neighbour(csv, bob, angle, through):
+    """Not above the axles, where it comes over the top."""
+    cradle = live(csv(FIVE_CSV), lifted=0).cradle
+    move(cradle.pend_list[bob], [radians(angle)], R_PARAM)
+    assert cradle.swings_through() == through
 
 
 # --- the first picture -----------------------------------------------------------------------------------------------

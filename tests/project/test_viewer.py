@@ -638,6 +638,41 @@ def test_the_contact_strip_where_hits_come_from_both_sides(wall):
     assert re.search(r"t = \d\.\d\d s  (1-2-3-4-5  5-4-3-2-1|5-4-3-2-1  1-2-3-4-5)", wall.panel.impacts.text)
 
 
+def over_the_top(wall):
+    """Let the first bob fall to the right from nearly straight up, as if someone had dragged it over the top."""
+    wall.viewer.cradle.pend_list[0]["theta"] = 0.9 * pi
+
+
+def test_a_note_says_that_a_bob_swings_through_others(wall):
+    """It stays until the restart."""
+    assert "neighbours" not in wall.panel.impacts.text
+    over_the_top(wall)
+    wall.wait(PERIOD)
+    assert "only neighbours\ncollide" in wall.panel.impacts.text
+    wall.viewer.cradle.pend_list[0]["theta"] = 0.0
+    wall.wait(0.1)
+    assert "neighbours" in wall.panel.impacts.text
+    wall.panel.restart.bind()
+    wall.wait()
+    assert "neighbours" not in wall.panel.impacts.text
+
+
+@pytest.mark.parametrize("lifted", [1, 3, 5])
+@pytest.mark.parametrize("angle", [45, 120, 179])
+def test_there_is_no_such_note_while_the_bobs_keep_their_order(csv, angle, lifted):
+    wall = Wall(csv, angle)
+    wall.press(str(lifted))
+    wall.wait(PERIOD)
+    assert "neighbours" not in wall.panel.impacts.text
+
+
+def test_there_is_no_such_note_for_a_double_cradle(csv):
+    wall = Wall(csv, 30, 10, kind=LiveDoubleCradle)
+    over_the_top(wall)
+    wall.wait(0.5)
+    assert "neighbours" not in wall.panel.impacts.text
+
+
 def test_what_has_not_changed_is_not_sent_again(wall):
     """Otherwise, a person could not select it."""
     wall.panel.pause.bind()
