@@ -1,5 +1,7 @@
 """Read pend_list from the CSV, and write it to a CSV: each row is one pendulum, a dictionary."""
 
+from importlib.metadata import version
+
 import pandas as pd
 
 from support.constants import NC_FP
@@ -8,7 +10,7 @@ from support.files.cradle_csv import cleaned
 from support.pendulum import PendulumEntry
 
 # pandas reads floats exactly from 3.1 on, and warns if asked to; older versions do it only if asked.
-EXACT_FLOATS = {} if tuple(map(int, pd.__version__.split(".")[:2])) >= (3, 1) else {"float_precision": "round_trip"}
+EXACT_FLOATS = {} if tuple(map(int, version("pandas").split(".")[:2])) >= (3, 1) else {"float_precision": "round_trip"}
 
 
 def extract_and_convert(relative_filepath) -> list[PendulumEntry]:

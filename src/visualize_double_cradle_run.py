@@ -6,8 +6,10 @@ if __name__ == "__main__":
     with suppress(ModuleNotFoundError):  # python -m src... does not find it, and does not need it
         import project_path  # noqa: F401
     from support.start.interrupt import end_on_interrupt
+    from support.start.later import import_later
 
     end_on_interrupt()  # the imports below take a moment; without this, Ctrl+C would print a traceback
+    import_later("pandas")  # it takes longest: the page imports it while the browser loads
 
 from src.double_cradle import double_cradle_tick, make_double_newton_cradle
 from support.constants import DOUBLE_DT, G, PHI_INIT, R_PARAM, THETA_INIT

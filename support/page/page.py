@@ -6,8 +6,8 @@ import importlib
 import os
 import signal
 import sys
+import threading
 from contextlib import contextmanager
-from functools import partial
 from html import escape
 from pathlib import Path
 
@@ -19,6 +19,7 @@ from support.playback.mistake import tell_mistake
 from support.playback.player import run
 from support.start.command_line import command_line
 from support.start.interrupt import end_on_interrupt
+from support.start.later import import_now
 from support.start.options import check_lift
 
 # The beginning of the page: its title, the check of the browser's WebGL, and the messages of a page without a cradle.
@@ -77,9 +78,15 @@ def open_page(sockets, launch_browser, show_again) -> None:
     no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"
     place = Place(show_again)
     end_on_interrupt()
+
+    def serve(*given):
+        # From here on, Python waits for the browser to load the page. Not earlier: it would delay the server.
+        threading.Thread(target=import_now, args=("pandas",), daemon=True).start()
+        return PageServer(sockets, place, head, no_webgl, *given)
+
     with (
         replaced(signal, "signal", lambda *_: None),
-        replaced(http.server, "HTTPServer", partial(PageServer, sockets, place, head, no_webgl)),
+        replaced(http.server, "HTTPServer", serve),
         replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets, place)),
         # On Windows, the usual loop stops listening if a connection ends before it is accepted.
         replaced(asyncio, "new_event_loop", asyncio.SelectorEventLoop),
