@@ -24,6 +24,7 @@ HAND = 1e9  # kg: the mass of a held bob; others bounce off it as off a wall
 class LiveCradle:
     """A cradle of single pendula with the project's constants; its protocol is in support/playback/cradle.py."""
 
+    title = "Newton's cradle"
     dt = DT
     reach = R_PARAM
     angles: Mapping[str, tuple[float, float]] = {"Release angle": (0, 180)}

@@ -12,6 +12,7 @@ from support.energy import double_kinetic_energy, double_momentum, double_potent
 class LiveDoubleCradle(LiveCradle):
     """A cradle of double pendula, each with two bobs and two cords of length R_PARAM."""
 
+    title = "Newton's double cradle"
     dt = DOUBLE_DT
     reach = 2 * R_PARAM
     angles = {"Angle theta": (0, 180), "Angle phi": (-180, 180)}

@@ -48,7 +48,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
         sys.exit(2)
     viewer = None
     try:
-        open_page(sockets, options.browser, lambda: viewer and viewer.give(Command.SHOW_AGAIN))
+        open_page(sockets, cradle.title, options.browser, lambda: viewer and viewer.give(Command.SHOW_AGAIN))
         # This import needs VPython's canvas and widgets; the code above does not.
         from support.page.viewer import Viewer
 
@@ -61,8 +61,8 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     os._exit(1)  # VPython's threads would keep the process alive
 
 
-def open_page(sockets, launch_browser, show_again) -> None:
-    """Open VPython's page at sockets, made by page_sockets, and wait for a browser.
+def open_page(sockets, title, launch_browser, show_again) -> None:
+    """Open VPython's page, with this title, at sockets, made by page_sockets, and wait for a browser.
 
     From then on, Ctrl+C and closing the tab end the process with status 0. Each time a browser loads the page,
     show_again() is called, in another thread.
@@ -73,8 +73,9 @@ def open_page(sockets, launch_browser, show_again) -> None:
     terminal_cradle = command_line("src/text_cradle_run.py", Path.cwd())
     this_program = command_line(f"src/{Path(sys.argv[0]).name}", Path.cwd())
     head = PAGE_HEAD.read_text(encoding="utf-8")
-    for name, command in {"TERMINAL_CRADLE": terminal_cradle, "THIS_PROGRAM": this_program}.items():
-        head = head.replace(name, escape(command))
+    texts = {"TERMINAL_CRADLE": terminal_cradle, "THIS_PROGRAM": this_program, "PAGE_TITLE": title}
+    for name, text in texts.items():
+        head = head.replace(name, escape(text, quote=False))
     no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"
     place = Place(show_again)
     end_on_interrupt()

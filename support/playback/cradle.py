@@ -8,6 +8,7 @@ from typing import Any, Protocol
 class Cradle(Protocol):
     """Programs use a cradle only through these attributes and methods. They never look inside a pendulum."""
 
+    title: str  # of the page
     dt: float  # one tick (s)
     reach: float  # from an axle to the centre of the lowest bob at rest (m)
     angles: Mapping[str, tuple[float, float]]  # name of a release angle -> (least, largest), degrees

@@ -104,7 +104,7 @@ def test_importing_the_viewer_starts_nothing():
 def start(monkeypatch):
     """A function that starts a program with a command line, and returns what its page and its main were given."""
     shown = []
-    monkeypatch.setattr("support.page.page.open_page", lambda *given: shown.append(given[:2]))
+    monkeypatch.setattr("support.page.page.open_page", lambda *given: shown.append(given[:3]))
     monkeypatch.setattr("support.page.page.page_sockets", lambda port: f"sockets at {port}")
     monkeypatch.setattr("support.page.page.run", lambda main, viewer: shown.append(viewer))
     monkeypatch.setattr("os._exit", lambda status: None)
@@ -122,7 +122,7 @@ def start(monkeypatch):
 def test_main_shows_the_cradle_of_the_csv_in_which_only_approaching_bobs_hit(tmp_path, start):
     csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
     page, viewer = start(csv)
-    assert page == ("sockets at 0", True)
+    assert page == ("sockets at 0", "Newton's cradle", True)
     cradle, expected = viewer.cradle.pend_list, make_newton_cradle(str(csv), R_PARAM, THETA_INIT)
     for pend_list in (cradle, expected):  # so that the second pair touches, and parts
         pend_list[1]["objects"][1].radius = R_PARAM
@@ -138,7 +138,7 @@ def test_main_shows_the_cradle_of_the_csv_in_which_only_approaching_bobs_hit(tmp
 def test_main_does_what_the_options_say(tmp_path, start):
     csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
     page, viewer = start(csv, "--inelastic", "--mass", 3, "--angle", 20, "--lift", 2, "--port", 8000, "--no-browser")
-    assert page == ("sockets at 8000", False)
+    assert page == ("sockets at 8000", "Newton's cradle", False)
     assert [(pend["e"], pend["mass"]) for pend in viewer.cradle.pend_list] == [(0, 3.0)] * 3
     assert [abs(degrees(pend["theta"])) for pend in viewer.cradle.pend_list] == pytest.approx([20, 20, 0])
 
@@ -147,7 +147,7 @@ def test_main_of_the_double_cradle_does_what_the_options_say(tmp_path, start):
     csv = copy_project(tmp_path, MIXED_CSV) / "newton_cradle_pends.csv"
     arguments = ["--inelastic", "--mass", "3", "--angle", "25", "--phi", "-12.5", "--lift", "2", "--no-browser"]
     page, viewer = start(csv, *arguments, program=visualize_double_cradle_run, show=show_double_cradle)
-    assert page == ("sockets at 0", False)
+    assert page == ("sockets at 0", "Newton's double cradle", False)
     outwards, pend_list = copysign(1, THETA_INIT), viewer.cradle.pend_list
     lifts = [(outwards * degrees(pend["theta"]), outwards * degrees(pend["phi"])) for pend in pend_list]
     assert lifts == [pytest.approx(expected) for expected in [(25, -12.5), (25, -12.5), (0, 0)]]

@@ -648,7 +648,7 @@ def test_a_note_says_that_a_bob_swings_through_others(wall):
     assert "neighbours" not in wall.panel.impacts.text
     over_the_top(wall)
     wall.wait(PERIOD)
-    assert "only neighbours\ncollide" in wall.panel.impacts.text
+    assert "only neighbours collide" in wall.panel.impacts.text
     wall.viewer.cradle.pend_list[0]["theta"] = 0.0
     wall.wait(0.1)
     assert "neighbours" in wall.panel.impacts.text
