@@ -17,7 +17,7 @@
   let drawn = null; // what the last plot was drawn from
   $.plot = Object.assign((place, curves, options) => {
     drawn = [place, curves, options];
-    if (!place.width() || !place.height()) return place.data("plot"); // it is hidden, and must not be drawn
+    if (!place.width() || !place.height()) return place.data("plot") ?? { draw() {} }; // flot draws nothing that is hidden
     const seen = curves.map(curve => dark.matches && curve.label === "total" ? { ...curve, color: css("--ink") } : curve);
     return plot(place, seen, $.extend(true, {}, options, {
       yaxis: { tickFormatter: value => Number(value.toPrecision(6)), labelWidth: 44 },

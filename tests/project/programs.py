@@ -42,6 +42,15 @@ MOVES = f"""async () => {{
     return moves;
 }}"""
 
+# Wait until the program has pointed the camera at a canvas of another size: it does so before it shows three new times.
+CAMERA_FOLLOWS = """async () => {
+    const says = () => document.querySelector(".readout").innerText;
+    for (let before = says(), changes = 0; changes < 3 && document.querySelector("button").innerText === "Pause";) {
+        await new Promise(requestAnimationFrame);
+        if (says() !== before) changes++, before = says();
+    }
+}"""
+
 with_vpython = pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
 on_posix = pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS")
 needs_vpython = [with_vpython, on_posix]
@@ -138,6 +147,7 @@ def wait_for_cradle(page, bobs=5, small=True):
     if small:
         page.add_style_tag(content=".canvas { max-width: 320px !important; max-height: 200px !important; }")
         page.wait_for_function("() => glowObjs[0].width <= 320 && glowObjs[0].height <= 200")
+        page.evaluate(CAMERA_FOLLOWS)
 
 
 def readout(page, name):
