@@ -276,7 +276,7 @@ class LiveCradle:
         return momentum(self.pend_list, R_PARAM)
 
     def swings_through(self) -> bool:
-        """Return whether a bob swings through others: below the axles, two that are no neighbours are in wrong order.
+        """Return whether a bob swings through others: below the axles, two bobs that are not neighbours changed order.
 
         Above the axles, bobs that swing over the top may be in any order.
         """

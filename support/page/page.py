@@ -71,7 +71,7 @@ def open_page(sockets, title, launch_browser, show_again) -> None:
     if not launch_browser:
         os.environ["VPYTHON_NO_LAUNCH_BROWSER"] = "1"
     terminal_cradle = command_line("src/text_cradle_run.py", Path.cwd())
-    this_program = command_line(f"src/{Path(sys.argv[0]).name}", Path.cwd())
+    this_program = command_line(f"src/{Path(sys.argv[0]).name}", Path.cwd(), sys.argv[1:])
     head = PAGE_HEAD.read_text(encoding="utf-8")
     texts = {"TERMINAL_CRADLE": terminal_cradle, "THIS_PROGRAM": this_program, "PAGE_TITLE": title}
     for name, text in texts.items():

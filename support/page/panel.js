@@ -8,7 +8,7 @@
   const find = (selector, place = document) => [...place.querySelectorAll(selector)];
   const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const dark = matchMedia("(prefers-color-scheme: dark)");
-  const FINGER = 2; // a finger that is within so many radii of a bob's centre is on the bob
+  const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in viewer.py
 
   // --- the graph -----------------------------------------------------------------------------------------------------
 
@@ -94,7 +94,6 @@
       const element = widget.matches("select") ? widget : widget.querySelector(".ui-slider-handle");
       label.id = `label-${number}`;
       element.setAttribute("aria-labelledby", label.id);
-      label.addEventListener("click", () => element.focus());
       if (element === widget) return;
       element.setAttribute("role", "slider");
       const value = widget.nextElementSibling;
@@ -118,7 +117,7 @@
     const state = find(".readout tr").slice(0, 2).map(row => row.innerText.replace(/\s+/g, " ").trim()).join(", ");
     const words = `${document.title} with ${bobs} ${bobs === 1 ? "bob" : "bobs"}: ${state}`;
     const canvas = document.querySelector(".canvas");
-    if (canvas.ariaLabel !== words) canvas.ariaLabel = words;
+    if (canvas.getAttribute("aria-label") !== words) canvas.setAttribute("aria-label", words);
   }
 
   // --- the camera, the mouse and fingers -----------------------------------------------------------------------------
@@ -147,7 +146,7 @@
     if (!isCanvas(event) || event.pointerType !== "mouse") return;
     const held = event.buttons === 1;
     if (!held || event.target.style.cursor !== "grabbing")
-      event.target.style.cursor = !bobAt(event.pageX, event.pageY, 1) ? "" : held ? "grabbing" : "grab";
+      event.target.style.cursor = !bobAt(event.pageX, event.pageY, FINGER) ? "" : held ? "grabbing" : "grab";
   }, true);
 
   // One finger on a bob drags it at once: VPython would wait whether the finger turns the camera.
@@ -156,12 +155,13 @@
     const [finger] = event.touches, onBob = bobAt(finger.clientX, finger.clientY, FINGER);
     Object.assign(scene(), { userspin: !onBob, userzoom: !onBob });
   }, { capture: true, passive: true });
-  addEventListener("touchend", event => {
-    if (!event.touches.length) setTimeout(() => Object.assign(scene(), { userspin: true, userzoom: true }));
-  }, { passive: true });
+  for (const type of ["touchend", "touchcancel"])
+    addEventListener(type, event => {
+      if (!event.touches.length) setTimeout(() => Object.assign(scene(), { userspin: true, userzoom: true }));
+    }, { passive: true });
 
   // A slider knows only the mouse.
-  for (const [touch, mouse] of [["touchstart", "mousedown"], ["touchmove", "mousemove"], ["touchend", "mouseup"]])
+  for (const [touch, mouse] of [["touchstart", "mousedown"], ["touchmove", "mousemove"], ["touchend", "mouseup"], ["touchcancel", "mouseup"]])
     addEventListener(touch, event => {
       if (!event.target.closest(".ui-slider")) return;
       const { clientX, clientY } = event.changedTouches[0];
@@ -186,7 +186,7 @@
     const repeated = event.repeat && event.key !== "ArrowRight";
     if (event.target !== document.body || !known || repeated) event.stopPropagation();
     else if (event.key === " " || event.key === "ArrowRight") event.preventDefault();
-    else if (event.key === "f" && !event.ctrlKey && !event.altKey) present();
+    else if (event.key.toLowerCase() === "f" && !event.ctrlKey && !event.altKey) present();
   });
   addEventListener("keydown", event => { // without full screen, Escape does not reach fullscreenchange
     if (event.key === "Escape" && document.documentElement.classList.contains("presenting")) present();

@@ -14,6 +14,7 @@ STYLE, SCRIPT = (Path(__file__).with_name(name) for name in ("panel.css", "panel
 KEYS_HINT = (
     "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs, V resets the view, F presents. Drag a bob."
 )
+LEAVE = '<button class="leave" onclick="present()" aria-label="End the presentation">&times;</button>'
 PRESENT = (
     '<button onclick="present()" title="Show only the cradle and its numbers, in full screen (F)">Present</button>'
 )
@@ -47,6 +48,7 @@ class Panel:
         self.add_buttons(give)
         begin_part("numbers")
         self.readout, self.impacts = wtext(), wtext()
+        scene.append_to_caption(LEAVE)
         begin_part("settings")
         self.add_settings(give, cradle)
         self.add_collisions(give, cradle)
@@ -171,7 +173,7 @@ def momentum_cell(momentum) -> str:
     """Return the momentum (kg m/s) as text, with an arrow in its direction."""
     moving = f"{momentum:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
     arrow = "" if abs(momentum) < 0.0005 else " &rarr;" if momentum > 0 else " &larr;"
-    return f'<span title="plus: to the right, minus: to the left">{moving} kg m/s{arrow}</span>'
+    return f"{moving} kg m/s{arrow}"
 
 
 def begin_part(name) -> None:

@@ -106,7 +106,7 @@ class Scenery:
         center, distance = self.home
         if not NEAREST * distance <= scene.range <= FARTHEST * distance:
             scene.range = min(max(scene.range, NEAREST * distance), FARTHEST * distance)
-        if mag(scene.center - center) > distance:
+        if mag(scene.center - center) > 1.001 * distance:
             scene.center = center + norm(scene.center - center) * distance
 
     def number_axles(self) -> None:

@@ -18,6 +18,7 @@ from support.playback.player import Player
 from support.playback.real_time import FRAME
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
+FINGER = 1.5  # radii from a bob's centre at which a finger, or the mouse, still grabs it; panel.js knows it, too
 GOODBYE = 10.0  # s that the page has to fetch the last message
 
 
@@ -192,14 +193,16 @@ class Viewer(Player):
                 self.motion.set_start()
 
     def grab(self, place, direction) -> None:
-        """Hold the foremost bob that this ray meets, if there is one."""
-        hits = [
-            (dot(bob.pos - place, direction), number)
-            for number, bob in enumerate(self.cradle.bobs())
-            if mag(cross(bob.pos - place, direction)) <= bob.radius * mag(direction)
-        ]
-        if hits:
-            self.cradle.hold(min(hits)[1])
+        """Hold the foremost bob that this ray meets; if there is none, the nearest one within FINGER radii."""
+        hits, near = [], []
+        for number, bob in enumerate(self.cradle.bobs()):
+            radii = mag(cross(bob.pos - place, direction)) / mag(direction) / bob.radius
+            if radii <= 1:
+                hits.append((dot(bob.pos - place, direction), number))
+            elif radii <= FINGER:
+                near.append((radii, number))
+        if hits or near:
+            self.cradle.hold(min(hits or near)[1])
 
     def drag(self, place, direction) -> None:
         """Drag the held bob to the point where this ray meets the plane of swing, z = 0."""

@@ -4,8 +4,8 @@ from collections import Counter, deque
 
 GAP = 0.005  # s: the longest time between two contacts of one train
 MOST = 12  # runs in a train, at most
-TOGETHER = 20  # contacts, at least, of two bobs that stay together, in one train
-STRIP_WIDTH = 36  # characters, beside the panel
+TOGETHER = 20  # two bobs with more contacts than this in one train stay together
+STRIP_WIDTH = 44  # characters
 WHOLE = 9  # bobs: only the ends of a longer run are shown
 
 

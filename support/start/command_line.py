@@ -9,8 +9,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def command_line(program, folder) -> str:
-    """Return the command that starts a program of the project from this folder, with the running Python.
+def command_line(program, folder, arguments=()) -> str:
+    """Return the command that starts a program of the project from this folder, with the running Python and arguments.
 
     program is the path of its file in the project's folder.
     """
@@ -20,4 +20,5 @@ def command_line(program, folder) -> str:
     words = [str(path.relative_to(folder) if path.is_relative_to(folder) else path) for path in paths]
     if is_plain:
         words[0] = "python"
+    words += arguments
     return subprocess.list2cmdline(words) if sys.platform == "win32" else shlex.join(words)

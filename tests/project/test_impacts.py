@@ -28,10 +28,10 @@ def lines(contacts, rightwards=True, count=5):
         ([0, 0, 0, 0], True, "1-2"),  # two bobs that touch for a moment
         (range(8), True, "1-2-3-4-5-6-7-8-9"),
         (range(9), True, "1-2-3-...-10"),
-        ([0, 1, 2, 3] * 15, True, "1-2-3-4-5  1-2-3-4-5 ..."),
+        ([0, 1, 2, 3] * 15, True, "1-2-3-4-5  1-2-3-4-5  1-2-3-4..."),
         ([0, 1, 2, 3] * 1000, True, "1 to 5 stay together"),
         ([0] * 1000, True, "1 and 2 stay together"),
-        ([0, 3, 1] * 1000, True, "1 to 3, 4 and 5 stay ..."),
+        ([0, 3, 1] * 1000, True, "1 to 3, 4 and 5 stay together"),
         ([0] + [1, 2] * 1000, True, "2 to 4 stay together"),
     ],
 )
@@ -124,7 +124,7 @@ def test_bobs_that_stay_together_from_swing_to_swing_take_one_line():
 
 def test_which_bobs_stay_together():
     lie = [0, 1] * 100
-    assert strip(lie, [3] * 21) == ["t = 0.00 s  1 to 3, 4 and 5 stay ..."]
+    assert strip(lie, [3] * 21) == ["t = 0.00 s  1 to 3, 4 and 5 stay together"]
     assert strip(*[[*lie, 3]] * 25) == [
         "t = 0.00 s  1 to 3 stay together"
     ]  # a hit in each swing is no staying together

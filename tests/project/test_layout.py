@@ -21,6 +21,7 @@ from whole_cradles import FIVE_CSV
 pytestmark = needs_vpython
 
 PHONE, TABLET, LAPTOP, PROJECTOR, BOARD = (390, 844), (1024, 768), (1366, 625), (1920, 1080), (2560, 1440)
+SMALL = (900, 600)
 
 # The edges of an element, in the window: left, top, right, bottom.
 EDGES = "e => (r => [r.left, r.top, r.right, r.bottom])(e.getBoundingClientRect())"
@@ -83,9 +84,8 @@ def test_a_tall_window_shows_cradle_and_buttons_and_scrolls_the_rest(shared, siz
     resize(shared, size)
     assert is_whole(shared, "canvas")
     assert edges(shared, "canvas")[2] == size[0]
-    for name in ("Pause", "Run", "Restart"):
-        button = shared.get_by_role("button", name=name, exact=True)
-        assert not button.count() or is_whole(shared, f"button:has-text('{name}')")
+    for name in ("Run", "Step", "Restart"):
+        assert is_whole(shared, f"button:has-text('{name}')")
     assert edges(shared, ".panel")[2] <= size[0]
     assert all(box.evaluate(EDGES)[2] <= size[0] for box in shared.locator(".panel section > *").all())
     shared.locator(".saved").scroll_into_view_if_needed()
@@ -93,7 +93,7 @@ def test_a_tall_window_shows_cradle_and_buttons_and_scrolls_the_rest(shared, siz
 
 
 def test_nothing_in_the_panel_covers_anything_else(shared):
-    for size in (PHONE, TABLET, LAPTOP, PROJECTOR):
+    for size in (PHONE, TABLET, SMALL, LAPTOP, PROJECTOR):
         resize(shared, size)
         boxes = [box.evaluate(EDGES) for box in shared.locator(".panel section").all() if box.is_visible()]
         for number, (left, top, right, bottom) in enumerate(boxes):
@@ -117,8 +117,9 @@ def test_present_leaves_cradle_and_numbers(shared):
         wait_until(lambda: shared.locator("select").is_visible())
     press(shared, "Present")
     wait_until(lambda: shared.locator("select").is_hidden())
-    shared.keyboard.press("f")
+    shared.get_by_role("button", name="End the presentation").click()
     wait_until(lambda: shared.locator("select").is_visible())
+    assert shared.locator(".leave").is_hidden()
 
 
 def test_light_and_dark_follow_the_system(shared):
@@ -145,10 +146,12 @@ def test_one_finger_drags_a_bob_or_turns_the_camera_and_two_zoom(shared):
 
     view = "[glowObjs[0].forward.x, glowObjs[0].range]"
     before = shared.evaluate(view)
-    touch("touchStart", pixel(shared, 4, 0))
+    x, y = pixel(shared, 4, 0)
+    radius = (x - pixel(shared, 3, 0)[0]) / 2.1
+    touch("touchStart", (x, y + 1.3 * radius))  # a finger is not exact
     touch("touchMove", pixel(shared, 4, 20))
     touch("touchMove", pixel(shared, 4, 40))
-    wait_until(lambda: lifts(shared)[4] == pytest.approx(40, abs=1))
+    wait_until(lambda: lifts(shared)[4] == pytest.approx(40, abs=3))
     assert shared.evaluate(view) == before
     touch("touchEnd")
     shared.keyboard.press("0")
@@ -187,8 +190,12 @@ def test_the_cursor_shows_that_a_bob_can_be_grabbed(shared):
 
 
 def test_the_camera_stays_above_the_base(shared):
-    shared.evaluate("glowObjs[0].forward = vec(0, 0.5, -1)")
-    wait_until(lambda: shared.evaluate("glowObjs[0].forward.y") == 0)
+    seen = """async () => {
+        glowObjs[0].forward = vec(0, 0.5, -1);
+        for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+        return glowObjs[0].forward.y;
+    }"""
+    wait_until(lambda: shared.evaluate(seen) == 0)
 
 
 def test_widgets_have_names_and_roles(shared):
@@ -220,7 +227,7 @@ def test_a_key_lifts_one_bob_more(shared):
 
 def test_forced_colors_leave_the_sliders_visible(shared):
     shared.emulate_media(forced_colors="active")
-    slider = shared.locator(".ui-slider").first
-    border, paper = slider.evaluate("e => [getComputedStyle(e).borderTopColor, getComputedStyle(e).backgroundColor]")
-    assert border != paper
+    slider, part = shared.locator(".ui-slider").first, shared.locator(".ui-slider-range").first
+    filled, empty = (place.evaluate("e => getComputedStyle(e).backgroundColor") for place in (part, slider))
+    assert filled != empty
     shared.emulate_media(forced_colors="none")

@@ -142,7 +142,8 @@ def test_a_page_that_the_browser_keeps_after_you_have_left_it_ends_the_program(p
 
 def test_a_tab_that_is_closed_for_good_ends_the_program_soon(page, started):
     page.close()
-    assert started.wait(timeout=RETURN + 7) == 0  # the three seconds, and much more than the machine needs for the rest
+    assert RETURN == 3.0  # and a second for the rest, which a busy machine may exceed
+    assert started.wait(timeout=RETURN + 7) == 0
     assert end(started) == QUIETLY
 
 
@@ -174,13 +175,13 @@ def test_a_second_tab_says_so_and_can_take_the_cradle_over(page, started):
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
 def test_a_page_whose_program_has_ended_says_so_and_how_to_start_it(page, tmp_path, how):
     program = copy_project(tmp_path, FIVE_CSV) / "src" / "visualize_double_cradle_run.py"
-    with running(program, folder=tmp_path) as process:
+    with running(program, "--phi", "45", folder=tmp_path) as process:
         open_cradle(page, first_lines(process), bobs=10)
         process.send_signal(how)
         page.get_by_text("The program has ended.").wait_for()
         words = page.locator(".notice").inner_text()
         assert "To start it again, type this command in the terminal" in words
-        assert words.rstrip().endswith(" src/visualize_double_cradle_run.py")
+        assert words.rstrip().endswith(" src/visualize_double_cradle_run.py --phi 45")
         assert is_greyed_out(page)
         bobs = page.evaluate(BOBS)
         assert page.evaluate(MOVES) == 0
