@@ -147,6 +147,12 @@ def test_a_tab_that_is_closed_for_good_ends_the_program_soon(page, started):
     assert end(started) == QUIETLY
 
 
+def take_over(page):
+    with page.expect_navigation():  # the page still has its old cradle
+        press(page, "Use it here")
+    wait_for_cradle(page)
+
+
 def test_a_second_tab_says_so_and_can_take_the_cradle_over(page, started):
     address = page.url
     with new_page(page.context.browser) as second:
@@ -155,15 +161,13 @@ def test_a_second_tab_says_so_and_can_take_the_cradle_over(page, started):
         assert second.locator("canvas").count() == 0
         wait_until(lambda: page.evaluate(MOVES) > 0)
         assert page.locator(".notice").count() == 0
-        press(second, "Use it here")
-        wait_for_cradle(second)
+        take_over(second)
         assert second.url == address
         wait_until(lambda: second.evaluate(MOVES) > 0)
 
         page.get_by_text("The cradle is open in another tab.").wait_for()
         assert is_greyed_out(page)
-        press(page, "Use it here")
-        wait_for_cradle(page)
+        take_over(page)
         second.get_by_text("The cradle is open in another tab.").wait_for()
         reload(page)  # is the same tab, and needs no permission
         page.close()
