@@ -181,6 +181,8 @@ def test_a_page_whose_program_has_ended_says_so_and_how_to_start_it(page, tmp_pa
     program = copy_project(tmp_path, FIVE_CSV) / "src" / "visualize_double_cradle_run.py"
     with running(program, "--phi", "45", folder=tmp_path) as process:
         open_cradle(page, first_lines(process), bobs=10)
+        assert page.title() == "Newton's double cradle"
+        assert page.locator("link[rel=icon]").get_attribute("href").startswith("data:image/svg+xml,")
         process.send_signal(how)
         page.get_by_text("The program has ended.").wait_for()
         words = page.locator(".notice").inner_text()
