@@ -5,7 +5,8 @@
   lastsliders = new Proxy({}, { has: () => true, get: (told, i) => told[i] === sliders[i] ? sliders[i] : {} });
 
   const scene = () => glowObjs[0];
-  const find = (selector, place = document) => [...place.querySelectorAll(selector)];
+  const find = selector => [...document.querySelectorAll(selector)];
+  const bobs = () => glowObjs.filter(o => o?.constructor.name === "sphere" && o.visible);
   const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in viewer.py
@@ -48,7 +49,6 @@
         node.remove();
       } else if (section && node.innerHTML !== " ") section.append(node); // VPython puts a space behind a button
     }
-    document.querySelector("section.graph").append(document.querySelector(".glowscript-graph") ?? "");
     new MutationObserver(moveGraph).observe(document.querySelector(".glowscript"), { childList: true });
     nameWidgets();
     new ResizeObserver(fit).observe(canvas);
@@ -108,14 +108,13 @@
       new MutationObserver(tell).observe(value, { childList: true });
       tell();
     });
-    const canvas = document.querySelector(".canvas");
-    canvas.setAttribute("role", "img");
+    document.querySelector(".canvas").setAttribute("role", "img");
   }
 
   function describe() { // the canvas, in words; at most once a second, or a screen reader would never end
-    const bobs = glowObjs.filter(o => o?.constructor.name === "sphere" && o.visible).length;
+    const count = bobs().length;
     const state = find(".readout tr").slice(0, 2).map(row => row.innerText.replace(/\s+/g, " ").trim()).join(", ");
-    const words = `${document.title} with ${bobs} ${bobs === 1 ? "bob" : "bobs"}: ${state}`;
+    const words = `${document.title} with ${count} ${count === 1 ? "bob" : "bobs"}: ${state}`;
     const canvas = document.querySelector(".canvas");
     if (canvas.getAttribute("aria-label") !== words) canvas.setAttribute("aria-label", words);
   }
@@ -129,11 +128,10 @@
     requestAnimationFrame(limit);
   }
 
-  function bobAt(x, y, reach) { // whether a bob, larger by the factor reach, is seen there
+  function isOnBob(x, y) {
     const mouse = scene().mouse;
     mouse.__update({ pageX: x, pageY: y });
-    const meets = bob => bob.pos.sub(mouse.pos).cross(mouse.ray).mag < reach * bob.radius;
-    return glowObjs.some(o => o?.constructor.name === "sphere" && o.visible && meets(o));
+    return bobs().some(bob => bob.pos.sub(mouse.pos).cross(mouse.ray).mag < FINGER * bob.radius);
   }
 
   const isCanvas = event => event.target.tagName === "CANVAS" && event.target.closest(".canvas");
@@ -146,13 +144,13 @@
     if (!isCanvas(event) || event.pointerType !== "mouse") return;
     const held = event.buttons === 1;
     if (!held || event.target.style.cursor !== "grabbing")
-      event.target.style.cursor = !bobAt(event.pageX, event.pageY, FINGER) ? "" : held ? "grabbing" : "grab";
+      event.target.style.cursor = !isOnBob(event.pageX, event.pageY) ? "" : held ? "grabbing" : "grab";
   }, true);
 
   // One finger on a bob drags it at once: VPython would wait whether the finger turns the camera.
   addEventListener("touchstart", event => {
     if (!isCanvas(event) || event.touches.length > 1) return;
-    const [finger] = event.touches, onBob = bobAt(finger.clientX, finger.clientY, FINGER);
+    const [finger] = event.touches, onBob = isOnBob(finger.clientX, finger.clientY);
     Object.assign(scene(), { userspin: !onBob, userzoom: !onBob });
   }, { capture: true, passive: true });
   for (const type of ["touchend", "touchcancel"])

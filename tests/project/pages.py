@@ -45,7 +45,7 @@ def slide(page, slider, part):
 
 
 def from_start(page):
-    """Let the bobs go anew, and return when the time is counted from there."""
+    """Restart the cradle, and let it run from t = 0."""
     pause(page)
     press(page, "Restart")
     wait_until(lambda: readout(page, "t") == 0)
@@ -53,7 +53,7 @@ def from_start(page):
 
 
 def values(page):
-    """Return what stands behind the sliders."""
+    """Return the texts behind the sliders."""
     return page.locator(".value").all_inner_texts()
 
 

@@ -3,7 +3,7 @@
 import signal
 
 import pytest
-from pages import ANGLE, LIFTED, lifts, SEPARATING, slide, SPEED, values
+from pages import ANGLE, GRAPH, LIFTED, lifts, SEPARATING, slide, SPEED, values
 from programs import (
     BOBS,
     copy_project,
@@ -28,7 +28,6 @@ from support.page.local_server import RETURN
 
 pytestmark = needs_vpython
 
-GRAPH = 1
 VIEW = "(s => [s.forward.x, s.forward.y, s.forward.z, s.center.x, s.center.y, s.range])(glowObjs[0])"
 WIDGETS = """[$(".ui-slider").toArray().map(slider => $(slider).slider("value")), $("select").val(),
               $("input[type=checkbox]").toArray().map(box => box.checked), $("button").text()]"""

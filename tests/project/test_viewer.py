@@ -269,23 +269,23 @@ def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     assert (first["theta"], first["phi"]) == pytest.approx((outwards * 75 * pi / 180, -outwards * 40 * pi / 180))
 
 
-@pytest.mark.parametrize("anew", ["restart", "reload", "page"])
-def test_what_is_set_stays_set(wall, csv, anew):
+@pytest.mark.parametrize("after", ["restart", "reload", "page"])
+def test_what_is_set_stays_set(wall, csv, after):
     set_slider(wall.panel.speed, 0.5)
     for widget, value in ((wall.panel.separating, "checked"), (wall.panel.collisions, "selected")):
         setattr(widget, value, True if value == "checked" else "inelastic, e = 0")
         widget.bind(widget)
     wall.press(" ")
-    if anew == "reload":
+    if after == "reload":
         csv.write_text(HEADER + GOOD * 2)
         wall.wait(3 * POLL)
-    elif anew == "page":
+    elif after == "page":
         wall.viewer.give(Command.SHOW_AGAIN)
         wall.wait()
     else:
         wall.press("r")
     assert (wall.viewer.pace.speed, wall.viewer.separating, wall.viewer.running) == (0.5, True, False)
-    assert [pend["e"] for pend in wall.viewer.cradle.pend_list] == [0] * (2 if anew == "reload" else 5)
+    assert [pend["e"] for pend in wall.viewer.cradle.pend_list] == [0] * (2 if after == "reload" else 5)
     assert wall.panel.pause.text == "Run"
 
 
