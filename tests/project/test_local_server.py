@@ -83,9 +83,10 @@ def shake_hands(port, *headers, path="/?tab=any"):
         *headers,
     ]
     connection.sendall("".join(f"{line}\r\n" for line in [*lines, ""]).encode())
-    reply = http.client.HTTPResponse(connection)
-    reply.begin()
-    return connection, reply.status
+    reply = connection.makefile("rb", buffering=0)  # takes nothing of the frames that can follow the headers at once
+    status = int(reply.readline().split()[1])
+    http.client.parse_headers(reply)
+    return connection, status
 
 
 def stranger(port, *headers):
