@@ -28,8 +28,9 @@ class LiveCradle:
     dt = DT
     reach = R_PARAM
     angles: Mapping[str, tuple[float, float]] = {"Release angle": (0, 180)}
-    coordinate_keys: Sequence[str] = ("theta", "omega")
+    angle_keys: Sequence[str] = ("theta",)
     rate_keys: Sequence[str] = ("omega",)
+    tick_name = "DT"  # of the constant, in the globals of main
     # The names of the functions that make the cradle, move it, and let two pendula hit.
     maker, ticker, meeter = "make_newton_cradle", "newton_cradle_tick", "handle_two_bobs"
 
@@ -114,7 +115,7 @@ class LiveCradle:
         if not pend_list:
             raise MistakeError(make, "returned an empty list; a cradle has at least one pendulum.")
         for number, pend in enumerate(pend_list, start=1):
-            for key in ("mass", "e", *self.coordinate_keys):
+            for key in ("mass", "e", *self.angle_keys, *self.rate_keys):
                 if not is_number(pend.get(key)):
                     found = repr(pend[key]) if key in pend else "nothing"
                     raise MistakeError(make, f"set {key} of pendulum {number} to {found}; it must be a number.")
@@ -129,7 +130,7 @@ class LiveCradle:
             words = f"made {len(self.pend_list)} pendula from {len(self.numbers)}; it must keep their number."
             raise MistakeError(self.scope[self.ticker], words)
         for number, pend in enumerate(self.pend_list, start=1):
-            for key in self.coordinate_keys:
+            for key in (*self.angle_keys, *self.rate_keys):
                 if not is_number(pend.get(key)):
                     words = f"set {key} of pendulum {number} to {pend.get(key)!r}; it must be a finite number."
                     raise MistakeError(self.scope[self.ticker], words)
@@ -284,6 +285,15 @@ class LiveCradle:
         rightmost = accumulate((x if is_low else -inf for x, is_low in places), max)
         return any(left > x for left, (x, is_low) in zip(rightmost, places[2:], strict=False) if is_low)
 
+    def colors(self) -> list:
+        """Return the colors (vectors) of the pendula, from left to right."""
+        return [pend["objects"][1].color for pend in self.pend_list]
+
+    def constants(self) -> str:
+        """Return the constants with which main moves the cradle, in words."""
+        r_param, dt, g = (self.scope.get(name) for name in ("R_PARAM", self.tick_name, "G"))
+        return f"main uses R_PARAM = {r_param} m (cord), {self.tick_name} = {dt} s (tick) and G = {g} m/s^2 (gravity)."
+
     def masses(self) -> list[float]:
         """Return the masses of the pendula's bobs (kg), from left to right."""
         return [pend["mass"] for pend in self.pend_list]
@@ -295,7 +305,7 @@ class LiveCradle:
     def coordinates(self) -> dict[str, float]:
         """Return coordinates (rad) and their rates (rad/s) by name: theta_1, theta_2, ..., from left to right."""
         numbered = list(enumerate(self.pend_list, start=1))
-        return {f"{key}_{i}": pend[key] for key in self.coordinate_keys for i, pend in numbered}
+        return {f"{key}_{i}": pend[key] for key in (*self.angle_keys, *self.rate_keys) for i, pend in numbered}
 
 
 def is_number(value) -> bool:

@@ -16,8 +16,9 @@ class LiveDoubleCradle(LiveCradle):
     dt = DOUBLE_DT
     reach = 2 * R_PARAM
     angles = {"Angle theta": (0, 180), "Angle phi": (-180, 180)}
-    coordinate_keys = ("theta", "phi", "omega", "phi_omega")
+    angle_keys = ("theta", "phi")
     rate_keys = ("omega", "phi_omega")
+    tick_name = "DOUBLE_DT"
     maker, ticker, meeter = "make_double_newton_cradle", "double_cradle_tick", "handle_two_double_bobs"
 
     def make_room(self, lifted) -> None:

@@ -18,7 +18,7 @@ class Command(Enum):
     LIFT = auto()  # number of bobs; the cradle restarts
     COLLISIONS = auto()  # a key of the cradle's collisions
     SEPARATING = auto()  # whether separating bobs collide too
-    GRAPH = auto()  # whether the graph is shown
+    GRAPH = auto()  # one of the graph's choices
     SAVE = auto()  # the data since the last restart, to a file
     GRAB = auto()  # the bob under the mouse; the value is the mouse's ray (a point on it, its direction)
     DRAG = auto()  # the held bob to the ray, as for GRAB

@@ -19,13 +19,34 @@
   $.plot = Object.assign((place, curves, options) => {
     drawn = [place, curves, options];
     if (!place.width() || !place.height()) return place.data("plot") ?? { draw() {} }; // flot draws nothing that is hidden
-    const seen = curves.map(curve => dark.matches && curve.label === "total" ? { ...curve, color: css("--ink") } : curve);
+    const seen = curves.filter(({ data }) => Number.isFinite(data[0]?.[0])).map(curve => ({ ...curve, color: legible(curve.color) }));
+    const phase = seen.find(curve => curve.label === "phase"), tickFormatter = value => Number(value.toPrecision(6));
+    const limits = seen.some(curve => curve.label === "total") ? [{}, { min: 0 }] : [{}, {}];
+    if (phase) {
+      delete phase.label;
+      for (const axis of [0, 1]) { // with the origin in the middle
+        const most = 1.05 * Math.max(0.01, ...phase.data.map(point => Math.abs(point[axis])));
+        limits[axis] = { min: -most, max: most };
+      }
+    }
     return plot(place, seen, $.extend(true, {}, options, {
-      yaxis: { tickFormatter: value => Number(value.toPrecision(6)), labelWidth: 44 },
-      legend: { noColumns: 3, position: "ne", margin: [0, -24], backgroundOpacity: 0 },
+      xaxis: { ...limits[0], tickFormatter: value => tickFormatter(value) + (phase ? "" : " s") },
+      yaxis: { ...limits[1], tickFormatter, labelWidth: 44 },
+      legend: { show: seen.length < 9, noColumns: 8, position: "ne", margin: [0, -24], backgroundOpacity: 0 },
       grid: { color: css("--pale"), borderColor: css("--line"), tickColor: css("--line"), backgroundColor: "transparent", borderWidth: 1 },
     }));
   }, plot);
+
+  // A curve has the color of its bob. If this can hardly be seen on the page, some of the page's ink is mixed in.
+  function legible(color) {
+    const [own, ink, paper] = [color, css("--ink"), css("--paper")].map(text => {
+      const { r, g, b } = $.color.parse(text);
+      return [r, g, b];
+    });
+    const light = ([red, green, blue]) => (0.3 * red + 0.59 * green + 0.11 * blue) / 255;
+    const part = Math.abs(light(own) - light(paper)) < 0.25 ? 0.4 : 0;
+    return `rgb(${own.map((value, i) => Math.round((1 - part) * value + part * ink[i]))})`;
+  }
 
   function redraw() {
     if (drawn?.[0].is(":visible")) $.plot(...drawn);
@@ -34,7 +55,7 @@
   // --- the parts of the page -----------------------------------------------------------------------------------------
 
   // VPython puts all widgets one after the other. The program calls this function after the last one: each mark
-  // <i class="part" data-name="..."> begins a section.
+  // <i class="part" data-name="..." data-fold="..."> begins a section; one with a title in data-fold is folded away.
   function arrange() {
     const canvas = document.querySelector(".glowscript-canvas-wrapper"), panel = canvas.nextElementSibling;
     canvas.classList.add("canvas");
@@ -44,8 +65,10 @@
     for (const node of [...panel.childNodes]) {
       const mark = node.querySelector?.(".part");
       if (mark) {
-        section = panel.appendChild(document.createElement("section"));
+        section = document.createElement("section");
         section.className = mark.dataset.name;
+        if (mark.dataset.fold) fold(panel, section, mark.dataset.fold);
+        else panel.append(section);
         node.remove();
       } else if (section && node.innerHTML !== " ") section.append(node); // VPython puts a space behind a button
     }
@@ -56,6 +79,15 @@
     paint();
     setInterval(describe, 1000);
     requestAnimationFrame(limit);
+  }
+
+  function fold(panel, section, title) {
+    const folds = panel.querySelector(".folds") ?? panel.appendChild(document.createElement("div"));
+    folds.className = "folds";
+    const details = folds.appendChild(document.createElement("details"));
+    details.append(document.createElement("summary"), section);
+    details.firstChild.append(title);
+    details.addEventListener("toggle", () => details.open && details.scrollIntoView({ block: "nearest" }));
   }
 
   function moveGraph() { // VPython adds the graph with its first points

@@ -3,9 +3,10 @@
 from html import escape
 from pathlib import Path
 
-from vpython import button, checkbox, menu, scene, slider, wtext
+from vpython import button, checkbox, menu, scene, wtext
 
 from support.page.commands import Command
+from support.page.widgets import add_hint, add_label, begin_part, end_row, set_text, Setting
 from support.pendulum import from_lift, to_lift
 
 # The style of the page, and additions to VPython's page.
@@ -19,9 +20,11 @@ PRESENT = (
     '<button onclick="present()" title="Show only the cradle and its numbers, in full screen (F)">Present</button>'
 )
 SEPARATING = "Separating bobs collide too"
-SEPARATING_HINT = "as in the handout: bobs with e below 1 then stick together"
-FIXED_HINT = "fixed: your functions have no approaching_only"
-GRAPH = "Energy (J) over time (s)"
+SEPARATING_HINT = (
+    "The handout lets two bobs collide in each tick in which they touch, also when they already move apart. A second "
+    "hit then undoes a part of the first one: bobs with e below 1 stick together."
+)
+FIXED_HINT = "Your functions have no parameter approaching_only, so this rule is fixed."
 SAVING = "writes a CSV with the data since the last restart, at most ten minutes"
 SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
 TRAINS = 7  # of impacts, a line for each
@@ -53,11 +56,15 @@ class Panel:
         self.add_settings(give, cradle)
         self.add_collisions(give, cradle)
         begin_part("graph")
-        self.graph = checkbox(text=GRAPH, checked=True, bind=lambda box: give(Command.GRAPH, box.checked))
-        begin_part("data")
+        add_label("Graph")
+        self.graph = menu(choices=[""], bind=lambda menu: give(Command.GRAPH, menu.selected))
+        begin_part("data", fold="Take away")
         self.save = button(text="Save data", bind=lambda: give(Command.SAVE))
         self.saved = wtext()
         self.show_saved(SAVING)
+        begin_part("advanced", fold="Advanced")
+        self.add_rule(give, cradle.takes_rule)
+        add_hint(escape(cradle.constants()))
         scene.append_to_caption("<script>arrange()</script>")
 
     def add_buttons(self, give) -> None:
@@ -82,18 +89,20 @@ class Panel:
         ]
 
     def add_collisions(self, give, cradle) -> None:
-        """Add the menu of collisions and the checkbox of their rule, which is fixed if the cradle takes no rule."""
+        """Add the menu of collisions."""
         add_label("Collisions")
         self.collisions = menu(
             choices=list(cradle.collisions),
             selected=cradle.collision,
             bind=lambda menu: give(Command.COLLISIONS, menu.selected),
         )
-        end_row()
+
+    def add_rule(self, give, takes_rule) -> None:
+        """Add the checkbox of the collisions' rule, which is fixed if the cradle takes no rule."""
         self.separating = checkbox(text=SEPARATING, bind=lambda box: give(Command.SEPARATING, box.checked))
-        if cradle.takes_rule:
-            add_hint(SEPARATING_HINT)
-        else:
+        end_row()
+        add_hint(SEPARATING_HINT)
+        if not takes_rule:
             self.separating.checked = self.separating.disabled = True
             add_hint(FIXED_HINT)
 
@@ -101,9 +110,9 @@ class Panel:
         """Send what you have set to a page that was loaded again: VPython has only received it, and never sent it."""
         for setting in (self.speed, self.lifted, *self.angles):
             setting.slider.value = setting.slider.value
-        self.collisions.selected = self.collisions.selected
-        for box in (self.separating, self.graph):
-            box.checked = box.checked
+        for chosen in (self.collisions, self.graph):
+            chosen.selected = chosen.selected
+        self.separating.checked = self.separating.checked
 
     def show_error(self, message) -> None:
         """Show this message above everything else; an empty message removes it."""
@@ -136,6 +145,13 @@ class Panel:
         lines = [f'<tr><th scope="row">{name}</th><td>{cell}</td></tr>' for name, cell in rows.items()]
         set_text(self.readout, f'<table class="readout">{"".join(lines)}</table>')
 
+    def show_graphs(self, choices, choice) -> None:
+        """Show these choices of graphs in the menu, and the present choice."""
+        if self.graph.choices != choices:
+            self.graph.choices = choices
+        if self.graph.selected != choice:
+            self.graph.selected = choice
+
     def show_saved(self, message, failed=False) -> None:
         """Show a message about saved data: the file, or, if failed, the reason."""
         set_text(self.saved, f'<span class="{"failed" if failed else "hint"} saved">{escape(message)}</span>')
@@ -144,22 +160,6 @@ class Panel:
         """Show the last trains of impacts, a line for each, and a note if a bob has swung through others."""
         note = f'\n<span class="hint">{SWUNG_THROUGH}</span>' if swung_through else ""
         set_text(self.impacts, '<pre class="impacts">' + "\n".join(["Impacts", *lines]) + note + "</pre>")
-
-
-class Setting:
-    """A slider, with its name before it, and its value and unit behind it."""
-
-    def __init__(self, name, lowest, highest, step, bind):
-        """Make the slider; when you move it, it calls bind(value)."""
-        add_label(name)
-        self.slider = slider(min=lowest, max=highest, step=step, length=170, bind=lambda slider: bind(slider.value))
-        self.text = wtext()
-
-    def show(self, value, text) -> None:
-        """Move the slider to value, and show its text."""
-        if self.slider.value != value:
-            self.slider.value = value
-        set_text(self.text, f'<span class="value">{text}</span>')
 
 
 def percent_cell(percent) -> str:
@@ -174,30 +174,3 @@ def momentum_cell(momentum) -> str:
     moving = f"{momentum:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
     arrow = "" if abs(momentum) < 0.0005 else " &rarr;" if momentum > 0 else " &larr;"
     return f"{moving} kg m/s{arrow}"
-
-
-def begin_part(name) -> None:
-    """Begin a new part of the panel; panel.js and panel.css know its name."""
-    wtext(text=f'<i class="part" data-name="{name}"></i>')
-
-
-def add_label(text) -> None:
-    """Add the name of the next widget."""
-    wtext(text=f'<span class="label">{text}</span>')
-
-
-def add_hint(text) -> None:
-    """Add a short explanation, and end the row."""
-    wtext(text=f'<span class="hint">{text}</span>')
-    end_row()
-
-
-def end_row() -> None:
-    """Begin a new row of widgets."""
-    wtext(text='<i class="row"></i>')
-
-
-def set_text(widget, text) -> None:
-    """Set the text of a widget only if it has changed: you may be about to copy it."""
-    if widget.text != text:
-        widget.text = text

@@ -10,7 +10,7 @@ from vpython import baseObj, cross, dot, mag, scene
 from support.files.cradle_csv import check_cradle
 from support.files.recording import EVERY, Recording
 from support.page.commands import Command, KEYS
-from support.page.energy_graph import EnergyGraph
+from support.page.motion_graph import MotionGraph
 from support.page.panel import Panel, TRAINS
 from support.page.scenery import Scenery
 from support.playback.cradle import Cradle
@@ -42,7 +42,7 @@ class Viewer(Player):
 
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle, remark)
-        self.graph = EnergyGraph()
+        self.graph = MotionGraph(self.recording, cradle.angle_keys, cradle.rate_keys)
         self.listen()
 
     def script(self):
@@ -165,7 +165,7 @@ class Viewer(Player):
         self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, self.cradle.masses())
         self.scenery.come_closer()
         self.recording.clear()
-        self.graph.clear()
+        self.graph.take(self.cradle.colors())
         self.swung_through = False
         self.note()
         self.show_settings()
@@ -213,10 +213,8 @@ class Viewer(Player):
     # --- time, and the file ------------------------------------------------------------------------------------------
 
     def note(self) -> None:
-        """Add this moment to the recording and to the graph."""
-        sample = self.motion.sample()
-        self.recording.add(sample)
-        self.graph.add(sample["t"], sample["kinetic"], sample["potential"])
+        """Add this moment to the recording."""
+        self.recording.add(self.motion.sample())
 
     def reload(self):
         """Let main make the cradle of the new file, or show the mistake in the file; the old cradle then swings on."""
@@ -239,6 +237,7 @@ class Viewer(Player):
         count = len(self.cradle.axles())
         lifted = made_lifted if self.lifted is None else min(self.lifted, count)
         self.panel.show_settings(self.running, self.pace.speed, angles, lifted, count)
+        self.panel.show_graphs(list(self.graph.choices), self.graph.choice)
 
     def show_motion(self) -> None:
         """Show time, energy, momentum, impacts and graph, ten times a second."""

@@ -1,6 +1,6 @@
 """The protocol of a cradle: its parts that the programs use."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import contextmanager
 from typing import Any, Protocol
 
@@ -12,6 +12,8 @@ class Cradle(Protocol):
     dt: float  # one tick (s)
     reach: float  # from an axle to the centre of the lowest bob at rest (m)
     angles: Mapping[str, tuple[float, float]]  # name of a release angle -> (least, largest), degrees
+    angle_keys: Sequence[str]  # a pendulum's keys of its angles (rad), the upper cord first
+    rate_keys: Sequence[str]  # the keys of their rates (rad/s), in the same order
     collisions: dict[str, Any]  # the keys are the names of the kinds of collisions
     collision: str  # the present key of collisions
     held: int | None  # the held bob, an index into bobs
@@ -74,6 +76,12 @@ class Cradle(Protocol):
 
     def swings_through(self) -> bool:
         """Return whether a bob swings through others, because the tick lets only neighbours collide."""
+
+    def colors(self) -> list:
+        """Return the colors (vectors) of the pendula, from left to right."""
+
+    def constants(self) -> str:
+        """Return the constants with which main moves the cradle, in words."""
 
     def masses(self) -> list[float]:
         """Return the masses of the pendula's bobs (kg), from left to right."""

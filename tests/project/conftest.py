@@ -8,7 +8,8 @@ import sys
 
 import pytest
 from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, new_page, PROGRAM, SECONDS
-from whole_cradles import FIVE_CSV
+from wall import Wall
+from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from support.start.options import PORT_VARIABLE
 
@@ -44,6 +45,27 @@ def run(tmp_path):
         return subprocess.run(command, cwd=os.sep, env=environment, capture_output=True, text=True, timeout=2 * SECONDS)
 
     return run
+
+
+@pytest.fixture
+def csv(tmp_path):
+    """The path of a CSV with five equal bobs."""
+    path = tmp_path / "cradle.csv"
+    path.write_text(FIVE_CSV)
+    return path
+
+
+@pytest.fixture
+def wall(csv):
+    """A viewer of five bobs, on the stand-in."""
+    return Wall(csv)
+
+
+@pytest.fixture
+def single(csv):
+    """A viewer of a single pendulum, for long tests."""
+    csv.write_text(HEADER + GOOD)
+    return Wall(csv)
 
 
 @pytest.fixture(scope="session")

@@ -8,7 +8,7 @@ from programs import BOBS, pause, press, readout, wait_until
 from support.constants import R_PARAM
 
 SPEED, LIFTED, ANGLE = range(3)  # the sliders, in their order
-SEPARATING, GRAPH = range(2)  # the checkboxes
+SEPARATING = "Separating bobs collide too"  # a checkbox below the title Advanced
 
 # Where a point of the plane of swing is seen: pixels in the window.
 PIXEL = """([x, y]) => {
@@ -36,6 +36,16 @@ def lifts(page):
 
 def wait_for_lifts(page, *expected):
     wait_until(lambda: lifts(page) == pytest.approx(expected, abs=0.01))
+
+
+def menu(page, name):
+    """Return this menu of the panel."""
+    return page.get_by_role("combobox", name=name, exact=True)
+
+
+def unfold(page, title):
+    """Open the part of the panel that is folded away below this title."""
+    page.locator("summary", has_text=title).evaluate("summary => summary.parentElement.open = true")
 
 
 def slide(page, slider, part):

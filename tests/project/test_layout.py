@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from pages import lifts, pixel
+from pages import lifts, menu, pixel, SEPARATING, unfold
 from programs import (
     copy_project,
     first_lines,
@@ -69,7 +69,7 @@ def is_whole(page, selector):
 def test_a_wide_window_shows_everything_without_scrolling(shared, size):
     resize(shared, size)
     assert shared.evaluate("(e => e.scrollHeight - e.clientHeight)(document.querySelector('.panel'))") == 0
-    for selector in ("canvas", ".readout", ".impacts", ".glowscript-graph", "select", ".saved"):
+    for selector in ("canvas", ".readout", ".impacts", ".glowscript-graph", "select", "summary"):
         assert is_whole(shared, selector)
     left, top, right, bottom = edges(shared, "canvas")
     assert (right - left) * (bottom - top) >= 0.45 * size[0] * size[1]
@@ -88,8 +88,8 @@ def test_a_tall_window_shows_cradle_and_buttons_and_scrolls_the_rest(shared, siz
         assert is_whole(shared, f"button:has-text('{name}')")
     assert edges(shared, ".panel")[2] <= size[0]
     assert all(box.evaluate(EDGES)[2] <= size[0] for box in shared.locator(".panel section > *").all())
-    shared.locator(".saved").scroll_into_view_if_needed()
-    assert is_whole(shared, ".saved")
+    shared.locator(".folds").scroll_into_view_if_needed()
+    assert is_whole(shared, ".folds")
 
 
 def test_nothing_in_the_panel_covers_anything_else(shared):
@@ -109,16 +109,16 @@ def test_present_leaves_cradle_and_numbers(shared):
     before = shared.locator(".readout").evaluate("e => parseFloat(getComputedStyle(e).fontSize)")
     for enter, leave in (("f", "f"), ("f", "Escape")):
         shared.keyboard.press(enter)
-        wait_until(lambda: shared.locator("select").is_hidden())
+        wait_until(lambda: menu(shared, "Collisions").is_hidden())
         assert edges(shared, ".canvas")[2] == shared.evaluate("innerWidth")
         assert is_whole(shared, ".readout")
         assert shared.locator(".readout").evaluate("e => parseFloat(getComputedStyle(e).fontSize)") > 1.5 * before
         shared.keyboard.press(leave)
-        wait_until(lambda: shared.locator("select").is_visible())
+        wait_until(lambda: menu(shared, "Collisions").is_visible())
     press(shared, "Present")
-    wait_until(lambda: shared.locator("select").is_hidden())
+    wait_until(lambda: menu(shared, "Collisions").is_hidden())
     shared.get_by_role("button", name="End the presentation").click()
-    wait_until(lambda: shared.locator("select").is_visible())
+    wait_until(lambda: menu(shared, "Collisions").is_visible())
     assert shared.locator(".leave").is_hidden()
 
 
@@ -203,10 +203,12 @@ def test_widgets_have_names_and_roles(shared):
         assert shared.get_by_role("slider", name=name).count() == 1
     assert shared.get_by_role("combobox", name="Collisions").count() == 1
     assert shared.evaluate("document.documentElement.lang") == "en"
-    box = shared.get_by_role("checkbox", name="Separating bobs collide too")
-    shared.get_by_text("Separating bobs collide too").click()
+    assert shared.get_by_role("combobox", name="Graph").count() == 1
+    unfold(shared, "Advanced")
+    box = shared.get_by_role("checkbox", name=SEPARATING)
+    shared.get_by_text(SEPARATING).click()
     assert box.is_checked()
-    shared.get_by_text("Separating bobs collide too").click()
+    shared.get_by_text(SEPARATING).click()
     assert not box.is_checked()
     canvas = shared.get_by_role("img", name=re.compile("Newton's cradle with 5 bobs: t .* s, energy .* %"))
     canvas.wait_for()

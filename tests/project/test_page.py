@@ -8,7 +8,21 @@ from contextlib import ExitStack
 from math import inf
 
 import pytest
-from pages import ANGLE, csv_of, from_start, LIFTED, lifts, pixel, SEPARATING, slide, SPEED, values, wait_for_lifts
+from pages import (
+    ANGLE,
+    csv_of,
+    from_start,
+    LIFTED,
+    lifts,
+    menu,
+    pixel,
+    SEPARATING,
+    slide,
+    SPEED,
+    unfold,
+    values,
+    wait_for_lifts,
+)
 from programs import (
     end,
     first_lines,
@@ -141,10 +155,11 @@ def test_the_view_is_turned_and_zoomed_with_the_mouse(page, play):
 def test_separating_bobs_collide_too(page, play):
     """Of e = 0.9 little is left then: after one swing 24 % of the energy instead of 48 %."""
     play("--e", "0.9")
-    page.get_by_role("checkbox").nth(SEPARATING).check()
+    unfold(page, "Advanced")
+    page.get_by_role("checkbox", name=SEPARATING).check()
     from_start(page)
     assert energy_after(page, 1.1 * PERIOD) < 26
-    page.get_by_role("checkbox").nth(SEPARATING).uncheck()
+    page.get_by_role("checkbox", name=SEPARATING).uncheck()
     from_start(page)
     assert energy_after(page, 1.1 * PERIOD) > 29
 
@@ -198,7 +213,7 @@ def test_the_options_are_where_the_controls_begin(page, play, program):
     press(page, "Restart")
     wait_for_lifts(page, -60, -60, 0, 0, 0)
     assert values(page) == ["1.0x", "2 of 5", "60°"]
-    assert page.locator("select").input_value() == "e = 0.5"
+    assert menu(page, "Collisions").input_value() == "e = 0.5"
     assert csv_of(program).read_text() == FIVE_CSV
 
 

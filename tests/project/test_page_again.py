@@ -3,7 +3,7 @@
 import signal
 
 import pytest
-from pages import ANGLE, GRAPH, LIFTED, lifts, SEPARATING, slide, SPEED, values
+from pages import ANGLE, LIFTED, lifts, menu, SEPARATING, slide, SPEED, unfold, values
 from programs import (
     BOBS,
     copy_project,
@@ -29,7 +29,7 @@ from support.page.local_server import RETURN
 pytestmark = needs_vpython
 
 VIEW = "(s => [s.forward.x, s.forward.y, s.forward.z, s.center.x, s.center.y, s.range])(glowObjs[0])"
-WIDGETS = """[$(".ui-slider").toArray().map(slider => $(slider).slider("value")), $("select").val(),
+WIDGETS = """[$(".ui-slider").toArray().map(slider => $(slider).slider("value")), $("select").toArray().map(menu => menu.value),
               $("input[type=checkbox]").toArray().map(box => box.checked), $("button").text()]"""
 
 
@@ -58,9 +58,10 @@ def test_a_reload_restarts_the_cradle_and_keeps_what_is_set(page, started):
     for slider, part in ((SPEED, 0.99), (LIFTED, 0.38), (ANGLE, 0.4)):
         slide(page, slider, part)
     wait_until(lambda: values(page)[:2] == ["2.0x", "2 of 5"] and values(page)[ANGLE] != "45°")
-    page.locator("select").select_option("inelastic, e = 0")
-    for box in (SEPARATING, GRAPH):
-        page.locator("input[type=checkbox]").nth(box).click()
+    menu(page, "Collisions").select_option("inelastic, e = 0")
+    menu(page, "Graph").select_option("no graph")
+    unfold(page, "Advanced")
+    page.get_by_role("checkbox", name=SEPARATING).check()
     wait_until(lambda: not page.locator(".glowscript-graph").is_visible())
     wait_until(lambda: readout(page, "t") > 0.2)
     pause(page)

@@ -4,7 +4,7 @@ import re
 from itertools import pairwise
 
 import pytest
-from pages import csv_of, from_start, GRAPH, LIFTED, lifts, pixel, slide, SPEED, values, wait_for_lifts
+from pages import csv_of, from_start, LIFTED, lifts, menu, pixel, slide, SPEED, unfold, values, wait_for_lifts
 from programs import (
     BOBS,
     copy_project,
@@ -36,12 +36,12 @@ PAUSE_OR_RUN = "document.querySelector('button').click()"
 
 # Put the cradle back to its start, with the settings with which the page opens.
 PUT_BACK = """() => {
-    const collisions = document.querySelector("select");
-    collisions.selectedIndex = 0;
-    collisions.dispatchEvent(new Event("change"));
-    const [separating, graph] = document.querySelectorAll("input[type=checkbox]");
-    for (const [box, checked] of [[separating, false], [graph, true]])
-        if (box.checked !== checked) box.click();
+    for (const menu of document.querySelectorAll("select")) {
+        menu.selectedIndex = 0;
+        menu.dispatchEvent(new Event("change"));
+    }
+    for (const box of document.querySelectorAll("input[type=checkbox]:checked")) box.click();
+    for (const open of document.querySelectorAll("details[open]")) open.open = false;
     document.activeElement.blur();
     const keys = { keyCode: 49, key: "1", bubbles: true };
     document.body.dispatchEvent(new KeyboardEvent("keydown", keys));
@@ -130,7 +130,7 @@ def test_collisions(shared):
     wait_until(lambda: lifts(shared)[4] > 20)
     assert max(map(abs, lifts(shared)[:4])) < 2
     slide(shared, SPEED, 0.99)
-    shared.locator("select").select_option("inelastic, e = 0")
+    menu(shared, "Collisions").select_option("inelastic, e = 0")
     from_start(shared)
     wait_until(lambda: readout(shared, "t") > 0.45 * PERIOD)
     together = lifts(shared)
@@ -147,17 +147,28 @@ def test_the_readout_and_the_strip_are_there_to_be_read(shared):
     assert both == pytest.approx(readout(shared, "energy"), abs=0.11) == pytest.approx(100, abs=0.1)
 
 
-def test_the_graph_can_be_hidden(shared):
-    graph, box = shared.locator(".glowscript-graph"), shared.get_by_role("checkbox").nth(GRAPH)
+def curves(page):
+    """Return the labels of the curves in the graph, from its legend."""
+    return page.locator(".glowscript-graph .legend").all_inner_texts()
+
+
+def test_the_graph_has_a_choice(shared):
+    graph, choice = shared.locator(".glowscript-graph"), menu(shared, "Graph")
     graph.wait_for(state="visible")
-    assert graph.locator(".legend").inner_text().split() == ["kinetic", "potential", "total"]
+    wait_until(lambda: " ".join(curves(shared)).split() == ["kinetic", "potential", "total"])
     wait_until(lambda: graph.locator(".yAxis .tickLabel").count() > 2)
     ticks = [float(tick) for tick in graph.locator(".yAxis .tickLabel").all_inner_texts()]
     steps = [b - a for a, b in pairwise(sorted(ticks))]
     assert steps == pytest.approx([steps[0]] * len(steps))  # which VPython's own, rounded ones are not always
-    box.uncheck()
+    assert min(ticks) == 0
+    choice.select_option("Angles theta (rad)")
+    wait_until(lambda: " ".join(curves(shared)).split() == ["1", "2", "3", "4", "5"])
+    wait_until(lambda: any("-" in tick for tick in graph.locator(".yAxis .tickLabel").all_inner_texts()))
+    choice.select_option("Phase picture of bob 5: omega over theta")
+    wait_until(lambda: "".join(curves(shared)) == "")
+    choice.select_option("no graph")
     graph.wait_for(state="hidden")
-    box.check()
+    choice.select_option("Energies (J)")
     graph.wait_for(state="visible")
 
 
@@ -176,6 +187,7 @@ def test_a_bob_is_let_go_outside_of_the_canvas(shared):
 
 def test_the_data_are_saved_and_the_page_says_where(shared, shared_csv):
     wait_until(lambda: readout(shared, "t") > 1)
+    unfold(shared, "Take away")
     press(shared, "Save data")
     saved = shared.locator(".saved", has_text="rows are in")
     saved.wait_for()

@@ -326,7 +326,7 @@ class TestOnThePage:
                 assert page.evaluate(MOVES) == 0
             else:
                 wait_until(lambda: page.evaluate(MOVES) > 0)
-            assert page.locator("input[type=checkbox]").first.is_disabled()
+            assert page.get_by_label("Separating bobs collide too").is_disabled()
             page.close()
             assert end(process) == QUIETLY
 

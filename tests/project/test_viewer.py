@@ -12,102 +12,19 @@ from types import SimpleNamespace
 import pandas as pd
 import pytest
 from vpython import cylinder, scene, vector, wtext
-from whole_cradles import components, FIVE_CSV, go_on, GOOD, HEADER, make_live, PERIOD, thetas
+from wall import set_slider, Wall
+from whole_cradles import components, FIVE_CSV, go_on, GOOD, HEADER, PERIOD, thetas
 
 from src import visualize_cradle_run
-from src.beyond.live_cradle import LiveCradle
 from src.beyond.live_double_cradle import LiveDoubleCradle
 from src.special_cradles import make_newton_cradle
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.files.live_file import LiveFile, POLL
+from support.files.live_file import POLL
 from support.files.recording import EVERY
 from support.page.commands import Command
-from support.page.energy_graph import HIDING, INTERVAL, SHOWN
 from support.page.scenery import FORWARD
-from support.page.viewer import Viewer
-from support.playback.real_time import FRAME, RealTime
-
-
-class Wall:
-    """The wall clock, and the viewer that uses it."""
-
-    def __init__(self, csv, *angles, kind=LiveCradle, remark=""):
-        self.now = 100.0
-        self.file = csv
-        live_file = LiveFile(csv, self.clock)
-        self.viewer = Viewer(make_live(kind), live_file, thetas(angles or [30]), 1, remark)
-        self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=None)
-        self.panel = self.viewer.panel
-        self.viewer.at_once = True  # single ticks give the same result, but take longer
-        go_on(self.viewer, self.viewer.open())
-
-    def clock(self):
-        return self.now
-
-    def wait(self, seconds=0.0):
-        """Let this time (s) pass, frame by frame."""
-        for _ in range(max(1, round(seconds / FRAME))):
-            self.now += seconds and FRAME
-            self.viewer.next_refresh = 0
-            go_on(self.viewer, self.viewer.frame())
-
-    def thetas(self):
-        return [pend["theta"] for pend in self.viewer.cradle.pend_list]
-
-    def lifts(self):
-        """Return the angles of the bobs, in whole degrees."""
-        return [round(abs(theta) * 180 / pi) for theta in self.thetas()]
-
-    def time(self):
-        return float(self.readout()["t"].split()[0])
-
-    def readout(self):
-        """Return the texts of the readout, by their names, as they are while the mouse is elsewhere."""
-        rows = re.findall(r'<th scope="row">(\w+)</th><td>(.*?)</td>', self.panel.readout.text)
-        return {name: re.sub('<span class="exact">.*?</span>|<.*?>', "", text).strip() for name, text in rows}
-
-    def percents(self):
-        """Return the energies of the readout."""
-        readout = self.readout()
-        return [readout[name] for name in ("energy", "kinetic", "potential")]
-
-    def press(self, key, **modifiers):
-        scene.bound["keydown"](SimpleNamespace(**{"key": key, "ctrl": False, "alt": False, **modifiers}))
-        self.wait()
-
-    def mouse(self, kind, point):
-        """Move the mouse to this point, seen straight from the front, and send this event."""
-        scene.mouse.ray = vector(0, 0, -1)
-        event = SimpleNamespace(pos=point + vector(0, 0, 0.5))
-        function = scene.bound[kind]
-        function() if kind == "mouseup" else function(event)
-        self.wait()
-
-
-@pytest.fixture
-def csv(tmp_path):
-    path = tmp_path / "cradle.csv"
-    path.write_text(FIVE_CSV)
-    return path
-
-
-@pytest.fixture
-def wall(csv):
-    return Wall(csv)
-
-
-@pytest.fixture
-def single(csv):
-    """A single pendulum, for long tests."""
-    csv.write_text(HEADER + GOOD)
-    return Wall(csv)
-
-
-def set_slider(setting, value):
-    """Move a slider as a person does: VPython sets its value, and calls the bound function."""
-    setting.slider.value = value
-    setting.slider.bind(setting.slider)
+from support.playback.real_time import FRAME
 
 
 def test_it_keeps_time(wall):
@@ -210,7 +127,7 @@ def test_where_the_rule_cannot_be_chosen_the_box_says_so_and_is_fixed(csv, monke
     monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", lambda p, r, dt, g: tick(p, r, dt, g))
     box = Wall(csv).panel.separating
     assert (box.checked, box.disabled) == (True, True)
-    assert texts[-1] == "fixed: your functions have no approaching_only"
+    assert "Your functions have no parameter approaching_only, so this rule is fixed." in texts
 
 
 @pytest.mark.parametrize(
@@ -253,13 +170,14 @@ def test_an_angle_is_shown_to_its_last_digit(csv):
 
 
 def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
-    labels = []
-    monkeypatch.setattr("support.page.panel.add_label", labels.append)
+    texts = []
+    monkeypatch.setattr("support.page.widgets.wtext", lambda text="": texts.append(text) or wtext(text=text))
     wall = Wall(csv, 30, 10, kind=LiveDoubleCradle)
     theta, phi = wall.panel.angles
     ranges = [(setting.slider.min, setting.slider.max, setting.slider.step) for setting in (theta, phi)]
     assert ranges == [(0, 180, 1), (-180, 180, 1)]
-    assert labels == ["Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions"]
+    labels = re.findall('<span class="label">(.*?)</span>', "".join(texts))
+    assert labels == ["Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions", "Graph"]
     set_slider(theta, 75)
     set_slider(phi, -40)
     wall.wait()
@@ -692,64 +610,6 @@ def test_what_has_not_changed_is_not_sent_again(wall):
     assert [id(text.text) for text in texts] == before
 
 
-# --- the graph -------------------------------------------------------------------------------------------------------
-
-
-def test_the_graph_shows_the_last_ten_seconds(single):
-    single.wait(SHOWN + 2)
-    graph = single.viewer.graph
-    kinetic, potential, total = (curve.data for curve in graph.curves)
-    assert [curve.label for curve in graph.curves] == ["kinetic", "potential", "total"]
-    assert graph.graph.xmax - graph.graph.xmin == SHOWN
-    assert graph.graph.xmin <= total[0][0] < graph.graph.xmin + 0.5
-    assert total[-1][0] == pytest.approx(SHOWN + 2, abs=0.1)
-    for (t, k), (_, p), (_, both) in zip(kinetic, potential, total, strict=True):
-        assert k + p == pytest.approx(both)
-        assert 0 <= t - graph.graph.xmin <= SHOWN
-    assert len({tuple(components(curve.color)) for curve in graph.curves}) == 3
-
-
-def test_the_graph_is_smooth_on_a_slow_machine_too(wall):
-    go_on(wall.viewer, wall.viewer.advance(round(20.5 * INTERVAL / wall.viewer.cradle.dt)))
-    times = [point[0] for point in wall.viewer.graph.points]
-    assert times == pytest.approx([INTERVAL * i for i in range(21)])
-
-
-def test_the_graph_is_there_from_the_start_and_its_checkbox_says_so(wall):
-    assert wall.panel.graph.checked
-    assert wall.viewer.graph.shown
-
-
-def test_the_graph_takes_no_more_points_than_it_needs(wall):
-    wall.wait(1)
-    assert 20 <= len(wall.viewer.graph.points) <= 1 / INTERVAL + 2
-
-
-def test_restart_empties_the_graph(wall):
-    wall.wait(1)
-    wall.panel.restart.bind()
-    wall.wait()
-    assert [len(curve.data) for curve in wall.viewer.graph.curves] == [1, 1, 1]
-
-
-def test_the_graph_can_be_switched_off_and_then_takes_and_sends_nothing(wall):
-    graph, box = wall.viewer.graph, wall.panel.graph
-    wall.wait(1)
-    box.checked = False
-    box.bind(box)
-    wall.wait()
-    sent = [curve.data for curve in graph.curves]
-    wall.wait(1)
-    assert graph.style.text == HIDING
-    assert not graph.points
-    assert all(curve.data is data for curve, data in zip(graph.curves, sent, strict=True))
-    box.checked = True
-    box.bind(box)
-    wall.wait(1)
-    assert graph.style.text == ""
-    assert graph.curves[0].data[0][0] >= 2
-
-
 # --- the view --------------------------------------------------------------------------------------------------------
 
 
@@ -804,11 +664,11 @@ def test_a_swing_above_the_frame_is_in_view_until_the_bobs_start_anew(wall):
 
 def test_the_panel_says_what_the_keys_do_and_what_the_handouts_rule_does(monkeypatch, csv):
     texts = []
-    monkeypatch.setattr("support.page.panel.wtext", lambda text="": texts.append(text) or wtext(text=text))
+    monkeypatch.setattr("support.page.widgets.wtext", lambda text="": texts.append(text) or wtext(text=text))
     Wall(csv)
     said = re.sub("<.*?>", "", " ".join(texts))
     assert "1 to 9 lift that many bobs, V resets the view, F presents. Drag a bob." in said
-    assert "as in the handout: bobs with e below 1" in said
+    assert "The handout lets two bobs collide in each tick in which they touch" in said
 
 
 def test_a_remark_stands_above_the_widgets(monkeypatch, csv):
@@ -834,5 +694,5 @@ def test_numbers_change_ten_times_a_second(wall):
     for _ in range(60):
         wall.now += FRAME
         go_on(wall.viewer, wall.viewer.frame())
-        seen.append((wall.panel.readout.text, wall.viewer.graph.curves[0].data))
+        seen.append((wall.panel.readout.text, wall.viewer.graph.curves["total"].data))
     assert 8 <= sum(now[0] != before[0] and now[1] != before[1] for before, now in pairwise(seen)) <= 10
