@@ -378,8 +378,21 @@ class checkbox(PageItem):
     text, checked, disabled = "", False, False
 
 
+class winput(PageItem):
+    text = ""
+
+
 class menu(PageItem):
     selected, disabled = None, False
+    choices: list = []
+
+    @property
+    def index(self):
+        return None if self.selected is None else self.choices.index(self.selected)
+
+    @index.setter
+    def index(self, value):
+        self.selected = self.choices[value]
 
 
 class slider(PageItem):

@@ -11,7 +11,7 @@ from numbers import Real
 from operator import itemgetter
 from typing import Any
 
-from src import special_cradles
+from src import pds_helper, special_cradles
 from src.beyond.dragging import cord_angles, drag_bob, move
 from support.constants import DT, G, R_PARAM
 from support.energy import kinetic_energy, momentum, potential_energy
@@ -25,6 +25,7 @@ class LiveCradle:
     """A cradle of single pendula with the project's constants; its protocol is in support/playback/cradle.py."""
 
     title = "Newton's cradle"
+    kind = "single"
     dt = DT
     reach = R_PARAM
     angles: Mapping[str, tuple[float, float]] = {"Release angle": (0, 180)}
@@ -33,6 +34,7 @@ class LiveCradle:
     tick_name = "DT"  # of the constant, in the globals of main
     # The names of the functions that make the cradle, move it, and let two pendula hit.
     maker, ticker, meeter = "make_newton_cradle", "newton_cradle_tick", "handle_two_bobs"
+    collider = "handle_collision"  # whose calls are shown
 
     def __init__(self, scope, options, many_ticks=None):
         """Find the functions that make and move the pendula in scope, the globals of main.
@@ -101,8 +103,12 @@ class LiveCradle:
             self.adopt("mass", [pend["mass"] for pend in cradle])
         self.es = [pend["e"] for pend in pend_list]
         self.collide(self.collision, csv)
-        lifted = [any(cord_angles(pend)) for pend in pend_list]
-        first, *others = cord_angles(pend_list[0])
+        self.note_lifts()
+
+    def note_lifts(self) -> None:
+        """Take the present angles of the pendula as those with which the cradle was made."""
+        lifted = [any(cord_angles(pend)) for pend in self.pend_list]
+        first, *others = cord_angles(self.pend_list[0])
         self.made = [first, *(angle - first for angle in others)], [*lifted, False].index(False)
 
     def check_made(self, pend_list) -> None:
@@ -165,6 +171,17 @@ class LiveCradle:
             move(pend, lifted_angles if i < count else [0.0] * len(angles), R_PARAM)
         self.make_room(count)
 
+    def pose(self, angles) -> None:
+        """Turn each pendulum to its own angles, a list (rad) of its cords' angles from straight down, at rest."""
+        for pend, own in zip(self.pend_list, angles, strict=True):
+            move(pend, own, R_PARAM)
+        self.note_lifts()
+
+    def write(self, csv, filepath) -> None:
+        """Write the pendula of the CSV at the path csv to the file at filepath, with the handout's functions."""
+        read, write = pds_helper.extract_and_convert, pds_helper.write_to_csv
+        write(read(csv), filepath)
+
     def make_room(self, lifted) -> None:
         """Push pendula out of the way of the lifted ones: none, because single pendula are never in the way."""
 
@@ -224,6 +241,37 @@ class LiveCradle:
             yield
         finally:
             place[self.meeter] = meet
+
+    @contextmanager
+    def noting_calls(self):
+        """Yield a list; each call of the collision function in the body of the with statement adds it, as text."""
+        calls: list[str] = []
+        place = self.meeting_place()
+        collide = place.get(self.collider)
+        if collide is None:  # a student may not have written it yet
+            yield calls
+            return
+
+        def noted(*given, **named):
+            result = collide(*given, **named)
+            arguments = signature(collide).bind(*given, **named).arguments
+            texts = [f"{name}={self.in_short(value)}" for name, value in arguments.items()]
+            calls.append(f"{self.collider}({', '.join(texts)}) returned {self.in_short(result)}")
+            return result
+
+        place[self.collider] = noted
+        try:
+            yield calls
+        finally:
+            place[self.collider] = collide
+
+    def in_short(self, value) -> str:
+        """Return a value as short text; a pendulum is pend_list[...]."""
+        if id(value) in self.numbers:
+            return f"pend_list[{self.numbers[id(value)]}]"
+        if isinstance(value, tuple):
+            return f"({', '.join(map(self.in_short, value))})"
+        return f"{value:.6g}" if isinstance(value, float) else repr(value)
 
     def note_hit(self, pend1, pend2, velocity) -> None:
         """Record a hit of these two pendula; velocity is the sum of theirs before it, positive to the right."""
@@ -297,6 +345,10 @@ class LiveCradle:
     def masses(self) -> list[float]:
         """Return the masses of the pendula's bobs (kg), from left to right."""
         return [pend["mass"] for pend in self.pend_list]
+
+    def restitutions(self) -> list[float]:
+        """Return the coefficients of restitution of the pendula, from left to right."""
+        return [pend["e"] for pend in self.pend_list]
 
     def thetas(self) -> list[float]:
         """Return the angles of the pendula (rad), from left to right."""

@@ -13,6 +13,7 @@ class LiveDoubleCradle(LiveCradle):
     """A cradle of double pendula, each with two bobs and two cords of length R_PARAM."""
 
     title = "Newton's double cradle"
+    kind = "double"
     dt = DOUBLE_DT
     reach = 2 * R_PARAM
     angles = {"Angle theta": (0, 180), "Angle phi": (-180, 180)}
@@ -20,6 +21,7 @@ class LiveDoubleCradle(LiveCradle):
     rate_keys = ("omega", "phi_omega")
     tick_name = "DOUBLE_DT"
     maker, ticker, meeter = "make_double_newton_cradle", "double_cradle_tick", "handle_two_double_bobs"
+    collider = meeter
 
     def make_room(self, lifted) -> None:
         """Push pendula out of the way of the lifted ones: a lower cord that is bent inwards reaches far."""

@@ -14,13 +14,14 @@ from support.constants import COLOR_MAP, TEXTURE_MAP
 class Snapshot:
     """The content of a file at one moment, read once. The functions below take it in place of the file's path."""
 
-    def __init__(self, filepath):
-        """Read the file."""
-        self.filepath, self.data, self.error = filepath, b"", None
-        try:
-            self.data = Path(filepath).read_bytes()
-        except OSError as error:
-            self.error = error
+    def __init__(self, filepath, data=None):
+        """Read the file; or take data (bytes) in place of its content."""
+        self.filepath, self.data, self.error = filepath, data or b"", None
+        if data is None:
+            try:
+                self.data = Path(filepath).read_bytes()
+            except OSError as error:
+                self.error = error
 
     def __str__(self) -> str:
         return str(self.filepath)

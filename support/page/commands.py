@@ -19,6 +19,15 @@ class Command(Enum):
     COLLISIONS = auto()  # a key of the cradle's collisions
     SEPARATING = auto()  # whether separating bobs collide too
     GRAPH = auto()  # one of the graph's choices
+    EXPERIMENT = auto()  # the index of an experiment, or None for your CSV; the cradle restarts
+    ASK_FIRST = auto()  # whether an experiment asks its question first; an experiment restarts
+    ANSWER = auto()  # to the question: the index of an answer, or None for no answer; the cradle runs
+    TABLE = auto()  # whether the table of the pendula is open
+    EDIT = auto()  # a cell of the table: (index of the row, column, text); the cradle restarts
+    ADD = auto()  # a row to the table; the cradle restarts
+    DELETE = auto()  # this row (its index) of the table; the cradle restarts
+    WRITE = auto()  # what the table shows to your CSV
+    TICK = auto()  # one tick, while paused
     SAVE = auto()  # the data since the last restart, to a file
     GRAB = auto()  # the bob under the mouse; the value is the mouse's ray (a point on it, its direction)
     DRAG = auto()  # the held bob to the ray, as for GRAB

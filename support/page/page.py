@@ -12,6 +12,7 @@ from html import escape
 from pathlib import Path
 
 from support.files.cradle_csv import check_cradle
+from support.files.experiments import EXPERIMENTS, find_experiment
 from support.files.live_file import LiveFile
 from support.page.commands import Command
 from support.page.local_server import page_sockets, page_websocket, PageServer, Place, port_of
@@ -35,13 +36,16 @@ def show_page(main, cradle, options, angles, remark="") -> None:
 
     cradle follows the protocol in support/playback/cradle.py, and has no pendula yet. options are the page's, from
     support/start/options.py. angles are the release angles (rad); None keeps the angle with which main makes the
-    cradle. remark is a line on the page. Exits with status 2 if the CSV, --lift or the port is wrong, with status 1 if
-    a function makes a mistake.
+    cradle. remark is a line on the page. Exits with status 2 if the CSV, the experiment, --lift or the port is wrong,
+    with status 1 if a function makes a mistake.
     """
     file = LiveFile(options.csv)
+    csv = file.current
     try:
         check_cradle(file.current)  # here, because later mistakes in the file appear only on the page
-        check_lift(options.lift, file.current)
+        if options.experiment is not None:
+            csv = find_experiment(options.experiment, EXPERIMENTS / cradle.kind).csv
+        check_lift(options.lift, csv)
         sockets = page_sockets(options.port)
     except ValueError as error:
         print(error, file=sys.stderr)
@@ -52,7 +56,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
         # This import needs VPython's canvas and widgets; the code above does not.
         from support.page.viewer import Viewer
 
-        viewer = Viewer(cradle, file, angles, options.lift, remark)
+        viewer = Viewer(cradle, file, angles, options.lift, remark, options.experiment)
         run(main, viewer)
     except BaseException as error:
         words = tell_mistake(error)

@@ -9,7 +9,7 @@
   const bobs = () => glowObjs.filter(o => o?.constructor.name === "sphere" && o.visible);
   const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const dark = matchMedia("(prefers-color-scheme: dark)");
-  const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in viewer.py
+  const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in mouse.py
 
   // --- the graph -----------------------------------------------------------------------------------------------------
 
@@ -73,6 +73,7 @@
       } else if (section && node.innerHTML !== " ") section.append(node); // VPython puts a space behind a button
     }
     new MutationObserver(moveGraph).observe(document.querySelector(".glowscript"), { childList: true });
+    arrangeTable();
     nameWidgets();
     new ResizeObserver(fit).observe(canvas);
     dark.addEventListener("change", paint);

@@ -10,7 +10,7 @@ from support.page.widgets import add_hint, add_label, begin_part, end_row, set_t
 from support.pendulum import from_lift, to_lift
 
 # The style of the page, and additions to VPython's page.
-STYLE, SCRIPT = (Path(__file__).with_name(name) for name in ("panel.css", "panel.js"))
+STYLE, *SCRIPTS = (Path(__file__).with_name(name) for name in ("panel.css", "panel.js", "table.js"))
 
 KEYS_HINT = (
     "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs, V resets the view, F presents. Drag a bob."
@@ -36,28 +36,36 @@ class Panel:
     A text is sent only if it has changed, and keeps its width, so that nothing flickers or moves.
     """
 
-    def __init__(self, give, cradle, remark=""):
-        """Make the panel for this cradle, below the remark, if there is one.
+    def __init__(self, give, cradle, questions, table, remark=""):
+        """Make the panel for this cradle, with the experiments' questions and the table of the pendula.
 
-        The widgets call give(command, value), in a thread of VPython.
+        The widgets call give(command, value), in a thread of VPython. The remark, if there is one, stands above them.
         """
-        style, script = (file.read_text(encoding="utf-8") for file in (STYLE, SCRIPT))
-        scene.append_to_caption(f"<style>{style}</style><script>{script}</script>")
+        self.questions, self.table = questions, table
+        scene.append_to_caption(f"<style>{STYLE.read_text(encoding='utf-8')}</style>")
+        for script in SCRIPTS:
+            scene.append_to_caption(f"<script>{script.read_text(encoding='utf-8')}</script>")
         begin_part("messages")
         self.error = wtext()
         if remark:
             wtext(text=f'<div class="remark" role="note">{escape(remark)}</div>')
+        begin_part("asked")
+        self.questions.add_area()
         begin_part("controls")
         self.add_buttons(give)
         begin_part("numbers")
         self.readout, self.impacts = wtext(), wtext()
         scene.append_to_caption(LEAVE)
+        begin_part("experiment")
+        self.questions.add_menu(give)
         begin_part("settings")
         self.add_settings(give, cradle)
         self.add_collisions(give, cradle)
         begin_part("graph")
         add_label("Graph")
         self.graph = menu(choices=[""], bind=lambda menu: give(Command.GRAPH, menu.selected))
+        begin_part("pendula-part", fold="Pendula")
+        self.table.add(give)
         begin_part("data", fold="Take away")
         self.save = button(text="Save data", bind=lambda: give(Command.SAVE))
         self.saved = wtext()
@@ -113,6 +121,7 @@ class Panel:
         for chosen in (self.collisions, self.graph):
             chosen.selected = chosen.selected
         self.separating.checked = self.separating.checked
+        self.questions.send_again()
 
     def show_error(self, message) -> None:
         """Show this message above everything else; an empty message removes it."""
@@ -129,8 +138,9 @@ class Panel:
         """
         self.count = count
         set_text(self.pause, "Pause" if running else "Run")
-        if self.step.disabled != running:
-            self.step.disabled = running
+        for widget in (self.step, self.table.tick):
+            if widget.disabled != running:
+                widget.disabled = running
         self.speed.show(speed, f"{speed:.1f}x")
         for setting, angle in zip(self.angles, angles, strict=True):
             lift = to_lift(angle)
@@ -144,6 +154,11 @@ class Panel:
         rows["momentum"] = momentum_cell(momentum)
         lines = [f'<tr><th scope="row">{name}</th><td>{cell}</td></tr>' for name, cell in rows.items()]
         set_text(self.readout, f'<table class="readout">{"".join(lines)}</table>')
+
+    def show_collision(self, collision) -> None:
+        """Show this kind of collisions in the menu."""
+        if self.collisions.selected != collision:
+            self.collisions.selected = collision
 
     def show_graphs(self, choices, choice) -> None:
         """Show these choices of graphs in the menu, and the present choice."""

@@ -5,34 +5,33 @@ from math import inf
 from pathlib import Path
 from queue import SimpleQueue
 
-from vpython import baseObj, cross, dot, mag, scene
+from vpython import baseObj, scene
 
 from support.files.cradle_csv import check_cradle
 from support.files.recording import EVERY, Recording
 from support.page.commands import Command, KEYS
 from support.page.motion_graph import MotionGraph
+from support.page.mouse import bob_at, point_in_plane
 from support.page.panel import Panel, TRAINS
 from support.page.scenery import Scenery
+from support.page.workbench import CHANGES, Workbench
 from support.playback.cradle import Cradle
-from support.playback.player import Player
 from support.playback.real_time import FRAME
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
-FINGER = 1.5  # radii from a bob's centre at which a finger, or the mouse, still grabs it; panel.js knows it, too
 GOODBYE = 10.0  # s that the page has to fetch the last message
 
 
-class Viewer(Player):
+class Viewer(Workbench):
     """The page with a cradle, its panel and its graph: the argument page of main."""
 
-    def __init__(self, cradle: Cradle, file, angles, lifted, remark=""):
+    def __init__(self, cradle: Cradle, file, angles, lifted, remark="", experiment=None):
         """Build the page for the cradle of this file (a LiveFile), with the remark, if there is one.
 
         angles (rad) are the release angles, lifted is the number of bobs to lift. None keeps the value with which main
-        makes the cradle.
+        makes the cradle. experiment is the key of the experiment to begin with, or None.
         """
-        super().__init__(cradle, file.current, angles, lifted, TRAINS)
-        self.file = file
+        super().__init__(cradle, file, angles, lifted, TRAINS)
         self.commands: SimpleQueue = SimpleQueue()
         self.running = True
         self.step = max(1, round(EVERY / cradle.dt))
@@ -41,7 +40,9 @@ class Viewer(Player):
         self.swung_through = False  # whether a bob has swung through others since the last restart
 
         self.scenery = Scenery()
-        self.panel = Panel(self.give, cradle, remark)
+        self.panel = Panel(self.give, cradle, self.questions, self.table, remark)
+        if experiment is not None:
+            self.begin_with(experiment)
         self.graph = MotionGraph(self.recording, cradle.angle_keys, cradle.rate_keys)
         self.listen()
 
@@ -80,11 +81,6 @@ class Viewer(Player):
         self.scenery.limit_view()
         self.show_motion()
 
-    def try_single_ticks(self) -> None:
-        """Measure again whether the machine is fast enough for single ticks."""
-        self.at_once = False
-        self.pace.forget_costs()
-
     def end(self, words) -> None:
         """Show on the page that the program has ended, and why; wait a moment until the page has the message."""
         self.panel.show_end(words)
@@ -119,17 +115,18 @@ class Viewer(Player):
         match command:
             case Command.PAUSE:
                 self.running = not self.running
+                self.questions.answer(None)
+            case Command.ANSWER:
+                self.running = True
+                self.questions.answer(value)
             case Command.STEP if not self.running:
                 yield from self.advance(round(FRAME * self.pace.speed / self.cradle.dt))
+            case Command.TICK if not self.running:
+                yield from self.show_one_tick()
             case Command.RESTART:
                 yield from self.make()
-            case Command.ANGLE:
-                number, angle = value
-                self.angles[number] = angle
-                yield from self.make()
-            case Command.LIFT:
-                self.lifted = value
-                yield from self.make()
+            case _ if command in CHANGES:
+                yield from self.change(command, value)
             case Command.GRAB | Command.DRAG | Command.LET_GO:
                 self.follow_mouse(command, value)
             case Command.SHOW_AGAIN:
@@ -147,9 +144,17 @@ class Viewer(Player):
                 self.pace.speed = value
                 self.try_single_ticks()
             case Command.COLLISIONS:
+                self.questions.drop()
                 self.collide(value)
+                self.show_rows()
             case Command.SEPARATING:
+                self.questions.drop()
                 self.separating = value
+            case Command.TABLE:
+                self.table.is_open = value
+                self.show_rows()
+            case Command.WRITE:
+                self.write()
             case Command.GRAPH:
                 self.graph.show(value)
             case Command.SAVE:
@@ -160,14 +165,17 @@ class Viewer(Player):
                 self.scenery.reset_view()
 
     def make(self):
-        """Let main make a new cradle, lift it as set, and release it."""
+        """Let main make a new cradle, lift it as set or as the experiment says, and release it."""
         yield from super().make()
+        self.pose()
         self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, self.cradle.masses())
         self.scenery.come_closer()
         self.recording.clear()
         self.graph.take(self.cradle.colors())
         self.swung_through = False
         self.note()
+        self.table.hide_tick()
+        self.show_rows()
         self.show_settings()
 
     def save(self) -> None:
@@ -182,39 +190,28 @@ class Viewer(Player):
     # --- the mouse ---------------------------------------------------------------------------------------------------
 
     def follow_mouse(self, command, value) -> None:
-        """Grab a bob, drag the held bob, or let it go."""
+        """Grab a bob, drag the held bob, or let it go; value is the mouse's ray."""
         if command is Command.GRAB:
-            self.grab(*value)
+            bob = bob_at(self.cradle.bobs(), *value)
+            if bob is not None:
+                self.cradle.hold(bob)
+                self.questions.drop()
         elif self.cradle.held is not None:
-            if command is Command.DRAG:
-                self.drag(*value)
-            else:
+            if command is Command.LET_GO:
                 self.cradle.let_go()
                 self.motion.set_start()
-
-    def grab(self, place, direction) -> None:
-        """Hold the foremost bob that this ray meets; if there is none, the nearest one within FINGER radii."""
-        hits, near = [], []
-        for number, bob in enumerate(self.cradle.bobs()):
-            radii = mag(cross(bob.pos - place, direction)) / mag(direction) / bob.radius
-            if radii <= 1:
-                hits.append((dot(bob.pos - place, direction), number))
-            elif radii <= FINGER:
-                near.append((radii, number))
-        if hits or near:
-            self.cradle.hold(min(hits or near)[1])
-
-    def drag(self, place, direction) -> None:
-        """Drag the held bob to the point where this ray meets the plane of swing, z = 0."""
-        if abs(direction.z) > 0.01 * mag(direction):  # seen from the side, the plane is a line
-            point = place - direction * (place.z / direction.z)
-            self.cradle.drag(self.cradle.held, point.x, point.y)
+            else:
+                point = point_in_plane(*value)
+                if point is not None:
+                    self.cradle.drag(self.cradle.held, point.x, point.y)
 
     # --- time, and the file ------------------------------------------------------------------------------------------
 
     def note(self) -> None:
-        """Add this moment to the recording."""
-        self.recording.add(self.motion.sample())
+        """Add this moment to the recording, and to the measurement of an experiment."""
+        sample = self.motion.sample()
+        self.recording.add(sample)
+        self.questions.note(sample, self.motion.has_hit())
 
     def reload(self):
         """Let main make the cradle of the new file, or show the mistake in the file; the old cradle then swings on."""
@@ -224,9 +221,11 @@ class Viewer(Player):
             self.panel.show_error(str(error))
             return
         self.panel.show_error("")
-        self.snapshot = self.file.current
-        self.try_single_ticks()
-        yield from self.make()
+        if self.questions.experiment:
+            self.own = self.own._replace(csv=self.file.current)
+            yield from self.choose(None)
+        else:
+            yield from self.take(self.file.current)
 
     # --- texts and numbers -------------------------------------------------------------------------------------------
 
@@ -248,3 +247,5 @@ class Viewer(Player):
         self.swung_through = self.swung_through or self.cradle.swings_through()
         self.panel.show_impacts(self.motion.trains.lines(), self.swung_through)
         self.graph.draw()
+        if self.table.is_open:
+            self.table.show_now(self.cradle.coordinates())

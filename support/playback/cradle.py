@@ -9,6 +9,7 @@ class Cradle(Protocol):
     """Programs use a cradle only through these attributes and methods. They never look inside a pendulum."""
 
     title: str  # of the page
+    kind: str  # the name of the folder with its experiments
     dt: float  # one tick (s)
     reach: float  # from an axle to the centre of the lowest bob at rest (m)
     angles: Mapping[str, tuple[float, float]]  # name of a release angle -> (least, largest), degrees
@@ -17,6 +18,7 @@ class Cradle(Protocol):
     collisions: dict[str, Any]  # the keys are the names of the kinds of collisions
     collision: str  # the present key of collisions
     held: int | None  # the held bob, an index into bobs
+    mass: float | None  # the mass (kg) of all bobs, in place of those in the CSV
     takes_rule: bool  # whether its tick has the parameter approaching_only
     hits: list[tuple[int, int, bool]]  # new hits: (left, right, rightwards), with indices of pendula
 
@@ -39,6 +41,17 @@ class Cradle(Protocol):
 
         None stands for the angle, or the number, with which the cradle was made. If all are None, nothing moves.
         """
+
+    def pose(self, angles) -> None:
+        """Turn each pendulum to its own angles, a list (rad) of its cords' angles from straight down, at rest."""
+
+    def write(self, csv, filepath) -> None:
+        """Write the pendula of the CSV at the path csv to the file at filepath, with the handout's functions."""
+
+    @contextmanager
+    def noting_calls(self):
+        """Yield a list; each call of the collision function in the body of the with statement adds it, as text."""
+        yield []
 
     def as_made(self) -> tuple[list[float], int]:
         """Return the release angles (rad) with which the cradle was made, and the number of lifted pendula."""
@@ -85,6 +98,9 @@ class Cradle(Protocol):
 
     def masses(self) -> list[float]:
         """Return the masses of the pendula's bobs (kg), from left to right."""
+
+    def restitutions(self) -> list[float]:
+        """Return the coefficients of restitution of the pendula, from left to right."""
 
     def thetas(self) -> list[float]:
         """Return the angles of the pendula (rad), from left to right; of double ones, those of their upper cords."""

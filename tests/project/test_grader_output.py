@@ -70,7 +70,7 @@ def section(rows, title):
     """Return the rows between this title and the next one. The title occurs once."""
     (begin,) = (i for i, row in enumerate(rows) if row.strip("=_ ") == title)
     below = rows[begin + 1 :]
-    return below[: next(i for i, row in enumerate(below) if row.startswith(("===", "_")))]
+    return below[: next(i for i, row in enumerate(below) if row.startswith(("===", "__", "_ ")))]
 
 
 def test_in_a_fresh_starter_all_waits(student):

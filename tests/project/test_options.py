@@ -29,6 +29,7 @@ DEFAULTS = {
     "angle": None,
     "lift": None,
     "port": 0,
+    "experiment": None,
     "browser": True,
 }
 
@@ -43,6 +44,7 @@ DEFAULTS = {
         ("--e 0.5", {"e": 0.5}),
         ("--e 0", {"e": 0.0}),
         ("--mass 2.5 --angle 12.5 --lift 3", {"mass": 2.5, "angle": from_lift(12.5), "lift": 3}),
+        ("--experiment 1_one_bob", {"experiment": "1_one_bob"}),
         ("--lift 0 --angle 180", {"lift": 0, "angle": from_lift(180.0)}),
         ("--port 8000 --no-browser my.csv", {"port": 8000, "browser": False, "csv": "my.csv"}),
     ],
@@ -57,7 +59,7 @@ def test_what_the_double_cradle_takes_besides(line, phi):
 
 
 TEXT_DEFAULTS = {
-    **{name: value for name, value in DEFAULTS.items() if name not in ("port", "browser")},
+    **{name: value for name, value in DEFAULTS.items() if name not in ("port", "browser", "experiment")},
     "seconds": inf,
     "record": None,
     "every": 0.01,

@@ -29,7 +29,8 @@ from support.page.local_server import RETURN
 pytestmark = needs_vpython
 
 VIEW = "(s => [s.forward.x, s.forward.y, s.forward.z, s.center.x, s.center.y, s.range])(glowObjs[0])"
-WIDGETS = """[$(".ui-slider").toArray().map(slider => $(slider).slider("value")), $("select").toArray().map(menu => menu.value),
+WIDGETS = """[$(".ui-slider").toArray().map(slider => $(slider).slider("value")),
+              $("select").toArray().map(menu => menu.value),
               $("input[type=checkbox]").toArray().map(box => box.checked), $("button").text()]"""
 
 

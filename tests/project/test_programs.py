@@ -168,6 +168,7 @@ def test_the_csv_is_read_once(tmp_path, start, monkeypatch):
 
         monkeypatch.setattr(owner, name, counted)
 
+    monkeypatch.setattr("support.page.workbench.EXPERIMENTS", tmp_path)  # none, as they are CSVs, too
     count(Path, "read_bytes")
     count(cradle_csv.csv, "reader")
     count(pds_helper.pd, "read_csv")

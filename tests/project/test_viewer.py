@@ -177,7 +177,7 @@ def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     ranges = [(setting.slider.min, setting.slider.max, setting.slider.step) for setting in (theta, phi)]
     assert ranges == [(0, 180, 1), (-180, 180, 1)]
     labels = re.findall('<span class="label">(.*?)</span>', "".join(texts))
-    assert labels == ["Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions", "Graph"]
+    assert labels == ["Experiment", "Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions", "Graph"]
     set_slider(theta, 75)
     set_slider(phi, -40)
     wall.wait()

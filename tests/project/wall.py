@@ -16,11 +16,11 @@ from support.playback.real_time import FRAME, RealTime
 class Wall:
     """The wall clock, and the viewer that uses it."""
 
-    def __init__(self, csv, *angles, kind=LiveCradle, remark=""):
+    def __init__(self, csv, *angles, kind=LiveCradle, remark="", lifted: int | None = 1, experiment=None):
         self.now = 100.0
         self.file = csv
         live_file = LiveFile(csv, self.clock)
-        self.viewer = Viewer(make_live(kind), live_file, thetas(angles or [30]), 1, remark)
+        self.viewer = Viewer(make_live(kind), live_file, thetas(angles or [30]), lifted, remark, experiment)
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=None)
         self.panel = self.viewer.panel
         self.viewer.at_once = True  # single ticks give the same result, but take longer

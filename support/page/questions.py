@@ -1,0 +1,114 @@
+"""The experiments on the page: their menu, the question before the release, and what happened after it."""
+
+from html import escape
+
+from vpython import checkbox, menu, wtext
+
+from support.files.experiments import Experiment, read_experiments
+from support.page.commands import Command
+from support.page.widgets import add_label, set_text
+from support.playback.prediction import Measurement
+
+ASK_FIRST = "Ask first"
+NOT_SAID = "Run it without an answer"
+
+
+class Questions:
+    """The menu of experiments, and the present experiment with its question, if Ask first is ticked.
+
+    From the release to the measurement, note takes the data of the run. Nothing is stored, and nobody gets a score.
+    """
+
+    def __init__(self, folder):
+        """Begin with your CSV; you can choose an experiment in this folder in place of it."""
+        self.experiments, self.mistakes = read_experiments(folder)
+        self.experiment: Experiment | None = None  # None stands for your CSV
+        self.ask_first = False
+        self.is_asking = False  # whether the cradle waits for an answer
+        self.said = ""
+        self.measurement: Measurement | None = None
+
+    def add_area(self) -> None:
+        """Add the place of the question to the panel."""
+        self.area = wtext()
+
+    def add_menu(self, give) -> None:
+        """Add the menu, the tick box, and a line for each mistake in a file of an experiment."""
+        add_label("Experiment")
+        choices = ["your CSV", *(escape(experiment.name, quote=False) for experiment in self.experiments)]
+
+        def choose(menu):
+            give(Command.EXPERIMENT, menu.index - 1 if menu.index else None)
+
+        self.menu = menu(choices=choices, selected=choices[0], bind=choose)
+        self.box = checkbox(text=ASK_FIRST, bind=lambda box: give(Command.ASK_FIRST, box.checked))
+        for mistake in self.mistakes:
+            wtext(text=f'<span class="failed">{escape(mistake)}</span>')
+
+    def send_again(self) -> None:
+        """Send what you have set to a page that was loaded again: VPython has only received it, and never sent it."""
+        self.menu.selected = self.menu.selected
+        self.box.checked = self.box.checked
+
+    def choose(self, number) -> Experiment | None:
+        """Take the experiment with this index as the present one, and return it; None stands for your CSV."""
+        self.experiment = None if number is None else self.experiments[number]
+        place = 0 if number is None else number + 1  # in the menu
+        if self.menu.index != place:
+            self.menu.index = place
+        self.drop()
+        return self.experiment
+
+    def begin(self) -> None:
+        """Begin the present experiment, whose bobs are lifted now: ask, if Ask first is ticked."""
+        self.drop()
+        if self.experiment and self.ask_first:
+            self.is_asking, self.measurement = True, Measurement(self.experiment)
+            self.show()
+
+    def drop(self) -> None:
+        """Ask nothing, and measure nothing: the cradle is no longer that of an experiment."""
+        self.is_asking, self.said, self.measurement = False, "", None
+        self.show()
+
+    def answer(self, number) -> None:
+        """Take this answer (its index, or None for no answer) to the question, if it is still asked."""
+        if self.is_asking and self.experiment:
+            self.is_asking = False
+            self.said = "" if number is None else self.experiment.answers[number].text
+            self.show()
+
+    def note(self, sample, has_hit) -> None:
+        """Take a sample of the motion into account; has_hit says whether two bobs have hit each other by then."""
+        if self.measurement and not self.is_asking:
+            self.measurement.note(sample, has_hit)
+            if self.measurement.is_over:
+                self.show()
+
+    def show(self) -> None:
+        """Show the question with its answers, what was said, or what happened."""
+        lines = []
+        if self.measurement and self.experiment:
+            lines.append(f"<p><strong>{escape(self.experiment.question)}</strong></p>")
+            if self.is_asking:
+                lines += [answer_button(number, answer.text) for number, answer in enumerate(self.experiment.answers)]
+                lines.append(f'<button class="plain" onclick="tell(\'ANSWER\', null)">{NOT_SAID}</button>')
+            elif self.said:
+                lines.append(f"<p>You said: {escape(self.said)}.</p>")
+            if self.measurement.is_over:
+                lines += [f"<p>{line}</p>" for line in self.result(self.experiment, self.measurement)]
+        text = "".join(lines)
+        set_text(self.area, f'<div class="question" role="status">{text}</div>' if text else "")
+
+    def result(self, experiment, measurement) -> list[str]:
+        """Return what happened, and why, as lines of HTML."""
+        outcome = measurement.outcome()
+        happened = "none of these answers" if outcome is None else experiment.answers[outcome].text
+        is_right = outcome is not None and self.said == happened
+        words = "That is what happened" if is_right else f"What happened: {escape(happened)}"
+        return [f"<strong>{words}.</strong> {escape(measurement.explanation())}"]
+
+
+def answer_button(number, text) -> str:
+    """Return the HTML of a button that gives this answer to the question."""
+    return f"<button onclick=\"tell('ANSWER', {number})\">{escape(text)}</button>"

@@ -1,0 +1,77 @@
+// The table of the pendula: table.py sends the rows and the present numbers as data, and gets what you change.
+{
+  const make = (kind, attributes = {}, ...parts) => {
+    const element = Object.assign(document.createElement(kind), attributes);
+    element.append(...parts);
+    return element;
+  };
+
+  // Give the program a command; it travels as the text of VPython's input widget, which is hidden.
+  function tell(name, value) {
+    const idx = glowObjs.findIndex(o => o?.objName === "winput");
+    events.push({ idx, widget: "winput", text: JSON.stringify([name, value]), value: null });
+  }
+
+  const body = make("tbody"), table = make("table", { className: "pendula" }, make("thead"), body);
+  let cells = {}, now = {}; // of the numbers that move, by their names: the cells, and the texts
+
+  function editor(kind, row, column, text, data) {
+    const mistake = data.mistakes[`${row},${column}`];
+    const field = kind === "select"
+      ? make("select", {}, ...data.colors.map(name => make("option", {}, name)))
+      : make("input", { type: "text", inputMode: "decimal", size: 6 });
+    field.value = mistake ? mistake[0] : text;
+    field.dataset.place = `${row},${column}`;
+    field.setAttribute("aria-label", `${column} of pendulum ${row + 1}`);
+    field.setAttribute("aria-invalid", !!mistake);
+    field.addEventListener("change", () => tell("EDIT", [row, column, field.value]));
+    return make("td", {}, field, ...mistake ? [make("div", { className: "failed", role: "alert" }, mistake[1])] : []);
+  }
+
+  function showRows(data) {
+    const isNew = !table.rows.length;
+    const last = document.activeElement?.dataset.place;
+    const head = ["", "mass", "e", "color", ...data.keys, ""].map(name => make("th", { scope: "col" }, name));
+    table.tHead.replaceChildren(make("tr", {}, ...head));
+    cells = {};
+    const moving = row => data.keys.map(key => cells[`${key}_${row + 1}`] = make("td", { className: "now" }));
+    body.replaceChildren(...data.rows.map((pendulum, row) => make("tr", {},
+      make("th", { scope: "row" }, String(row + 1)),
+      editor("input", row, "mass", pendulum.mass, data),
+      editor("input", row, "e", pendulum.e, data),
+      editor("select", row, "color", pendulum.color, data),
+      ...moving(row),
+      make("td", {}, make("button", {
+        title: `Delete pendulum ${row + 1}`, ariaLabel: `Delete pendulum ${row + 1}`, disabled: data.rows.length === 1,
+        onclick: () => tell("DELETE", row),
+      }, "×")))));
+    body.append(make("tr", {}, make("td", { colSpan: 5 }, make("button", { onclick: () => tell("ADD", null) }, "Add a pendulum"))));
+    showNow(now);
+    if (isNew) table.closest("details").scrollIntoView({ block: "nearest" });
+    if (last) body.querySelector(`[data-place="${last}"]`)?.focus(); // the Tab key goes on from there
+  }
+
+  function showNow(numbers) {
+    now = numbers;
+    for (const [name, number] of Object.entries(numbers))
+      if (cells[name]) cells[name].textContent = number;
+  }
+
+  const show = { rows: showRows, now: showNow };
+
+  // panel.js calls this when the parts of the page are in their places.
+  function arrangeTable() {
+    const section = document.querySelector("section.pendula-part");
+    section.prepend(table);
+    section.querySelector("input").remove(); // of VPython
+    section.closest("details").addEventListener("toggle", event => tell("TABLE", event.target.open));
+    const spans = [...section.children].filter(element => element.tagName === "SPAN").slice(0, 2);
+    for (const span of spans)
+      new MutationObserver(() => {
+        const data = span.querySelector(".data");
+        if (data) show[data.dataset.name](JSON.parse(data.dataset.value));
+      }).observe(span, { childList: true });
+  }
+
+  Object.assign(window, { arrangeTable, tell });
+}
