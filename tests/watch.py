@@ -299,7 +299,9 @@ def play(scene, seconds) -> None:
             while player.wants_tick():
                 omegas = [pend["omega"] for pend in scene.pend_list]
                 pairs = scene.tick() or []
-                scene.hits += [(left, right, omegas[left] + omegas[right] > 0) for left, right in pairs]
+                for left, right in pairs:
+                    speed = (omegas[left] - omegas[right]) * scene.r_param
+                    scene.hits.append((left, right, omegas[left] + omegas[right] > 0, speed))
 
     options = SimpleNamespace(angle=None, lift=None, seconds=seconds)
     if scene.tick is None:

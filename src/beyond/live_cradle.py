@@ -53,7 +53,7 @@ class LiveCradle:
             self.collisions[self.collision] = partial(special_cradles.uniform_e_newton_cradle, e_val=options.e)
         self.pend_list: list = []
         self.held: int | None = None  # the index of the held bob
-        self.hits: list[tuple[int, int, bool]] = []
+        self.hits: list[tuple[int, int, bool, float]] = []
         self.takes_rule = all(
             "approaching_only" in signature(function).parameters
             for function in (scope[self.ticker], self.meeting_place().get(self.meeter))
@@ -198,8 +198,8 @@ class LiveCradle:
         move(pend, angles, R_PARAM)
         pend["mass"] = mass
 
-    def tick_at_once(self, ticks, rule) -> list[tuple[int, int, int, bool]] | None:
-        """Do `ticks` ticks with this rule in one call; return the contacts as (tick, left, right, rightwards).
+    def tick_at_once(self, ticks, rule) -> list[tuple[int, int, int, bool, float]] | None:
+        """Do `ticks` ticks with this rule in one call; return the contacts as (tick, left, right, rightwards, speed).
 
         Return None, and do nothing, if the result might differ from that of single ticks.
         """
@@ -233,7 +233,7 @@ class LiveCradle:
                 before1 = None  # not two pendula: meet raises the error
             result = meet(*given, **named)
             if before1 is not None and (rates(pend1) != before1 or rates(pend2) != before2):
-                self.note_hit(pend1, pend2, self.velocity(pend1, before1) + self.velocity(pend2, before2))
+                self.note_hit((pend1, before1), (pend2, before2))
             return result
 
         place[self.meeter] = noted
@@ -273,11 +273,17 @@ class LiveCradle:
             return f"({', '.join(map(self.in_short, value))})"
         return f"{value:.6g}" if isinstance(value, float) else repr(value)
 
-    def note_hit(self, pend1, pend2, velocity) -> None:
-        """Record a hit of these two pendula; velocity is the sum of theirs before it, positive to the right."""
-        if id(pend1) in self.numbers and id(pend2) in self.numbers:
-            left, right = sorted((self.numbers[id(pend1)], self.numbers[id(pend2)]))
-            self.hits.append((left, right, velocity > 0))
+    def note_hit(self, *two) -> None:
+        """Record a hit of two pendula; each of the two is (pendulum, its rates before the hit in rad/s)."""
+        numbers = [self.numbers[id(pend)] for pend, _ in two if id(pend) in self.numbers]
+        if len(numbers) == 2:
+            (left, one), (right, other) = sorted(zip(numbers, two, strict=True), key=itemgetter(0))
+            rightwards = self.velocity(*one) + self.velocity(*other) > 0
+            self.hits.append((left, right, rightwards, self.approach(one, other)))
+
+    def approach(self, left, right) -> float:
+        """Return the speed (m/s) at which two bobs approached each other; left and right are as in note_hit."""
+        return (self.velocity(*left) - self.velocity(*right)) * R_PARAM
 
     def velocity(self, pend, omega) -> float:
         """Return the velocity of a pendulum's bob to the right (in cord lengths a second) at this omega (rad/s)."""

@@ -1,12 +1,17 @@
 """The double cradle of the programs."""
 
 from inspect import isfunction
+from itertools import product
+from math import pi
 from typing import Any
+
+from vpython import dot, mag
 
 from src.beyond.dragging import push_others
 from src.beyond.live_cradle import LiveCradle
 from support.constants import DOUBLE_DT, G, R_PARAM
 from support.energy import double_kinetic_energy, double_momentum, double_potential_energy
+from support.pendulum import arm
 
 
 class LiveDoubleCradle(LiveCradle):
@@ -43,6 +48,15 @@ class LiveDoubleCradle(LiveCradle):
         before = {**pend, **dict(zip(self.rate_keys, rates, strict=True))}
         return double_momentum([before], R_PARAM) / pend["mass"] / 2
 
+    def approach(self, left, right) -> float:
+        """Return the speed (m/s) at which the nearest two bobs approached each other; see note_hit."""
+        moves = [
+            (bob2.pos - bob1.pos, v1 - v2)
+            for (bob1, v1), (bob2, v2) in product(moving_bobs(*left), moving_bobs(*right))
+        ]
+        apart, closer = min(moves, key=lambda move: mag(move[0]))
+        return dot(closer, apart) / mag(apart)
+
     def energies(self) -> tuple[float, float]:
         """Return the kinetic and the potential energy (J)."""
         return double_kinetic_energy(self.pend_list, R_PARAM), double_potential_energy(self.pend_list, R_PARAM, G)
@@ -50,3 +64,11 @@ class LiveDoubleCradle(LiveCradle):
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""
         return double_momentum(self.pend_list, R_PARAM)
+
+
+def moving_bobs(pend, rates) -> list:
+    """Return (bob, its velocity in m/s as a vector) for the upper and the lower bob at these rates (rad/s)."""
+    omega, phi_omega = rates
+    upper = arm(pend["theta"] + pi / 2, R_PARAM) * omega  # a cord's end moves at right angles to the cord
+    lower = upper + arm(pend["theta"] + pend["phi"] + pi / 2, R_PARAM) * (omega + phi_omega)
+    return list(zip(pend["objects"][1::2], (upper, lower), strict=True))

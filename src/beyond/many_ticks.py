@@ -51,12 +51,13 @@ class Law(NamedTuple):
     handle_collision: Callable
 
 
-def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool]] | None:
-    """Same result as `ticks` calls of newton_cradle_tick; return the contacts as (tick, left, right, rightwards).
+def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool, float]] | None:
+    """Same result as `ticks` calls of newton_cradle_tick; return the contacts (tick, left, right, rightwards, speed).
 
     scope is main.__globals__, with R_PARAM (m), DT (s) and G (m/s^2). rule has the keywords of newton_cradle_tick:
     none, or approaching_only. The contacts are those that change a velocity. tick counts from 0, left and right are
     indices into pend_list. rightwards is True if the sum of the two velocities before the contact points to the right.
+    speed (m/s) is that of the two bobs' approach before the contact, negative if they moved apart.
 
     Return None, and change nothing, if the same result is not certain; the caller must then do single ticks. This
     includes overflows and divisions by 0: single ticks then raise the error in the function that causes it.
@@ -220,7 +221,7 @@ class Run:
         self.checks = {0: list(pairs)}  # tick -> the pairs to check in it
         self.check_ticks = [0]  # the keys of checks, as a heap
         self.due = {pair: 0 for pair in pairs}  # the tick in which to check a pair
-        self.contacts: list[tuple[int, int, int, bool]] = []
+        self.contacts: list[tuple[int, int, int, bool, float]] = []
 
     def advance(self, ticks) -> None:
         """Let all pendula swing and collide until `ticks` ticks are done."""
@@ -283,7 +284,7 @@ class Run:
         values = pend1["e"], omega1, omega2, pend1["mass"], pend2["mass"], self.law.r_param
         self.omegas[left], self.omegas[right] = self.law.handle_collision(*values)
         if (self.omegas[left], self.omegas[right]) != (omega1, omega2):
-            self.contacts.append((tick, left, right, speed1 + speed2 > 0))
+            self.contacts.append((tick, left, right, speed1 + speed2 > 0, (speed1 - speed2) * self.law.r_param))
             for pair in (left - 1, right):
                 if self.due.get(pair, 0) > tick + 1:  # planned with the old velocity
                     self.plan(pair, tick + 1)

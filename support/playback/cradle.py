@@ -20,7 +20,7 @@ class Cradle(Protocol):
     held: int | None  # the held bob, an index into bobs
     mass: float | None  # the mass (kg) of all bobs, in place of those in the CSV
     takes_rule: bool  # whether its tick has the parameter approaching_only
-    hits: list[tuple[int, int, bool]]  # new hits: (left, right, rightwards), with indices of pendula
+    hits: list[tuple[int, int, bool, float]]  # new hits: (left, right, rightwards, speed), with indices of pendula
 
     @contextmanager
     def reading_once(self):
@@ -66,11 +66,14 @@ class Cradle(Protocol):
 
     @contextmanager
     def noting_hits(self):
-        """Record the hits of the ticks in the body of the with statement."""
+        """Record the hits of the ticks in the body of the with statement.
+
+        The speed of a hit is that of the two bobs' approach before it (m/s), negative if they moved apart.
+        """
         yield
 
-    def tick_at_once(self, ticks, rule) -> list[tuple[int, int, int, bool]] | None:
-        """Do `ticks` ticks with this rule in one call; return the contacts as (tick, left, right, rightwards).
+    def tick_at_once(self, ticks, rule) -> list[tuple[int, int, int, bool, float]] | None:
+        """Do `ticks` ticks with this rule in one call; return the contacts as (tick, left, right, rightwards, speed).
 
         Return None, and do nothing, if the result might differ from that of single ticks.
         """

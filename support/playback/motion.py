@@ -14,7 +14,7 @@ class Motion:
 
     def restart(self) -> None:
         """Begin again at time 0, with the energy of this moment as 100 %."""
-        self.ticks = 0
+        self.ticks, self.fastest = 0, 0.0
         self.trains.clear()
         self.set_start()
 
@@ -32,8 +32,9 @@ class Motion:
 
     def note_hits(self) -> None:
         """Add the new hits of the cradle to the trains, with the present time."""
-        for left, right, rightwards in self.cradle.hits:
+        for left, right, rightwards, speed in self.cradle.hits:
             self.trains.add(self.ticks * self.cradle.dt, left, right, rightwards)
+            self.fastest = max(self.fastest, speed)
         self.cradle.hits.clear()
 
     def do_at_once(self, ticks, rule) -> bool:
@@ -41,10 +42,16 @@ class Motion:
         contacts = self.cradle.tick_at_once(ticks, rule)
         if contacts is None:
             return False
-        for tick, left, right, rightwards in contacts:
+        for tick, left, right, rightwards, speed in contacts:
             self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, right, rightwards)
+            self.fastest = max(self.fastest, speed)
         self.ticks += ticks
         return True
+
+    def take_fastest(self) -> float:
+        """Return the speed (m/s) of the fastest hit since the last call, or 0."""
+        fastest, self.fastest = self.fastest, 0.0
+        return fastest
 
     def parts(self, ticks, step):
         """Split `ticks` ticks into parts that end at multiples of step ticks since the start; yield the length of each.

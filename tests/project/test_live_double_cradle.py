@@ -6,14 +6,14 @@ from math import copysign, radians
 
 import pytest
 from programs import slow_but_for
-from whole_cradles import components, distances, FIVE_CSV, PERIOD, Swing, thetas
+from whole_cradles import components, distances, FIVE_CSV, GOOD, HEADER, PERIOD, Swing, thetas
 
 from grading.cradles import MIXED_CSV
 from src import visualize_double_cradle_run
 from src.beyond.live_double_cradle import LiveDoubleCradle
 from src.double_cradle import double_cradle_tick
 from support import shapes
-from support.constants import DOUBLE_DT, G, R_PARAM, THETA_INIT
+from support.constants import BUFFER, DOUBLE_DT, G, R_PARAM, THETA_INIT
 from support.energy import double_kinetic_energy, double_momentum, double_potential_energy
 from support.files.cradle_csv import Snapshot
 from support.playback.player import GRIP
@@ -98,6 +98,20 @@ def test_ticks_are_those_of_the_double_cradle_and_the_hits_are_noted(live, appro
         double_cradle_tick(same.cradle.pend_list, R_PARAM, DOUBLE_DT, G, approaching_only)
     assert values(player, "phi") == values(same, "phi")
     assert player.motion.trains.trains[0].runs[0][:2] == [1, 2]
+
+
+@pytest.mark.parametrize(("theta", "phi"), [(30, 0), (30, 40), (60, -50), (10, 120)])
+def test_the_speed_of_a_hit_is_that_at_which_the_nearest_bobs_approach_each_other(live, theta, phi):
+    player = live(HEADER + GOOD * 2, angles=(theta, phi))
+    left, right = player.cradle.pend_list
+    gaps = [distances([left, right])]
+    while not player.motion.fastest:
+        player.swing(1)
+        gaps.append(distances([left, right]))
+    shortest = min(range(4), key=gaps[-1].__getitem__)
+    touching = BUFFER * 2 * left["objects"][1].radius
+    closer = (gaps[-2][shortest] - gaps[-1][shortest]) * touching / DOUBLE_DT
+    assert player.motion.take_fastest() == pytest.approx(closer, rel=0.01)
 
 
 @pytest.mark.parametrize("bob", [2, 3])

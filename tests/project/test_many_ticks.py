@@ -79,11 +79,11 @@ def do_one_by_one(pend_list, r_param=R, dt=DT, g=G, ticks=1000, approaching_only
 
     def handle_two_bobs(pend1, pend2, r_param, **rule):
         before = pend1["omega"], pend2["omega"]
-        rightwards = sum(pend["omega"] * cos(pend["theta"]) for pend in (pend1, pend2)) > 0
+        velocities = [pend["omega"] * cos(pend["theta"]) for pend in (pend1, pend2)]
         original(pend1, pend2, r_param, **rule)
         if (pend1["omega"], pend2["omega"]) != before:
             left = next(i for i, pend in enumerate(pend_list) if pend is pend1)
-            hits.append((left, left + 1, rightwards))
+            hits.append((left, left + 1, sum(velocities) > 0, (velocities[0] - velocities[1]) * r_param))
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(visualize_cradle_run, "handle_two_bobs", handle_two_bobs)
@@ -198,18 +198,18 @@ def test_it_tells_of_contacts_in_their_order():
     pend_list = row(4)
     pend_list[0]["theta"] = -0.2
     contacts = do_at_once(pend_list, ticks=4000, approaching_only=True)
-    assert [told for _, *told in contacts] == [[0, 1, True], [1, 2, True], [2, 3, True]]
+    assert [told for _, *told, _ in contacts] == [[0, 1, True], [1, 2, True], [2, 3, True]]
     first = contacts[0][0]
     again = row(4)
     again[0]["theta"] = -0.2
     assert do_at_once(again, ticks=first, approaching_only=True) == []
-    assert do_at_once(again, ticks=1, approaching_only=True)[0] == (0, 0, 1, True)
+    assert do_at_once(again, ticks=1, approaching_only=True)[0][:4] == (0, 0, 1, True)
 
 
 def test_a_contact_is_to_the_left_if_the_bobs_move_there():
     pend_list = row(2)
     pend_list[1]["theta"] = 0.2
-    assert [told for _, *told in do_at_once(pend_list, ticks=4000, approaching_only=True)] == [[0, 1, False]]
+    assert [told for _, *told, _ in do_at_once(pend_list, ticks=4000, approaching_only=True)] == [[0, 1, False]]
 
 
 def test_bobs_that_touch_without_a_change_are_no_contact():
@@ -225,7 +225,7 @@ def test_bobs_that_move_together_have_no_contacts_from_rounding():
 
 def test_a_contact_that_only_the_right_bob_notices_is_told():
     pair = [hang(omega=1.0, mass=1e20), hang(axle=(R / 8, 0, 0))]
-    assert do_at_once(pair, g=0, ticks=1, approaching_only=True) == [(0, 0, 1, True)]
+    assert do_at_once(pair, g=0, ticks=1, approaching_only=True) == [(0, 0, 1, True, pytest.approx(R))]
     assert [pend["omega"] for pend in pair] == [1, pytest.approx(2)]
 
 

@@ -1,6 +1,6 @@
 """A cradle in motion: its time, its impacts, its energy, and its samples."""
 
-from math import cos
+from math import cos, radians, sqrt
 
 import pytest
 from whole_cradles import make_swing, PERIOD
@@ -78,6 +78,38 @@ def test_impacts_are_those_of_single_ticks_however_many_are_done_at_once(tmp_pat
     assert at_once.motion.trains.lines() == one_by_one.motion.trains.lines()
     assert at_once.motion.trains.trains[0].begin == pytest.approx(first, abs=DT / 2)
     assert {"1-2-3-4-5", "5-4-3-2-1"} <= {*map(str, at_once.motion.trains.trains)}
+
+
+def test_the_speed_of_a_hit_is_that_of_the_bobs_before_it_however_the_ticks_are_done(tmp_path):
+    """A bob that is let go at 30 degrees is as fast below as its height allows; the hit back is as fast."""
+    found = []
+    for at_once in (True, False):
+        player = make_swing(tmp_path)
+        player.at_once = at_once
+        assert player.motion.take_fastest() == 0
+        player.swing(round(0.2 * PERIOD / DT))
+        assert player.motion.take_fastest() == 0
+        player.swing(round(0.2 * PERIOD / DT))
+        found.append(player.motion.take_fastest())
+        assert player.motion.take_fastest() == 0
+        player.swing(round(0.5 * PERIOD / DT))
+        assert player.motion.take_fastest() == pytest.approx(found[-1], rel=0.01)
+    assert found[0] == found[1] == pytest.approx(sqrt(2 * G * R_PARAM * (1 - cos(radians(30)))), rel=1e-3)
+    player.swing(round(0.2 * PERIOD / DT))
+    player.motion.fastest = 1.0
+    player.motion.restart()
+    assert player.motion.take_fastest() == 0
+
+
+def test_bobs_that_hit_while_they_move_apart_have_a_speed_below_0(tmp_path):
+    player = make_swing(tmp_path, lift=0)
+    player.separating = True
+    pend1, pend2 = player.cradle.pend_list[:2]
+    pend1["objects"][1].radius *= 1.5
+    pend1["omega"], pend2["omega"] = -1.0, 1.0
+    with player.cradle.noting_hits():
+        player.cradle.scope["handle_two_bobs"](pend2, pend1, R_PARAM)  # in any order
+    assert player.cradle.hits == [(0, 1, False, pytest.approx(-2 * R_PARAM))]
 
 
 def test_the_energy_of_the_start_is_100_percent(tmp_path):
