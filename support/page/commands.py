@@ -18,6 +18,7 @@ class Command(Enum):
     LIFT = auto()  # number of bobs; the cradle restarts
     COLLISIONS = auto()  # a key of the cradle's collisions
     SEPARATING = auto()  # whether separating bobs collide too
+    SOUND = auto()  # whether hits sound
     GRAPH = auto()  # one of the graph's choices
     EXPERIMENT = auto()  # the index of an experiment, or None for your CSV; the cradle restarts
     ASK_FIRST = auto()  # whether an experiment asks its question first; an experiment restarts

@@ -1,4 +1,5 @@
 // Additions to VPython's page: sizes that follow the window, keys, touch, the camera's limits, names for screen readers.
+// The other scripts of this folder wait for the event "arranged".
 {
   // VPython sends a slider's value only if it differs from the last value that it sent. It does not send the first value,
   // or a value that you choose again after the program has moved the slider. This change sends each of them once.
@@ -80,6 +81,7 @@
     paint();
     setInterval(describe, 1000);
     requestAnimationFrame(limit);
+    dispatchEvent(new Event("arranged"));
   }
 
   function fold(panel, section, title) {

@@ -9,8 +9,7 @@ from support.page.commands import Command
 from support.page.widgets import add_hint, add_label, begin_part, end_row, set_text, Setting
 from support.pendulum import from_lift, to_lift
 
-# The style of the page, and additions to VPython's page.
-STYLE, *SCRIPTS = (Path(__file__).with_name(name) for name in ("panel.css", "panel.js", "table.js"))
+FOLDER = Path(__file__).parent  # its .css and .js files are the style of the page, and additions to VPython's page
 
 KEYS_HINT = (
     "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs, V resets the view, F presents. Drag a bob."
@@ -42,9 +41,9 @@ class Panel:
         The widgets call give(command, value), in a thread of VPython. The remark, if there is one, stands above them.
         """
         self.questions, self.table = questions, table
-        scene.append_to_caption(f"<style>{STYLE.read_text(encoding='utf-8')}</style>")
-        for script in SCRIPTS:
-            scene.append_to_caption(f"<script>{script.read_text(encoding='utf-8')}</script>")
+        for kind, tag in (("css", "style"), ("js", "script")):
+            for file in sorted(FOLDER.glob(f"*.{kind}")):
+                scene.append_to_caption(f"<{tag}>{file.read_text(encoding='utf-8')}</{tag}>")
         begin_part("messages")
         self.error = wtext()
         if remark:
@@ -71,6 +70,9 @@ class Panel:
         self.saved = wtext()
         self.show_saved(SAVING)
         begin_part("advanced", fold="Advanced")
+        self.sound = checkbox(text="Sound", bind=lambda box: give(Command.SOUND, box.checked))
+        self.hit = wtext(text='<i class="hit"></i>')  # sound.js knows it, and the checkbox before it
+        add_hint("a click for each hit, the louder the faster the bobs meet")
         self.add_rule(give, cradle.takes_rule)
         add_hint(escape(cradle.constants()))
         scene.append_to_caption("<script>arrange()</script>")
@@ -120,7 +122,8 @@ class Panel:
             setting.slider.value = setting.slider.value
         for chosen in (self.collisions, self.graph):
             chosen.selected = chosen.selected
-        self.separating.checked = self.separating.checked
+        for box in (self.sound, self.separating):
+            box.checked = box.checked
         self.questions.send_again()
 
     def show_error(self, message) -> None:
@@ -131,6 +134,10 @@ class Panel:
         """Show that the program has ended, and why; nothing on the page moves any more."""
         text = f"<strong>The program has ended.</strong> {escape(words)}"
         set_text(self.error, f'<div class="error ended" role="alert">{text}</div>')
+
+    def click(self, speed) -> None:
+        """Let the page click for a hit of this speed (m/s)."""
+        self.hit.text = f'<i class="hit" data-speed="{speed:.4f}"></i>'
 
     def show_settings(self, running, speed, angles, lifted, count) -> None:
         """Show whether the cradle runs, its speed (times real time), its release angles (rad), and the number of

@@ -19,6 +19,7 @@ from support.playback.cradle import Cradle
 from support.playback.real_time import FRAME
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
+QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
 GOODBYE = 10.0  # s that the page has to fetch the last message
 
 
@@ -38,6 +39,7 @@ class Viewer(Workbench):
         self.recording = Recording()
         self.next_refresh = -inf
         self.swung_through = False  # whether a bob has swung through others since the last restart
+        self.sound = False
 
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle, self.questions, self.table, remark)
@@ -79,6 +81,9 @@ class Viewer(Workbench):
             self.motion.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
         self.scenery.limit_view()
+        fastest = self.motion.take_fastest()
+        if self.sound and fastest > QUIET:
+            self.panel.click(fastest)
         self.show_motion()
 
     def end(self, words) -> None:
@@ -155,6 +160,8 @@ class Viewer(Workbench):
                 self.show_rows()
             case Command.WRITE:
                 self.write()
+            case Command.SOUND:
+                self.sound = value
             case Command.GRAPH:
                 self.graph.show(value)
             case Command.SAVE:
