@@ -1,6 +1,6 @@
 """A pendulum: its dictionary, and the VPython objects that show it."""
 
-from math import copysign, cos, degrees, radians, sin
+from math import copysign, cos, degrees, inf, nextafter, radians, sin
 from typing import TypedDict
 
 from vpython import box, cylinder, sphere, vector
@@ -20,6 +20,13 @@ def from_lift(lift) -> float:
 def to_lift(angle) -> float:
     """Return the lift outwards (degrees) of a cord at this angle (rad, positive to the right)."""
     return round(degrees(OUTWARDS * angle), 9)  # 45, not 45.00000000000001
+
+
+def exact_lift(angle) -> float:
+    """Return a lift (degrees) of which from_lift makes exactly this angle (rad); 45 rather than 45.00000000000001."""
+    lift = degrees(OUTWARDS * angle)
+    lifts = to_lift(angle), lift, nextafter(lift, inf), nextafter(lift, -inf)
+    return next((each for each in lifts if from_lift(each) == angle), lift)
 
 
 class PendulumEntry(TypedDict, total=False):

@@ -8,10 +8,13 @@ from math import inf
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.cradle_csv import read_cells, RULES, to_number
 from support.files.recording import EVERY
-from support.pendulum import from_lift, to_lift
+from support.pendulum import exact_lift, from_lift, to_lift
 
 # VPython's environment variable for the port of the page; --port overrides it.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
+
+ANGLES = ("angle", "phi")  # options whose value is an angle (rad), and degrees in the command
+NUMBERS = ("e", "mass", *ANGLES, "lift", "port")
 
 
 class OneLineParser(argparse.ArgumentParser):
@@ -67,6 +70,8 @@ def page_options(description) -> OneLineParser:
     add("--port", type=port, metavar="N", default=os.environ.get(PORT_VARIABLE, "0"), help=text)
     text = "an experiment of support/experiments in place of the CSV, for instance 1_one_bob"
     add("--experiment", metavar="NAME", help=text)
+    text = "separating bobs collide too, as in the handout; no effect on functions without approaching_only"
+    add("--separating", action="store_true", help=text)
     text = "open no browser, only print the address of the page"
     add("--no-browser", action="store_false", dest="browser", help=text)
     return parser
@@ -75,8 +80,8 @@ def page_options(description) -> OneLineParser:
 def read_page_options(arguments=None) -> argparse.Namespace:
     """Return the options of the page, from the command line or from arguments.
 
-    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, experiment and browser. None for e or mass keeps
-    the values of the CSV. None for angle or lift keeps the values with which main makes the cradle, or those of the
+    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, experiment, separating and browser. None for e
+    or mass keeps the values of the CSV. None for angle or lift keeps the values with which main makes the cradle, or those of the
     experiment.
     """
     return page_options("Newton's cradle in the browser, to play with.").parse_args(arguments)
@@ -89,6 +94,22 @@ def read_double_page_options(arguments=None) -> argparse.Namespace:
     text = "angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees"
     parser.add_argument("--phi", type=phi, metavar="DEGREES", help=f"{text} (default: {to_lift(PHI_INIT):g})")
     return parser.parse_args(arguments)
+
+
+def page_arguments(options) -> list[str]:
+    """Return the arguments of which the functions above make these options (a dictionary).
+
+    A missing option, or None, has no argument.
+    """
+    csv, flags = options.get("csv", NC_FP), ("elastic", "inelastic", "separating")
+    words = [] if csv == NC_FP else [csv]
+    words += [f"--{name}" for name in flags if options.get(name)]
+    lifts = {name: exact_lift(options[name]) for name in ANGLES if options.get(name) is not None}
+    for name, value in {**options, **lifts, "port": options.get("port") or None}.items():
+        if name in NUMBERS and value is not None:
+            text = repr(value).removesuffix(".0")
+            words += [f"--{name}={text}"] if text.startswith("-") else [f"--{name}", text]
+    return words if options.get("browser", True) else [*words, "--no-browser"]
 
 
 def read_text_options(arguments=None) -> argparse.Namespace:

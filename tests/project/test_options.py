@@ -1,5 +1,6 @@
 """The command line: accepted options, refused options, and their messages."""
 
+import random
 from math import degrees, inf, pi
 
 import pytest
@@ -9,6 +10,7 @@ from support.constants import DT, NC_FP, PHI_INIT
 from support.pendulum import from_lift
 from support.start.options import (
     check_lift,
+    page_arguments,
     PORT_VARIABLE,
     read_double_page_options,
     read_page_options,
@@ -28,6 +30,7 @@ DEFAULTS = {
     "mass": None,
     "angle": None,
     "lift": None,
+    "separating": False,
     "port": 0,
     "experiment": None,
     "browser": True,
@@ -46,6 +49,7 @@ DEFAULTS = {
         ("--mass 2.5 --angle 12.5 --lift 3", {"mass": 2.5, "angle": from_lift(12.5), "lift": 3}),
         ("--experiment 1_one_bob", {"experiment": "1_one_bob"}),
         ("--lift 0 --angle 180", {"lift": 0, "angle": from_lift(180.0)}),
+        ("--separating", {"separating": True}),
         ("--port 8000 --no-browser my.csv", {"port": 8000, "browser": False, "csv": "my.csv"}),
     ],
 )
@@ -58,8 +62,52 @@ def test_what_the_double_cradle_takes_besides(line, phi):
     assert vars(read_double_page_options(line.split())) == {**DEFAULTS, "phi": phi}
 
 
+@pytest.mark.parametrize(
+    "line",
+    [
+        "",
+        "my.csv",
+        "--elastic",
+        "--inelastic",
+        "--e 0",
+        "--e 1e-07 --mass 1e-05",
+        "--e 0.30000000000000004 --mass 2.5",
+        "--lift 0",
+        "--angle 0 --lift 12",
+        "--angle 1e-05",
+        "--separating",
+        "--port 8000",
+        "--no-browser",
+        "my.csv --inelastic --separating --mass 3 --angle 33.3 --lift 2 --port 8000 --no-browser",
+    ],
+)
+def test_the_arguments_of_the_options_make_the_same_options_again(line):
+    options = read(line)
+    arguments = page_arguments(options)
+    assert vars(read_page_options(arguments)) == options
+    assert sorted(arguments) == sorted(line.split())
+
+
+@pytest.mark.parametrize("phi", ["-180", "-12.5", "-1e-05", "0", "77"])
+def test_so_they_do_for_the_double_cradle(phi):
+    options = vars(read_double_page_options([f"--phi={phi}", "--angle", "45"]))
+    assert vars(read_double_page_options(page_arguments(options))) == options
+
+
+@pytest.mark.parametrize("outwards", [-1, 1])
+def test_an_angle_comes_back_to_the_last_bit(monkeypatch, outwards):
+    monkeypatch.setattr("support.pendulum.OUTWARDS", outwards)
+    dice = random.Random(1)
+    for lift in [*range(181), *(dice.uniform(-180, 180) for _ in range(5000)), 1e-9, 179.99999999999997]:
+        angle = from_lift(lift)
+        [argument] = [word for word in page_arguments({"phi": angle}) if word != "--phi"]
+        assert from_lift(float(argument.removeprefix("--phi="))) == angle
+        if lift == round(lift):
+            assert argument == str(lift)
+
+
 TEXT_DEFAULTS = {
-    **{name: value for name, value in DEFAULTS.items() if name not in ("port", "browser", "experiment")},
+    **{name: value for name, value in DEFAULTS.items() if name not in ("separating", "port", "browser", "experiment")},
     "seconds": inf,
     "record": None,
     "every": 0.01,
@@ -182,6 +230,7 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
         "from 0 to 180 degrees (default: ",
         "number of lifted bobs, from the left (default: 1)",
         "--port N",
+        "--separating",
         "--no-browser",
     ):
         assert words in text
