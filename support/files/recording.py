@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
 from stat import S_ISREG
+from threading import Lock
 
 from support.files.atomic_write import whole_file
 
@@ -30,38 +31,52 @@ def check_record(filepath) -> None:
         raise ValueError(f"--record: found '{filepath}', which has no data of a cradle; allowed is {allowed}")
 
 
+def data_writer(file):
+    """Return a writer to this file for the rows of a CSV: first the names of the columns, then the data."""
+    return csv.writer(file, lineterminator="\n")
+
+
 @contextmanager
 def data_file(filepath):
-    """Yield a writer for the rows of a CSV: first the names of the columns, then the data.
+    """Yield a data_writer to a new file.
 
     The file is written whole, or not at all. Raises an OSError if filepath cannot be written.
     """
     with whole_file(filepath) as file:
-        yield csv.writer(file, lineterminator="\n")
+        yield data_writer(file)
 
 
 class Recording:
-    """The samples of the last ten minutes."""
+    """The samples of the last ten minutes. One thread adds them; any thread can write them."""
 
     def __init__(self):
         """Begin without samples."""
+        self.lock = Lock()  # between two cradles, the rows and the columns may not belong together
         self.columns: list[str] = []
         self.rows: deque[array] = deque(maxlen=round(REMEMBERED / EVERY))
 
     def clear(self) -> None:
         """Forget all samples."""
-        self.rows.clear()
+        with self.lock:
+            self.rows.clear()
 
     def add(self, sample) -> None:
         """Add a sample of Motion; all samples have the same names."""
-        self.columns = list(sample)
-        self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
+        with self.lock:
+            self.columns = list(sample)
+            self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
+
+    def write(self, writer) -> None:
+        """Write all samples of this moment to a data_writer, however many are added meanwhile."""
+        with self.lock:
+            columns, rows = self.columns, list(self.rows)
+        writer.writerow(columns)
+        writer.writerows(rows)
 
     def save(self, folder) -> Path:
         """Write all samples to a new file in this folder, and return its path; raises an OSError if that fails."""
         names = (Path(folder, f"cradle_data_{number}.csv") for number in count(1))
         path = next(path for path in names if not path.exists())
         with data_file(path) as writer:
-            writer.writerow(self.columns)
-            writer.writerows(self.rows)
+            self.write(writer)
         return path

@@ -8,8 +8,9 @@ any client disconnects from the websocket, and show a page that is loaded again 
   another machine. The program takes both ports before anything else starts, and keeps them: no other program can take
   one in between.
 - A request gets VPython's page, or one of the files in VPython's own two folders. The server looks its path up in a
-  list of these files, and never joins it to a folder, so no spelling of a path leads elsewhere. On one more path,
-  /no-webgl, the page (and no other page) reports to the terminal that its browser cannot draw.
+  list of these files, and never joins it to a folder, so no spelling of a path leads elsewhere. On two more paths, only
+  the page gets an answer, and no other page: at /no-webgl, it reports to the terminal that its browser cannot draw, and
+  at /cradle_data.csv, it downloads the data.
 - Only the page can use the websocket: for each connection, the browser names the page of the script, its Origin, and a
   script cannot change it.
 - Only one tab shows the cradle: VPython sends each change once. Each tab has a name (page_head.html). A second tab is
@@ -20,6 +21,7 @@ any client disconnects from the websocket, and show a page that is loaded again 
 """
 
 import asyncio
+import codecs
 import errno
 import http.server
 import json
@@ -133,16 +135,17 @@ class PageServer(http.server.ThreadingHTTPServer):
     advance, without using it, would block the page.
     """
 
-    def __init__(self, sockets, place, head, no_webgl, address, handler) -> None:
+    def __init__(self, sockets, place, head, no_webgl, write_data, address, handler) -> None:
         """Serve at sockets, made by page_sockets; head is HTML for the beginning of the page, before VPython's own.
 
         Tell place of each request. no_webgl is the text to print if the page reports that its browser has no WebGL.
+        write_data(file) writes the data since the last restart to a file, as text.
         """
         self.page, websocket = sockets
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
         vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
-        super().__init__(address, own_files_only(handler, place, no_webgl))
+        super().__init__(address, own_files_only(handler, place, no_webgl, write_data))
 
     def server_bind(self) -> None:
         """Use the page's socket, and ignore the address from VPython."""
@@ -159,11 +162,11 @@ class PageServer(http.server.ThreadingHTTPServer):
         """Print nothing: the browser disconnected in the middle of an answer."""
 
 
-def own_files_only(handler: Any, place, no_webgl) -> Any:
+def own_files_only(handler: Any, place, no_webgl, write_data) -> Any:
     """Return VPython's request handler, limited to VPython's page and the files in VPython's own two folders.
 
     It tells place of each request: a slow machine loads a page for seconds before it opens the websocket. If the page
-    reports that its browser has no WebGL, the handler prints the text no_webgl.
+    reports that its browser has no WebGL, the handler prints the text no_webgl. It calls write_data(file) for the data.
     """
     files = {
         f"/{file.relative_to(folder).as_posix()}": (content_type, file)
@@ -183,10 +186,18 @@ def own_files_only(handler: Any, place, no_webgl) -> Any:
                 self.send_header("Content-type", content_type)
                 self.end_headers()
                 self.wfile.write(file.read_bytes())
-            elif self.path == "/no-webgl" and self.headers["Sec-Fetch-Site"] == "same-origin":  # from this page only
+            elif self.headers["Sec-Fetch-Site"] != "same-origin":  # the rest is for this page only
+                self.send_error(404)
+            elif self.path == "/no-webgl":
                 self.send_response(204)
                 self.end_headers()
                 print(no_webgl, flush=True)
+            elif self.path == "/cradle_data.csv":
+                self.send_response(200)
+                self.send_header("Content-Type", "text/csv; charset=utf-8")
+                self.send_header("Content-Disposition", "attachment; filename=cradle_data.csv")
+                self.end_headers()
+                write_data(codecs.getwriter("utf-8")(self.wfile))
             else:
                 self.send_error(404)
 

@@ -14,6 +14,7 @@ from pathlib import Path
 from support.files.cradle_csv import check_cradle
 from support.files.experiments import EXPERIMENTS, find_experiment
 from support.files.live_file import LiveFile
+from support.files.recording import data_writer
 from support.page.commands import Command
 from support.page.local_server import page_sockets, page_websocket, PageServer, Place, port_of
 from support.playback.mistake import tell_mistake
@@ -52,7 +53,13 @@ def show_page(main, cradle, options, angles, remark="") -> None:
         sys.exit(2)
     viewer = None
     try:
-        open_page(sockets, cradle.title, options.browser, lambda: viewer and viewer.give(Command.SHOW_AGAIN))
+        open_page(
+            sockets,
+            cradle.title,
+            options.browser,
+            lambda: viewer and viewer.give(Command.SHOW_AGAIN),
+            lambda file: viewer and viewer.recording.write(data_writer(file)),
+        )
         # This import needs VPython's canvas and widgets; the code above does not.
         from support.page.viewer import Viewer
 
@@ -65,11 +72,11 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     os._exit(1)  # VPython's threads would keep the process alive
 
 
-def open_page(sockets, title, launch_browser, show_again) -> None:
+def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
     """Open VPython's page, with this title, at sockets, made by page_sockets, and wait for a browser.
 
     From then on, Ctrl+C and closing the tab end the process with status 0. Each time a browser loads the page,
-    show_again() is called, in another thread.
+    show_again() is called, in another thread; write_data(file) when it downloads the data.
     """
     os.environ["VPYTHON_HTTP_PORT"] = str(port_of(sockets[0]))  # VPython opens the browser at this port
     if not launch_browser:
@@ -87,7 +94,7 @@ def open_page(sockets, title, launch_browser, show_again) -> None:
     def serve(*given):
         # From here on, Python waits for the browser to load the page. Not earlier: it would delay the server.
         threading.Thread(target=import_now, args=("pandas",), daemon=True).start()
-        return PageServer(sockets, place, head, no_webgl, *given)
+        return PageServer(sockets, place, head, no_webgl, write_data, *given)
 
     with (
         replaced(signal, "signal", lambda *_: None),

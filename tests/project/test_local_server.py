@@ -164,6 +164,27 @@ def test_only_the_page_itself_can_say_in_the_terminal_that_it_sees_nothing():
         assert end(process) == QUIETLY
 
 
+def test_only_the_page_itself_gets_the_data(started):
+    """As the browser says of each request; who says nothing gets nothing."""
+    _, page = started
+    tab = Tab(page, "first")
+    all_of_it(tab)
+    assert get(page, "/cradle_data.csv")[0] == 404
+    for whose in ("cross-site", "same-site", "none", ""):
+        request = f"GET /cradle_data.csv HTTP/1.0\r\nSec-Fetch-Site: {whose}\r\n\r\n"
+        assert answer(page, request.encode())[9:12] == b"404"
+    request = b"GET /cradle_data.csv HTTP/1.0\r\nSec-Fetch-Site: same-origin\r\n\r\n"
+    head, _, body = answer(page, request).partition(b"\r\n\r\n")
+    assert (
+        b"\r\nContent-Type: text/csv; charset=utf-8\r\nContent-Disposition: attachment; filename=cradle_data.csv"
+        in head
+    )
+    columns, *rows = body.decode().split("\n")[:-1]
+    assert columns.startswith("t,theta_1,theta_2,theta_3,theta_4,theta_5,omega_1,")
+    assert {row.count(",") for row in rows} == {columns.count(",")}
+    assert float(rows[0].partition(",")[0]) == 0
+
+
 def test_the_page_names_the_port_above_its_own_as_its_websockets(port):
     status, body = get(port, "/")
     assert status == 200
@@ -413,7 +434,7 @@ def test_each_request_for_a_file_counts_as_loading(clock):
 
     place = Place(lambda: None)
     clock.pass_time(100)
-    own_files_only(Handler, place, "")().do_GET()
+    own_files_only(Handler, place, "", None)().do_GET()
     assert place.until == clock.now + RETURN
 
 

@@ -1,7 +1,9 @@
 """Saved data: the samples, and their files."""
 
+import io
 import os
 import re
+import threading
 
 import pandas as pd
 import pytest
@@ -9,7 +11,7 @@ from whole_cradles import make_swing
 
 from grading.cradles import MIXED_CSV
 from src.pds_helper import EXACT_FLOATS
-from support.files.recording import check_record, data_file, EVERY, Recording, REMEMBERED
+from support.files.recording import check_record, data_file, data_writer, EVERY, Recording, REMEMBERED
 
 
 @pytest.fixture
@@ -48,6 +50,29 @@ def test_only_the_last_ten_minutes_are_kept(motion):
     assert REMEMBERED == 600
     assert len(recording.rows) == 60_000
     assert [recording.rows[end][0] for end in (0, -1)] == [10, 60_009]
+
+
+def test_another_thread_can_write_while_samples_are_added_and_the_cradle_changes():
+    """Each file has the rows of one cradle: its columns, and no others."""
+    recording, files, over = Recording(), [], threading.Event()
+
+    def write():
+        while not over.is_set():
+            files.append(io.StringIO())
+            recording.write(data_writer(files[-1]))
+
+    writing = threading.Thread(target=write)
+    writing.start()
+    for count in [2, 3] * 100:
+        recording.clear()
+        for number in range(100):
+            recording.add({"t": number, **{f"theta_{i}": 0.0 for i in range(count)}})
+    over.set()
+    writing.join()
+    widths = [{line.count(",") for line in file.getvalue().splitlines()[1:]} for file in files]
+    headers = [file.getvalue().partition("\n")[0].count(",") for file in files]
+    assert all(width <= {header} for width, header in zip(widths, headers, strict=True))
+    assert {2, 3} <= {*headers}
 
 
 def test_half_of_a_file_is_none(tmp_path):
