@@ -41,16 +41,16 @@ class LiveCradle:
 
         options has elastic, inelastic, e and mass from support/start/options.py. many_ticks is the fast path, or None.
         """
-        self.scope, self.many_ticks, self.mass = scope, many_ticks, options.mass
+        self.scope, self.many_ticks, self.mass, self.e = scope, many_ticks, options.mass, options.e
         self.collisions: dict[str, Any] = {
             "as in the CSV": None,  # each pendulum keeps its own e
             "elastic, e = 1": special_cradles.elastic_newton_cradle,
             "inelastic, e = 0": special_cradles.inelastic_newton_cradle,
         }
         self.collision = list(self.collisions)[1 if options.elastic else 2 if options.inelastic else 0]
-        if options.e is not None:
-            self.collision = f"e = {options.e:g}"
-            self.collisions[self.collision] = partial(special_cradles.uniform_e_newton_cradle, e_val=options.e)
+        if self.e is not None:
+            self.collision = f"e = {self.e:g}"
+            self.collisions[self.collision] = partial(special_cradles.uniform_e_newton_cradle, e_val=self.e)
         self.pend_list: list = []
         self.held: int | None = None  # the index of the held bob
         self.hits: list[tuple[int, int, bool, float]] = []
@@ -150,6 +150,12 @@ class LiveCradle:
         """Set how bobs collide from now on (a key of collisions); csv is the path of the cradle's file."""
         self.collision, make = collision, self.collisions[collision]
         self.adopt("e", [pend["e"] for pend in make(csv)] if make else self.es)
+
+    def options(self) -> dict[str, Any]:
+        """Return the options with which the programs make the present collisions and masses: e, mass, ..."""
+        kind = list(self.collisions).index(self.collision)
+        e = self.e if kind == 3 else None
+        return {"elastic": kind == 1, "inelastic": kind == 2, "e": e, "mass": self.mass}
 
     def as_made(self) -> tuple[list[float], int]:
         """Return the release angles (rad) with which the cradle was made, and the number of lifted pendula."""

@@ -19,7 +19,7 @@ from support.page.commands import Command
 from support.page.local_server import page_sockets, page_websocket, PageServer, Place, port_of
 from support.playback.mistake import tell_mistake
 from support.playback.player import run
-from support.start.command_line import command_line
+from support.start.command_line import command_line, same_program
 from support.start.interrupt import end_on_interrupt
 from support.start.later import import_now
 from support.start.options import check_lift
@@ -63,7 +63,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
         # This import needs VPython's canvas and widgets; the code above does not.
         from support.page.viewer import Viewer
 
-        viewer = Viewer(cradle, file, angles, options.lift, remark, options.experiment)
+        viewer = Viewer(cradle, file, angles, options.lift, remark, vars(options))
         run(main, viewer)
     except BaseException as error:
         words = tell_mistake(error)
@@ -82,9 +82,8 @@ def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
     if not launch_browser:
         os.environ["VPYTHON_NO_LAUNCH_BROWSER"] = "1"
     terminal_cradle = command_line("src/text_cradle_run.py", Path.cwd())
-    this_program = command_line(f"src/{Path(sys.argv[0]).name}", Path.cwd(), sys.argv[1:])
     head = PAGE_HEAD.read_text(encoding="utf-8")
-    texts = {"TERMINAL_CRADLE": terminal_cradle, "THIS_PROGRAM": this_program, "PAGE_TITLE": title}
+    texts = {"TERMINAL_CRADLE": terminal_cradle, "THIS_PROGRAM": same_program(sys.argv[1:]), "PAGE_TITLE": title}
     for name, text in texts.items():
         head = head.replace(name, escape(text, quote=False))
     no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"

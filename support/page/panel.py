@@ -24,7 +24,16 @@ SEPARATING_HINT = (
     "hit then undoes a part of the first one: bobs with e below 1 stick together."
 )
 FIXED_HINT = "Your functions have no parameter approaching_only, so this rule is fixed."
-SAVING = "writes a CSV with the data since the last restart, at most ten minutes"
+TAKE_AWAY = """\
+<button onclick="takePicture()" title="Download a PNG of the cradle">Picture</button>
+<button onclick="takeFilm()" class="film" title="Record the cradle until you press it again">Film</button>
+<button onclick="takeData()" title="Download the data since the last restart">Data (CSV)</button>"""
+COPY = '<button onclick="takeCommand()" title="Copy the command that starts this cradle again">Copy command</button>'
+COPIED = '<span class="copied hint" role="status"></span>'
+SAVING = (
+    "Data (CSV) downloads the data since the last restart, at most ten minutes. Save data writes them to a file on the "
+    "computer of the program."
+)
 SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
 TRAINS = 7  # of impacts, a line for each
 
@@ -66,8 +75,12 @@ class Panel:
         begin_part("pendula-part", fold="Pendula")
         self.table.add(give)
         begin_part("data", fold="Take away")
+        scene.append_to_caption(TAKE_AWAY)
         self.save = button(text="Save data", bind=lambda: give(Command.SAVE))
         self.saved = wtext()
+        scene.append_to_caption(COPY)
+        self.command = wtext()
+        scene.append_to_caption(COPIED)
         self.show_saved(SAVING)
         begin_part("advanced", fold="Advanced")
         self.sound = checkbox(text="Sound", bind=lambda box: give(Command.SOUND, box.checked))
@@ -177,6 +190,10 @@ class Panel:
     def show_saved(self, message, failed=False) -> None:
         """Show a message about saved data: the file, or, if failed, the reason."""
         set_text(self.saved, f'<span class="{"failed" if failed else "hint"} saved">{escape(message)}</span>')
+
+    def show_command(self, command) -> None:
+        """Show the command that starts the program with the present settings."""
+        set_text(self.command, f'<code class="command">{escape(command)}</code>')
 
     def show_impacts(self, lines, swung_through=False) -> None:
         """Show the last trains of impacts, a line for each, and a note if a bob has swung through others."""

@@ -17,6 +17,8 @@ from support.page.scenery import Scenery
 from support.page.workbench import CHANGES, Workbench
 from support.playback.cradle import Cradle
 from support.playback.real_time import FRAME
+from support.start.command_line import same_program
+from support.start.options import ANGLES, page_arguments
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
 QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
@@ -26,13 +28,15 @@ GOODBYE = 10.0  # s that the page has to fetch the last message
 class Viewer(Workbench):
     """The page with a cradle, its panel and its graph: the argument page of main."""
 
-    def __init__(self, cradle: Cradle, file, angles, lifted, remark="", experiment=None):
+    def __init__(self, cradle: Cradle, file, angles, lifted, remark="", options=None):
         """Build the page for the cradle of this file (a LiveFile), with the remark, if there is one.
 
         angles (rad) are the release angles, lifted is the number of bobs to lift. None keeps the value with which main
-        makes the cradle. experiment is the key of the experiment to begin with, or None.
+        makes the cradle. options are those of the command line, as a dictionary.
         """
         super().__init__(cradle, file, angles, lifted, TRAINS)
+        self.options = options or {}
+        self.separating = self.options.get("separating", False)
         self.commands: SimpleQueue = SimpleQueue()
         self.running = True
         self.step = max(1, round(EVERY / cradle.dt))
@@ -43,8 +47,9 @@ class Viewer(Workbench):
 
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle, self.questions, self.table, remark)
-        if experiment is not None:
-            self.begin_with(experiment)
+        self.panel.separating.checked = self.separating
+        if self.options.get("experiment") is not None:
+            self.begin_with(self.options["experiment"])
         self.graph = MotionGraph(self.recording, cradle.angle_keys, cradle.rate_keys)
         self.listen()
 
@@ -194,6 +199,13 @@ class Viewer(Workbench):
             self.panel.show_saved(f"{error.filename or 'The current folder'}: {error.strerror}", failed=True)
         self.pace.restart()  # do not catch up on this time (ten minutes of a hundred pendula: ten seconds)
 
+    def arguments(self) -> list[str]:
+        """Return the arguments with which the program starts with the present settings."""
+        lifted = None if self.lifted is None else min(self.lifted, len(self.cradle.axles()))
+        separating = self.separating and self.cradle.takes_rule
+        now = {**dict(zip(ANGLES, self.angles, strict=False)), "lift": lifted, "separating": separating}
+        return page_arguments({**self.options, **self.cradle.options(), **now})
+
     # --- the mouse ---------------------------------------------------------------------------------------------------
 
     def follow_mouse(self, command, value) -> None:
@@ -243,6 +255,7 @@ class Viewer(Workbench):
         count = len(self.cradle.axles())
         lifted = made_lifted if self.lifted is None else min(self.lifted, count)
         self.panel.show_settings(self.running, self.pace.speed, angles, lifted, count)
+        self.panel.show_command(same_program(self.arguments()))
         self.panel.show_graphs(list(self.graph.choices), self.graph.choice)
 
     def show_motion(self) -> None:

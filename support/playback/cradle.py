@@ -36,6 +36,9 @@ class Cradle(Protocol):
         It is the list of main, which the ticks change. Raises a MistakeError if it is no list of complete pendula.
         """
 
+    def options(self) -> dict[str, Any]:
+        """Return the options with which the programs make the present collisions and masses: e, mass, ..."""
+
     def release(self, angles, lifted) -> None:
         """Lift the first `lifted` pendula to these angles (rad) and let the others hang, all at rest.
 

@@ -22,3 +22,8 @@ def command_line(program, folder, arguments=()) -> str:
         words[0] = "python"
     words += arguments
     return subprocess.list2cmdline(words) if sys.platform == "win32" else shlex.join(words)
+
+
+def same_program(arguments) -> str:
+    """Return the command that starts the running program of src/ from the current folder, with these arguments."""
+    return command_line(f"src/{Path(sys.argv[0]).name}", Path.cwd(), arguments)
