@@ -37,9 +37,7 @@
       download(address, `${NAME}.${type.slice(6).split(";")[0]}`);
       setTimeout(() => URL.revokeObjectURL(address), 60_000);
     };
-    film = { recorder, paper, start: performance.now() };
-    draw();
-    recorder.start(1000); // a part each second (ms)
+    film = { recorder, paper, start: performance.now(), isEmpty: true };
   }
 
   // VPython has just drawn the cradle; the canvas forgets it after this event. The numbers on the axles are on a second
@@ -53,6 +51,8 @@
     paper.fillStyle = getComputedStyle(document.body).backgroundColor;
     paper.fillRect(0, 0, width, height);
     for (const layer of [picture, labels]) paper.drawImage(layer, ...place);
+    if (film.isEmpty) recorder.start(1000); // a part each second (ms)
+    film.isEmpty = false;
     showFilm();
     if (find(".ended") && recorder.state === "recording") recorder.stop(); // the program has ended
   }

@@ -51,21 +51,21 @@ PICTURE = f"""async address => {{
     return {{ ...look(image), seen: null, size: [image.naturalWidth, image.naturalHeight] }};
 }}"""
 
-# Play a film to its end, or for three seconds; return how it looks, and how many of its frames are not as before.
+# Play a film to its end, or for three seconds; return how it looks at its best, and how many looks find a new picture.
 FILM = f"""async address => {{
     {LOOK}
     const film = Object.assign(document.createElement("video"), {{ src: address, muted: true }});
     await new Promise((resolve, reject) => Object.assign(film, {{ onloadeddata: resolve, onerror: reject }}));
-    const first = look(film), size = [film.videoWidth, film.videoHeight];
-    let changes = 0, before = first.seen;
-    film.play();
+    await film.play();
+    let changes = 0, before = [], colors = 0, labels = 0;
     for (const start = performance.now(); !film.ended && performance.now() - start < 3000;) {{
         await new Promise(resolve => setTimeout(resolve, 100));
-        const {{ seen }} = look(film);
-        if (seen.some((pixel, i) => pixel !== before[i])) changes++;
-        before = seen;
+        const now = look(film);
+        if (now.seen.some((pixel, i) => pixel !== before[i])) changes++;
+        [before, colors, labels] = [now.seen, Math.max(colors, now.colors), Math.max(labels, now.labels)];
     }}
-    return {{ ...first, seen: null, size, changes, seconds: film.currentTime }};
+    const size = [film.videoWidth, film.videoHeight];
+    return {{ colors, labels, size, changes, seconds: film.currentTime }};
 }}"""
 
 
