@@ -34,6 +34,7 @@ SAVING = (
     "Data (CSV) downloads the data since the last restart, at most ten minutes. Save data writes them to a file on the "
     "computer of the program."
 )
+UNWRITTEN = "No file has this table: press Write to my CSV, then copy the command."
 SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
 TRAINS = 7  # of impacts, a line for each
 
@@ -192,8 +193,9 @@ class Panel:
         set_text(self.saved, f'<span class="{"failed" if failed else "hint"} saved">{escape(message)}</span>')
 
     def show_command(self, command) -> None:
-        """Show the command that starts the program with the present settings."""
-        set_text(self.command, f'<code class="command">{escape(command)}</code>')
+        """Show the command that starts the program with the present settings; an empty one if there is none."""
+        code = f'<code class="command">{escape(command)}</code>'
+        set_text(self.command, code if command else f'<span class="hint">{UNWRITTEN}</span>')
 
     def show_impacts(self, lines, swung_through=False) -> None:
         """Show the last trains of impacts, a line for each, and a note if a bob has swung through others."""

@@ -68,6 +68,7 @@
 
   async function takeCommand() {
     const command = find(".command"), copied = find(".copied");
+    if (!command) return; // the panel says why there is none
     try {
       await navigator.clipboard.writeText(command.textContent);
       copied.textContent = "Copied.";

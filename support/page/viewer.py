@@ -14,7 +14,7 @@ from support.page.motion_graph import MotionGraph
 from support.page.mouse import bob_at, point_in_plane
 from support.page.panel import Panel, TRAINS
 from support.page.scenery import Scenery
-from support.page.workbench import CHANGES, Workbench
+from support.page.workbench import OF_BENCH, Workbench
 from support.playback.cradle import Cradle
 from support.playback.real_time import FRAME
 from support.start.command_line import same_program
@@ -135,8 +135,8 @@ class Viewer(Workbench):
                 yield from self.show_one_tick()
             case Command.RESTART:
                 yield from self.make()
-            case _ if command in CHANGES:
-                yield from self.change(command, value)
+            case _ if command in OF_BENCH:
+                yield from self.work(command, value)
             case Command.GRAB | Command.DRAG | Command.LET_GO:
                 self.follow_mouse(command, value)
             case Command.SHOW_AGAIN:
@@ -153,18 +153,9 @@ class Viewer(Workbench):
             case Command.SPEED:
                 self.pace.speed = value
                 self.try_single_ticks()
-            case Command.COLLISIONS:
-                self.questions.drop()
-                self.collide(value)
-                self.show_rows()
             case Command.SEPARATING:
                 self.questions.drop()
                 self.separating = value
-            case Command.TABLE:
-                self.table.is_open = value
-                self.show_rows()
-            case Command.WRITE:
-                self.write()
             case Command.SOUND:
                 self.sound = value
             case Command.GRAPH:
@@ -199,11 +190,15 @@ class Viewer(Workbench):
             self.panel.show_saved(f"{error.filename or 'The current folder'}: {error.strerror}", failed=True)
         self.pace.restart()  # do not catch up on this time (ten minutes of a hundred pendula: ten seconds)
 
-    def arguments(self) -> list[str]:
-        """Return the arguments with which the program starts with the present settings."""
+    def arguments(self) -> list[str] | None:
+        """Return the arguments with which the program starts with the present settings; None if no file has its CSV."""
+        experiment = self.questions.experiment
+        if self.snapshot != (experiment.csv if experiment else self.file.current):  # it was edited in the table
+            return None
         lifted = None if self.lifted is None else min(self.lifted, len(self.cradle.axles()))
         separating = self.separating and self.cradle.takes_rule
         now = {**dict(zip(ANGLES, self.angles, strict=False)), "lift": lifted, "separating": separating}
+        now["experiment"] = experiment.key if experiment else None
         return page_arguments({**self.options, **self.cradle.options(), **now})
 
     # --- the mouse ---------------------------------------------------------------------------------------------------
@@ -255,7 +250,8 @@ class Viewer(Workbench):
         count = len(self.cradle.axles())
         lifted = made_lifted if self.lifted is None else min(self.lifted, count)
         self.panel.show_settings(self.running, self.pace.speed, angles, lifted, count)
-        self.panel.show_command(same_program(self.arguments()))
+        arguments = self.arguments()
+        self.panel.show_command("" if arguments is None else same_program(arguments))
         self.panel.show_graphs(list(self.graph.choices), self.graph.choice)
 
     def show_motion(self) -> None:

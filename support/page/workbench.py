@@ -11,10 +11,10 @@ from support.page.questions import Questions
 from support.page.table import Table
 from support.playback.player import Player
 
-# The commands that change what the cradle is made from.
-CHANGES = (
-    *(Command.ANGLE, Command.LIFT, Command.EXPERIMENT, Command.ASK_FIRST),
-    *(Command.EDIT, Command.ADD, Command.DELETE),
+# The commands that the workbench carries out.
+OF_BENCH = (
+    *(Command.ANGLE, Command.LIFT, Command.COLLISIONS, Command.EXPERIMENT, Command.ASK_FIRST),
+    *(Command.TABLE, Command.EDIT, Command.ADD, Command.DELETE, Command.WRITE),
 )
 
 
@@ -43,8 +43,8 @@ class Workbench(Player):
         self.questions = Questions(EXPERIMENTS / cradle.kind)
         self.table = Table([*cradle.angle_keys, *cradle.rate_keys], file.filepath)
 
-    def change(self, command, value):
-        """Carry out one of the CHANGES; main then makes a new cradle."""
+    def work(self, command, value):
+        """Carry out one of the commands in OF_BENCH."""
         match command:
             case Command.ANGLE:
                 self.leave_poses()
@@ -62,6 +62,15 @@ class Workbench(Player):
                 if self.poses:
                     self.running = True
                     yield from self.make()
+            case Command.COLLISIONS:
+                self.questions.drop()
+                self.collide(value)
+                self.show_rows()
+            case Command.TABLE:
+                self.table.is_open = value
+                self.show_rows()
+            case Command.WRITE:
+                self.write()
             case _:
                 yield from self.edit(command, value)
 

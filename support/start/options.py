@@ -81,8 +81,8 @@ def read_page_options(arguments=None) -> argparse.Namespace:
     """Return the options of the page, from the command line or from arguments.
 
     They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, experiment, separating and browser. None for e
-    or mass keeps the values of the CSV. None for angle or lift keeps the values with which main makes the cradle, or those of the
-    experiment.
+    or mass keeps the values of the CSV. None for angle or lift keeps the values with which main makes the cradle, or
+    those of the experiment.
     """
     return page_options("Newton's cradle in the browser, to play with.").parse_args(arguments)
 
@@ -105,6 +105,8 @@ def page_arguments(options) -> list[str]:
     words = [] if csv == NC_FP else [csv]
     words += [f"--{name}" for name in flags if options.get(name)]
     lifts = {name: exact_lift(options[name]) for name in ANGLES if options.get(name) is not None}
+    if options.get("experiment") is not None:
+        words += ["--experiment", options["experiment"]]
     for name, value in {**options, **lifts, "port": options.get("port") or None}.items():
         if name in NUMBERS and value is not None:
             text = repr(value).removesuffix(".0")

@@ -34,6 +34,28 @@ def view(tmp_path):
     return view
 
 
+def test_an_experiment_starts_again(view):
+    viewer = view("--mass 2 --angle 20 --lift 2")
+    give(viewer, Command.EXPERIMENT, 1)
+    assert viewer.arguments()[1:] == ["--experiment", "2_two_bobs"]
+    give(viewer, Command.ANGLE, (0, from_lift(30)))
+    assert viewer.arguments()[1:] == ["--experiment", "2_two_bobs", "--angle", "30", "--lift", "2"]
+    give(viewer, Command.EXPERIMENT, None)
+    assert viewer.arguments()[1:] == ["--mass", "2", "--angle", "20", "--lift", "2"]
+    viewer = view("--experiment 2_two_bobs")
+    assert viewer.arguments()[1:] == ["--experiment", "2_two_bobs"]
+    assert [pend["theta"] != 0 for pend in viewer.cradle.pend_list] == [True, True, False, False, False]
+
+
+def test_what_only_the_table_has_cannot_be_started_again_before_it_is_written(view):
+    viewer = view()
+    assert "cradle.csv" in viewer.panel.command.text
+    give(viewer, Command.EDIT, [0, "mass", "2"])
+    assert viewer.arguments() is None
+    assert "press Write to my CSV" in viewer.panel.command.text
+    assert 'class="command"' not in viewer.panel.command.text
+
+
 def give(viewer, command, value):
     go_on(viewer, viewer.carry_out(command, value))
 

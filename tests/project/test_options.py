@@ -77,6 +77,7 @@ def test_what_the_double_cradle_takes_besides(line, phi):
         "--angle 1e-05",
         "--separating",
         "--port 8000",
+        "--experiment 2_two_bobs --separating",
         "--no-browser",
         "my.csv --inelastic --separating --mass 3 --angle 33.3 --lift 2 --port 8000 --no-browser",
     ],

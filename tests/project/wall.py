@@ -20,7 +20,9 @@ class Wall:
         self.now = 100.0
         self.file = csv
         live_file = LiveFile(csv, self.clock)
-        self.viewer = Viewer(make_live(kind), live_file, thetas(angles or [30]), lifted, remark, {"experiment": experiment})
+        self.viewer = Viewer(
+            make_live(kind), live_file, thetas(angles or [30]), lifted, remark, {"experiment": experiment}
+        )
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=None)
         self.panel = self.viewer.panel
         self.viewer.at_once = True  # single ticks give the same result, but take longer
