@@ -24,7 +24,10 @@ FILES = [
 ]
 FOLDERS = ["src", "support", "tests/grading"]
 # Pictures of the READMEs, and files with answers: src/README.md, the fast path, the collisions of the double cradle.
-UNUSED = ["__pycache__", "README.md", "double.png", "swing.png", "many_ticks.py", "double_collisions.py"]
+UNUSED = [
+    *("__pycache__", "README.md", "double.png", "experiment.png", "swing.png"),
+    *("many_ticks.py", "double_collisions.py"),
+]
 PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
 
 RUN, DOUBLE_RUN = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"

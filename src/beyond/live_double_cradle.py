@@ -55,7 +55,7 @@ class LiveDoubleCradle(LiveCradle):
             for (bob1, v1), (bob2, v2) in product(moving_bobs(*left), moving_bobs(*right))
         ]
         apart, closer = min(moves, key=lambda move: mag(move[0]))
-        return dot(closer, apart) / mag(apart)
+        return dot(closer, apart) / (mag(apart) or 1.0)  # 0, if one is in the other's place
 
     def energies(self) -> tuple[float, float]:
         """Return the kinetic and the potential energy (J)."""

@@ -3,7 +3,7 @@
 import csv
 import io
 
-from support.files.cradle_csv import read_cells, Snapshot, to_number
+from support.files.cradle_csv import check_cradle, read_cells, RULES, Snapshot, to_number
 
 
 def with_cell(original, row, column, text) -> Snapshot:
@@ -36,6 +36,24 @@ def without_row(original, row) -> Snapshot:
     """Return the Snapshot without a row."""
     header, rows = cells_of(original)
     return written(original, header, rows[:row] + rows[row + 1 :])
+
+
+def have_same_pendula(csv, other) -> bool:
+    """Return whether two Snapshots describe the same cradle: the same masses, e, colors and textures, row by row."""
+    try:
+        for each in (csv, other):
+            check_cradle(each)
+    except ValueError:
+        return False
+    columns = [[values_of(each, column) for column in RULES] for each in (csv, other)]
+    return columns[0] == columns[1]
+
+
+def values_of(csv, column) -> list:
+    """Return the values in a column: numbers for mass and e, texts for the others."""
+    header, rows = cells_of(csv)
+    texts = [cells[header.index(column)] for cells in rows]
+    return [to_number(text) for text in texts] if column in ("mass", "e") else texts
 
 
 def cells_of(original) -> tuple[list[str], list[list[str]]]:

@@ -5,7 +5,6 @@ from configparser import ConfigParser, Error
 from itertools import accumulate
 from math import radians
 from pathlib import Path
-from string import Formatter
 from typing import NamedTuple
 
 from support.files.cradle_csv import check_cradle, read_cells, Snapshot, to_number
@@ -13,7 +12,8 @@ from support.files.cradle_csv import check_cradle, read_cells, Snapshot, to_numb
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
 LONGEST = 60.0  # s from the release to the measurement
-MEASURED = re.compile(r"energy|(swing|speed|before)_([1-9]\d*)")
+MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
+YOUR_CSV = "your CSV"  # the name in the menu that no experiment can have
 
 
 class Answer(NamedTuple):
@@ -37,14 +37,17 @@ class Experiment(NamedTuple):
     seconds: float
 
 
-def read_experiments(folder) -> tuple[list[Experiment], list[str]]:
-    """Return the experiments in this folder, sorted by the names of their files, and a line for each bad one."""
+def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
+    """Return the experiments in this folder, sorted by the names of their files, and a line for each bad one.
+
+    cords is the number of cords of a pendulum: 1, or 2 for the double cradle.
+    """
     experiments: list[Experiment] = []
     mistakes = []
     files = [file for ending in ("csv", "txt") for file in Path(folder).glob(f"*.{ending}")]
     for path in sorted({file.with_suffix(".csv") for file in files}):
         try:
-            experiment = read_experiment(path)
+            experiment = read_experiment(path, cords)
             if experiment.name in [other.name for other in experiments]:
                 raise ValueError(
                     f"{path.with_suffix('.txt')}, name: {experiment.name!r} is the name of another experiment"
@@ -55,38 +58,45 @@ def read_experiments(folder) -> tuple[list[Experiment], list[str]]:
     return experiments, mistakes
 
 
-def find_experiment(key, folder) -> Experiment:
+def find_experiment(key, folder, cords) -> Experiment:
     """Return the experiment of this folder with this key; raises a ValueError with a one-line message if it is bad."""
-    keys = sorted(path.stem for path in Path(folder).glob("*.csv"))
-    if key not in keys:
-        raise ValueError(f"--experiment: found {key!r}, allowed is one of {', '.join(keys)}")
-    return read_experiment(Path(folder) / f"{key}.csv")
+    experiments, mistakes = read_experiments(folder, cords)
+    for experiment in experiments:
+        if experiment.key == key:
+            return experiment
+    for mistake in mistakes:
+        if mistake.startswith(f"{Path(folder, key)}."):
+            raise ValueError(mistake)
+    allowed = ", ".join(experiment.key for experiment in experiments)
+    raise ValueError(f"--experiment: found {key!r}, allowed is one of {allowed}")
 
 
-def read_experiment(path) -> Experiment:
+def read_experiment(path, cords) -> Experiment:
     """Return the experiment with this CSV; raises a ValueError with a one-line message if it has a mistake."""
     csv = Snapshot(path)
     check_cradle(csv)
     count = len(read_cells(csv)) - 1  # without the header
     file = path.with_suffix(".txt")
     lines = Lines(file)
-    cords = [[radians(angle) for angle in lines.angles("theta", count)]]
-    if lines.has("phi"):
-        cords.append([radians(angle) for angle in lines.angles("phi", count)])
+    if cords == 1 and lines.has("phi"):
+        raise ValueError(f"{file}, phi: is allowed only for the double cradle")
+    angles = [map(radians, lines.angles(name, count)) for name in ("theta", "phi")[:cords]]
     answers = [Answer(text.lstrip("* "), lines.angles(text, count, "answers")) for text in lines.answers()]
     explained = [number for number, text in enumerate(lines.answers()) if text.startswith("*")]
+    if len({answer.text for answer in answers}) < len(answers):
+        raise ValueError(f"{file}, [answers]: found an answer twice")
     if not (2 <= len(answers) <= 5 and len(explained) == 1):
         found = f"found {len(answers)} answers, {len(explained)} of them with an asterisk"
         raise ValueError(f"{file}, [answers]: {found}, allowed are 2 to 5, one of them with an asterisk")
     return Experiment(
         key=path.stem,
         csv=csv,
-        name=lines.text("name"),
+        name=lines.name(),
         question=lines.text("question"),
         answers=answers,
         explained=explained[0],
         why=lines.measured("why", count),
-        angles=[[*accumulate(angles)] for angles in zip(*cords, strict=True)],
+        angles=[[*accumulate(of_pendulum)] for of_pendulum in zip(*angles, strict=True)],
         seconds=lines.seconds(),
     )
 
@@ -122,6 +132,15 @@ class Lines:
             raise ValueError(f"{self.file}, {name}: found nothing, allowed is a text")
         return text
 
+    def name(self) -> str:
+        """Return the name of the experiment; VPython's menu would change the letters & < >."""
+        name = self.text("name")
+        if re.search("[&<>]", name) or name == YOUR_CSV:
+            raise ValueError(
+                f"{self.file}, name: found {name!r}, allowed is a text without & < >, but not {YOUR_CSV!r}"
+            )
+        return name
+
     def angles(self, name, count, section="experiment") -> list[float]:
         """Return the angles (degrees) of a line, one for each of count pendula."""
         text = self.text(name, section)
@@ -141,13 +160,9 @@ class Lines:
     def measured(self, name, count) -> str:
         """Return the text of a line that can have measured numbers of count pendula in braces."""
         text = self.text(name)
-        try:
-            fields = [field for _, field, _, _ in Formatter().parse(text) if field is not None]
-        except ValueError:
-            fields = ["{"]
-        for field in fields:
+        for field in re.findall(r"\{[^{}]*\}|[{}]", text):
             match = MEASURED.fullmatch(field)
             if not match or int(match[2] or 1) > count:
-                allowed = f"energy, or swing_, speed_ or before_ with the number of a bob, 1 to {count}"
-                raise ValueError(f"{self.file}, {name}: found {{{field}}}, allowed are {allowed}")
+                allowed = f"{{energy}}, or swing_, speed_ or before_ with the number of a bob, 1 to {count}, in braces"
+                raise ValueError(f"{self.file}, {name}: found {field}, allowed is {allowed}")
         return text

@@ -29,3 +29,7 @@ class LiveFile:
             return False
         self.current = self.candidate
         return True
+
+    def look_now(self) -> None:
+        """Take the present content of the file as current: a program that has just written it need not wait."""
+        self.current = self.candidate = Snapshot(self.filepath)

@@ -22,7 +22,7 @@ class Command(Enum):
     GRAPH = auto()  # one of the graph's choices
     EXPERIMENT = auto()  # the index of an experiment, or None for your CSV; the cradle restarts
     ASK_FIRST = auto()  # whether an experiment asks its question first; an experiment restarts
-    ANSWER = auto()  # to the question: the index of an answer, or None for no answer; the cradle runs
+    ANSWER = auto()  # (key of the experiment that asks, index of the answer, or None); the cradle runs
     TABLE = auto()  # whether the table of the pendula is open
     EDIT = auto()  # a cell of the table: (index of the row, column, text); the cradle restarts
     ADD = auto()  # a row to the table; the cradle restarts

@@ -45,7 +45,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     try:
         check_cradle(file.current)  # here, because later mistakes in the file appear only on the page
         if options.experiment is not None:
-            csv = find_experiment(options.experiment, EXPERIMENTS / cradle.kind).csv
+            csv = find_experiment(options.experiment, EXPERIMENTS / cradle.kind, len(cradle.angle_keys)).csv
         check_lift(options.lift, csv)
         sockets = page_sockets(options.port)
     except ValueError as error:

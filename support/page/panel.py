@@ -34,7 +34,7 @@ SAVING = (
     "Data (CSV) downloads the data since the last restart, at most ten minutes. Save data writes them to a file on the "
     "computer of the program."
 )
-UNWRITTEN = "No file has this table: press Write to my CSV, then copy the command."
+UNWRITTEN = "No file has this cradle. Write to my CSV (below Pendula) puts it in your file; then copy the command."
 SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
 TRAINS = 7  # of impacts, a line for each
 
@@ -184,8 +184,9 @@ class Panel:
     def show_graphs(self, choices, choice) -> None:
         """Show these choices of graphs in the menu, and the present choice."""
         if self.graph.choices != choices:
-            self.graph.choices = choices
-        if self.graph.selected != choice:
+            self.graph.choices = choices  # the browser then selects the first one
+            self.graph.selected = choice
+        elif self.graph.selected != choice:
             self.graph.selected = choice
 
     def show_saved(self, message, failed=False) -> None:

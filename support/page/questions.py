@@ -1,10 +1,11 @@
 """The experiments on the page: their menu, the question before the release, and what happened after it."""
 
+import json
 from html import escape
 
 from vpython import checkbox, menu, wtext
 
-from support.files.experiments import Experiment, read_experiments
+from support.files.experiments import Experiment, read_experiments, YOUR_CSV
 from support.page.commands import Command
 from support.page.widgets import add_label, set_text
 from support.playback.prediction import Measurement
@@ -19,13 +20,16 @@ class Questions:
     From the release to the measurement, note takes the data of the run. Nothing is stored, and nobody gets a score.
     """
 
-    def __init__(self, folder):
-        """Begin with your CSV; you can choose an experiment in this folder in place of it."""
-        self.experiments, self.mistakes = read_experiments(folder)
+    def __init__(self, folder, cords):
+        """Begin with your CSV; you can choose an experiment in this folder in place of it.
+
+        cords is the number of cords of a pendulum.
+        """
+        self.experiments, self.mistakes = read_experiments(folder, cords)
         self.experiment: Experiment | None = None  # None stands for your CSV
         self.ask_first = False
         self.is_asking = False  # whether the cradle waits for an answer
-        self.said = ""
+        self.said: int | None = None  # the index of the answer
         self.measurement: Measurement | None = None
 
     def add_area(self) -> None:
@@ -35,7 +39,7 @@ class Questions:
     def add_menu(self, give) -> None:
         """Add the menu, the tick box, and a line for each mistake in a file of an experiment."""
         add_label("Experiment")
-        choices = ["your CSV", *(escape(experiment.name, quote=False) for experiment in self.experiments)]
+        choices = [YOUR_CSV, *(experiment.name for experiment in self.experiments)]
 
         def choose(menu):
             give(Command.EXPERIMENT, menu.index - 1 if menu.index else None)
@@ -68,15 +72,30 @@ class Questions:
 
     def drop(self) -> None:
         """Ask nothing, and measure nothing: the cradle is no longer that of an experiment."""
-        self.is_asking, self.said, self.measurement = False, "", None
+        self.is_asking, self.said, self.measurement = False, None, None
         self.show()
 
-    def answer(self, number) -> None:
-        """Take this answer (its index, or None for no answer) to the question, if it is still asked."""
-        if self.is_asking and self.experiment:
-            self.is_asking = False
-            self.said = "" if number is None else self.experiment.answers[number].text
-            self.show()
+    def leave(self) -> None:
+        """Ask nothing, and show no name in the menu, so that you can choose the experiment again."""
+        if self.experiment and self.menu.selected is not None:
+            self.menu.selected = None
+        self.drop()
+
+    def answer(self, question, number) -> bool:
+        """Take this answer (its index, or None for no answer) to the question of this experiment (its key).
+
+        Return False, and do nothing, if this is not asked any more.
+        """
+        if not (self.is_asking and self.experiment and self.experiment.key == question):
+            return False
+        self.is_asking, self.said = False, number
+        self.show()
+        return True
+
+    def skip(self) -> None:
+        """Go on without an answer, if a question is asked."""
+        if self.experiment:
+            self.answer(self.experiment.key, None)
 
     def note(self, sample, has_hit) -> None:
         """Take a sample of the motion into account; has_hit says whether two bobs have hit each other by then."""
@@ -91,10 +110,11 @@ class Questions:
         if self.measurement and self.experiment:
             lines.append(f"<p><strong>{escape(self.experiment.question)}</strong></p>")
             if self.is_asking:
-                lines += [answer_button(number, answer.text) for number, answer in enumerate(self.experiment.answers)]
-                lines.append(f'<button class="plain" onclick="tell(\'ANSWER\', null)">{NOT_SAID}</button>')
-            elif self.said:
-                lines.append(f"<p>You said: {escape(self.said)}.</p>")
+                texts = [answer.text for answer in self.experiment.answers]
+                lines += [answer_button(self.experiment.key, number, text) for number, text in enumerate(texts)]
+                lines.append(answer_button(self.experiment.key, None, NOT_SAID))
+            elif self.said is not None:
+                lines.append(f"<p>You said: {escape(self.experiment.answers[self.said].text)}.</p>")
             if self.measurement.is_over:
                 lines += [f"<p>{line}</p>" for line in self.result(self.experiment, self.measurement)]
         text = "".join(lines)
@@ -104,11 +124,12 @@ class Questions:
         """Return what happened, and why, as lines of HTML."""
         outcome = measurement.outcome()
         happened = "none of these answers" if outcome is None else experiment.answers[outcome].text
-        is_right = outcome is not None and self.said == happened
-        words = "That is what happened" if is_right else f"What happened: {escape(happened)}"
+        words = "That is what happened" if self.said == outcome is not None else f"What happened: {escape(happened)}"
         return [f"<strong>{words}.</strong> {escape(measurement.explanation())}"]
 
 
-def answer_button(number, text) -> str:
-    """Return the HTML of a button that gives this answer to the question."""
-    return f"<button onclick=\"tell('ANSWER', {number})\">{escape(text)}</button>"
+def answer_button(question, number, text) -> str:
+    """Return the HTML of a button that gives this answer (its index, or None) to the question with this key."""
+    command = f"tell('ANSWER', {json.dumps([question, number])})"
+    kind = ' class="plain"' if number is None else ""
+    return f'<button{kind} onclick="{escape(command)}">{escape(text)}</button>'

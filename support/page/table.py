@@ -35,10 +35,17 @@ class Table:
         self.tick = button(text="One tick", bind=lambda: give(Command.TICK))
         self.write = button(text="Write to my CSV", bind=lambda: give(Command.WRITE))
         self.written = wtext()
-        self.show_written(f"replaces {Path(self.csv).name}")
         end_row()
         add_hint(HINT)
         self.before_and_after = wtext()
+        self.refresh()
+
+    def open(self, is_open) -> None:
+        """Open the table, or fold it away; a page that was loaded again has a folded, empty table."""
+        self.is_open = is_open
+        if not is_open:
+            set_text(self.rows, "")
+            set_text(self.now, "")
 
     def allows(self, row, column, text) -> bool:
         """Return whether this text is allowed in this column; if not, show what is, beside the cell."""
@@ -70,12 +77,13 @@ class Table:
             names = [(key, f"{key}_{i + 1}") for key in self.keys]
             changes = [f"{key} {before[name]:.6g} -> {after[name]:.6g}".ljust(29) for key, name in names]
             lines.append(f"[{i}] {' '.join(changes)}".rstrip())
-        lines += calls or ["No bobs collided."]
+        lines += calls
         set_text(self.before_and_after, f'<pre class="tick" tabindex="0">{escape(chr(10).join(lines))}</pre>')
 
-    def hide_tick(self) -> None:
-        """Show no tick: it was one of an earlier cradle."""
+    def refresh(self) -> None:
+        """Remove what was said about an earlier cradle."""
         set_text(self.before_and_after, "")
+        self.show_written(f"replaces {Path(self.csv).name}")
 
 
 def as_data(name, data) -> str:

@@ -7,7 +7,6 @@ from queue import SimpleQueue
 
 from vpython import baseObj, scene
 
-from support.files.cradle_csv import check_cradle
 from support.files.recording import EVERY, Recording
 from support.page.commands import Command, KEYS
 from support.page.motion_graph import MotionGraph
@@ -125,13 +124,14 @@ class Viewer(Workbench):
         match command:
             case Command.PAUSE:
                 self.running = not self.running
-                self.questions.answer(None)
+                self.questions.skip()
             case Command.ANSWER:
-                self.running = True
-                self.questions.answer(value)
+                self.running = self.questions.answer(*value) or self.running
             case Command.STEP if not self.running:
+                self.questions.skip()
                 yield from self.advance(round(FRAME * self.pace.speed / self.cradle.dt))
             case Command.TICK if not self.running:
+                self.questions.skip()
                 yield from self.show_one_tick()
             case Command.RESTART:
                 yield from self.make()
@@ -141,6 +141,7 @@ class Viewer(Workbench):
                 self.follow_mouse(command, value)
             case Command.SHOW_AGAIN:
                 self.panel.send_again()
+                self.table.open(False)
                 self.scenery.reset_view()
                 yield from self.open()
             case _:
@@ -154,7 +155,7 @@ class Viewer(Workbench):
                 self.pace.speed = value
                 self.try_single_ticks()
             case Command.SEPARATING:
-                self.questions.drop()
+                self.leave_experiment()
                 self.separating = value
             case Command.SOUND:
                 self.sound = value
@@ -177,7 +178,7 @@ class Viewer(Workbench):
         self.graph.take(self.cradle.colors())
         self.swung_through = False
         self.note()
-        self.table.hide_tick()
+        self.table.refresh()
         self.show_rows()
         self.show_settings()
 
@@ -209,7 +210,7 @@ class Viewer(Workbench):
             bob = bob_at(self.cradle.bobs(), *value)
             if bob is not None:
                 self.cradle.hold(bob)
-                self.questions.drop()
+                self.leave_experiment()
         elif self.cradle.held is not None:
             if command is Command.LET_GO:
                 self.cradle.let_go()
@@ -219,27 +220,13 @@ class Viewer(Workbench):
                 if point is not None:
                     self.cradle.drag(self.cradle.held, point.x, point.y)
 
-    # --- time, and the file ------------------------------------------------------------------------------------------
+    # --- time ---------------------------------------------------------------------------------------------------
 
     def note(self) -> None:
         """Add this moment to the recording, and to the measurement of an experiment."""
         sample = self.motion.sample()
         self.recording.add(sample)
         self.questions.note(sample, self.motion.has_hit())
-
-    def reload(self):
-        """Let main make the cradle of the new file, or show the mistake in the file; the old cradle then swings on."""
-        try:
-            check_cradle(self.file.current)
-        except ValueError as error:
-            self.panel.show_error(str(error))
-            return
-        self.panel.show_error("")
-        if self.questions.experiment:
-            self.own = self.own._replace(csv=self.file.current)
-            yield from self.choose(None)
-        else:
-            yield from self.take(self.file.current)
 
     # --- texts and numbers -------------------------------------------------------------------------------------------
 

@@ -1,9 +1,12 @@
 """The part of the viewer that decides what the cradle is made from: your CSV, an experiment, or the edited table."""
 
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from support.files.cradle_csv import clean_copy, Snapshot
-from support.files.edited_csv import cells_of, with_cell, with_numbers, with_row, without_row
+from support.files.atomic_write import whole_file
+from support.files.cradle_csv import check_cradle, clean_copy, Snapshot
+from support.files.edited_csv import cells_of, have_same_pendula, with_cell, with_numbers, with_row, without_row
 from support.files.experiments import EXPERIMENTS
 from support.page.commands import Command
 from support.page.panel import Panel
@@ -40,7 +43,7 @@ class Workbench(Player):
         self.file = file
         self.poses: list | None = None  # the angles of each pendulum at the release, if an experiment sets them
         self.own = self.settings()  # of your CSV, while an experiment is shown
-        self.questions = Questions(EXPERIMENTS / cradle.kind)
+        self.questions = Questions(EXPERIMENTS / cradle.kind, len(cradle.angle_keys))
         self.table = Table([*cradle.angle_keys, *cradle.rate_keys], file.filepath)
 
     def work(self, command, value):
@@ -63,14 +66,14 @@ class Workbench(Player):
                     self.running = True
                     yield from self.make()
             case Command.COLLISIONS:
-                self.questions.drop()
+                self.leave_experiment()
                 self.collide(value)
                 self.show_rows()
             case Command.TABLE:
-                self.table.is_open = value
+                self.table.open(value)
                 self.show_rows()
             case Command.WRITE:
-                self.write()
+                yield from self.write()
             case _:
                 yield from self.edit(command, value)
 
@@ -105,11 +108,11 @@ class Workbench(Player):
         """Let main make the cradle of this experiment (its index), or (None) that of your CSV, with its settings."""
         if not self.questions.experiment:
             self.own = self.settings()
+        self.running = self.running or self.questions.is_asking or number is not None
         experiment = self.questions.choose(number)
         if experiment:
             as_in_csv = next(iter(self.cradle.collisions))
             chosen = Settings(experiment.csv, [None] * len(self.angles), None, as_in_csv, None)
-            self.running = True
         else:
             chosen = self.own
         csv, self.angles, self.lifted, self.cradle.collision, self.cradle.mass = chosen
@@ -133,7 +136,12 @@ class Workbench(Player):
         if self.poses:
             angles, self.lifted = self.cradle.as_made()
             self.angles, self.poses = list(angles), None
-        self.questions.drop()
+        self.leave_experiment()
+
+    def leave_experiment(self) -> None:
+        """Measure nothing any more: the cradle is no longer that of the experiment. If it was waiting, it runs."""
+        self.running = self.running or self.questions.is_asking
+        self.questions.leave()
 
     # --- the table ---------------------------------------------------------------------------------------------------
 
@@ -150,7 +158,7 @@ class Workbench(Player):
         """
         csv = self.present_csv()
         rows = range(len(cells_of(csv)[1]))
-        self.questions.drop()
+        self.leave_experiment()
         match command:
             case Command.ADD:
                 csv = with_row(csv)
@@ -169,16 +177,44 @@ class Workbench(Player):
         self.snapshot = csv
         yield from self.make()
 
-    def write(self) -> None:
-        """Write the present pendula to your CSV, and say so, or why it failed."""
+    def write(self):
+        """Write the present pendula to your CSV, and let main make its cradle; or say why it failed.
+
+        write_to_csv writes to another file first: if it fails, your CSV stays as it is.
+        """
+        csv = self.present_csv()
         try:
-            with clean_copy(self.present_csv()) as csv:
-                self.cradle.write(csv, self.file.filepath)
-            self.table.show_written(f"{self.file.filepath} has these pendula now.")
+            with TemporaryDirectory(ignore_cleanup_errors=True) as folder, clean_copy(csv) as path:
+                copy = Path(folder, Path(self.file.filepath).name)
+                self.cradle.write(path, copy)
+                written = Snapshot(copy)
+            if not have_same_pendula(written, csv):
+                raise ValueError("write_to_csv has written other pendula, so your CSV stays as it is")
+            with whole_file(self.file.filepath) as file:
+                file.write(written.data.decode("utf-8-sig"))
         except OSError as error:
             self.table.show_written(f"{error.filename or self.file.filepath}: {error.strerror}", failed=True)
         except Exception as error:  # of a student's function
             self.table.show_written(f"{type(error).__name__}: {' '.join(str(error).split())}", failed=True)
+        else:
+            self.file.look_now()
+            self.own = self.own._replace(collision=next(iter(self.cradle.collisions)), mass=None)  # the CSV has them
+            yield from self.reload()
+            self.table.show_written(f"{self.file.filepath} has these pendula now.")
+
+    def reload(self):
+        """Let main make the cradle of the new file, or show the mistake in the file; the old cradle then swings on."""
+        try:
+            check_cradle(self.file.current)
+        except ValueError as error:
+            self.panel.show_error(str(error))
+            return
+        self.panel.show_error("")
+        if self.questions.experiment:
+            self.own = self.own._replace(csv=self.file.current)
+            yield from self.choose(None)
+        else:
+            yield from self.take(self.file.current)
 
     def show_one_tick(self):
         """Do one tick, and show what it did to each pendulum, and the collisions in it."""
@@ -186,6 +222,7 @@ class Workbench(Player):
         with self.cradle.noting_calls() as calls:
             yield from self.advance(1)
         self.at_once = at_once
+        calls = calls or [f"{self.cradle.collider} was not called."]
         self.table.show_tick(self.cradle.dt, before, self.cradle.coordinates(), calls)
 
     def show_rows(self) -> None:

@@ -13,6 +13,7 @@ class Cradle(Protocol):
     dt: float  # one tick (s)
     reach: float  # from an axle to the centre of the lowest bob at rest (m)
     angles: Mapping[str, tuple[float, float]]  # name of a release angle -> (least, largest), degrees
+    collider: str  # the name of the function whose calls noting_calls notes
     angle_keys: Sequence[str]  # a pendulum's keys of its angles (rad), the upper cord first
     rate_keys: Sequence[str]  # the keys of their rates (rad/s), in the same order
     collisions: dict[str, Any]  # the keys are the names of the kinds of collisions

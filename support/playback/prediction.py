@@ -1,5 +1,6 @@
 """Measure an experiment, and compare it with the answers to its question."""
 
+import re
 from math import degrees
 
 from support.constants import R_PARAM
@@ -18,7 +19,7 @@ class Measurement:
         self.swings, self.speeds, self.befores = ([0.0] * count for _ in range(3))  # degrees, m/s, m/s
         self.energy = 100.0  # % that is left
         self.start_energy: float | None = None  # J
-        self.is_over = False
+        self.has_hit = self.is_over = False
 
     def note(self, sample, has_hit) -> None:
         """Take a sample of Motion into account; has_hit says whether two bobs have hit each other by then."""
@@ -33,23 +34,27 @@ class Measurement:
             fastest[i] = max(fastest[i], speed)
             if has_hit and abs(theta) > abs(self.swings[i]):
                 self.swings[i] = theta
+        self.has_hit = has_hit
         self.is_over = sample["t"] >= self.experiment.seconds
 
     def outcome(self) -> int | None:
-        """Return the index of the answer that comes nearest to what the bobs did, or None if none is near."""
+        """Return the index of the answer that comes nearest to what the bobs did; None if none is near, or none hit."""
 
         def error(answer):
             return max(abs(a - b) for a, b in zip(answer.swings, self.swings, strict=True))
 
         answers = self.experiment.answers
         nearest = min(range(len(answers)), key=lambda index: error(answers[index]))
-        return nearest if error(answers[nearest]) <= NEAR else None
+        return nearest if self.has_hit and error(answers[nearest]) <= NEAR else None
 
     def explanation(self) -> str:
         """Return why that happened, or, if something else happened than the experiment explains, that it did."""
         experiment, outcome = self.experiment, self.outcome()
         if outcome == experiment.explained:
-            return experiment.why.format_map(self.numbers())
+            numbers = self.numbers()
+            return re.sub(r"\{(\w+)\}", lambda match: numbers[match[1]], experiment.why)
+        if not self.has_hit:
+            return "No two bobs hit each other."
         swings = ", ".join(f"{swing:.0f}" for swing in self.swings)
         expected = experiment.answers[experiment.explained].text
         return (

@@ -11,10 +11,12 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 REQUIREMENTS = ROOT / "support" / "requirements.txt"
+SECONDS = 60  # after which an import counts as never coming
 HEAD = """\
 # What the programs import, and no more, for pip install --no-deps -r support/requirements.txt
 # VPython also asks for Jupyter, which a program that is started as a file does without: a hundred more packages.
@@ -36,19 +38,27 @@ def bounds() -> dict[str, str]:
 
 
 def imported(python) -> dict[str, str]:
-    """Return the packages that the page imports with this Python before it waits for a browser, as {name: version}."""
+    """Return the packages that the page imports with this Python while it waits for a browser, as {name: version}."""
     program = [python, "-X", "importtime", ROOT / "src" / "visualize_cradle_run.py", "--no-browser"]
-    with tempfile.TemporaryFile("w+") as told:
-        with subprocess.Popen(program, stdout=subprocess.PIPE, stderr=told) as process:
+    with tempfile.TemporaryDirectory() as folder:
+        told = Path(folder, "imports")
+        with told.open("w") as file, subprocess.Popen(program, stdout=subprocess.PIPE, stderr=file) as process:
             if not process.stdout.readline():
                 sys.exit(f"{python}: the program does not start")
+            deadline = time.monotonic() + SECONDS
+            while "pandas" not in imports_in(told) and time.monotonic() < deadline:  # a thread imports it last
+                time.sleep(0.1)
             process.kill()
-        told.seek(0)
-        imports = (line for line in told if line.startswith("import time:"))
-        modules = {line.rpartition("|")[2].strip().partition(".")[0] for line in imports}
+        modules = {module.partition(".")[0] for module in imports_in(told)}
     done = subprocess.run([python, "-c", PACKAGES], stdout=subprocess.PIPE, check=True)
     packages = json.loads(done.stdout)
     return dict(packages[module] for module in modules & packages.keys())
+
+
+def imports_in(told) -> set[str]:
+    """Return the modules whose import has ended, from what -X importtime wrote to this file."""
+    lines = told.read_text().splitlines()
+    return {line.rpartition("|")[2].strip() for line in lines if line.startswith("import time:")}
 
 
 def lines(found) -> list[str]:

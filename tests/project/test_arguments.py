@@ -52,7 +52,7 @@ def test_what_only_the_table_has_cannot_be_started_again_before_it_is_written(vi
     assert "cradle.csv" in viewer.panel.command.text
     give(viewer, Command.EDIT, [0, "mass", "2"])
     assert viewer.arguments() is None
-    assert "press Write to my CSV" in viewer.panel.command.text
+    assert "No file has this cradle." in viewer.panel.command.text
     assert 'class="command"' not in viewer.panel.command.text
 
 

@@ -15,6 +15,7 @@ from support.page.commands import Command
 from support.playback.prediction import Measurement
 
 KINDS = {kind.kind: kind for kind in (LiveCradle, LiveDoubleCradle)}
+CORDS = {"single": 1, "double": 2}
 SHIPPED = [(kind, path.stem) for kind in KINDS for path in sorted((EXPERIMENTS / kind).glob("*.csv"))]
 
 TEXT = """\
@@ -46,7 +47,7 @@ def files(tmp_path):
 
 
 def test_an_experiment_is_read(files):
-    experiment = read_experiment(files / "two.csv")
+    experiment = read_experiment(files / "two.csv", 1)
     assert (experiment.key, experiment.name, experiment.seconds) == ("two", "Two bobs", 0.5)
     assert experiment.question == "What leaves on the other side?"
     assert [answer.text for answer in experiment.answers] == ["One", "Two"]
@@ -57,7 +58,7 @@ def test_an_experiment_is_read(files):
 
 def test_phi_is_measured_from_the_upper_cord(files):
     (files / "two.txt").write_text(TEXT.replace("seconds", "phi = -20 10 0 0 0\nseconds"))
-    angles = read_experiment(files / "two.csv").angles
+    angles = read_experiment(files / "two.csv", 2).angles
     assert angles[0] == pytest.approx([-0.785398, -1.134464])
     assert angles[1] == pytest.approx([-0.785398, -0.610865])
 
@@ -74,13 +75,15 @@ BAD = [
     ("One = 0 0 0 0 100\n", "", "[answers]: found 1 answers"),
     ("0 0 0 45 45", "45 45", "* Two: found '45 45', allowed are 5 angles"),
     ("[answers]", "answers", "three.txt' [line 9]"),
-    (
-        "{speed_5}",
-        "{speed_6}",
-        "why: found {speed_6}, allowed are energy, or swing_, speed_ or before_ with the number",
-    ),
-    ("{speed_5}", "{speed}", "why: found {speed}, allowed are energy, or"),
-    ("{speed_5}", "{speed_5", "why: found {{}, allowed are energy, or"),
+    ("{speed_5}", "{speed_6}", "why: found {speed_6}, allowed is {energy}, or swing_, speed_ or before_ with"),
+    ("{speed_5}", "{speed}", "why: found {speed}, allowed is {energy}, or"),
+    ("{speed_5}", "{speed_5", "why: found {, allowed is {energy}, or"),
+    ("{energy}", "{energy:.1f}", "why: found {energy:.1f}, allowed is {energy}, or"),
+    ("{energy}", "energy}", "why: found }, allowed is {energy}, or"),
+    ("seconds", "phi = 0 0 0 0 0\nseconds", "phi: is allowed only for the double cradle"),
+    ("name = Two bobs", "name = <Two>", "name: found '<Two>', allowed is a text without & < >, but not 'your CSV'"),
+    ("name = Two bobs", "name = your CSV", "name: found 'your CSV', allowed is a text without & < >"),
+    ("* Two", "* One", "[answers]: found an answer twice"),
     ("[experiment]\n", "", "File contains no section headers"),
     ("name = Two bobs", "name = Two bobs\nname = Three", "already exists"),
 ]
@@ -91,7 +94,7 @@ def test_a_bad_experiment_is_named_in_one_line_and_the_others_work(files, old, n
     shutil.copy(files / "two.csv", files / "three.csv")
     assert old in TEXT
     (files / "three.txt").write_text(TEXT.replace(old, new).replace("Two bobs", "Three bobs"))
-    experiments, mistakes = read_experiments(files)
+    experiments, mistakes = read_experiments(files, 1)
     assert [experiment.key for experiment in experiments] == ["two"]
     [mistake] = mistakes
     assert mistake.startswith(str(files / "three.txt"))
@@ -107,7 +110,7 @@ def test_other_mistakes_of_experiments(files):
     (files / "silent.csv").write_text(FIVE_CSV)
     (files / "two_more.csv").write_text(FIVE_CSV)
     (files / "two_more.txt").write_text(TEXT)
-    experiments, mistakes = read_experiments(files)
+    experiments, mistakes = read_experiments(files, 1)
     assert [experiment.key for experiment in experiments] == ["two"]
     names = ["alone.csv", "broken.csv", "latin.txt", "silent.txt", "two_more.txt"]
     words = [
@@ -123,10 +126,20 @@ def test_other_mistakes_of_experiments(files):
         assert word in mistake
 
 
+def test_an_experiment_of_the_double_cradle_needs_phi(files):
+    experiments, [mistake] = read_experiments(files, 2)
+    assert not experiments
+    assert mistake == f"{files / 'two.txt'}, phi: found nothing, allowed is a text"
+
+
 def test_the_command_names_an_experiment(files):
-    assert find_experiment("two", files) == read_experiment(files / "two.csv")
+    assert find_experiment("two", files, 1) == read_experiment(files / "two.csv", 1)
+    shutil.copy(files / "two.csv", files / "two_more.csv")
+    shutil.copy(files / "two.txt", files / "two_more.txt")
+    with pytest.raises(ValueError, match=r"two_more.txt, name: 'Two bobs' is the name of another experiment$"):
+        find_experiment("two_more", files, 1)
     with pytest.raises(ValueError, match=r"^--experiment: found 'three', allowed is one of two$"):
-        find_experiment("three", files)
+        find_experiment("three", files, 1)
 
 
 # --- what happens ----------------------------------------------------------------------------------------------------
@@ -140,14 +153,14 @@ def run(kind, key, csv) -> tuple:
     wall.viewer.give(Command.ASK_FIRST, True)
     wall.viewer.give(Command.EXPERIMENT, number)
     wall.wait()
-    wall.viewer.give(Command.ANSWER, questions.experiments[number].explained)
+    wall.viewer.give(Command.ANSWER, [key, questions.experiments[number].explained])
     wall.wait(questions.experiments[number].seconds + 0.1)
     return wall, questions
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_all_shipped_experiments_are_good(kind):
-    experiments, mistakes = read_experiments(EXPERIMENTS / kind)
+    experiments, mistakes = read_experiments(EXPERIMENTS / kind, CORDS[kind])
     assert not mistakes
     assert [experiment.key for experiment in experiments] == [key for folder, key in SHIPPED if folder == kind]
 
@@ -165,7 +178,7 @@ def test_a_shipped_experiment_explains_what_happens(kind, key, csv):
 
 @pytest.mark.parametrize(("kind", "key"), SHIPPED)
 def test_no_two_answers_of_a_shipped_experiment_predict_nearly_the_same(kind, key):
-    answers = read_experiment(EXPERIMENTS / kind / f"{key}.csv").answers
+    answers = read_experiment(EXPERIMENTS / kind / f"{key}.csv", CORDS[kind]).answers
     for number, answer in enumerate(answers):
         for other in answers[:number]:
             assert max(abs(a - b) for a, b in zip(answer.swings, other.swings, strict=True)) > 5
@@ -173,7 +186,7 @@ def test_no_two_answers_of_a_shipped_experiment_predict_nearly_the_same(kind, ke
 
 def test_the_measured_numbers(files):
     """Hand-made samples: bobs 1 and 2 come in at 1 and 2 rad/s; after the hit, bob 5 swings to 40 degrees."""
-    measured = Measurement(read_experiment(files / "two.csv"))
+    measured = Measurement(read_experiment(files / "two.csv", 1))
 
     def note(t, thetas, omegas, total, has_hit):
         names = {f"theta_{i}": radians(theta) for i, theta in enumerate(thetas, start=1)}
@@ -200,7 +213,17 @@ def test_the_measured_numbers(files):
 
 def test_a_changed_function_is_not_explained_away(csv, monkeypatch):
     """Bobs that hit nobody: the page must not say why two leave."""
-    monkeypatch.setattr(visualize_cradle_run, "handle_collision", lambda e, omega1, omega2, *_: (omega1, omega2 / 2))
+    monkeypatch.setattr(visualize_cradle_run, "handle_collision", lambda e, omega1, omega2, *_: (omega2, omega1 / 2))
     _, questions = run("single", "2_two_bobs", csv)
     assert "Only two bobs keep both" not in questions.area.text
     assert "a function in src/, or a setting, is different" in questions.area.text
+
+
+@pytest.mark.parametrize("key", [key for kind, key in SHIPPED if kind == "single"])
+def test_without_a_hit_nothing_is_claimed(key, csv, monkeypatch):
+    """As in a student's preview: the bobs swing through each other."""
+    monkeypatch.setattr(visualize_cradle_run, "handle_two_bobs", lambda *_, **__: None)
+    _, questions = run("single", key, csv)
+    assert questions.measurement.is_over
+    assert questions.measurement.outcome() is None
+    assert "What happened: none of these answers.</strong> No two bobs hit each other." in questions.area.text

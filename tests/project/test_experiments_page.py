@@ -148,7 +148,20 @@ def test_the_dictionaries_move_and_one_tick_is_told(shared):
     told = shared.locator(".tick")
     told.wait_for()
     assert "[0] theta -0.785398 -> " in told.inner_text()
-    assert told.inner_text().splitlines()[-1] == "No bobs collided."
+    assert told.inner_text().splitlines()[-1] == "handle_collision was not called."
+    menu(shared, "Graph").select_option("Angles theta (rad)")
+    shared.get_by_role("button", name="Add a pendulum").click()
+    wait_until(lambda: shared.locator(".legend").inner_text().split() == ["1", "2", "3", "4", "5", "6"])
+    assert menu(shared, "Graph").input_value() == "Angles theta (rad)"
+    menu(shared, "Graph").select_option("Energies (J)")
+    wait_until(lambda: "total" in shared.locator(".legend").inner_text())
+
+
+def test_an_experiment_that_was_changed_can_be_chosen_again(shared):
+    shared.keyboard.press("3")
+    wait_until(lambda: menu(shared, "Experiment").input_value() == "")
+    menu(shared, "Experiment").select_option("Two bobs")
+    wait_until(lambda: shared.locator(".value").all_inner_texts()[1] == "2 of 5")
 
 
 def test_no_such_experiment(program):

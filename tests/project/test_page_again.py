@@ -90,6 +90,8 @@ def test_a_reload_restarts_the_cradle_and_keeps_what_is_set(page, started):
 def test_a_reload_while_it_runs_lets_it_run(page, started):
     view = page.evaluate(VIEW)
     for _ in range(2):
+        unfold(page, "Pendula")
+        page.get_by_label("mass of pendulum 1", exact=True).wait_for()
         wait_until(lambda: readout(page, "t") > 0.2)
         reload(page)
         page.get_by_role("button", name="Pause").wait_for()

@@ -116,7 +116,7 @@ def test_the_question_comes_before_the_release(asking):
     ],
 )
 def test_an_answer_runs_it_and_then_comes_what_happened_and_why(asking, answer, said, happened):
-    asking.viewer.give(Command.ANSWER, answer)
+    asking.viewer.give(Command.ANSWER, ["2_two_bobs", answer])
     asking.wait(0.3)
     assert shown(asking) == ["Two bobs come in. What leaves on the other side?", *said]
     assert asking.time() > 0.2
@@ -130,17 +130,39 @@ def test_an_answer_runs_it_and_then_comes_what_happened_and_why(asking, answer, 
     assert shown(asking)[-1] == result
 
 
-@pytest.mark.parametrize("key", [" ", "right"])
-def test_it_also_runs_without_an_answer(asking, key):
-    """Step shows it picture by picture, and the question stays."""
-    asking.press(key)
-    asking.wait(0.1)
-    assert (len(shown(asking)) == 6) == (key == "right")
-    assert asking.time() > 0
+@pytest.mark.parametrize("go_on", [" ", "right", Command.TICK])
+def test_it_also_runs_without_an_answer(asking, go_on):
+    """Picture by picture and tick by tick, too; what is measured begins at the release."""
+    if go_on is Command.TICK:
+        asking.viewer.give(go_on)
+    else:
+        asking.press(go_on)
+    asking.wait(0.05)
+    assert shown(asking) == ["Two bobs come in. What leaves on the other side?"]
+    assert 0 < asking.viewer.motion.ticks < 1000
+    if asking.panel.pause.text == "Run":
+        asking.panel.pause.bind()
+    asking.wait(0.6)
+    assert shown(asking)[-1].startswith("What happened: Two bobs, as far as the two. Two bobs came in at 1.07 m/s")
+
+
+@pytest.mark.parametrize("value", [["1_one_bob", 0], ["5_heavy_hits_light", None]])
+def test_an_answer_to_another_question_does_nothing(asking, value):
+    """You may click faster than the page shows the new question."""
+    asking.viewer.give(Command.ANSWER, value)
+    asking.wait(0.5)
+    assert (len(shown(asking)), asking.time()) == (6, 0)
+    choose(asking, None)
+    asking.panel.pause.bind()
+    asking.wait()
+    asking.viewer.give(Command.ANSWER, ["2_two_bobs", 0])
+    time = asking.time()
+    asking.wait(0.5)
+    assert (shown(asking), asking.time()) == ([], time)
 
 
 def test_each_restart_asks_again(asking):
-    asking.viewer.give(Command.ANSWER, 0)
+    asking.viewer.give(Command.ANSWER, ["2_two_bobs", 0])
     asking.wait(1)
     asking.press("r")
     assert len(shown(asking)) == 6
@@ -190,11 +212,15 @@ CHANGES = {
 @pytest.mark.parametrize("answered", [False, True])
 def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking, change, answered):
     if answered:
-        asking.viewer.give(Command.ANSWER, 0)
+        asking.viewer.give(Command.ANSWER, ["2_two_bobs", 0])
         asking.wait(0.1)
     CHANGES[change](asking)
     asking.wait(0.6)  # the measurement would be over
     assert shown(asking) == []
+    assert asking.panel.pause.text == "Pause"  # only the question has held it up
+    assert asking.viewer.questions.menu.selected == ("your CSV" if change == "file" else None)
+    choose(asking, TWO)
+    assert len(shown(asking)) == 6
 
 
 def test_a_saved_csv_comes_back_into_view(wall, csv):

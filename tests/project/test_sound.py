@@ -1,7 +1,7 @@
 """The sound of the hits, in Chromium: what a browser sends to the loudspeaker."""
 
 import pytest
-from pages import ANGLE, slide, values
+from pages import ANGLE, menu, slide, values
 from programs import (
     copy_project,
     first_lines,
@@ -61,7 +61,7 @@ def started(chromium, tmp_path_factory):
 def shared(started):
     """This page with all as at the start, and without sound."""
     box(started).uncheck()
-    started.locator("select").first.select_option("as in the CSV")
+    menu(started, "Collisions").select_option("as in the CSV")
     slide(started, ANGLE, 0.25)
     wait_until(lambda: values(started)[ANGLE] == "45°")
     return started
@@ -126,7 +126,7 @@ def test_very_many_hits_together_are_not_too_loud(shared):
 
 
 def test_bobs_that_stay_together_do_not_buzz(shared):
-    shared.locator("select").first.select_option("inelastic, e = 0")
+    menu(shared, "Collisions").select_option("inelastic, e = 0")
     box(shared).check()
     press(shared, "Restart")
     assert heard_for(shared, 1) > 0.1

@@ -59,10 +59,18 @@ def test_nothing_of_a_folded_table_is_sent(wall):
     wall.wait(1)
     assert (wall.viewer.table.rows.text, wall.viewer.table.now.text) == ("", "")
     tell(wall, "TABLE", True)
-    before = wall.viewer.table.now.text
+    assert wall.viewer.table.now.text != ""
     tell(wall, "TABLE", False)
     wall.wait(1)
-    assert wall.viewer.table.now.text == before != ""
+    assert (wall.viewer.table.rows.text, wall.viewer.table.now.text) == ("", "")
+
+
+def test_a_page_that_was_loaded_again_gets_the_whole_table_when_it_is_opened(opened):
+    opened.viewer.give(Command.SHOW_AGAIN)
+    opened.wait()
+    assert opened.viewer.table.rows.text == ""
+    tell(opened, "TABLE", True)
+    assert column(opened, "mass") == ["1.0"] * 5
 
 
 def test_it_shows_pend_list_as_it_is_now(opened):
@@ -230,27 +238,80 @@ def test_an_experiment_is_written_only_if_you_press_the_button(opened, csv):
     assert of(opened, "mass") == [5, 1, 1, 1, 1]
 
 
+def test_what_the_settings_replace_is_shown_no_more_after_it_is_written(csv):
+    """The page shows what the file has: --mass and the menu belonged to the old file."""
+    wall = Wall(csv)
+    wall.viewer.cradle.mass = 3.0
+    wall.panel.collisions.selected = "inelastic, e = 0"
+    wall.panel.collisions.bind(wall.panel.collisions)
+    wall.wait()
+    wall.viewer.give(Command.EXPERIMENT, 4)
+    wall.wait()
+    press(wall.viewer.table.write, wall)
+    assert of(wall, "mass") == [5, 1, 1, 1, 1]
+    assert of(wall, "e") == [1] * 5
+    assert wall.panel.collisions.selected == "as in the CSV"
+
+
+def test_the_command_is_there_again_after_writing_what_the_file_already_had(opened):
+    for mass in ("2", "1"):
+        tell(opened, "EDIT", [1, "mass", mass])
+    assert opened.viewer.arguments() is None
+    press(opened.viewer.table.write, opened)
+    assert opened.viewer.arguments() is not None
+
+
 def test_it_is_the_handouts_write_to_csv_that_writes(opened, csv, monkeypatch):
-    calls = []
-    monkeypatch.setattr(pds_helper, "write_to_csv", lambda *given: calls.append(given))
+    """Not to your file at once: it may fail."""
+    calls, write = [], pds_helper.write_to_csv
+    monkeypatch.setattr(pds_helper, "write_to_csv", lambda *given: calls.append(given) or write(*given))
+    tell(opened, "EDIT", [1, "mass", "2"])
     press(opened.viewer.table.write, opened)
     [(pend_list, filepath)] = calls
-    assert filepath == csv
+    assert filepath != csv
     assert pend_list == extract_and_convert(csv)
+    assert [pend["mass"] for pend in pend_list] == [1, 2, 1, 1, 1]
 
 
-def test_what_fails_is_said_in_a_line_and_the_cradle_swings_on(opened, csv, monkeypatch):
-    def write_to_csv(pend_list, filepath):
-        raise NotImplementedError("write_to_csv is not\nwritten yet")
+def half(pend_list, filepath):
+    filepath.write_text("mass,e")
+    raise ValueError("no more <ink>")
 
+
+def other(pend_list, filepath):
+    pds_helper_write(pend_list[1:], filepath)
+
+
+def unwritten(pend_list, filepath):
+    raise NotImplementedError("write_to_csv is not\nwritten yet")
+
+
+pds_helper_write = pds_helper.write_to_csv
+
+
+@pytest.mark.parametrize(
+    ("write_to_csv", "words"),
+    [
+        (half, "ValueError: no more <ink>"),
+        (other, "ValueError: write_to_csv has written other pendula, so your CSV stays as it is"),
+        (unwritten, "NotImplementedError: write_to_csv is not written yet"),
+        (lambda *_: None, "write_to_csv has written other pendula"),
+    ],
+)
+def test_a_write_to_csv_with_a_mistake_leaves_your_csv_alone(opened, csv, monkeypatch, write_to_csv, words):
     monkeypatch.setattr(pds_helper, "write_to_csv", write_to_csv)
+    tell(opened, "EDIT", [1, "mass", "2"])
     press(opened.viewer.table.write, opened)
-    assert text(opened.viewer.table.written) == "NotImplementedError: write_to_csv is not written yet"
-    monkeypatch.undo()
+    assert words in text(opened.viewer.table.written)
+    assert '<span class="failed">' in opened.viewer.table.written.text
+    assert csv.read_text() == FIVE_CSV
+    assert of(opened, "mass") == [1, 2, 1, 1, 1]
+
+
+def test_a_file_that_cannot_be_written_is_named_in_a_line_and_the_cradle_swings_on(opened, csv):
     os.rename(csv.parent, csv.parent.with_name("elsewhere"))
     press(opened.viewer.table.write, opened)
     assert text(opened.viewer.table.written) == f"{csv}: cannot be written: No such file or directory"
-    assert '<span class="failed">' in opened.viewer.table.written.text
     time = opened.time()
     opened.wait(1)
     assert opened.time() > time + 0.9
@@ -274,7 +335,7 @@ def test_one_tick_shows_each_pendulum_before_and_after(wall):
     omega = of(wall, "omega")[0]
     assert pendula[0] == f"[0] theta {theta:.6g} -> {of(wall, 'theta')[0]:.6g}".ljust(34) + f"omega 0 -> {omega:.6g}"
     assert pendula[4].split() == ["[4]", "theta", "0", "->", "0", "omega", "0", "->", "0"]
-    assert last == "No bobs collided."
+    assert last == "handle_collision was not called."
     assert len(pendula) == 5
     press(wall.panel.restart, wall)
     assert shown_tick(wall) == []
@@ -317,7 +378,7 @@ def test_one_tick_of_the_double_cradle_shows_its_collisions(csv):
     wall.wait()
     for _ in range(4000):
         press(wall.viewer.table.tick, wall)
-        if "handle_two_double_bobs" in shown_tick(wall)[3]:
+        if "returned" in shown_tick(wall)[3]:
             break
     call = f"handle_two_double_bobs(pend1=pend_list[0], pend2=pend_list[1], r_param={R_PARAM:g}, approaching_only=True)"
     assert shown_tick(wall)[3] == f"{call} returned True"
@@ -329,4 +390,4 @@ def test_a_student_without_handle_collision_sees_the_tick_too(wall, monkeypatch)
     wall.panel.pause.bind()
     wall.wait()
     press(wall.viewer.table.tick, wall)
-    assert shown_tick(wall)[-1] == "No bobs collided."
+    assert shown_tick(wall)[-1] == "handle_collision was not called."
