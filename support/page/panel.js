@@ -73,6 +73,8 @@
         node.remove();
       } else if (section && node.innerHTML !== " ") section.append(node); // VPython puts a space behind a button
     }
+    const selecting = new MutationObserver(selectGraph);
+    for (const element of document.querySelector("section.graph").children) selecting.observe(element, { childList: true });
     new MutationObserver(moveGraph).observe(document.querySelector(".glowscript"), { childList: true });
     arrangeTable();
     nameWidgets();
@@ -91,6 +93,11 @@
     details.append(document.createElement("summary"), section);
     details.firstChild.append(title);
     details.addEventListener("toggle", () => details.open && details.scrollIntoView({ block: "nearest" }));
+  }
+
+  function selectGraph() { // in its menu, the one that the program draws
+    const menu = document.querySelector(".graph select"), chosen = document.querySelector(".chosen")?.dataset.name;
+    if ([...menu.options].some(option => option.text === chosen)) menu.value = chosen;
   }
 
   function moveGraph() { // VPython adds the graph with its first points

@@ -73,6 +73,7 @@ class Panel:
         begin_part("graph")
         add_label("Graph")
         self.graph = menu(choices=[""], bind=lambda menu: give(Command.GRAPH, menu.selected))
+        self.chosen = wtext()
         begin_part("pendula-part", fold="Pendula")
         self.table.add(give)
         begin_part("data", fold="Take away")
@@ -134,8 +135,7 @@ class Panel:
         """Send what you have set to a page that was loaded again: VPython has only received it, and never sent it."""
         for setting in (self.speed, self.lifted, *self.angles):
             setting.slider.value = setting.slider.value
-        for chosen in (self.collisions, self.graph):
-            chosen.selected = chosen.selected
+        self.collisions.selected = self.collisions.selected
         for box in (self.sound, self.separating):
             box.checked = box.checked
         self.questions.send_again()
@@ -184,10 +184,11 @@ class Panel:
     def show_graphs(self, choices, choice) -> None:
         """Show these choices of graphs in the menu, and the present choice."""
         if self.graph.choices != choices:
-            self.graph.choices = choices  # the browser then selects the first one
+            self.graph.choices = choices
+        if self.graph.selected != choice:
             self.graph.selected = choice
-        elif self.graph.selected != choice:
-            self.graph.selected = choice
+        # The page gets new choices after what is selected, and then selects the first one. panel.js mends this.
+        set_text(self.chosen, f'<i class="chosen" data-name="{escape(choice)}"></i>')
 
     def show_saved(self, message, failed=False) -> None:
         """Show a message about saved data: the file, or, if failed, the reason."""
