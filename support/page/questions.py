@@ -27,6 +27,7 @@ class Questions:
         """
         self.experiments, self.mistakes = read_experiments(folder, cords)
         self.experiment: Experiment | None = None  # None stands for your CSV
+        self.is_changed = False  # whether the cradle is no longer that of the experiment
         self.ask_first = False
         self.is_asking = False  # whether the cradle waits for an answer
         self.said: int | None = None  # the index of the answer
@@ -57,6 +58,7 @@ class Questions:
     def choose(self, number) -> Experiment | None:
         """Take the experiment with this index as the present one, and return it; None stands for your CSV."""
         self.experiment = None if number is None else self.experiments[number]
+        self.is_changed = False
         place = 0 if number is None else number + 1  # in the menu
         if self.menu.index != place:
             self.menu.index = place
@@ -66,7 +68,7 @@ class Questions:
     def begin(self) -> None:
         """Begin the present experiment, whose bobs are lifted now: ask, if Ask first is ticked."""
         self.drop()
-        if self.experiment and self.ask_first:
+        if self.experiment and self.ask_first and not self.is_changed:
             self.is_asking, self.measurement = True, Measurement(self.experiment)
             self.show()
 
@@ -77,7 +79,8 @@ class Questions:
 
     def leave(self) -> None:
         """Ask nothing, and show no name in the menu, so that you can choose the experiment again."""
-        if self.experiment and self.menu.selected is not None:
+        if self.experiment and not self.is_changed:
+            self.is_changed = True
             self.menu.selected = None
         self.drop()
 

@@ -62,7 +62,7 @@ class Workbench(Player):
                 yield from self.choose(value)
             case Command.ASK_FIRST:
                 self.questions.ask_first = value
-                if self.poses:
+                if self.poses and not self.questions.is_changed:
                     self.running = True
                     yield from self.make()
             case Command.COLLISIONS:
@@ -122,14 +122,12 @@ class Workbench(Player):
 
     def pose(self) -> None:
         """Lift the bobs as the present experiment says, and ask its question, if it is to be asked first."""
-        experiment = self.questions.experiment
         if not self.poses or len(self.poses) != len(self.cradle.masses()):  # main may read another file
             return
         self.cradle.pose(self.poses)
         self.motion.set_start()
-        if experiment and self.snapshot is experiment.csv:  # not one that was edited in the table
-            self.questions.begin()
-            self.running = self.running and not self.questions.is_asking
+        self.questions.begin()
+        self.running = self.running and not self.questions.is_asking
 
     def leave_poses(self) -> None:
         """Lift the bobs as the sliders say, no more as an experiment says."""

@@ -219,6 +219,10 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
     assert shown(asking) == []
     assert asking.panel.pause.text == "Pause"  # only the question has held it up
     assert asking.viewer.questions.menu.selected == ("your CSV" if change == "file" else None)
+    asking.press("r")
+    tick(asking, False)
+    tick(asking, True)
+    assert shown(asking) == []
     choose(asking, TWO)
     assert len(shown(asking)) == 6
 
