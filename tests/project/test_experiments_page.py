@@ -1,7 +1,7 @@
 """Experiments, and the table of the pendula, in Chromium: on one page that the tests share."""
 
 import pytest
-from pages import lifts, menu, unfold, wait_for_lifts
+from pages import LIFTED, lifts, menu, unfold, values, wait_for_lifts
 from programs import (
     copy_project,
     first_lines,
@@ -12,7 +12,6 @@ from programs import (
     pause,
     press,
     PROGRAM,
-    readout,
     ROOT,
     running,
     SECONDS,
@@ -45,9 +44,9 @@ def shared(started):
     page, _ = started
     if page.get_by_role("checkbox", name="Ask first").is_checked():
         page.get_by_role("checkbox", name="Ask first").uncheck()
-    for name in ("your CSV", "Two bobs"):
+    for name, lifted in (("your CSV", "1 of 5"), ("Two bobs", "2 of 5")):
         menu(page, "Experiment").select_option(name)
-    wait_until(lambda: readout(page, "t") < 0.5)
+        wait_until(lambda lifted=lifted: values(page)[LIFTED] == lifted)
     if page.get_by_role("button", name="Run", exact=True).count():
         press(page, "Run")
     return page
