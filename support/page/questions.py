@@ -102,7 +102,7 @@ class Questions:
 
     def note(self, sample, has_hit) -> None:
         """Take a sample of the motion into account; has_hit says whether two bobs have hit each other by then."""
-        if self.measurement and not self.is_asking:
+        if self.measurement:
             self.measurement.note(sample, has_hit)
             if self.measurement.is_over:
                 self.show()

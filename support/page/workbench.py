@@ -216,10 +216,9 @@ class Workbench(Player):
 
     def show_one_tick(self):
         """Do one tick, and show what it did to each pendulum, and the collisions in it."""
-        before, at_once, self.at_once = self.cradle.coordinates(), self.at_once, False
+        before = self.cradle.coordinates()
         with self.cradle.noting_calls() as calls:
             yield from self.advance(1)
-        self.at_once = at_once
         calls = calls or [f"{self.cradle.collider} was not called."]
         self.table.show_tick(self.cradle.dt, before, self.cradle.coordinates(), calls)
 

@@ -184,6 +184,10 @@ def test_an_edited_experiment_keeps_its_bobs_lifted(opened):
     assert opened.lifts() == [45, 0, 0, 0, 45]
     tell(opened, "DELETE", 2)
     assert opened.lifts() == [45, 0, 0, 0]
+    opened.viewer.give(Command.EXPERIMENT, 1)
+    opened.wait()
+    tell(opened, "ADD", None)
+    assert opened.lifts() == [45, 45, 0, 0, 0, 0]
 
 
 def test_a_saved_file_comes_before_what_was_edited(opened, csv):
