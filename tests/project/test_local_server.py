@@ -272,9 +272,12 @@ def kinds(answer):
 
 
 def all_of_it(tab):
-    """Ask until the base is there, which comes last; return how many objects of each kind the answers make."""
+    """Ask until all is there; return how many objects of each kind the answers make.
+
+    The graph's curves come last: three energies, the phase picture, and five pendula.
+    """
     made: Counter = Counter()
-    wait_until(lambda: made.update(kinds(tab.ask())) or made["box"] == 6)
+    wait_until(lambda: made.update(kinds(tab.ask())) or made["gcurve"] == 9)
     return made
 
 
