@@ -1,0 +1,79 @@
+"""Make an autograder for Gradescope: `python tests/make_autograder.py FILE.zip`.
+
+It is a starter with grade_class.py, and with the two scripts that Gradescope runs. It holds no answers.
+"""
+
+import shutil
+import tempfile
+import zipfile
+from pathlib import Path
+
+from grading.project_path import ROOT
+from support import headless_vpython
+
+headless_vpython.install()
+
+from make_starter import make_starter
+
+from support.start.options import OneLineParser
+
+# Gradescope unpacks the file into source, beside submission, results and run_autograder:
+# https://gradescope-autograders.readthedocs.io/en/latest/specs/
+SETUP = """\
+#!/usr/bin/env bash
+set -e
+cd "$(dirname "$0")"
+python3 -c "import ensurepip, venv" || { apt-get update; apt-get install -y python3 python3-venv; }
+python3 -m venv ../venv
+../venv/bin/pip install -q --no-deps -r support/requirements.txt
+../venv/bin/pip install -q "pytest>=8.4"
+"""
+RUN = """\
+#!/usr/bin/env bash
+set -e
+cd "$(dirname "$0")"
+rm -rf class grades gradescope
+mkdir -p class results
+cp -r submission class/submission
+venv/bin/python source/tests/grade_class.py class --out grades --gradescope gradescope --starter source
+cp gradescope/submission/results.json results/results.json
+"""
+SCRIPTS = {"setup.sh": SETUP, "run_autograder": RUN}
+GRADER = ["tests/grade_class.py", "tests/teacher"]
+
+
+def main() -> None:
+    """Make the file; the status is 2 if this fails."""
+    parser = OneLineParser(description="Make an autograder for Gradescope.", allow_abbrev=False)
+    parser.add_argument("file", metavar="FILE.zip", type=Path, help="a new file")
+    file = parser.parse_args().file
+    if file.suffix != ".zip" or file.exists():
+        parser.error(f"argument FILE.zip: found '{file}', allowed is a new file that ends in .zip")
+    try:
+        make_autograder(file)
+    except OSError as error:
+        parser.error(f"argument FILE.zip: {file} cannot be made: {error.strerror}")
+    print(f"{file} is ready. On Gradescope, upload it under Configure Autograder.")
+
+
+def make_autograder(file) -> None:
+    """Make the .zip; raise an OSError if this fails."""
+    with tempfile.TemporaryDirectory() as work:
+        folder = Path(work, "autograder")
+        make_starter(folder)
+        for name in GRADER:
+            copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
+            copy(ROOT / name, folder / name)
+        for name, text in SCRIPTS.items():
+            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+            (folder / name).chmod(0o755)
+        made = Path(work, "autograder.zip")
+        with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
+            for path in sorted(folder.rglob("*")):
+                if "__pycache__" not in path.parts:
+                    archive.write(path, path.relative_to(folder))
+        shutil.copy(made, file)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,173 @@
+"""Run pytest on solutions, each in a process of its own with limits. workers.py starts this file and gives it jobs.
+
+A job is a line of JSON on the standard input:
+
+    {"folder": a starter with the solution, "key": a text, "lost": {function: why it is not called any more}}
+
+The answer is lines of JSON on the standard output. Each has the key, which the solution does not know:
+
+    {"pid": the process of this solution}
+    {"begins": the name of a check}
+    {"check": its name, "outcome": [state, message, place]}
+    {"changed": [names of the grader that the solution has changed]}
+    {"ended": the exit status of the process}
+
+This file imports nothing of the project: the solution's process takes the grader from its own folder.
+"""
+
+import builtins
+import json
+import math
+import os
+import sys
+import tempfile
+
+from guard import Guard
+
+PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+
+def leave_project() -> None:
+    """Take the project from the path, and the guard out of a solution's reach."""
+    own = [os.path.join(PROJECT, *names) for names in ((), ("tests",), ("tests", "teacher"))]
+    sys.path[:] = [path for path in sys.path if os.path.abspath(path) not in own]
+    del sys.modules["guard"]
+
+
+leave_project()
+
+# The processes of the solutions are copies of this one, so that they need not import these again.
+import _pytest.terminal  # noqa: F401
+import pandas  # noqa: F401
+import pytest
+
+SECONDS = 120  # of processor time; workers.py ends it earlier, if it is still there
+MEMORY = 1 << 30  # bytes more than at the start
+FILE_SIZE = 10_000_000  # bytes, also of the output
+
+
+def main() -> None:
+    """Do the jobs, until the standard input ends."""
+    for line in sys.stdin:
+        job = json.loads(line)
+        if not hasattr(os, "fork"):  # as on Windows: workers.py starts this file again for the next job
+            os._exit(solve(**job))
+        pid = os.fork()
+        if not pid:
+            os._exit(solve(**job))
+        status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+        print(json.dumps({"key": job["key"], "ended": status}), flush=True)
+
+
+def solve(folder, key, lost) -> int:
+    """Run pytest on the starter in this folder; return its exit status."""
+    answer = os.dup(1)
+
+    def tell(**what):
+        os.write(answer, json.dumps({"key": key, **what}).encode() + b"\n")
+
+    move_into(folder)
+    set_limits()
+    tell(pid=os.getpid())
+    arguments = ["-p", "no:cacheprovider", "--assert=plain", "--no-header", "-q", "--color=no", "--tb=short"]
+    return int(pytest.main(arguments, plugins=[Reporter(tell, lost, folder)]))
+
+
+def move_into(folder) -> None:
+    """Make the folder the place of all that this process reads by name and writes."""
+    if hasattr(os, "setsid"):
+        os.setsid()  # all processes that it starts can be ended with it
+    for number, (name, flags) in enumerate([(os.devnull, os.O_RDONLY), ("output.txt", os.O_WRONLY | os.O_CREAT)]):
+        file = os.open(os.path.join(folder, name), flags, 0o600)
+        os.dup2(file, number)
+        os.close(file)
+    os.dup2(1, 2)
+    sys.stdin = sys.__stdin__ = None
+    for variable in ("HOME", "TEMP", "TMP", "TMPDIR", "USERPROFILE"):
+        os.environ[variable] = folder
+    tempfile.tempdir = None
+    os.environ.update(COLUMNS="100", PYTEST_DISABLE_PLUGIN_AUTOLOAD="1")
+    os.environ.pop("PYTEST_ADDOPTS", None)
+    os.chdir(folder)
+    sys.path.insert(0, folder)
+    sys.dont_write_bytecode = True
+    # The grader tells the student the command of this Python, as if it were installed in the folder.
+    sys.executable = os.path.join(folder, ".venv", *(("Scripts", "python") if os.name == "nt" else ("bin", "python")))
+
+
+def set_limits() -> None:
+    """Limit memory and the size of files, where the system can (not on Windows)."""
+    try:
+        import resource
+    except ImportError:
+        return
+    import signal
+
+    def limit(what, most):
+        hard = resource.getrlimit(what)[1]
+        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        resource.setrlimit(what, (most, most))
+
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # too long a file is an OSError
+    limit(resource.RLIMIT_FSIZE, FILE_SIZE)
+    limit(resource.RLIMIT_CORE, 0)
+    limit(resource.RLIMIT_CPU, SECONDS)
+    if sys.platform == "linux":
+        with open("/proc/self/statm") as file:
+            used = int(file.read().split()[0]) * resource.getpagesize()
+        limit(resource.RLIMIT_AS, used + MEMORY)
+
+
+class Reporter:
+    """A plugin of pytest: it guards the process, and tells the outcomes."""
+
+    def __init__(self, tell, lost, folder):
+        self.tell, self.lost, self.folder = tell, lost, folder
+
+    def pytest_collection_finish(self, session):
+        """Prepare for the solution: none of its code has run yet."""
+        from grading.grader import CHECKS, FAILED, Outcome, where_to_read
+        from grading.telling import message
+
+        grading = session.config.grading
+        for check in CHECKS.values():
+            if check.function in self.lost:
+                lines = [("not called", self.lost[check.function]), where_to_read(check)]
+                grading.outcomes[check.name] = Outcome(FAILED, message(lines))
+        grading.hung.update({function: function for function in self.lost})
+        modules = [builtins, math, *(module for name, module in sys.modules.items() if is_graders(name))]
+        self.state_of_grader = lambda: {name: value for module in modules for name, value in state(module)}
+        self.at_first = self.state_of_grader()
+        sys.addaudithook(Guard(self.folder, PROJECT).hook)
+
+    def pytest_runtest_logstart(self, nodeid):
+        self.tell(begins=nodeid.rpartition("::")[2])
+
+    def pytest_runtest_logreport(self, report):
+        from grading.pytest_grader import OUTCOME
+
+        for outcome in [value for key, value in report.user_properties if key == OUTCOME]:
+            self.tell(check=report.nodeid.rpartition("::")[2], outcome=outcome)
+
+    def pytest_sessionfinish(self):
+        now = self.state_of_grader()
+        self.tell(changed=sorted(name for name, value in self.at_first.items() if now.get(name) != value))
+
+
+def is_graders(module) -> bool:
+    """Return whether a module of this name is a part of the grader."""
+    return module.partition(".")[0] in ("grading", "vpython") or module.startswith("test_")
+
+
+def state(owner, where=None):
+    """Yield the names of the functions and classes of a module, each with what shows a change of it."""
+    where = where or owner.__name__
+    for name, value in list(vars(owner).items()):
+        if callable(value):
+            yield f"{where}.{name}", (value, getattr(value, "__code__", None))
+        if isinstance(value, type) and value.__module__ == where:
+            yield from state(value, f"{where}.{name}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,167 @@
+"""What a teacher gets of a graded class: grades.csv, Gradescope's results, a summary, and solutions without a hint."""
+
+import ast
+import csv
+import json
+import re
+from collections import Counter
+from contextlib import suppress
+from typing import NamedTuple
+
+from grading.grade import grade
+from grading.grader import CHECKS, FAILED, Outcome, PASSED, WAITING
+from grading.handout import SUITES
+from support.files.atomic_write import whole_file
+from teacher.alike import groups_of, unnamed
+
+MOST = 5  # lines of each list of the summary
+HINT = re.compile(r"^hint +(.+)$", re.MULTILINE)
+
+
+class Result(NamedTuple):
+    """A graded solution. results.jsonl has one in each line."""
+
+    student: str
+    digest: str  # of the solution and of the grader
+    outcomes: dict[str, Outcome]
+    seconds: float
+    problems: list[str]
+    fingerprint: str
+    unhinted: dict[str, str]  # the bodies of the functions that fail without a hint
+
+    def grade(self) -> dict:
+        """Return what --grade-json writes."""
+        return grade(self.outcomes)
+
+    def points(self) -> int:
+        return sum(outcome.state == PASSED for outcome in self.outcomes.values())
+
+
+def results_in(file) -> dict[str, Result]:
+    """Return the results in results.jsonl by student; a line that is not whole, or of another version, is none."""
+    results = {}
+    for line in file.read_text(encoding="utf-8").splitlines() if file.exists() else []:
+        with suppress(ValueError, TypeError, KeyError, AttributeError):
+            fields = json.loads(line)
+            fields["outcomes"] = {name: Outcome(*of) for name, of in fields["outcomes"].items() if name in CHECKS}
+            results[fields["student"]] = Result(**fields)
+    return results
+
+
+def line_of(result) -> str:
+    """Return a result as a line of results.jsonl."""
+    return json.dumps(result._asdict()) + "\n"
+
+
+def mistakes_of(outcomes) -> dict[str, set[str]]:
+    """Return the hints that each function got which fails: an empty set if it got none."""
+    hints: dict[str, set[str]] = {}
+    for name, outcome in outcomes.items():
+        if outcome.state == FAILED:
+            hints.setdefault(CHECKS[name].function, set()).update(HINT.findall(outcome.message))
+    return hints
+
+
+def write_grades(file, results) -> None:
+    """Write grades.csv: a line for each student. Raises an OSError if this fails."""
+    with whole_file(file) as out:
+        writer = csv.writer(out)
+        writer.writerow(["student", "grade", *SUITES, "points", "next", "seconds", "problems"])
+        for result in results:
+            graded = result.grade()
+            points = [graded["tiers"].get(tier, {"points": 0})["points"] for tier in SUITES]
+            row = [result.student, graded["grade"] or "none", *points, sum(points), graded["next"].partition("; ")[0]]
+            writer.writerow([*row, f"{result.seconds:.1f}", "; ".join(result.problems)])
+
+
+def write_gradescope(folder, result) -> None:
+    """Write the result for Gradescope. Raises an OSError if this fails.
+
+    The keys are those of https://gradescope-autograders.readthedocs.io/en/latest/specs/.
+    """
+    tests = []
+    for name, check in CHECKS.items():
+        outcome = result.outcomes.get(name, Outcome(WAITING, "was not run"))
+        tests.append(
+            {
+                "name": f"{check.tier}: {check.function}: {check.title()}",
+                "score": int(outcome.state == PASSED),
+                "max_score": 1,
+                "output": outcome.message or "passed",
+                "visibility": "visible",
+            }
+        )
+    graded = result.grade()
+    words = [f"Grade: {graded['grade'] or 'none yet'}.", f"Next: {graded['next']}.", *result.problems]
+    content = {
+        "score": result.points(),
+        "max_score": len(tests),
+        "execution_time": round(result.seconds),
+        "output": "\n".join(words),
+        "visibility": "visible",
+        "tests": tests,
+    }
+    folder.mkdir(parents=True, exist_ok=True)
+    with whole_file(folder / "results.json") as out:
+        json.dump(content, out, indent=1)
+        out.write("\n")
+
+
+def summary(results, starters) -> list[str]:
+    """Return the lines that a teacher reads in the end; starters is the fingerprint of the starter."""
+    grades = Counter(result.grade()["grade"] for result in results)
+    lines = ["grade        solutions"]
+    lines += [f"{grade or 'none':<12} {grades[grade]:>9}" for grade in [*reversed(SUITES), None]]
+    failed: Counter = Counter()
+    hints: Counter = Counter()
+    for result in results:
+        failed.update(name for name, outcome in result.outcomes.items() if outcome.state == FAILED)
+        mistakes = mistakes_of(result.outcomes).items()
+        hints.update(f"{hint} ({function})" for function, found in mistakes for hint in found)
+    checks = [(f"{name} ({CHECKS[name].function})", count) for name, count in failed.most_common(MOST)]
+    lines += table("Checks that most solutions fail", checks)
+    lines += table("Hints that most solutions get", hints.most_common(MOST))
+    groups = groups_of({result.student: result.fingerprint for result in results}, starters)
+    lines += [""] * bool(groups)
+    lines += [
+        f"The same but for names and comments (look at them; this proves nothing): {', '.join(g)}" for g in groups
+    ]
+    return lines
+
+
+def table(title, rows) -> list[str]:
+    """Return lines with this title and these (words, number) rows, or no lines if there are no rows."""
+    return ["", title, *(f"{count:>5}  {words}" for words, count in rows)] if rows else []
+
+
+def collect(file, results) -> int:
+    """Add the functions that fail without a hint to a file, once each; return how many are new.
+
+    They have the form of rows of tests/project/wrong_solutions.py. Raises an OSError if this fails.
+    """
+    found: dict[str, list] = {}
+    for result in results:
+        for function, body in result.unhinted.items():
+            found.setdefault(f"{function}: {unnamed(ast.parse(body))}", []).append((function, body, result))
+    before = file.read_text(encoding="utf-8") if file.exists() else ""
+    rows = [row_of(*others[0], len(others)) for others in sorted(found.values(), key=len, reverse=True)]
+    new = [row for row in rows if row.partition("\n    #")[0] not in before]
+    with whole_file(file) as out:
+        out.write(before + "".join(new))
+    return len(new)
+
+
+def row_of(function, body, result, count) -> str:
+    """Return a row of wrong_solutions.py, with comments that say what its first check tells."""
+    name, outcome = next(
+        (name, outcome)
+        for name, outcome in result.outcomes.items()
+        if outcome.state == FAILED and CHECKS[name].function == function
+    )
+    told = "".join(f"        # {line}\n" for line in outcome.message.splitlines())
+    indented = "".join(f"            {line}\n" for line in body.splitlines())
+    text = indented.replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
+    return (
+        f'    "{function}": {{\n        "": """\\\n{text}            """,\n    }},\n'
+        f"    # of {'one solution' if count == 1 else f'{count} solutions'}; {name} tells:\n{told}\n"
+    )

@@ -1,0 +1,160 @@
+"""The submissions of a class: a folder or a .zip for each student, in the forms that course systems hand out.
+
+Of a submission, only the Python files of its src/ count. They are found wherever they lie.
+"""
+
+import os
+import re
+import stat
+import zipfile
+import zlib
+from collections import Counter
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
+
+from grading.handout import FUNCTIONS
+
+HANDOUTS = sorted({PurePosixPath(function.file).name for function in FUNCTIONS.values()})
+# Folders that are not the student's work, or that the graded starter has itself.
+SKIPPED = {"__MACOSX", "__pycache__", "node_modules", "site-packages", "support", "tests", "venv"}
+ARCHIVES = (".7z", ".bz2", ".gz", ".rar", ".tar", ".tgz", ".xz")
+MOST_BYTES, MOST_FILES = 1_000_000, 200  # of all Python files of a submission, and their number
+MOST_ENTRIES = 20_000  # files of any kind
+SHOWN = 4  # names that a problem lists
+# Errors of a damaged or encrypted .zip.
+DAMAGED = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, UnicodeError, ValueError)
+
+
+class Submission(NamedTuple):
+    student: str
+    files: dict[str, bytes]  # by their paths below src/
+    problems: list[str]  # with its files, each in a sentence
+
+
+def submissions_in(folder) -> tuple[dict[str, Path], list[str]]:
+    """Return the path of each student's submission by the student's name, and the names of everything else there.
+
+    Raises a ValueError with a one-line message if the folder is a project, or has no submission; an OSError if it
+    cannot be read.
+    """
+    found: dict[str, Path] = {}
+    others = []
+    for path in sorted(Path(folder).iterdir()):
+        if path.name.startswith(".") or path.name in SKIPPED:
+            continue
+        if path.is_dir() or path.suffix.lower() in (".zip", *ARCHIVES):
+            student = printable(path.name if path.is_dir() or path.stem in found else path.stem)
+            while student in found:
+                student += "_"
+            found[student] = path
+        else:
+            others.append(path.name)
+    if any((path / file).is_file() for path in (Path(folder), Path(folder) / "src") for file in HANDOUTS):
+        found = {}
+    if not found:
+        raise ValueError(f"found '{folder}', allowed is a folder with a folder or a .zip for each student")
+    return found, others
+
+
+def printable(name) -> str:
+    """Return a name with ? for each letter that cannot be printed."""
+    return "".join(letter if letter.isprintable() else "?" for letter in name)
+
+
+def read_submission(student, path) -> Submission:
+    """Return what a student has submitted. What cannot be read is missing in files, and told in problems."""
+    try:
+        read = select(student, entries_of(path))
+    except OSError as error:
+        read = Submission(student, {}, [f"cannot be read: {error.strerror or error}"])
+    except DAMAGED as error:
+        read = Submission(student, {}, [f"{path.name} is no .zip that can be read: {error}"])
+    return read._replace(problems=[*map(printable, read.problems)])
+
+
+def entries_of(path) -> dict:
+    """Return the files of a submission: for each path, a function that returns its first MOST_BYTES + 1 bytes."""
+    if path.is_dir():
+        entries = entries_of_folder(path)
+        zips = [name for name in entries if name.lower().endswith(".zip")]
+        if len(zips) == 1 and not any(PurePosixPath(name).name in HANDOUTS for name in entries):
+            return entries_of_zip(path / zips[0])  # a .zip in the student's folder, as Moodle has it
+        return entries
+    return entries_of_zip(path)
+
+
+def entries_of_folder(folder) -> dict:
+    """Return the plain files of a folder, as entries_of does. It does not follow links."""
+    entries = {}
+    for parent, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if is_own(name))
+        for file in (Path(parent) / name for name in sorted(names)):
+            if stat.S_ISREG(file.lstat().st_mode):  # no link, pipe or device
+                entries[file.relative_to(folder).as_posix()] = lambda file=file: beginning_of(file)
+            if len(entries) > MOST_ENTRIES:
+                raise OSError(f"it has more than {MOST_ENTRIES} files")
+    return entries
+
+
+def beginning_of(file) -> bytes:
+    """Return the first MOST_BYTES + 1 bytes of a file."""
+    with open(file, "rb") as opened:
+        return opened.read(MOST_BYTES + 1)
+
+
+def entries_of_zip(file) -> dict:
+    """Return the files of a .zip, as entries_of does."""
+    archive = zipfile.ZipFile(file)
+    if len(archive.infolist()) > MOST_ENTRIES:
+        raise OSError(f"it has more than {MOST_ENTRIES} files")
+    entries = {}
+    for info in archive.infolist():
+        name = PurePosixPath(info.filename.replace("\\", "/"))
+        if not info.is_dir() and all(map(is_own, name.parts[:-1])):
+            entries[name.as_posix()] = lambda info=info: archive.open(info).read(MOST_BYTES + 1)
+    return entries
+
+
+def is_own(folder) -> bool:
+    """Return whether a folder of this name can hold the student's work. It does not lead outside, like .. and C:."""
+    return folder not in SKIPPED and not folder.startswith(".") and ":" not in folder
+
+
+def select(student, entries) -> Submission:
+    """Return the submission: the Python files of the folder that has most of the handout's files, best called src."""
+    folders = Counter(str(path.parent) for path in map(PurePosixPath, entries) if path.name in HANDOUTS)
+    if not folders:
+        names = [*entries][:SHOWN]
+        found = ", ".join(names) + (" ..." if len(entries) > SHOWN else "") if names else "nothing"
+        return Submission(student, {}, [f"none of the handout's files is there; found: {found}"])
+
+    def rank(folder):  # the best one has the least rank
+        path = PurePosixPath(folder)
+        return -folders[folder], path.name != "src", len(path.parts), folder
+
+    best, *others = sorted(folders, key=rank)
+    problems = [f"took {best}, left {other}" for other in others]
+    files = {}
+    for name, read in entries.items():
+        path = PurePosixPath(name)
+        if path.suffix == ".py" and path.is_relative_to(best):
+            files[path.relative_to(best).as_posix()] = read()
+    if len(files) > MOST_FILES or sum(map(len, files.values())) > MOST_BYTES:
+        allowed = f"at most {MOST_FILES} Python files with {MOST_BYTES:,} bytes"
+        return Submission(
+            student, {}, [*problems, f"too large: found {len(files)} Python files, allowed are {allowed}"]
+        )
+    return Submission(student, files, problems + [told for file in HANDOUTS for told in missing(file, files)])
+
+
+def missing(file, files) -> list[str]:
+    """Return a problem if this file of the handout is missing, with the name of a file that may be meant."""
+    if file in files:
+        return []
+    meant = [name for name in files if plain_name(name) == plain_name(file)]
+    return [f"src/{file} is missing" + "".join(f", found '{name}'" for name in meant[:1])]
+
+
+def plain_name(name) -> str:
+    """Return the name of a file without what a browser or a course system adds, as in "Swinging (1).py"."""
+    return re.sub(r"[ _-]*(\(\d+\)|-\d+|copy)*\.py$", "", PurePosixPath(name).name.lower())

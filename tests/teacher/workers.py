@@ -1,0 +1,215 @@
+"""Grade solutions side by side: each worker gives one solution after the other to a process of one_solution.py."""
+
+import errno
+import json
+import os
+import queue
+import secrets
+import shutil
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from contextlib import suppress
+from pathlib import Path
+from typing import NamedTuple
+
+from grading.grader import CHECKS, FAILED, Outcome
+
+PROGRAM = Path(__file__).with_name("one_solution.py")
+SILENCE = 20.0  # s for a check; the grader itself stops Python code after grader.PATIENCE
+PATIENCE = 120.0  # s for a solution
+LEFT_OUT = ("PYTHONOPTIMIZE", "PYTHONPATH", "PYTHONSAFEPATH")  # they would change what a solution sees
+OUTPUT = 200_000  # bytes that are kept of the output
+
+
+class Graded(NamedTuple):
+    """What a solution has achieved."""
+
+    outcomes: dict[str, Outcome]  # of the checks that were made, by name
+    output: str  # what pytest told
+    problems: list[str]  # of its process, each in a sentence
+
+
+class Attempt:
+    """What a process of a solution has told so far."""
+
+    def __init__(self):
+        self.pid, self.check, self.ended = None, None, None
+        self.outcomes: dict[str, Outcome] = {}
+        self.changed: list[str] | None = None  # names of the grader, when the checks are complete
+
+    def take(self, message) -> None:
+        """Take a message of the process into account; what has been said once stays."""
+        match message:
+            case {"pid": int(pid)}:
+                self.pid = self.pid or pid
+            case {"begins": str(check)}:
+                self.check = check
+            case {"check": str(check), "outcome": [str(state), str(words), str(place)]}:
+                self.outcomes.setdefault(check, Outcome(state, words, place=place))
+            case {"changed": list(names)}:
+                self.changed = names
+            case {"ended": int(status)}:
+                self.ended = status
+
+
+class Worker:
+    """A process that solves one job after the other."""
+
+    def __init__(self, starter):
+        """starter is the folder of a fresh starter."""
+        self.starter = starter
+        self.process = None
+        self.pid = None  # of the present solution's process
+
+    def grade(self, files) -> Graded:
+        """Return what a solution achieves: its files by their paths below src/.
+
+        If it ends its process, or takes too long, it runs again without the function that did so: the other functions
+        keep their points.
+        """
+        begin, lost, problems = time.monotonic(), {}, []
+        while True:
+            with fresh_folder() as folder:
+                problem = copy_starter(self.starter, files, folder)
+                if problem:
+                    return Graded({}, "", [problem])
+                attempt, words = self.attempt(folder, lost, begin + PATIENCE)
+                output = read_output(folder / "output.txt")
+            if attempt.changed is not None:
+                break
+            check = CHECKS.get(attempt.check)
+            problems.append(f"{check.function if check else 'the solution'} {words}")
+            if check is None or check.function in lost or time.monotonic() > begin + PATIENCE:
+                break
+            lost[check.function] = f"{check.function} {words} in {check.name}."
+        if attempt.changed:
+            names = ", ".join(attempt.changed[:3]) + (" ..." if len(attempt.changed) > 3 else "")
+            problems.append(f"the solution has changed the grader ({names}): no points")
+            words = f"The solution has changed the grader: {names}."
+            attempt.outcomes = {name: Outcome(FAILED, words) for name in attempt.outcomes}
+        return Graded(attempt.outcomes, output, problems)
+
+    def attempt(self, folder, lost, latest) -> tuple[Attempt, str]:
+        """Run pytest on the starter in this folder, without the lost functions, up to the latest time.
+
+        Return what came of it, and why it ended before its end.
+        """
+        key = secrets.token_hex()
+        self.give({"folder": str(folder), "key": key, "lost": lost})
+        attempt, words, self.pid = Attempt(), "", None
+        until = min(time.monotonic() + SILENCE, latest)
+        while attempt.ended is None:
+            try:
+                line = self.lines.get(timeout=max(0.0, until - time.monotonic()))
+            except queue.Empty:
+                words = f"did not end within {SILENCE:g} s"
+                self.kill()
+                until = time.monotonic() + SILENCE
+                continue
+            if line is None:  # as on Windows, where a process solves one job only
+                attempt.ended = self.process.wait()
+            message = message_in(line, key)
+            if message and not words:
+                until = min(time.monotonic() + SILENCE, latest)
+            attempt.take(message)
+            self.pid = attempt.pid
+        if self.pid is not None:
+            self.kill()  # what it may have started
+        return attempt, words or f"ended the process ({status_words(attempt.ended)})"
+
+    def give(self, job) -> None:
+        """Send a job to the process, and start the process if there is none."""
+        if self.process is None or self.process.poll() is not None:
+            environment = {name: value for name, value in os.environ.items() if name not in LEFT_OUT}
+            environment["OPENBLAS_NUM_THREADS"] = "1"  # a copy of a process has only one of the threads
+            command, pipe = [sys.executable, str(PROGRAM)], subprocess.PIPE
+            # In a session of its own: Ctrl+C reaches only the program that tells it.
+            self.process = subprocess.Popen(
+                command, stdin=pipe, stdout=pipe, env=environment, start_new_session=True, cwd=tempfile.gettempdir()
+            )
+            self.lines: queue.SimpleQueue = queue.SimpleQueue()
+            threading.Thread(target=read_lines, args=(self.process.stdout, self.lines), daemon=True).start()
+        self.process.stdin.write(json.dumps(job).encode() + b"\n")
+        self.process.stdin.flush()
+
+    def kill(self) -> None:
+        """End the process of a solution, and all that it has started; the worker's own if it is not known."""
+        if self.pid is not None and hasattr(os, "killpg"):
+            with suppress(OSError):
+                os.killpg(self.pid, signal.SIGKILL)
+        else:
+            self.process.kill()
+
+    def close(self) -> None:
+        """End all processes."""
+        if self.process is not None:
+            self.kill()
+            self.process.kill()
+            self.process.wait()
+
+
+def read_lines(stream, lines) -> None:
+    """Put all lines of a stream into a queue, and None when it ends."""
+    for line in stream:
+        lines.put(line)
+    lines.put(None)
+
+
+def message_in(line, key) -> dict | None:
+    """Return the message in a line, or None if the line is not one with this key."""
+    try:
+        message = json.loads(line or b"null")
+    except ValueError:
+        return None
+    return message if isinstance(message, dict) and message.get("key") == key else None
+
+
+def status_words(status) -> str:
+    """Return the exit status of a process in words."""
+    return f"signal {-status}" if status < 0 else f"status {status}"
+
+
+class fresh_folder(tempfile.TemporaryDirectory):
+    """A temporary folder as a Path; it goes away, whatever a solution has done to its permissions."""
+
+    def __init__(self):
+        super().__init__(prefix="cradle_", ignore_cleanup_errors=True)
+
+    def __enter__(self):
+        return Path(os.path.realpath(super().__enter__()))
+
+    def __exit__(self, *error):
+        for parent, folders, _ in os.walk(self.name):
+            for name in ["", *folders]:
+                with suppress(OSError):
+                    os.chmod(os.path.join(parent, name), stat.S_IRWXU)
+        super().__exit__(*error)
+
+
+def copy_starter(starter, files, folder) -> str:
+    """Copy the starter into the folder, and a solution's files over its src/; return what is wrong with a name."""
+    shutil.copytree(starter, folder, dirs_exist_ok=True)
+    for name, content in files.items():
+        file = folder / "src" / name
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content)
+        except (OSError, ValueError) as error:
+            if getattr(error, "errno", None) in (errno.ENOSPC, errno.EDQUOT):  # no fault of the solution
+                raise
+            return f"src/{name} cannot be written: {getattr(error, 'strerror', error)}"
+    return ""
+
+
+def read_output(file) -> str:
+    """Return the beginning of a file as text; nothing if it is not there any more."""
+    try:
+        with open(file, "rb") as opened:
+            return opened.read(OUTPUT).decode("utf-8", "replace")
+    except OSError:
+        return ""
