@@ -1,14 +1,46 @@
 """Read a CSV, and check that it describes a cradle. Each mistake raises a ValueError with a one-line message."""
 
 import csv
+import errno
 import io
+import os
+from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
+from itertools import islice
 from math import nan
 from pathlib import Path
+from stat import S_ISREG
 from tempfile import TemporaryDirectory
 
 from support.constants import COLOR_MAP, TEXTURE_MAP
+
+LARGEST = 10_000_000  # bytes of a file
+MOST_PENDULA = 1000  # of a cradle
+LONGEST_FOUND = 300  # letters of a file in a message
+WHY_NOT_MORE = f"allowed are at most {MOST_PENDULA}, which already move in slow motion on the page"
+
+
+def read_file(filepath) -> bytes:
+    """Return the content of a file.
+
+    Raises an OSError if it cannot be read, is larger than LARGEST, or is no regular file. A pipe may have no writer,
+    and a device has no end: this function never waits for them, and reads nothing from them.
+    """
+    with open(filepath, "rb", opener=open_at_once) as file:
+        status = os.fstat(file.fileno())
+        if not S_ISREG(status.st_mode):
+            raise OSError(errno.EINVAL, "found a pipe or a device, allowed is a file")
+        # The system gives some files the size 0 although they have content, and a file may grow.
+        data = file.read(LARGEST + 1) if status.st_size <= LARGEST else b""
+    if max(status.st_size, len(data)) > LARGEST:
+        raise OSError(errno.EFBIG, f"found more than {LARGEST // 10**6} MB, allowed are at most {LARGEST // 10**6} MB")
+    return data
+
+
+def open_at_once(path, flags) -> int:
+    """Open a file for open(); without O_NONBLOCK, which Windows does not have, a pipe would wait for its writer."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 class Snapshot:
@@ -19,7 +51,7 @@ class Snapshot:
         self.filepath, self.data, self.error = filepath, data or b"", None
         if data is None:
             try:
-                self.data = Path(filepath).read_bytes()
+                self.data = read_file(filepath)
             except OSError as error:
                 self.error = error
 
@@ -48,9 +80,14 @@ def read_cells(filepath) -> list[tuple[int, list[str]]]:
     once. Raises a ValueError that names the mistake and its place if the file cannot be read, is not UTF-8 text, is
     empty, or has a row with more cells than the header.
     """
+    return snapshot_of(filepath).rows
+
+
+def snapshot_of(filepath) -> Snapshot:
+    """Return the Snapshot of a file; filepath may also be a Snapshot or a CleanCopy."""
     if isinstance(filepath, CleanCopy):
-        filepath = filepath.original
-    return (filepath if isinstance(filepath, Snapshot) else Snapshot(filepath)).rows
+        return filepath.original
+    return filepath if isinstance(filepath, Snapshot) else Snapshot(filepath)
 
 
 def text_of(file) -> str:
@@ -71,18 +108,7 @@ def text_of(file) -> str:
 
 def rows_in(text, filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV's text, or raise the ValueError of read_cells; filepath is for its message."""
-    rows: list[tuple[int, list[str]]] = []
-    reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
-    line = 1
-    try:
-        for cells in reader:
-            cells = [cell.strip() for cell in cells]
-            if cells not in ([], [""]):
-                rows.append((line, cells))
-            line = reader.line_num + 1
-    except csv.Error as error:
-        raise ValueError(f"{filepath}, line {line}: {error}") from error
-
+    rows = list(each_row_in(text, filepath))
     if not rows:
         raise ValueError(f"{filepath}: is empty, the first line must name the columns")
     width = len(rows[0][1])
@@ -92,6 +118,20 @@ def rows_in(text, filepath) -> list[tuple[int, list[str]]]:
             found = f"found {len(cells)} cells, allowed are at most {width}, as in line {rows[0][0]}"
             raise ValueError(f"{filepath}, line {line}: {found}{separator_hint(rows) or comma_hint}")
     return rows
+
+
+def each_row_in(text, filepath) -> Iterator[tuple[int, list[str]]]:
+    """Yield the rows of rows_in one by one, of any width; raises a ValueError for a row that is no CSV."""
+    reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
+    line = 1
+    try:
+        for cells in reader:
+            cells = [cell.strip() for cell in cells]
+            if cells not in ([], [""]):
+                yield line, cells
+            line = reader.line_num + 1
+    except csv.Error as error:
+        raise ValueError(f"{filepath}, line {line}: {error}") from error
 
 
 def cleaned(filepath) -> io.StringIO:
@@ -122,6 +162,11 @@ def separator_hint(rows) -> str:
     return f"; separate cells with commas, not {used}" if used else ""
 
 
+def in_short(text) -> str:
+    """Return the beginning of a long text, for a message: a file that is no cradle may have a line of megabytes."""
+    return text if len(text) <= LONGEST_FOUND else f"{text[:LONGEST_FOUND]}..."
+
+
 def to_number(text: str) -> float:
     """Return the number in text, or nan; stricter than float(), which also accepts texts like 1_000."""
     try:
@@ -140,16 +185,29 @@ RULES = {
 }
 
 
+def check_number(snapshot) -> None:
+    """Raise a ValueError if a Snapshot has rows for more than MOST_PENDULA pendula.
+
+    This looks at no later row: the rows of a file of 10 MB would take a gigabyte of memory.
+    """
+    rows = each_row_in(text_of(snapshot), snapshot)
+    line, _ = next(islice(rows, 1 + MOST_PENDULA, None), (None, []))  # the first row has the names of the columns
+    if line:
+        raise ValueError(f"{snapshot}, line {line}: found pendulum {MOST_PENDULA + 1}, {WHY_NOT_MORE}")
+
+
 def check_cradle(filepath) -> None:
     """Raise a ValueError for the first mistake in the CSV of a cradle.
 
     It names the file, the line, the column, the value found and the allowed values.
     """
-    rows = read_cells(filepath)
+    snapshot = snapshot_of(filepath)
+    check_number(snapshot)
+    rows = snapshot.rows
     header_line, header = rows[0]
     for column in RULES:
         if header.count(column) != 1:
-            found = f"found {', '.join(map(repr, header))}"
+            found = f"found {in_short(', '.join(map(repr, header)))}"
             allowed = f"a cradle needs one column of each of {', '.join(RULES)}"
             hint = separator_hint(rows)
             raise ValueError(f"{filepath}, line {header_line}, column {column}: {found}; {allowed}{hint}")
@@ -160,5 +218,5 @@ def check_cradle(filepath) -> None:
         for column, (is_allowed, allowed) in RULES.items():
             text = pendulum.get(column, "")
             if not is_allowed(text):
-                found = f"found {text!r}" if text else "found nothing"
+                found = f"found {in_short(repr(text))}" if text else "found nothing"
                 raise ValueError(f"{filepath}, line {line}, column {column}: {found}, allowed is {allowed}")

@@ -1,5 +1,6 @@
 """Read experiments: each is a CSV and a text with the same name; the README in support/experiments has its lines."""
 
+import io
 import re
 from configparser import ConfigParser, Error
 from itertools import accumulate
@@ -7,7 +8,7 @@ from math import radians
 from pathlib import Path
 from typing import NamedTuple
 
-from support.files.cradle_csv import check_cradle, read_cells, Snapshot, to_number
+from support.files.cradle_csv import check_cradle, read_cells, read_file, Snapshot, to_number
 
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
@@ -109,7 +110,8 @@ class Lines:
         self.file, self.parser = file, ConfigParser(delimiters=("=",), comment_prefixes=("#",), interpolation=None)
         self.parser.optionxform = str  # type: ignore[assignment, method-assign]  # capitals stay
         try:
-            self.parser.read_string(file.read_text(encoding="utf-8-sig"), file.name)
+            with io.TextIOWrapper(io.BytesIO(read_file(file)), encoding="utf-8-sig") as text:
+                self.parser.read_file(text, file.name)
         except OSError as error:
             raise ValueError(f"{file}: cannot be read: {error.strerror}") from error
         except UnicodeDecodeError as error:

@@ -10,6 +10,7 @@ from stat import S_ISREG
 from threading import Lock
 
 from support.files.atomic_write import whole_file
+from support.files.cradle_csv import LARGEST
 
 EVERY = 0.01  # s from sample to sample
 REMEMBERED = 600.0  # s of samples that a Recording keeps
@@ -21,7 +22,7 @@ def check_record(filepath) -> None:
         if not S_ISREG(Path(filepath).stat().st_mode):
             return  # data_file will raise the error
         with open(filepath, "r+b") as file:  # opened to write, too: another program may have it open
-            columns = file.readline().strip()
+            columns = file.readline(LARGEST).strip()
     except FileNotFoundError:
         return  # a new file; if its folder is missing, data_file will raise the error
     except OSError as error:

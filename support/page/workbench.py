@@ -5,7 +5,7 @@ from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from support.files.atomic_write import whole_file
-from support.files.cradle_csv import check_cradle, clean_copy, Snapshot
+from support.files.cradle_csv import check_cradle, clean_copy, MOST_PENDULA, Snapshot, WHY_NOT_MORE
 from support.files.edited_csv import cells_of, have_same_pendula, with_cell, with_numbers, with_row, without_row
 from support.files.experiments import EXPERIMENTS
 from support.page.commands import Command
@@ -151,20 +151,22 @@ class Workbench(Player):
     def edit(self, command, value):
         """Change the CSV in memory, and let main make its cradle; or show why a cell cannot have this text.
 
-        The last pendulum stays, and nothing happens to a row that is no longer there: you may click faster than the
-        page shows the new table.
+        The last pendulum stays, there are at most MOST_PENDULA, and nothing happens to a row that is no longer there:
+        you may click faster than the page shows the new table.
         """
         csv = self.present_csv()
         rows = range(len(cells_of(csv)[1]))
         self.leave_experiment()
         match command:
-            case Command.ADD:
+            case Command.ADD if len(rows) < MOST_PENDULA:
                 csv = with_row(csv)
             case Command.DELETE if value in rows and len(rows) > 1:
                 csv = without_row(csv, value)
             case Command.EDIT if value[0] in rows and self.table.allows(*value):
                 csv = with_cell(csv, *value)
             case _:
+                if command is Command.ADD:
+                    self.table.show_written(f"Add a pendulum: {WHY_NOT_MORE}", failed=True)
                 self.show_rows()
                 return
         if command is not Command.EDIT:

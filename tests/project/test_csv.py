@@ -4,6 +4,7 @@ import os
 import random
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from whole_cradles import GOOD, HEADER
@@ -14,6 +15,7 @@ from src.beyond.in_browser import show_cradle
 from src.pds_helper import extract_and_convert, write_to_csv
 from src.special_cradles import make_newton_cradle
 from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
+from support.files.cradle_csv import LARGEST, Snapshot
 
 COLORS, TEXTURES = f"allowed is one of {', '.join(COLOR_MAP)}", f"allowed is one of {', '.join(TEXTURE_MAP)}"
 MASS, E = "allowed is a number above 0 and up to 1e6 (kg)", "allowed is a number from 0 to 1"
@@ -100,6 +102,15 @@ NO_CRADLE = {
     "color is empty": (cell("color", ""), f", line 3, column color: found nothing, {COLORS}"),
     "texture unknown": (cell("texture", "velvet"), f", line 3, column texture: found 'velvet', {TEXTURES}"),
     "row too short": (HEADER + "1,1,0,0,red\n", f", line 2, column texture: found nothing, {TEXTURES}"),
+    "too many pendula": (
+        HEADER + "\n" + GOOD * 1001,
+        ", line 1003: found pendulum 1001, allowed are at most 1000, which already move in slow motion on the page",
+    ),
+    "a long line": (
+        "x" * 1000 + "\n",
+        f", line 1, column mass: found '{'x' * 299}...; {NEEDS}",
+    ),
+    "a long cell": (cell("color", "x" * 1000), f", line 3, column color: found '{'x' * 299}..., {COLORS}"),
     "after blank lines": (
         HEADER + "\n" + GOOD + "   \n\n" + GOOD.replace("red", "rod"),
         f", line 6, column color: found 'rod', {COLORS}",
@@ -140,12 +151,16 @@ def the_programs_complaint(monkeypatch, capsys, filepath):
     return printed.err
 
 
-@pytest.mark.parametrize(("content", "message"), UNREADABLE.values(), ids=UNREADABLE)
-def test_unreadable(content, message, save, monkeypatch, capsys):
-    filepath = save(content)
+def refuse_everywhere(filepath, message, monkeypatch, capsys):
+    """Assert that each reader refuses this file, in one line: extract_and_convert, the cradle's maker, the program."""
     assert complaint(extract_and_convert, filepath) == filepath + message
     assert complaint(make_newton_cradle, filepath, R_PARAM, 0) == filepath + message
     assert the_programs_complaint(monkeypatch, capsys, filepath) == filepath + message + "\n"
+
+
+@pytest.mark.parametrize(("content", "message"), UNREADABLE.values(), ids=UNREADABLE)
+def test_unreadable(content, message, save, monkeypatch, capsys):
+    refuse_everywhere(save(content), message, monkeypatch, capsys)
 
 
 @pytest.mark.parametrize(("content", "message"), NO_CRADLE.values(), ids=NO_CRADLE)
@@ -161,10 +176,49 @@ def test_no_file(name, tmp_path, monkeypatch, capsys):
     filepath = str(tmp_path / name)
     with pytest.raises(OSError) as caught:
         Path(filepath).read_bytes()
-    message = f"{filepath}: cannot be read as a CSV file: {caught.value.strerror}"
-    assert complaint(extract_and_convert, filepath) == message
-    assert complaint(make_newton_cradle, filepath, R_PARAM, 0) == message
-    assert the_programs_complaint(monkeypatch, capsys, filepath) == message + "\n"
+    message = f": cannot be read as a CSV file: {caught.value.strerror}"
+    refuse_everywhere(filepath, message, monkeypatch, capsys)
+
+
+NO_FILE = ": cannot be read as a CSV file: found a pipe or a device, allowed is a file"
+TOO_LARGE = ": cannot be read as a CSV file: found more than 10 MB, allowed are at most 10 MB"
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="Windows has no such pipes")
+def test_a_pipe_is_refused_and_not_waited_for(tmp_path, monkeypatch, capsys):
+    filepath = str(tmp_path / "pipe.csv")
+    os.mkfifo(filepath)
+    refuse_everywhere(filepath, NO_FILE, monkeypatch, capsys)
+
+
+def test_a_device_is_refused_and_not_read(monkeypatch, capsys):
+    """/dev/zero, for instance, never ends."""
+    refuse_everywhere("/dev/zero" if os.name == "posix" else os.devnull, NO_FILE, monkeypatch, capsys)
+
+
+def test_a_large_file_is_refused(tmp_path, monkeypatch, capsys):
+    file = tmp_path / "large.csv"
+    file.touch()
+    os.truncate(file, LARGEST + 1)
+    refuse_everywhere(str(file), TOO_LARGE, monkeypatch, capsys)
+
+
+@pytest.mark.parametrize("beyond", [0, 1])
+def test_a_file_whose_size_is_not_known_is_read_up_to_the_limit(beyond, save, monkeypatch):
+    """The system says 0 for files that it makes up, and a file may grow while it is read."""
+    content = (HEADER + GOOD).ljust(LARGEST + beyond, "\n")
+    filepath = save(content)
+    made_up = SimpleNamespace(st_mode=os.stat(filepath).st_mode, st_size=0)
+    monkeypatch.setattr("support.files.cradle_csv.os", SimpleNamespace(open=os.open, fstat=lambda _: made_up))
+    snapshot = Snapshot(filepath)
+    assert bool(snapshot.error) == bool(beyond)
+    assert snapshot.data == (b"" if beyond else content.encode())
+
+
+def test_a_row_after_the_last_one_that_is_allowed_is_not_even_read(save):
+    """The rows of a file of 10 MB would take a gigabyte."""
+    filepath = save(HEADER + GOOD * 1001 + '"' + "x" * 200_000)  # the last cell is longer than a CSV's can be
+    assert ", line 1002: found pendulum 1001, " in complaint(make_newton_cradle, filepath, R_PARAM, 0)
 
 
 PADDED = "\n".join("  " + line.replace(",", " ,\t ") + "  " for line in MIXED_CSV.splitlines())

@@ -1,5 +1,6 @@
 """Experiments: their files, what they measure, and that each explains what really happens."""
 
+import os
 import shutil
 from math import radians
 
@@ -61,6 +62,22 @@ def test_phi_is_measured_from_the_upper_cord(files):
     angles = read_experiment(files / "two.csv", 2).angles
     assert angles[0] == pytest.approx([-0.785398, -1.134464])
     assert angles[1] == pytest.approx([-0.785398, -0.610865])
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="Windows has no such pipes")
+@pytest.mark.parametrize("name", ["two.csv", "two.txt"])
+def test_a_pipe_is_no_experiment_and_not_waited_for(name, files):
+    (files / name).unlink()
+    os.mkfifo(files / name)
+    (mistake,) = read_experiments(files, 1)[1]
+    assert mistake.startswith(f"{files / name}: cannot be read")
+    assert mistake.endswith(": found a pipe or a device, allowed is a file")
+
+
+def test_the_lines_of_a_text_may_end_as_on_windows(files):
+    before = read_experiment(files / "two.csv", 1)
+    (files / "two.txt").write_bytes(("\ufeff" + TEXT.replace("\n", "\r\n")).encode())
+    assert read_experiment(files / "two.csv", 1) == before
 
 
 BAD = [

@@ -91,6 +91,20 @@ def test_a_file_that_goes_and_comes_back_as_it_was_is_news_both_times(live):
     assert read_cells(file.current) == [(1, ["old"])]
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="Windows has no such pipes")
+def test_a_pipe_in_its_place_is_news_once_and_so_is_the_file_that_comes_back(live):
+    path, file, look = live
+    path.unlink()
+    os.mkfifo(path)
+    assert [look(), look(), look()] == [False, True, False]
+    with pytest.raises(ValueError, match="found a pipe or a device, allowed is a file$"):
+        read_cells(file.current)
+    path.unlink()
+    path.write_text("new\n")
+    assert [look(), look(), look()] == [False, True, False]
+    assert read_cells(file.current) == [(1, ["new"])]
+
+
 def test_the_file_is_read_once_a_poll(tmp_path, monkeypatch):
     """The program does not read it in every frame."""
     reads, clock = [], Clock()

@@ -153,6 +153,18 @@ def test_pendula_are_added_and_deleted(opened, csv):
     assert csv.read_text() == FIVE_CSV
 
 
+def test_pendula_are_added_up_to_the_limit_and_the_page_says_why(opened, monkeypatch):
+    monkeypatch.setattr("support.page.workbench.MOST_PENDULA", 6)
+    for _ in range(2):
+        tell(opened, "ADD", None)
+    assert len(opened.thetas()) == len(column(opened, "mass")) == 6
+    assert text(opened.viewer.table.written) == (
+        "Add a pendulum: allowed are at most 1000, which already move in slow motion on the page"
+    )
+    tell(opened, "DELETE", 0)
+    assert "Add" not in text(opened.viewer.table.written)
+
+
 def test_clicks_on_rows_that_are_gone_do_nothing(opened):
     for _ in range(6):
         tell(opened, "DELETE", 0)

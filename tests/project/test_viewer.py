@@ -340,6 +340,19 @@ def test_a_csv_saved_while_paused_is_shown(wall, csv):
     assert all(rail.axis.x > axles[-1].pos.x - axles[0].pos.x for rail in rails)
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="Windows has no such pipes")
+def test_a_pipe_in_place_of_the_csv_is_an_error_and_the_cradle_goes_on(wall, csv):
+    csv.unlink()
+    os.mkfifo(csv)
+    wall.wait(1)
+    assert wall.panel.error.text.endswith("found a pipe or a device, allowed is a file</div>")
+    assert wall.time() == pytest.approx(1, abs=2 * FRAME)
+    csv.unlink()
+    csv.write_text(HEADER + GOOD * 2)
+    wall.wait(3 * POLL)
+    assert (wall.panel.error.text, len(wall.thetas())) == ("", 2)
+
+
 def test_a_broken_csv_shows_its_error_until_it_is_good_again(wall, csv):
     good = csv.read_text()
     csv.write_text(good + GOOD.replace("red", "<b>pink"))
