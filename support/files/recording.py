@@ -9,7 +9,7 @@ from pathlib import Path
 from stat import S_ISREG
 from threading import Lock
 
-from support.files.atomic_write import whole_file
+from support.files.atomic_write import whole_file, write_new_file
 from support.files.cradle_csv import LARGEST
 
 EVERY = 0.01  # s from sample to sample
@@ -76,8 +76,5 @@ class Recording:
 
     def save(self, folder) -> Path:
         """Write all samples to a new file in this folder, and return its path; raises an OSError if that fails."""
-        names = (Path(folder, f"cradle_data_{number}.csv") for number in count(1))
-        path = next(path for path in names if not path.exists())
-        with data_file(path) as writer:
-            self.write(writer)
-        return path
+        paths = (Path(folder, f"cradle_data_{number}.csv") for number in count(1))
+        return write_new_file(paths, lambda file: self.write(data_writer(file)))

@@ -1,14 +1,37 @@
-"""whole_file replaces a file only when the new one is complete. test_csv.py tests it in write_to_csv."""
+"""A file is written whole, or not at all: whole_file replaces it, write_new_file finds a new name for it.
+
+test_csv.py tests whole_file in write_to_csv.
+"""
 
 import errno
 import os
 import subprocess
 import sys
+import time
+from contextlib import contextmanager
+from fnmatch import fnmatch
+from itertools import count
 
 import pytest
-from programs import ROOT
+from programs import on_posix, ROOT
 
-from support.files.atomic_write import TRIES, whole_file
+from support.files.atomic_write import OLD, TRIES, whole_file, write_new_file
+
+# A program that writes a new file: its text, and, if there is one more argument, nothing else until it is killed.
+WRITER = """
+import sys, time
+from itertools import count
+from pathlib import Path
+from support.files.atomic_write import write_new_file
+folder, text, *waits = sys.argv[1:]
+def write(file):
+    file.write(text)
+    file.flush()
+    if waits:
+        print("half written", flush=True)
+        time.sleep(600)
+print(write_new_file((Path(folder, f"data_{number}.csv") for number in count(1)), write).name)
+"""
 
 
 def test_it_is_made_beside_its_target_under_a_hidden_name_of_its_own(tmp_path, monkeypatch):
@@ -78,3 +101,108 @@ def open_elsewhere(monkeypatch, times):
     monkeypatch.setattr(os, "replace", replace)
     monkeypatch.setattr("time.sleep", pauses.append)
     return pauses
+
+
+# --- new files -------------------------------------------------------------------------------------------------------
+
+
+def write_new(folder, text):
+    """Write a new file with this text, and return its name."""
+    return write_new_file((folder / f"data_{number}.csv" for number in count(1)), lambda file: file.write(text)).name
+
+
+def contents(folder):
+    """Return the text of each file in this folder, by its name."""
+    return {path.name: path.read_text() for path in folder.iterdir()}
+
+
+@pytest.fixture(params=["links", "no links"])
+def disk(request, monkeypatch):
+    """A disk with links, or one without them, as FAT is."""
+    if request.param == "no links":
+        monkeypatch.setattr("os.link", fail)
+
+
+def fail(*given):
+    raise PermissionError(errno.EPERM, "Operation not permitted")
+
+
+@pytest.mark.usefixtures("disk")
+def test_a_new_file_has_the_first_name_that_no_file_has(tmp_path):
+    assert [write_new(tmp_path, text) for text in "ab"] == ["data_1.csv", "data_2.csv"]
+    assert contents(tmp_path) == {"data_1.csv": "a", "data_2.csv": "b"}
+
+
+@pytest.mark.usefixtures("disk")
+def test_two_programs_that_write_at_the_same_time_write_two_files(tmp_path, monkeypatch):
+    """The other one begins and ends while this one, which has begun, makes sure that its file is on the disk."""
+    command = [sys.executable, "-c", WRITER, str(tmp_path), "other"]
+    monkeypatch.setattr("os.fsync", lambda _: subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.DEVNULL))
+    assert write_new(tmp_path, "mine") == "data_2.csv"
+    assert contents(tmp_path) == {"data_1.csv": "other", "data_2.csv": "mine"}
+
+
+@pytest.mark.usefixtures("disk")
+@pytest.mark.parametrize("step", ["os.fsync", "os.replace"])
+def test_an_error_leaves_no_file(tmp_path, monkeypatch, step):
+    monkeypatch.setattr(step, fail)
+    if step == "os.replace":
+        monkeypatch.setattr("os.link", fail)
+    with pytest.raises(OSError, match=r"cannot be written: Operation not permitted: '.*data_1\.csv'"):
+        write_new(tmp_path, "mine")
+    assert contents(tmp_path) == {}
+
+
+# --- unfinished files ------------------------------------------------------------------------------------------------
+
+
+@contextmanager
+def writing(folder):
+    """Start a program that has written half of data_1.csv in this folder; yield its process, and end it."""
+    command = [sys.executable, "-c", WRITER, str(folder), "half", "and waits"]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout.readline() == "half written\n"
+            yield process
+        finally:
+            process.kill()
+
+
+@on_posix
+def test_the_next_one_removes_what_a_killed_program_has_left(tmp_path):
+    with writing(tmp_path) as process:
+        unfinished = f".data_1.csv.{process.pid}.tmp"
+        assert write_new(tmp_path, "first") == "data_1.csv"
+        assert contents(tmp_path) == {unfinished: "half", "data_1.csv": "first"}  # it is still being written
+    assert unfinished in os.listdir(tmp_path)
+    assert write_new(tmp_path, "second") == "data_2.csv"
+    assert contents(tmp_path) == {"data_1.csv": "first", "data_2.csv": "second"}
+
+
+@on_posix
+def test_only_what_is_left_of_the_same_target_is_removed(tmp_path):
+    process = subprocess.Popen([sys.executable, "-c", ""])
+    process.wait()
+    others = [f".other.csv.{process.pid}.tmp", f"data.csv.{process.pid}.tmp", ".data.csv.tmp", ".data.csv.x.tmp"]
+    for name in (f".data.csv.{process.pid}.tmp", *others):
+        (tmp_path / name).touch()
+    with whole_file(tmp_path / "data.csv"):
+        pass
+    assert sorted(os.listdir(tmp_path)) == sorted(["data.csv", *others])
+
+
+def test_windows_removes_what_is_old_and_ends_no_program(tmp_path, monkeypatch):
+    """There, os.kill ends a program. A file that a program has open cannot be deleted, so age is enough."""
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr("os.kill", lambda *_: pytest.fail("a program was to be ended"))
+    for number, age in ((1, OLD + 10), (2, OLD - 10)):
+        unfinished = tmp_path / f".data_{number}.csv.123.tmp"
+        unfinished.touch()
+        os.utime(unfinished, times=(time.time() - age,) * 2)
+    write_new(tmp_path, "mine")
+    assert sorted(os.listdir(tmp_path)) == [".data_2.csv.123.tmp", "data_1.csv"]
+
+
+def test_git_does_not_see_an_unfinished_file():
+    patterns = (ROOT / ".gitignore").read_text().split()
+    assert any(fnmatch(".cradle_data_1.csv.123.tmp", pattern) for pattern in patterns)
