@@ -67,12 +67,20 @@ class Recording:
             self.columns = list(sample)
             self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
 
+    def copy(self) -> "Recording":
+        """Return a Recording with the samples of this moment."""
+        copy = Recording()
+        with self.lock:
+            copy.columns, copy.rows = self.columns, self.rows.copy()
+        return copy
+
     def write(self, writer) -> None:
         """Write all samples of this moment to a data_writer, however many are added meanwhile."""
         with self.lock:
             columns, rows = self.columns, list(self.rows)
         writer.writerow(columns)
-        writer.writerows(rows)
+        for row in rows:  # not writerows: between two rows, Python lets the other threads run
+            writer.writerow(row)
 
     def save(self, folder) -> Path:
         """Write all samples to a new file in this folder, and return its path; raises an OSError if that fails."""

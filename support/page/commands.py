@@ -30,6 +30,7 @@ class Command(Enum):
     WRITE = auto()  # what the table shows to your CSV
     TICK = auto()  # one tick, while paused
     SAVE = auto()  # the data since the last restart, to a file
+    SAVED = auto()  # no widget gives this: SAVE has ended, in its own thread
     GRAB = auto()  # the bob under the mouse; the value is the mouse's ray (a point on it, its direction)
     DRAG = auto()  # the held bob to the ray, as for GRAB
     LET_GO = auto()  # the held bob

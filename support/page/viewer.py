@@ -4,6 +4,7 @@ import time
 from math import inf
 from pathlib import Path
 from queue import SimpleQueue
+from threading import Thread
 
 from vpython import baseObj, scene
 
@@ -43,6 +44,8 @@ class Viewer(Workbench):
         self.next_refresh = -inf
         self.swung_through = False  # whether a bob has swung through others since the last restart
         self.sound = False
+        self.saving: Thread | None = None  # the thread that writes data to a file
+        self.saved = "", False  # the message of the last one, and whether it failed
 
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle, self.questions, self.table, remark)
@@ -91,10 +94,16 @@ class Viewer(Workbench):
         self.show_motion()
 
     def end(self, words) -> None:
-        """Show on the page that the program has ended, and why; wait a moment until the page has the message."""
+        """Show on the page that the program has ended, and why; wait a moment until the page has the message.
+
+        If data are being saved, complete their file.
+        """
         self.panel.show_end(words)
         self.wait_for_page(GOODBYE)
-        self.panel.show_saved("")  # the page fetches this after it has shown the message
+        if self.saving:
+            self.saving.join()
+        # The page fetches this after it has shown the message.
+        self.panel.show_saved(*self.saved if self.saving else ("",))
         self.wait_for_page(GOODBYE)
 
     # --- commands ----------------------------------------------------------------------------------------------------
@@ -163,6 +172,9 @@ class Viewer(Workbench):
                 self.graph.show(value)
             case Command.SAVE:
                 self.save()
+            case Command.SAVED:
+                self.saving = None
+                self.panel.show_saved(*self.saved)
             case Command.RESIZE:
                 self.scenery.point_camera()
             case Command.VIEW:
@@ -183,13 +195,23 @@ class Viewer(Workbench):
         self.show_settings()
 
     def save(self) -> None:
-        """Write the data since the last restart to a new file in the current folder."""
+        """Write the data since the last restart to a new file in the current folder, in a thread: it may take long.
+
+        If you press the button again before the file is complete, nothing more happens.
+        """
+        if self.saving is None:
+            self.panel.show_saved(f"Saving {len(self.recording.rows)} rows ...")
+            self.saving = Thread(target=self.write_data, args=[self.recording.copy()], daemon=True)
+            self.saving.start()
+
+    def write_data(self, recording) -> None:
+        """Write this Recording to a new file in the current folder; then give the command SAVED."""
         try:
-            path = self.recording.save(Path.cwd())
-            self.panel.show_saved(f"{len(self.recording.rows)} rows are in {path}")
+            path = recording.save(Path.cwd())
+            self.saved = f"{len(recording.rows)} rows are in {path}", False
         except OSError as error:
-            self.panel.show_saved(f"{error.filename or 'The current folder'}: {error.strerror}", failed=True)
-        self.pace.restart()  # do not catch up on this time (ten minutes of a hundred pendula: ten seconds)
+            self.saved = f"{error.filename or 'The current folder'}: {error.strerror}", True
+        self.give(Command.SAVED)
 
     def arguments(self) -> list[str] | None:
         """Return the arguments with which the program starts with the present settings; None if no file has its CSV."""

@@ -7,10 +7,12 @@ import os
 import re
 from itertools import pairwise
 from math import copysign, pi
+from threading import Event
 from types import SimpleNamespace
 
 import pandas as pd
 import pytest
+from programs import SECONDS, wait_until
 from vpython import cylinder, scene, vector, wtext
 from wall import set_slider, Wall
 from whole_cradles import components, FIVE_CSV, go_on, GOOD, HEADER, PERIOD, thetas
@@ -381,13 +383,23 @@ def test_a_cradle_that_is_made_anew_lets_go_of_the_bob(wall, csv):
 def saved(wall):
     """Press the button, and return the data of the file that the page names."""
     wall.panel.save.bind()
-    wall.wait()
+    wait_for_saved(wall)
     count, path = re.fullmatch(
         r'<span class="hint saved">(\d+) rows are in (.*)</span>', wall.panel.saved.text
     ).groups()
     data = pd.read_csv(path)
     assert len(data) == int(count)
     return data
+
+
+def wait_for_saved(wall):
+    """Let no time pass, but frames, until the thread that saves has ended."""
+
+    def has_saved():
+        wall.wait()
+        return wall.viewer.saving is None
+
+    wait_until(has_saved)
 
 
 def test_what_has_been_seen_is_saved_where_the_program_was_started(wall, csv, tmp_path, monkeypatch):
@@ -426,17 +438,49 @@ def test_saving_works_while_paused_and_in_another_folder(wall, tmp_path, monkeyp
     assert os.listdir() == ["cradle_data_1.csv"]
 
 
-def test_the_time_that_saving_takes_is_not_made_up_for(wall, tmp_path, monkeypatch):
-    def slow(folder):
-        wall.now += 0.2
-        return tmp_path / "data.csv"
+@pytest.fixture
+def slow_disk(monkeypatch):
+    """A disk that waits for this event before it has a file."""
+    ready, fsync = Event(), os.fsync
 
-    monkeypatch.setattr(wall.viewer.recording, "save", slow)
+    def wait(descriptor):
+        assert ready.wait(SECONDS)
+        fsync(descriptor)
+
+    monkeypatch.setattr("os.fsync", wait)
+    yield ready
+    ready.set()
+
+
+def test_the_cradle_swings_on_while_its_data_are_saved(wall, tmp_path, monkeypatch, slow_disk):
+    """The file has the data of the moment in which the button was pressed. A second press does nothing."""
+    monkeypatch.chdir(tmp_path)
     wall.wait(1)
-    before = wall.time()
+    rows = len(wall.viewer.recording.rows)
+    for _ in range(2):
+        wall.panel.save.bind()
+        wall.wait(1)
+        assert wall.panel.saved.text == f'<span class="hint saved">Saving {rows} rows ...</span>'
+    wall.press("r")
+    wall.wait(1)
+    assert wall.time() == pytest.approx(1, abs=2 * FRAME)
+    slow_disk.set()
+    wait_for_saved(wall)
+    assert wall.panel.saved.text.endswith(f">{rows} rows are in {tmp_path / 'cradle_data_1.csv'}</span>")
+    assert len(pd.read_csv("cradle_data_1.csv")) == rows
+    assert len(saved(wall)) < rows + 10
+    assert sorted(os.listdir(tmp_path)) == ["cradle.csv", "cradle_data_1.csv", "cradle_data_2.csv"]
+
+
+def test_a_program_that_ends_completes_the_file(wall, tmp_path, monkeypatch, slow_disk):
+    monkeypatch.chdir(tmp_path)
+    wall.wait(1)
     wall.panel.save.bind()
-    wall.wait(2 * FRAME)
-    assert wall.time() - before < 0.1
+    wall.wait()
+    monkeypatch.setattr(wall.viewer, "wait_for_page", lambda *_: slow_disk.set())
+    wall.viewer.end("it had a mistake")
+    assert wall.panel.saved.text.endswith(f" rows are in {tmp_path / 'cradle_data_1.csv'}</span>")
+    assert sorted(os.listdir(tmp_path)) == ["cradle.csv", "cradle_data_1.csv"]
 
 
 def test_the_name_of_a_folder_is_shown_as_text(wall):
@@ -460,7 +504,7 @@ def test_a_folder_that_cannot_be_written_to_is_named_on_the_page(wall, tmp_path,
     monkeypatch.setattr("os.fsync", lambda descriptor: (_ for _ in ()).throw(OSError(28, "No space left on device")))
     wall.wait(1)
     wall.panel.save.bind()
-    wall.wait()
+    wait_for_saved(wall)
     file = tmp_path / "cradle_data_1.csv"
     text = f"{file}: cannot be written: No space left on device"
     assert wall.panel.saved.text == f'<span class="failed saved">{text}</span>'
