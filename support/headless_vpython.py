@@ -1,13 +1,18 @@
 """A stand-in for VPython that needs no VPython and no browser: vector, box, sphere and cylinder as plain numbers.
 
-After install(), `import vpython` finds this module. It shows nothing. Otherwise it treats the objects of a pendulum as
-VPython 7.6.5 does; the project's tests compare the two. One difference: `up` does not turn with `axis`. The parts of
-the page that the viewer uses (canvas, light, widgets, graph) only store their attributes.
+After install(), `import vpython` finds this module. It has the names of VPython 7.6.5, and treats the objects of a
+pendulum as VPython does; the project's tests compare the two. One difference: `up` does not turn with `axis`. The rest
+of VPython is only for show, and here nothing is shown: other shapes and the page (canvas, label, widgets, graph) store
+their attributes, most of their methods do nothing, and nothing waits.
 """
 
+import colorsys
 import sys
+from copy import deepcopy
 from math import *  # noqa: F403  VPython exports these, too
-from math import acos, cos, pi, sin, sqrt
+from math import acos, cos, pi, sin, sqrt, tan
+from random import random
+from time import perf_counter as clock  # noqa: F401  VPython's name for it
 
 
 def install() -> None:
@@ -15,10 +20,19 @@ def install() -> None:
     sys.modules["vpython"] = sys.modules[__name__]
 
 
+def _nothing(*_, **__):
+    """Do nothing: a function or method of VPython that only changes what is shown."""
+
+
+def _no_points(*_, **__) -> list:
+    """Return no points: a function of VPython that makes an outline."""
+    return []
+
+
 # --- vectors ---------------------------------------------------------------------------------------------------------
 
 
-def number(value) -> float:
+def _number(value) -> float:
     """Return value as a float; raise a TypeError if it is no number, or is text."""
     if isinstance(value, str):
         raise TypeError("must be real number, not str")
@@ -35,8 +49,13 @@ class vector:
             components = components[0].value
         if len(components) != 3:
             raise TypeError("A vector needs 3 components.")
-        self._x, self._y, self._z = map(number, components)
+        self._x, self._y, self._z = map(_number, components)
         self.on_change = lambda: None
+
+    @staticmethod
+    def random():
+        """Return a vector with components from -1 to 1."""
+        return vector(2 * random() - 1, 2 * random() - 1, 2 * random() - 1)
 
     @property
     def x(self):
@@ -44,7 +63,7 @@ class vector:
 
     @x.setter
     def x(self, value):
-        self._x = number(value)
+        self._x = _number(value)
         self.on_change()
 
     @property
@@ -53,7 +72,7 @@ class vector:
 
     @y.setter
     def y(self, value):
-        self._y = number(value)
+        self._y = _number(value)
         self.on_change()
 
     @property
@@ -62,7 +81,7 @@ class vector:
 
     @z.setter
     def z(self, value):
-        self._z = number(value)
+        self._z = _number(value)
         self.on_change()
 
     @property
@@ -165,7 +184,7 @@ class vector:
 vec = vector
 
 
-def checked(value) -> vector:
+def _checked(value) -> vector:
     """Return value if it is a vector; raise a TypeError otherwise."""
     if not isinstance(value, vector):
         raise TypeError(f"expected a vector, got {type(value).__name__}")
@@ -173,72 +192,93 @@ def checked(value) -> vector:
 
 
 def mag(A):
-    return checked(A).mag
+    return _checked(A).mag
 
 
 def mag2(A):
-    return checked(A).mag2
+    return _checked(A).mag2
 
 
 def hat(A):
-    return checked(A).hat
+    return _checked(A).hat
 
 
 norm = hat
 
 
 def dot(A, B):
-    return checked(A).dot(checked(B))
+    return _checked(A).dot(_checked(B))
 
 
 def cross(A, B):
-    return checked(A).cross(checked(B))
+    return _checked(A).cross(_checked(B))
 
 
 def comp(A, B):
-    return checked(A).comp(checked(B))
+    return _checked(A).comp(_checked(B))
 
 
 def proj(A, B):
-    return checked(A).proj(checked(B))
+    return _checked(A).proj(_checked(B))
 
 
 def diff_angle(A, B):
-    return checked(A).diff_angle(checked(B))
+    return _checked(A).diff_angle(_checked(B))
 
 
 def rotate(A, angle=0.0, axis=None):
-    return checked(A).rotate(angle, axis)
+    return _checked(A).rotate(angle, axis)
 
 
 # --- shapes ----------------------------------------------------------------------------------------------------------
 
 
-class Shape:
-    """The base of box, sphere and cylinder. Setting a vector copies it; reading it returns the shape's own vector."""
+class baseObj:
+    """The base of all that is on the page. It stores its attributes; a test can read and set them."""
 
-    default_size = (1, 1, 1)
-    axis_is_length = True  # the axis is as long as the shape (not so for a sphere)
+    def __init__(self, **attributes):
+        vars(self).update(attributes)
+
+    @staticmethod
+    def empty():
+        """Return whether the page has fetched all changes: there are none."""
+        return True
+
+    delete = _nothing
+
+
+class standardAttributes(baseObj):
+    """The base of the shapes. Setting a vector copies it; reading it returns the shape's own vector."""
+
+    _default_size: tuple[float, float, float] = (1, 1, 1)
+    _sizing = True  # the axis is as long as the shape (not so for a sphere)
+    _more_vectors: tuple[str, ...] = ()  # other attributes that must be vectors
+    texture, shininess, opacity, emissive, visible, pickable = None, 0.6, 1.0, False, True, True
+    make_trail, trail_type, interval, retain, pps, frame = False, "curve", 0, -1, 0, None
+    clear_trail = _nothing
 
     def __init__(self, **attributes):
         self._pos, self._up, self._color = vector(0, 0, 0), vector(0, 1, 0), vector(1, 1, 1)
-        self._axis, self._size = vector(1, 0, 0), vector(*self.default_size)
-        self._axis.on_change, self._size.on_change = self.fit_size, self.fit_axis
-        self.texture, self.shininess, self.opacity = None, 0.6, 1.0
-        self.emissive, self.visible, self.pickable = False, True, True
-        vectors: list[str] = [name for name in ("pos", "color", "axis", "size", "up") if name in attributes]
+        self._axis, self._size = vector(1, 0, 0), vector(*self._default_size)
+        self._axis.on_change, self._size.on_change = self._fit_size, self._fit_axis
+        vectors = [name for name in ("pos", "color", "axis", "size", "up", *self._more_vectors) if name in attributes]
         for name in vectors:
             if not isinstance(attributes[name], vector):
                 raise AttributeError(f"{name} must be a vector")
         for name in vectors + [name for name in attributes if name not in vectors]:
             setattr(self, name, attributes[name])
+        self.canvas = attributes.get("canvas") or canvas.selected
+        self._show()
 
-    def fit_size(self):
-        if self.axis_is_length:
+    def _show(self):
+        self.canvas._made.append(self)
+
+    def _fit_size(self):
+        if self._sizing:
             self._size._x = self._axis.mag
 
-    def fit_axis(self):
-        if self.axis_is_length:
+    def _fit_axis(self):
+        if self._sizing:
             self._axis.value = self._axis.hat * self._size._x
 
     @property
@@ -272,7 +312,7 @@ class Shape:
     @axis.setter
     def axis(self, value):
         self._axis.value = value
-        self.fit_size()
+        self._fit_size()
 
     @property
     def size(self):
@@ -281,7 +321,7 @@ class Shape:
     @size.setter
     def size(self, value):
         self._size.value = value
-        self.fit_axis()
+        self._fit_axis()
 
     @property
     def length(self):
@@ -307,6 +347,51 @@ class Shape:
     def width(self, value):
         self._size.z = value
 
+    @property
+    def red(self):
+        return self._color._x
+
+    @red.setter
+    def red(self, value):
+        self._color.x = value
+
+    @property
+    def green(self):
+        return self._color._y
+
+    @green.setter
+    def green(self, value):
+        self._color.y = value
+
+    @property
+    def blue(self):
+        return self._color._z
+
+    @blue.setter
+    def blue(self, value):
+        self._color.z = value
+
+    def clone(self, **attributes):
+        """Return a copy of the shape, with these attributes."""
+        made = deepcopy(self, {id(self.canvas): self.canvas})
+        made._show()
+        for name, value in {"visible": True, **attributes}.items():
+            setattr(made, name, value)
+        return made
+
+    def bounding_box(self):
+        """Return the eight corners of the smallest box around the shape."""
+        x, y = self._axis.hat, self._up.hat
+        z = x.cross(y)
+        middle = self._pos if isinstance(self, _CENTERED) else self._pos + x * (self._size._x / 2)
+        length, height, width = self._size.value
+        return [
+            middle + x * (i * length / 2) + y * (j * height / 2) + z * (k * width / 2)
+            for i in (-1, 1)
+            for j in (-1, 1)
+            for k in (-1, 1)
+        ]
+
     def rotate(self, angle, axis=None, origin=None):
         """Turn the shape by angle (rad) about axis (its own by default) through origin (its pos by default)."""
         axis, origin = vector(axis or self._axis), vector(origin or self._pos)
@@ -314,14 +399,24 @@ class Shape:
         self._axis.value = self._axis.rotate(angle, axis)
         self._up.value = self._up.rotate(angle, axis)
 
+    @property
+    def trail_color(self):
+        return self._color
 
-class box(Shape):
+    @trail_color.setter
+    def trail_color(self, value):
+        self._color_of_trail = value
+
+    trail_radius = property(lambda self: 0.1 * self._size._y, _nothing)
+
+
+class box(standardAttributes):
     pass
 
 
-class sphere(Shape):
-    default_size = (2, 2, 2)
-    axis_is_length = False
+class sphere(standardAttributes):
+    _default_size = (2, 2, 2)
+    _sizing = False
 
     @property
     def radius(self):
@@ -332,8 +427,10 @@ class sphere(Shape):
         self.size = vector(2 * value, 2 * value, 2 * value)
 
 
-class cylinder(Shape):
-    default_size = (1, 2, 2)
+class _Round(standardAttributes):
+    """A shape with a length and a radius."""
+
+    _default_size = (1, 2, 2)
 
     @property
     def radius(self):
@@ -344,46 +441,282 @@ class cylinder(Shape):
         self.size = vector(self._size._x, 2 * value, 2 * value)
 
 
+class cylinder(_Round):
+    pass
+
+
+# --- shapes that are only for show -----------------------------------------------------------------------------------
+
+
+class simple_sphere(sphere):
+    pass
+
+
+class pyramid(standardAttributes):
+    pass
+
+
+class cone(_Round):
+    pass
+
+
+class helix(_Round):
+    coils, ccw, thickness = 5, True, 1 / 20
+
+
+class ellipsoid(_Round):
+    _default_size = (1, 1, 1)
+
+
+class ring(standardAttributes):
+    _default_size, _sizing = (0.2, 2.2, 2.2), False
+
+    @property
+    def thickness(self):
+        return self._size._x / 2
+
+    @thickness.setter
+    def thickness(self, value):
+        outer = 2 * (self.radius + value)
+        self.size = vector(2 * value, outer, outer)
+
+    @property
+    def radius(self):
+        return (self._size._y - self._size._x) / 2
+
+    @radius.setter
+    def radius(self, value):
+        outer = 2 * (value + self.thickness)
+        self.size = vector(self._size._x, outer, outer)
+
+
+class arrow(standardAttributes):
+    _default_size = (1, 0.2, 0.2)
+    round, shaftwidth, headwidth, headlength, scale = False, 0, 0, 0, 1
+    start = stop = _nothing
+
+
+def attach_arrow(o, attr, **attributes):
+    """Return an arrow; it does not follow the vector that o has as this attribute."""
+    if not isinstance(getattr(o, attr), vector):
+        raise AttributeError(f'The attach_arrow attribute "{attr}" is not a vector.')
+    return arrow(attr=attr, pickable=False, **{"color": o.color, "shaftwidth": 0.5 * o.size.y, **attributes})
+
+
+class attach_trail(standardAttributes):
+    type, trail_radius = "curve", None
+    start = stop = clear = _nothing
+
+    def __init__(self, obj, **attributes):
+        super().__init__(**{"radius": 0 if callable(obj) else 0.1 * obj.size.y, **attributes})
+
+
+class label(standardAttributes):
+    _more_vectors = ("background", "linecolor")
+    text, font, height, align, xoffset, yoffset = " ", "sans", 13, None, 0, 0
+    background, linecolor, linewidth, border = None, None, 1, 5
+    box, line, space, pixel_pos, trail_radius = True, True, 0, False, None
+
+
+class text(standardAttributes):
+    _sizing = False
+    _more_vectors = ("start_face_color", "end_face_color")
+    height, length, depth, align, font, billboard = 1, 1, 0.2, "left", "sans", False
+    descender, vertical_spacing, show_start_face, show_end_face = 0.3, 1.3, True, True
+    start_face_color = end_face_color = vector(1, 1, 1)
+    start = end = upper_left = upper_right = lower_left = lower_right = vector(0, 0, 0)
+
+    def __init__(self, **attributes):
+        if "text" not in attributes:
+            raise AttributeError("A text object must have a text attribute")
+        super().__init__(**attributes)
+
+    text = ""
+
+
+class curveMethods(standardAttributes):
+    """The base of curve and points. A point is a dictionary with pos, and perhaps color, radius, ..."""
+
+    radius, origin = 0, vector(0, 0, 0)
+    modify = splice = unshift = _nothing
+
+    def __init__(self, *points, pos=(), **attributes):
+        self._points: list[dict] = []
+        super().__init__(**attributes)
+        self.append(*points, pos=pos)
+
+    @property  # type: ignore[misc]  # cannot be set
+    def pos(self):
+        raise AttributeError('object does not have a "pos" attribute')
+
+    @property
+    def npoints(self):
+        return len(self._points)
+
+    def append(self, *points, pos=(), **attributes):
+        if len(points) == 1 and isinstance(points[0], (list, tuple)):
+            points = tuple(points[0])
+        for point in [*points, *([pos] if isinstance(pos, vector) else pos)]:
+            place = point if isinstance(point, (dict, vector)) else vector(*point)
+            self._points.append({**attributes, **(place if isinstance(place, dict) else {"pos": vector(place)})})
+
+    def pop(self, index=-1):
+        return self._points.pop(index) if self._points else None
+
+    def shift(self):
+        return self.pop(0)
+
+    def clear(self):
+        self._points = []
+
+    def point(self, number):
+        return self._points[number]
+
+    def slice(self, start, end):
+        return self._points[start:end]
+
+
+class curve(curveMethods):
+    pass
+
+
+class points(curveMethods):
+    size_units, trail_radius = "pixels", 0
+
+
+class compound(standardAttributes):
+    _sizing = False
+    compound_idx, obj_idxs, origin = 0, None, vector(0, 0, 0)
+
+    def __init__(self, objects, **attributes):
+        super().__init__(**attributes)
+        for each in objects:
+            each.visible = False  # it is a part now
+
+    def world_to_compound(self, v):
+        return vector(v)
+
+    def compound_to_world(self, v):
+        return vector(v)
+
+
+class extrusion(standardAttributes):
+    _sizing = False
+    smooth, smooth_joints, sharp_joints, twist = 0.95, None, None, 0
+    scale = xscale = yscale = 1
+    start_face_color = end_face_color = start_normal = end_normal = None
+    show_start_face, show_end_face = True, True
+
+    def __init__(self, **attributes):
+        if not {"path", "shape"} <= attributes.keys():
+            raise AttributeError("An extrusion must have a path and a shape.")
+        super().__init__(**attributes)
+
+
+class vertex(standardAttributes):
+    _more_vectors = ("normal", "bumpaxis", "texpos")
+    normal, bumpaxis, texpos, trail_radius = vector(0, 0, 1), vector(1, 0, 0), vector(0, 0, 0), None
+
+
+class triangle(standardAttributes):
+    v0 = v1 = v2 = vs = None
+
+
+class quad(triangle):
+    v3 = None
+
+
+class faces:
+    def __init__(self, **attributes):
+        raise NameError("faces is no longer supported; use vertex with triangle or quad")
+
+
+class frame:
+    def __init__(self, **attributes):
+        raise NameError("frame is not yet implemented")
+
+
+class _Light(standardAttributes):
+    def _show(self):
+        self.canvas.lights.append(self)
+
+
+class distant_light(_Light):
+    _more_vectors = ("direction",)
+    direction = vector(0, 0, 1)
+
+
+class local_light(_Light):
+    _more_vectors = ("offset",)
+    offset, attach_idx = vector(0, 0, 0), None
+
+
+def attach_light(o, offset=vector(0, 0, 0), **attributes):  # noqa: B008  nobody changes this vector
+    """Return a light; it does not follow o."""
+    return local_light(pos=o.pos + offset, offset=offset, **{"color": o.color, **attributes})
+
+
+_CENTERED = box, sphere, ellipsoid, ring, compound
+
+
+class _Outlines:
+    """VPython's outlines, as paths for an extrusion: none has points here."""
+
+    rectangle = cross = trapezoid = circle = line = arc = ellipse = star = ngon = _no_points
+    triangle = pentagon = hexagon = _no_points
+
+
+class path_object(_Outlines):
+    pointlist = _no_points
+
+
+class shape_object(_Outlines):
+    points = octagon = gear = rackgear = circframe = nframe = rframe = sframe = trframe = _no_points
+
+
+paths, shapes = path_object(), shape_object()
+ToothOutline = RackOutline = addpos = convert = rotatecp = roundc = scalecp = _no_points
+
+
 # --- the page --------------------------------------------------------------------------------------------------------
 
 
-class baseObj:
-    """VPython's record of changes that the page has not fetched yet; here it is always empty."""
-
-    @staticmethod
-    def empty():
-        return True
-
-
-class PageItem:
-    """An item of the page that is no shape. It stores its attributes; a test can read and set them."""
+class wtext(standardAttributes):
+    text, location = "", None
 
     def __init__(self, **attributes):
         vars(self).update(attributes)
 
 
-class wtext(PageItem):
-    text = ""
+class controls(baseObj):
+    """The base of the widgets. bind is the function that a change calls: here, a test does."""
+
+    disabled = False
+
+    def __init__(self, *, bind=None, **attributes):
+        if bind is None:
+            raise AttributeError("bind missing")
+        super().__init__(bind=bind, **{"canvas": canvas.selected, **attributes})
 
 
-class label(PageItem):
-    text, visible = "", True
+class button(controls):
+    text, color, textcolor, background = "", vector(0, 0, 0), vector(0, 0, 0), vector(1, 1, 1)
 
 
-class button(PageItem):
-    text, disabled = "", False
+class checkbox(controls):
+    text, checked = "", False
 
 
-class checkbox(PageItem):
-    text, checked, disabled = "", False, False
+class radio(controls):
+    text, name, checked = "", "", False
 
 
-class winput(PageItem):
-    text = ""
+class winput(controls):
+    text, type, number, width = "", "numeric", None, 100
 
 
-class menu(PageItem):
-    selected, disabled = None, False
+class menu(controls):
+    selected = None
     choices: list = []
 
     @property
@@ -395,44 +728,178 @@ class menu(PageItem):
         self.selected = self.choices[value]
 
 
-class slider(PageItem):
-    min, max, disabled = 0, 1, False
+class slider(controls):
+    min, max, vertical, length, width, align = 0, 1, False, 400, 10, "left"
+    left = right = top = bottom = 0
 
     def __init__(self, **attributes):
-        super().__init__(**{"value": attributes.get("min", self.min), **attributes})
+        low, high = attributes.get("min", self.min), attributes.get("max", self.max)
+        super().__init__(**{"value": low, "step": 0.001 * (high - low), **attributes})
 
 
-class graph(PageItem):
-    width, height = 640, 400
+class graph(baseObj):
+    width, height, align, title, xtitle, ytitle = 640, 400, "none", "", "", ""
+    fast, scroll, logx, logy = True, False, False, False
+    xmin = xmax = ymin = ymax = None
+    foreground, background = vector(0, 0, 0), vector(1, 1, 1)
 
 
-class gcurve(PageItem):
+class gobj(baseObj):
+    """The base of curves, dots and bars in a graph; data has their points."""
+
+    color, radius, size, width, label = vector(0, 0, 0), 3, 6, 2, ""
+    legend, interval, fast, visible, graph = False, -1, True, True, None
     data: list = []
 
-
-class distant_light(PageItem):
     def __init__(self, **attributes):
-        super().__init__(**attributes)
-        scene.lights.append(self)
+        super().__init__(**{"data": [], **attributes})
+
+    def plot(self, *points, pos=(), data=(), **_):
+        """Add points: plot(x, y), plot([x, y], ...), plot([[x, y], ...]), or one of the latter two as pos or data."""
+        given = list(points[0] if len(points) == 1 else points) or list(pos or data)
+        self.data = self.data + ([list(point) for point in given] if isinstance(given[0], (list, tuple)) else [given])
 
 
-class canvas(PageItem):
-    width, height, range, fov, caption = 640, 400, 1, pi / 3, ""
+class gcurve(gobj):
+    markers, marker_color, dot, dot_color, dot_radius = False, vector(0, 0, 0), False, vector(0, 0, 0), 3
+
+
+class gdots(gobj):
+    pass
+
+
+class gvbars(gobj):
+    delta = 1
+
+
+class ghbars(gvbars):
+    pass
+
+
+class Mouse(baseObj):
+    """The mouse, which stands in the middle of the canvas."""
+
+    pick, alt, ctrl, shift = None, False, False, False
 
     def __init__(self):
-        self.center, self.forward, self.up = vector(0, 0, 0), vector(0, 0, -1), vector(0, 1, 0)
-        self.mouse = PageItem(ray=vector(0, 0, -1))
-        self.lights: list = []
-        self.bound: dict = {}  # event -> function
+        super().__init__(pos=vector(0, 0, 0), ray=vector(0, 0, -1))
 
-    def append_to_caption(self, text):
-        self.caption += text
+    def project(self, **_):
+        return vector(0, 0, 0)
+
+
+class Camera:
+    """The camera of a canvas, which it shows from center - axis, as in VPython."""
+
+    follow = rotate = _nothing
+
+    def __init__(self, canvas):
+        self.canvas = canvas
+
+    @property
+    def axis(self):
+        return norm(self.canvas.forward) * (self.canvas.range / tan(self.canvas.fov / 2))
+
+    @axis.setter
+    def axis(self, value):
+        self.canvas.center = self.pos + value
+        self.canvas.forward, self.canvas.range = norm(value), mag(value) * tan(self.canvas.fov / 2)
+
+    @property
+    def pos(self):
+        return self.canvas.center - self.axis
+
+    @pos.setter
+    def pos(self, value):
+        self.canvas.center = value + self.axis
+
+    @property
+    def up(self):
+        return self.canvas.up
+
+    @up.setter
+    def up(self, value):
+        self.canvas.up = value
+
+
+class event_return:
+    """What waitfor and pause return: an event that they did not wait for."""
+
+    def __init__(self, args):
+        vars(self).update(args)
+
+
+class canvas(baseObj):
+    width, height, range, fov, align, resizable, visible = 640, 400, 1, pi / 3, "none", True, True
+    title, caption, autoscale, userzoom, userspin, userpan = "", "", True, True, True, True
+    background, ambient = vector(0, 0, 0), vector(0.2, 0.2, 0.2)
+    selected: "canvas"  # the one to which new objects belong
+    capture = follow = unbind = _nothing
+
+    def __init__(self, **attributes):
+        for name in ("background", "ambient", "forward", "up", "center"):
+            if not isinstance(attributes.get(name, color.black), vector):
+                raise TypeError(name, "must be a vector")
+        if "lights" in attributes:
+            raise AttributeError("Lights for a canvas can be assigned only after the canvas has been created.")
+        canvas.selected = self
+        self.center, self.forward, self.up = vector(0, 0, 0), vector(0, 0, -1), vector(0, 1, 0)
+        self.mouse, self.camera = Mouse(), Camera(self)
+        self.title_anchor, self.caption_anchor = [0, 1], [0, 2]
+        self.bound: dict = {}  # event -> function
+        self.lights: list = []
+        self._made: list = []  # all shapes, also those that a program has hidden or lost
+        distant_light(direction=vector(0.22, 0.44, 0.88), color=color.gray(0.8))
+        distant_light(direction=vector(-0.88, -0.22, -0.44), color=color.gray(0.3))
+        super().__init__(**attributes)
+
+    @property
+    def axis(self):
+        return self.forward
+
+    @axis.setter
+    def axis(self, value):
+        self.forward = value
+
+    @property
+    def objects(self):
+        """The visible shapes, in the order in which they were made."""
+        return [shape for shape in self._made if shape.visible]
+
+    @property
+    def pixel_to_world(self):
+        return 2 * self.range / min(self.width, self.height)
+
+    def select(self):
+        canvas.selected = self
+
+    @staticmethod
+    def get_selected():
+        return canvas.selected
+
+    def append_to_title(self, *words):
+        self.title += " ".join(map(str, words))
+
+    def append_to_caption(self, *words):
+        self.caption += " ".join(map(str, words))
 
     def bind(self, events, function):
         self.bound.update(dict.fromkeys(events.split(), function))
 
+    def waitfor(self, event):
+        """Return an event immediately, as nobody clicks here."""
+        return event_return({"canvas": self, "event": event, "pos": vector(0, 0, 0), "key": "", "which": 1})
 
-scene = canvas()
+    def pause(self, *_):
+        return self.waitfor("click")
+
+
+class GlowWidget:
+    handle_msg = handle_close = _nothing
+
+
+class meta_canvas:
+    selected = None
 
 
 # --- names -----------------------------------------------------------------------------------------------------------
@@ -448,6 +915,18 @@ class color:
     def gray(luminance):
         return vector(luminance, luminance, luminance)
 
+    @staticmethod
+    def rgb_to_hsv(v):
+        return vector(*colorsys.rgb_to_hsv(*v.value))
+
+    @staticmethod
+    def hsv_to_rgb(v):
+        return vector(*colorsys.hsv_to_rgb(*v.value))
+
+    @staticmethod
+    def rgb_to_grayscale(v):
+        return color.gray(0.21 * v.x + 0.71 * v.y + 0.07 * v.z)
+
 
 class textures:
     flower, granite, gravel = ":flower_texture.jpg", ":granite_texture.jpg", ":gravel_texture.jpg"
@@ -456,5 +935,39 @@ class textures:
     stucco, wood, wood_old = ":stucco_texture.jpg", ":wood_texture.jpg", ":wood_old_texture.jpg"
 
 
-def rate(frequency):
-    """Return immediately: this module shows nothing, so there is nothing to wait for."""
+class bumpmaps:
+    gravel, rock, stones = ":gravel_bumpmap.jpg", ":rock_bumpmap.jpg", ":stones_bumpmap.jpg"
+    stucco, wood_old = ":stucco_bumpmap.jpg", ":wood_old_bumpmap.jpg"
+
+
+scene = canvas()
+
+rate = sleep = _nothing  # nothing is shown, so there is nothing to wait for
+
+
+def arange(*limits, **options):
+    """Return the same as numpy's arange. numpy comes with pandas; its import is slow, so it waits until here."""
+    from numpy import arange
+
+    return arange(*limits, **options)
+
+
+def sign(x):
+    return 1 if x > 0 else -1 if x < 0 else 0
+
+
+def combin(x, y):
+    """Return x! / (y! (x - y)!), as a float."""
+    return float(comb(x, y))  # noqa: F405
+
+
+def keysdown():
+    return []
+
+
+set_browser = adjust_axis = adjust_up = object_rotate = _nothing
+version, GSversion = ["7.6.5", "jupyter"], ["3.2", "glowscript"]
+rate_control = gs_version = shapespaths = baseObj()  # VPython's modules of these names
+
+# What `from vpython import *` brings: VPython's names.
+__all__ = [name for name in dir() if name[0] != "_" and name not in ("colorsys", "deepcopy", "install", "sys")]

@@ -300,6 +300,23 @@ RIGHT = {
                 while page.wants_tick():
                     newton_cradle_tick(pend_list=cradle, g=G, dt=DT, r_param=R_PARAM)
             """,
+        "more to see": """\
+            from vpython import arange, arrow, color, label, rate, scene, vector
+            scene.title = "Newton's cradle"
+            while page.is_running():
+                if page.wants_cradle():
+                    cradle = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+                    for x in arange(0, 1, 0.5):
+                        arrow(pos=vector(x, 0, 0), axis=vector(0, -G, 0), color=color.red)
+                    name = label(pos=scene.center, text="cradle")
+                    for pend in cradle:
+                        pend["objects"][1].make_trail = True
+                    page.show(cradle)
+                while page.wants_tick():
+                    rate(1 / DT)
+                    newton_cradle_tick(cradle, R_PARAM, DT, G)
+                    name.text = f"cradle, from {mag(scene.camera.pos):.1f} m"
+            """,
         "the module of the constants": """\
             from support import constants
             length, angle = constants.R_PARAM, constants.THETA_INIT
