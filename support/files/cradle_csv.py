@@ -196,10 +196,22 @@ def check_number(snapshot) -> None:
         raise ValueError(f"{snapshot}, line {line}: found pendulum {MOST_PENDULA + 1}, {WHY_NOT_MORE}")
 
 
-def check_cradle(filepath) -> None:
+# In a double cradle, a light bob between two heavy ones can get so fast that a tick has to be done in many small steps
+# (src/double_cradle.py). With these masses, no trial needed more than about two hundred.
+MOST_TIMES = 1e6
+IN_RANGE = "at most 1e6 times the smallest mass, in a double cradle"
+
+
+def are_in_range(masses) -> bool:
+    """Return whether the largest of these masses of a double cradle is at most MOST_TIMES the smallest one."""
+    return max(masses) <= MOST_TIMES * min(masses)
+
+
+def check_cradle(filepath, cords=1) -> None:
     """Raise a ValueError for the first mistake in the CSV of a cradle.
 
-    It names the file, the line, the column, the value found and the allowed values.
+    It names the file, the line, the column, the value found and the allowed values. cords is the number of cords of a
+    pendulum: 1, or 2 for the double cradle, which needs masses in the range of MOST_TIMES, too.
     """
     snapshot = snapshot_of(filepath)
     check_number(snapshot)
@@ -220,3 +232,14 @@ def check_cradle(filepath) -> None:
             if not is_allowed(text):
                 found = f"found {in_short(repr(text))}" if text else "found nothing"
                 raise ValueError(f"{filepath}, line {line}, column {column}: {found}, allowed is {allowed}")
+    if cords == 2:
+        check_range(filepath, [(line, cells[header.index("mass")]) for line, cells in rows[1:]])
+
+
+def check_range(filepath, cells) -> None:
+    """Raise the ValueError of check_cradle if masses are not in range; cells has (line, text) of each mass."""
+    masses = [to_number(text) for _, text in cells]
+    if not are_in_range(masses):
+        (line, most), (least_line, least) = (cells[masses.index(pick(masses))] for pick in (max, min))
+        found = f"found {most!r}, and {least!r} in line {least_line}"
+        raise ValueError(f"{filepath}, line {line}, column mass: {found}, allowed is {IN_RANGE}")

@@ -75,7 +75,7 @@ def find_experiment(key, folder, cords) -> Experiment:
 def read_experiment(path, cords) -> Experiment:
     """Return the experiment with this CSV; raises a ValueError with a one-line message if it has a mistake."""
     csv = Snapshot(path)
-    check_cradle(csv)
+    check_cradle(csv, cords)
     count = len(read_cells(csv)) - 1  # without the header
     file = path.with_suffix(".txt")
     lines = Lines(file)

@@ -43,9 +43,10 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     file = LiveFile(options.csv)
     csv = file.current
     try:
-        check_cradle(file.current)  # here, because later mistakes in the file appear only on the page
+        cords = len(cradle.angle_keys)
+        check_cradle(file.current, cords)  # here, because later mistakes in the file appear only on the page
         if options.experiment is not None:
-            csv = find_experiment(options.experiment, EXPERIMENTS / cradle.kind, len(cradle.angle_keys)).csv
+            csv = find_experiment(options.experiment, EXPERIMENTS / cradle.kind, cords).csv
         check_lift(options.lift, csv)
         sockets = page_sockets(options.port)
     except ValueError as error:

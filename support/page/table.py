@@ -7,7 +7,8 @@ from pathlib import Path
 from vpython import button, winput, wtext
 
 from support.constants import COLOR_MAP
-from support.files.cradle_csv import RULES
+from support.files.cradle_csv import are_in_range, IN_RANGE, RULES
+from support.files.edited_csv import values_of, with_cell
 from support.page.commands import Command
 from support.page.widgets import add_hint, end_row, set_text
 
@@ -47,14 +48,16 @@ class Table:
             set_text(self.rows, "")
             set_text(self.now, "")
 
-    def allows(self, row, column, text) -> bool:
-        """Return whether this text is allowed in this column; if not, show what is, beside the cell."""
+    def allows(self, csv, row, column, text) -> bool:
+        """Return whether this text is allowed in a cell of csv (a Snapshot); if not, show what is, beside the cell."""
         is_allowed, words = RULES[column]
         self.mistakes.pop(f"{row},{column}", None)
-        if not is_allowed(text.strip()):
+        fits = is_allowed(text.strip())
+        if fits and column == "mass" and "phi" in self.keys:
+            fits, words = are_in_range(values_of(with_cell(csv, row, column, text.strip()), column)), IN_RANGE
+        if not fits:
             self.mistakes[f"{row},{column}"] = text, f"{column}: allowed is {words}"
-            return False
-        return True
+        return fits
 
     def show_rows(self, header, rows) -> None:
         """Show these rows of a CSV, with the columns in header."""

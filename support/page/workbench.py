@@ -162,7 +162,7 @@ class Workbench(Player):
                 csv = with_row(csv)
             case Command.DELETE if value in rows and len(rows) > 1:
                 csv = without_row(csv, value)
-            case Command.EDIT if value[0] in rows and self.table.allows(*value):
+            case Command.EDIT if value[0] in rows and self.table.allows(csv, *value):
                 csv = with_cell(csv, *value)
             case _:
                 if command is Command.ADD:
@@ -205,7 +205,7 @@ class Workbench(Player):
     def reload(self):
         """Let main make the cradle of the new file, or show the mistake in the file; the old cradle then swings on."""
         try:
-            check_cradle(self.file.current)
+            check_cradle(self.file.current, len(self.cradle.angle_keys))
         except ValueError as error:
             self.panel.show_error(str(error))
             return

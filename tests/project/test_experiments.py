@@ -149,6 +149,18 @@ def test_an_experiment_of_the_double_cradle_needs_phi(files):
     assert mistake == f"{files / 'two.txt'}, phi: found nothing, allowed is a text"
 
 
+def test_masses_too_far_apart_are_no_experiment_of_the_double_cradle(files):
+    (files / "two.csv").write_text(FIVE_CSV.replace("1.0", "1e-7", 1))
+    (files / "two.txt").write_text(TEXT.replace("seconds", "phi = 0 0 0 0 0\nseconds"))
+    assert read_experiments(files, 2) == (
+        [],
+        [
+            f"{files / 'two.csv'}, line 3, column mass: found '1.0', and '1e-7' in line 2, "
+            "allowed is at most 1e6 times the smallest mass, in a double cradle"
+        ],
+    )
+
+
 def test_the_command_names_an_experiment(files):
     assert find_experiment("two", files, 1) == read_experiment(files / "two.csv", 1)
     shutil.copy(files / "two.csv", files / "two_more.csv")

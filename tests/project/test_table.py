@@ -142,6 +142,29 @@ def test_a_bad_value_says_what_is_allowed_and_the_cradle_swings_on(opened, name,
     assert of(opened, "e")[0] == 0.25
 
 
+def test_a_mass_too_far_from_the_others_is_refused_only_in_the_double_cradle(opened, csv):
+    tell(opened, "EDIT", [3, "mass", "1e-7"])
+    assert of(opened, "mass")[3] == 1e-7
+    double = Wall(csv, 30, 10, kind=LiveDoubleCradle)
+    tell(double, "TABLE", True)
+    tell(double, "EDIT", [3, "mass", "9e-7 "])
+    words = "mass: allowed is at most 1e6 times the smallest mass, in a double cradle"
+    assert data(double.viewer.table.rows)["mistakes"] == {"3,mass": ["9e-7 ", words]}
+    assert of(double, "mass") == [1] * 5
+    tell(double, "EDIT", [3, "mass", "1e-6"])
+    assert of(double, "mass") == [1, 1, 1, 1e-6, 1]
+    assert data(double.viewer.table.rows)["mistakes"] == {}
+
+
+def test_a_saved_file_with_masses_too_far_apart_leaves_the_old_double_cradle(csv):
+    double = Wall(csv, 30, 10, kind=LiveDoubleCradle)
+    double.press(" ")  # paused, it needs no ticks
+    csv.write_text(HEADER + GOOD + GOOD.replace("1.0", "1e-7", 1))
+    double.wait(1)
+    assert of(double, "mass") == [1] * 5
+    assert "in a double cradle" in double.panel.error.text
+
+
 def test_pendula_are_added_and_deleted(opened, csv):
     tell(opened, "EDIT", [4, "mass", "7"])
     tell(opened, "ADD", None)
