@@ -25,9 +25,12 @@ Swing
     The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the energy to 1e-6. A tick is
     therefore a step of the classical Runge-Kutta method, which has an error of order dt^4. It computes four
     accelerations instead of one. It needs no results of earlier ticks (a hit may lie between), and solves no equation.
+
+    A step adds energy from nowhere if a cord turns far in it. This happens to light bobs: a squeeze between bobs of a
+    million times the mass can make them a thousand times as fast. double_swing_update divides such a tick.
 """
 
-from math import cos, sin
+from math import ceil, cos, hypot, sin
 
 from vpython import box, cylinder, sphere
 
@@ -35,6 +38,10 @@ from src.double_collisions import collide_pairs, keep_apart
 from src.special_cradles import make_newton_cradle
 from support.pendulum import arm, DoublePendulumEntry, make_bob_and_cord, make_pendulum
 from support.shapes import discard
+
+# The cords of a pendulum turn at most about this far in one step (rad). Equal masses never get near it in a tick.
+MOST_TURN = 0.05
+MOST_STEPS = 1e6  # in one tick; a pendulum that needs more is the result of a mistake
 
 
 def make_double_pendulum(
@@ -128,11 +135,20 @@ def show_double_pendulum(pend_dict, r_param) -> None:
 
 
 def double_swing_update(pend_dict, r_param, dt, g) -> None:
-    """Swing one double pendulum for dt (s): update its angles and their rates, and move its bobs and cords there."""
-    mass, omega, phi_omega = pend_dict["mass"], pend_dict["omega"], pend_dict["phi_omega"]
-    pend_dict["omega"], pend_dict["phi_omega"], pend_dict["theta"], pend_dict["phi"] = double_angle_update(
-        omega, phi_omega, pend_dict["theta"], pend_dict["phi"], r_param, dt, g, mass, mass
-    )
+    """Swing one double pendulum for dt (s): update its angles and their rates, and move its bobs and cords there.
+
+    A tick has more than one step only if a cord would turn further than MOST_TURN in it. Raises a ValueError if it
+    would have more than MOST_STEPS.
+    """
+    mass = pend_dict["mass"]
+    state = pend_dict["omega"], pend_dict["phi_omega"], pend_dict["theta"], pend_dict["phi"]
+    steps = hypot(state[0], state[0] + state[1]) * abs(dt) / MOST_TURN
+    if not steps <= MOST_STEPS:  # nan, too
+        raise ValueError(f"a pendulum with omega = {state[0]:g} and phi_omega = {state[1]:g} rad/s is too fast")
+    steps = max(1, ceil(steps))
+    for _ in range(steps):
+        state = double_angle_update(*state, r_param, dt / steps, g, mass, mass)
+    pend_dict["omega"], pend_dict["phi_omega"], pend_dict["theta"], pend_dict["phi"] = state
     show_double_pendulum(pend_dict, r_param)
 
 

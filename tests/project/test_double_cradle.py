@@ -32,6 +32,7 @@ from src.beyond.in_browser import show_double_cradle
 from support import shapes
 from support.constants import BUFFER, COLOR_MAP, DOUBLE_DT, G, PHI_INIT, R_PARAM, TEXTURE_MAP, THETA_INIT
 from support.energy import double_kinetic_energy, double_potential_energy
+from support.files.cradle_csv import check_cradle, MOST_TIMES
 
 SAMPLE = 0.01  # s between two measurements of the energy
 
@@ -140,6 +141,21 @@ def test_a_bad_csv_is_refused_as_for_the_single_cradle(tmp_path, monkeypatch, ca
     assert (ended.value.code, *capsys.readouterr()) == (2, "", f"{file}{message}\n")
 
 
+def test_masses_too_far_apart_are_refused_only_for_the_double_cradle(tmp_path, monkeypatch, capsys):
+    rows = [GOOD.replace("1.0", mass, 1) for mass in ("0.5", "500000", "3", ".4")]
+    file = tmp_path / "cradle.csv"
+    file.write_text(HEADER + "".join(rows[:3]))
+    check_cradle(file, cords=2)
+    file.write_text(HEADER + "".join(rows))
+    check_cradle(file)
+    monkeypatch.setattr("sys.argv", ["visualize_double_cradle_run.py", str(file)])
+    monkeypatch.setattr("support.page.page.open_page", lambda *_: pytest.fail("a browser was to be opened"))
+    with pytest.raises(SystemExit) as ended:
+        show_double_cradle(visualize_double_cradle_run.main)
+    words = "found '500000', and '.4' in line 5, allowed is at most 1e6 times the smallest mass, in a double cradle"
+    assert (ended.value.code, *capsys.readouterr()) == (2, "", f"{file}, line 3, column mass: {words}\n")
+
+
 # --- the laws of motion ----------------------------------------------------------------------------------------------
 
 
@@ -223,6 +239,31 @@ def test_double_swing_update_swings_and_shows_one_pendulum():
     double_cradle.double_swing_update(pend, R_PARAM, 0.01, G)
     assert [pend[key] for key in ("omega", "phi_omega", "theta", "phi")] == pytest.approx(expected)
     check_objects(pend["objects"], (0.3, 0.1, 0), R_PARAM, pend["theta"], pend["phi"])
+
+
+def test_a_tick_is_one_step_unless_a_cord_turns_far_in_it(monkeypatch):
+    """Five equal pendula, let go from far up: they do what double_angle_update does, to the last bit."""
+    steps = []
+
+    def double_angle_update(*arguments):
+        steps.append(arguments[5])
+        return original(*arguments)
+
+    original = double_cradle.double_angle_update
+    monkeypatch.setattr(double_cradle, "double_angle_update", double_angle_update)
+    tick(make_row(5, -2.5, 0.5), 1500)
+    assert steps == [DOUBLE_DT] * 7500
+    steps.clear()
+    double_cradle.double_swing_update(hang_double(omega=-500.0), R_PARAM, DOUBLE_DT, G)
+    assert len(steps) > 1
+    assert sum(steps) == pytest.approx(DOUBLE_DT)
+
+
+@pytest.mark.parametrize("rates", [(float("inf"), 0.0), (0.0, float("nan")), (float("nan"), 1.0), (1.0, 1e300)])
+def test_a_pendulum_that_is_too_fast_is_named(rates):
+    pend = hang_double(omega=rates[0], phi_omega=rates[1])
+    with pytest.raises(ValueError, match="^a pendulum with omega = .* and phi_omega = .* rad/s is too fast$"):
+        double_cradle.double_swing_update(pend, R_PARAM, DOUBLE_DT, G)
 
 
 # --- hits ------------------------------------------------------------------------------------------------------------
@@ -424,6 +465,36 @@ def test_twenty_seconds_of_five_elastic_double_pendula(monkeypatch, theta, phi, 
         closest.append(min(distances(pend_list)))  # from VPython's objects
     assert min(closest) > 0.98  # the limit is 0.97
     assert hits > 13.5 * seconds / PERIOD
+
+
+@pytest.mark.parametrize("seconds", slow_but_for([0.5], [0.5, 1.5]))
+def test_masses_far_apart_keep_the_energy(seconds):
+    """A bob of a gram is squeezed between two heavy ones, and turns by a radian in a tick."""
+    pend_list = make_row(5, -124 * pi / 180, 29 * pi / 180)
+    for pend, mass in zip(pend_list, (52000, 0.001, 0.36, 12, 2400), strict=True):
+        pend["mass"] = mass
+    at_start = energy(pend_list)
+    for _ in range(round(seconds / SAMPLE)):
+        tick(pend_list, round(SAMPLE / DOUBLE_DT))
+        assert energy(pend_list) == pytest.approx(at_start, rel=1e-5)
+
+
+@pytest.mark.parametrize("cradles", slow_but_for([2], [2, 30]))
+def test_random_masses_in_the_range_of_a_csv_gain_nothing(cradles):
+    """By both rules; the masses of neighbours often differ by the largest ratio."""
+    dice = random.Random(31)
+    for number in range(cradles):
+        count = dice.randint(3, 5)
+        masses = [MOST_TIMES ** dice.choice([0, 1, dice.random()]) for _ in range(count)]
+        es = [dice.choice([1, 1, dice.random()]) for _ in range(count)]
+        pend_list = make_row(count, -dice.uniform(0.8, 2.5), dice.uniform(-1, 1))
+        for pend, mass, e in zip(pend_list, masses, es, strict=True):
+            pend.update(mass=mass, e=e)
+        at_start = least = energy(pend_list)
+        for _ in range(2000):
+            double_cradle.double_cradle_tick(pend_list, R_PARAM, DOUBLE_DT, G, number % 3 > 0)
+            assert energy(pend_list) <= least + 1e-4 * at_start
+            least = min(least, energy(pend_list))
 
 
 def test_bobs_that_lie_on_one_another_do_not_sink_in_and_gain_nothing():
