@@ -176,9 +176,9 @@ def to_number(text: str) -> float:
 
 
 # For each column, a test of a cell's text, and words for the allowed values. The columns theta and omega need no rule:
-# the start of a cradle does not depend on them.
+# the start of a cradle does not depend on them. Floats below 1e-308 have few digits: hits would change the energy.
 RULES = {
-    "mass": (lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (kg)"),
+    "mass": (lambda text: 1e-300 <= to_number(text) <= 1e6, "a number from 1e-300 to 1e6 (kg)"),
     "e": (lambda text: 0 <= to_number(text) <= 1, "a number from 0 to 1"),
     "color": (COLOR_MAP.__contains__, f"one of {', '.join(COLOR_MAP)}"),
     "texture": (TEXTURE_MAP.__contains__, f"one of {', '.join(TEXTURE_MAP)}"),

@@ -54,7 +54,7 @@ def cradle_options(description) -> OneLineParser:
     kinds.add_argument("--elastic", action="store_true", help="e = 1 for all pendula: a hit keeps the kinetic energy")
     kinds.add_argument("--inelastic", action="store_true", help="e = 0 for all pendula: bobs stay together after a hit")
     kinds.add_argument("--e", type=e, metavar="E", help="one e, from 0 to 1, for all pendula (default: the CSV's)")
-    add("--mass", type=mass, metavar="KG", help="one mass, above 0 kg, for all pendula (default: the CSV's)")
+    add("--mass", type=mass, metavar="KG", help="one mass, in kg, for all pendula (default: the CSV's)")
     text = f"release angle of the lifted bobs, from 0 to 180 degrees (default: {to_lift(THETA_INIT):g})"
     add("--angle", type=angle, metavar="DEGREES", help=text)
     add("--lift", type=lift, metavar="K", help="number of lifted bobs, from the left (default: 1)")

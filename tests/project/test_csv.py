@@ -18,7 +18,7 @@ from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
 from support.files.cradle_csv import LARGEST, Snapshot
 
 COLORS, TEXTURES = f"allowed is one of {', '.join(COLOR_MAP)}", f"allowed is one of {', '.join(TEXTURE_MAP)}"
-MASS, E = "allowed is a number above 0 and up to 1e6 (kg)", "allowed is a number from 0 to 1"
+MASS, E = "allowed is a number from 1e-300 to 1e6 (kg)", "allowed is a number from 0 to 1"
 
 
 def cell(column, text):
@@ -88,6 +88,7 @@ NO_CRADLE = {
     "mass is infinite": (cell("mass", "inf"), f", line 3, column mass: found 'inf', {MASS}"),
     "mass overflows": (cell("mass", "1e400"), f", line 3, column mass: found '1e400', {MASS}"),
     "mass is zero": (cell("mass", "0"), f", line 3, column mass: found '0', {MASS}"),
+    "mass is too small for floats": (cell("mass", "1e-310"), f", line 3, column mass: found '1e-310', {MASS}"),
     "mass is negative": (cell("mass", "-1.5"), f", line 3, column mass: found '-1.5', {MASS}"),
     "mass with a unit": (cell("mass", "1 kg"), f", line 3, column mass: found '1 kg', {MASS}"),
     "mass with underscore": (cell("mass", "1_000"), f", line 3, column mass: found '1_000', {MASS}"),
@@ -253,7 +254,7 @@ def test_extra_columns_are_kept(save):
     assert (pend_dict["note"], pend_dict["theta"], pend_dict["omega"]) == ("mine", 0.5, 0)
 
 
-@pytest.mark.parametrize(("column", "text", "value"), [("e", "0", 0), ("e", "1", 1), ("mass", "1e-9", 1e-9)])
+@pytest.mark.parametrize(("column", "text", "value"), [("e", "0", 0), ("e", "1", 1), ("mass", "1e-300", 1e-300)])
 def test_what_is_just_allowed(column, text, value, save):
     assert make_newton_cradle(save(cell(column, text)), R_PARAM, 0)[1][column] == value
 

@@ -261,7 +261,7 @@ def test_a_broken_csv_shows_its_error_and_the_cradle_goes_on(page, play, program
     csv_of(program).write_text(FIVE_CSV + GOOD.replace("1.0", "-1", 1))
     error = page.locator(".error")
     error.wait_for(state="visible")
-    line = f"{csv_of(program)}, line 7, column mass: found '-1', allowed is a number above 0 and up to 1e6 (kg)"
+    line = f"{csv_of(program)}, line 7, column mass: found '-1', allowed is a number from 1e-300 to 1e6 (kg)"
     assert error.inner_text() == line
     wait_until(lambda: page.evaluate(MOVES) > 0)
     csv_of(program).write_text(FIVE_CSV)

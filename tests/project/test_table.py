@@ -17,7 +17,7 @@ from support.constants import COLOR_MAP, DT, G, R_PARAM
 from support.page.commands import Command
 from support.page.table import read_command
 
-MASS_RULE = "mass: allowed is a number above 0 and up to 1e6 (kg)"
+MASS_RULE = "mass: allowed is a number from 1e-300 to 1e6 (kg)"
 
 
 @pytest.fixture
