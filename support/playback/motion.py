@@ -59,9 +59,13 @@ class Motion:
         The last part may end earlier. The caller must do each part before it takes the next one.
         """
         while ticks > 0:
-            part = min(ticks, step - self.ticks % step)
+            part = min(ticks, self.left(step))
             yield part
             ticks -= part
+
+    def left(self, step):
+        """Return the number of ticks to the next multiple of step ticks since the start."""
+        return step - self.ticks % step
 
     def reading(self) -> str:
         """Return the time and the energy as text of constant width."""

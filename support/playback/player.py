@@ -104,7 +104,7 @@ class Player:
 
     def advance(self, ticks) -> Iterator[None]:
         """Do `ticks` ticks, in the loop or in one call; call note at each multiple of step ticks from the start."""
-        for part in self.motion.parts(ticks, self.step if self.cradle.held is None else GRIP):
+        for part in self.motion.parts(ticks, self.longest_part()):
             with self.cradle.held_still():
                 if not (self.at_once and self.motion.do_at_once(part, self.rule)):
                     with self.cradle.noting_hits():
@@ -114,9 +114,18 @@ class Player:
             if self.motion.ticks % self.step == 0:
                 self.note()
 
+    def longest_part(self) -> float:
+        """Return the number of ticks after which advance looks at the cradle."""
+        return self.step if self.cradle.held is None else GRIP
+
     def keep_time(self, most=inf) -> Iterator[None]:
-        """Do the ticks that are due by the clock, but at most `most`; in one call if single ticks take too long."""
-        ticks = min(self.pace.due(), most)
+        """Do the ticks that are due by the clock, but at most `most`; in one call if single ticks take too long.
+
+        With a thousand pendula, such a call costs as much for one tick as a hundred ticks more. In each frame, a slow
+        machine therefore does a whole part: if it took the cost of a call for that of a tick, it would do one tick.
+        """
+        least = self.motion.left(self.longest_part()) if self.at_once else 1
+        ticks = min(self.pace.due(least), most)
         if ticks:
             yield from self.advance(ticks)
             self.pace.did(ticks)

@@ -49,14 +49,17 @@ class RealTime:
         self.span_due = self.span_done = 0.0  # ticks
         self.kept_up = 1.0  # ticks done / ticks due over the last KEPT_UP_OVER
 
-    def due(self) -> int:
-        """Begin a frame, and return the number of ticks to do in it; call did(ticks) after them."""
+    def due(self, least=1) -> int:
+        """Begin a frame, and return the number of ticks to do in it; call did(ticks) after them.
+
+        A slow machine does at least `least` ticks in a frame, if they are due.
+        """
         now = self.clock()
         per_second = self.speed / self.dt
         due = (now - self.frame_start) * per_second
         self.frame_start = now
         self.owed = min(self.owed + due, MAX_BEHIND * per_second)
-        ticks = int(min(self.owed, max(1, BUSY / self.tick_cost) if self.tick_cost else 1))
+        ticks = int(min(self.owed, max(least, BUSY / self.tick_cost) if self.tick_cost else least))
         self.owed -= ticks
         self.span_due += due
         self.span_done += ticks
@@ -83,8 +86,8 @@ class RealTime:
         self.least_cost, self.measured = inf, 0  # s, and the number of frames in which it was measured
 
     def rest(self) -> None:
-        """Sleep until the next frame is due."""
-        self.sleep(max(0, self.frame_start + FRAME - self.clock()))
+        """Sleep until the next frame is due; a long frame ends with a rest, too."""
+        self.sleep(max(FRAME - BUSY, self.frame_start + FRAME - self.clock()))
 
     def remark(self) -> str:
         """Return the part of the speed that the machine reaches, as in x0.6, or nothing if it keeps up."""

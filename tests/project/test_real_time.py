@@ -10,8 +10,10 @@ DT = 1e-4  # s per tick
 class Wall:
     """A wall clock; a RealTime runs on it frame by frame until the time `until`."""
 
-    def __init__(self, cost, until):
+    def __init__(self, cost, until, fixed=0.0, least=1):
+        """cost is that of a tick (s), fixed that of a call of advance (s); least is for RealTime.due."""
         self.now, self.cost, self.until = 0.0, cost, until
+        self.fixed, self.least = fixed, least
         self.ticks, self.slept, self.frames = 0, 0.0, 0
         self.interruptions = {}  # frame -> s that its sleep is too long
         self.pace = RealTime(DT, self.clock, self.sleep)
@@ -22,7 +24,7 @@ class Wall:
     def advance(self, ticks):
         assert ticks > 0
         self.ticks += ticks
-        self.now += ticks * self.cost
+        self.now += self.fixed + ticks * self.cost
 
     def sleep(self, seconds):
         assert seconds >= 0
@@ -32,7 +34,7 @@ class Wall:
 
     def frame(self):
         """Run one frame."""
-        ticks = self.pace.due()
+        ticks = self.pace.due(self.least)
         if ticks:
             self.advance(ticks)
             self.pace.did(ticks)
@@ -74,7 +76,24 @@ def test_a_slow_machine_shows_slow_motion(cost):
 def test_a_tick_longer_than_a_frame_ends_in_no_spiral():
     wall = Wall(cost=0.1, until=60)
     wall.run()
-    assert wall.ticks == wall.frames - 1 == 600  # one per frame, except the first, before any time has passed
+    assert wall.ticks == wall.frames - 1  # one per frame, except the first, before any time has passed
+    assert wall.ticks == pytest.approx(60 / (0.1 + FRAME / 4), abs=2)  # the threads of the page get time, too
+
+
+@pytest.mark.parametrize("fixed", [5e-3, 20e-3])
+def test_a_call_that_costs_much_does_many_ticks(fixed):
+    """It would do one tick, if its cost counted as that of a tick; and a frame stays short."""
+    wall = Wall(cost=100e-6, until=60, fixed=fixed, least=100)
+    wall.run()
+    assert wall.ticks / wall.frames == pytest.approx(100, rel=0.01)
+    assert 60 / wall.frames == pytest.approx(fixed + 10e-3 + FRAME / 4, rel=0.15)
+    assert wall.pace.remark() == ("x0.5" if fixed == 5e-3 else "x0.3")
+
+
+def test_a_call_that_costs_much_does_no_more_than_is_due():
+    wall = Wall(cost=1e-6, until=60, fixed=5e-3, least=1000)
+    assert wall.run() == pytest.approx(60, abs=2 * FRAME)
+    assert wall.frames == pytest.approx(60 / FRAME, rel=0.01)
 
 
 def test_a_hiccup_is_made_up_for():

@@ -604,6 +604,22 @@ def test_ticks_are_done_at_once_only_where_single_ones_are_too_slow(wall, monkey
     assert len(single) > 0.4 / DT
 
 
+def test_a_call_that_costs_more_than_a_frame_does_the_ticks_to_the_next_sample(wall, monkeypatch):
+    """As with a thousand pendula: the cost of the call is no reason to do one tick in a frame."""
+    many, calls = wall.viewer.cradle.many_ticks, []
+
+    def dear(scope, pend_list, ticks, rule):
+        wall.now += 2 * FRAME
+        calls.append(ticks)
+        return many(scope, pend_list, ticks, rule)
+
+    monkeypatch.setattr(wall.viewer.cradle, "many_ticks", dear)
+    wall.wait(1)
+    frames = round(1 / FRAME)
+    assert len(calls) < frames + 3
+    assert calls[-frames + 3 :] == [round(EVERY / DT)] * (frames - 3)
+
+
 def test_the_contact_strip(wall):
     wall.wait(0.9 * PERIOD)
     lines = re.sub("<.*?>", "", wall.panel.impacts.text).splitlines()
