@@ -2,11 +2,11 @@
 
 import sys
 
-import pandas as pd
-
 from support import headless_vpython
 
 headless_vpython.install()  # this program opens no page, so it does not need VPython itself
+
+import pandas as pd
 
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP

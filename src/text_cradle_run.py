@@ -1,16 +1,19 @@
 """Newton's cradle in the terminal: as moving text, as lines of text, or as data in a file. Needs no VPython."""
 
-import signal
-import sys
-from contextlib import suppress
-
 if __name__ == "__main__":
-    with suppress(ModuleNotFoundError):  # python -m src... does not find it, and does not need it
+    import sys
+
+    try:  # noqa: SIM105  contextlib could be hidden
         import project_path  # noqa: F401
+    except ModuleNotFoundError:  # python -m src... does not find it, and does not need it
+        pass
     from support.start.interrupt import end_on_interrupt
 
     # The imports below take a moment; without this, Ctrl+C would print a traceback.
     end_on_interrupt(status=1 if "--record" in " ".join(sys.argv) else 0)
+
+import signal
+import sys
 
 from support import headless_vpython
 
@@ -40,7 +43,7 @@ def main() -> None:
     options = read_text_options()
     loop, remark = what_there_is(cradle_main)
     csv = Snapshot(options.csv)
-    try:
+    try:  # noqa: SIM105  contextlib could be hidden
         check_cradle(csv)
         check_lift(options.lift, csv)
         if options.record is not None:
@@ -49,7 +52,7 @@ def main() -> None:
         refuse(error)
     cradle = LiveCradle(cradle_main.__globals__, options, many_ticks)
 
-    try:
+    try:  # noqa: SIM105  contextlib could be hidden
         stop_on_signals()
         with while_it_is_read():
             if options.record is not None:

@@ -1,10 +1,10 @@
 """The double Newton's cradle in the browser: the program to play with."""
 
-from contextlib import suppress
-
 if __name__ == "__main__":
-    with suppress(ModuleNotFoundError):  # python -m src... does not find it, and does not need it
+    try:  # noqa: SIM105  contextlib could be hidden
         import project_path  # noqa: F401
+    except ModuleNotFoundError:  # python -m src... does not find it, and does not need it
+        pass
     from support.start.interrupt import end_on_interrupt
     from support.start.later import import_later
 

@@ -1,7 +1,30 @@
 """The functions that the handout provides. The folders below are for files, time, options, page and terminal."""
 
+import os
 import sys
 
 # This comes first: an older Python cannot even compile the other modules.
 if sys.version_info < (3, 10):  # noqa: UP036
     sys.exit(f"Newton's cradle needs Python 3.10 or later; {sys.executable} is {sys.version.split()[0]}.")
+
+NEEDED = {*sys.stdlib_module_names, "numpy", "pandas", "pytest", "vpython"} - {"test"}  # nobody imports Python's test
+
+
+def refuse_hiding_files() -> None:
+    """Exit with status 2 if a file beside the programs has the name of a module that Python or a package imports.
+
+    Python would find the file first, and a package would fail with an error that says nothing about the file.
+    """
+    root = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
+    searched = [os.path.realpath(folder) for folder in sys.path]
+    for folder in (root, os.path.join(root, "src"), os.path.join(root, "tests")):
+        for name in sorted(os.listdir(folder)) if folder in searched else ():
+            is_module = name.endswith(".py") or os.path.isfile(os.path.join(folder, name, "__init__.py"))
+            module = name.partition(".")[0]
+            if is_module and module in NEEDED:
+                file = os.path.relpath(os.path.join(folder, name), root)
+                print(f"{file} hides the module {module} from Python and its packages. Rename it.", file=sys.stderr)
+                sys.exit(2)
+
+
+refuse_hiding_files()

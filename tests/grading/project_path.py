@@ -6,3 +6,5 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]  # the project's folder
 
 sys.path.insert(0, str(ROOT))
+
+import support  # noqa: E402, F401  it refuses a file that hides a module

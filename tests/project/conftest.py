@@ -37,10 +37,11 @@ def program(tmp_path):
 @pytest.fixture
 def run(tmp_path):
     """A function that runs Python in another folder, with no VPython to be found."""
-    (tmp_path / "vpython.py").write_text("raise ModuleNotFoundError('VPython is not installed')\n")
+    (tmp_path / "hiding").mkdir()
+    (tmp_path / "hiding" / "vpython.py").write_text("raise ModuleNotFoundError('VPython is not installed')\n")
 
     def run(*arguments):
-        environment = {**os.environ, "PYTHONPATH": str(tmp_path)}
+        environment = {**os.environ, "PYTHONPATH": str(tmp_path / "hiding")}
         command = [sys.executable, *arguments]
         return subprocess.run(command, cwd=os.sep, env=environment, capture_output=True, text=True, timeout=2 * SECONDS)
 

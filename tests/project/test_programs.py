@@ -7,8 +7,8 @@ from math import copysign, degrees
 from pathlib import Path
 
 import pytest
-from programs import copy_project, ROOT
-from whole_cradles import components, go_on
+from programs import copy_project, ROOT, SECONDS
+from whole_cradles import components, FIVE_CSV, go_on
 
 from grading.cradles import MIXED, MIXED_CSV
 from src import pds_helper, visualize_cradle_run, visualize_double_cradle_run
@@ -67,6 +67,34 @@ def test_an_older_python_is_told_so_before_it_stumbles(program):
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr.startswith("Newton's cradle needs Python 3.10 or later; ")
     assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("program", "file", "module"),
+    [
+        ("src/text_cradle_run.py", "src/random.py", "random"),
+        ("src/text_cradle_run.py", "src/contextlib.py", "contextlib"),
+        ("src/visualize_cradle_run.py", "csv.py", "csv"),
+        ("src/visualize_double_cradle_run.py", "src/types.py", "types"),
+        ("pds_tester.py", "pandas.py", "pandas"),
+    ],
+)
+def test_a_file_that_hides_a_module_is_named(tmp_path, program, file, module):
+    folder = copy_project(tmp_path, FIVE_CSV)
+    (folder / file).write_text("x = 1\n")
+    done = subprocess.run([sys.executable, folder / program], capture_output=True, text=True, timeout=SECONDS)
+    line = f"{Path(file)} hides the module {module} from Python and its packages. Rename it.\n"
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
+
+
+def test_a_file_that_hides_nothing_is_no_mistake(tmp_path):
+    """Nobody needs Python's module test; and only a folder in which Python looks for modules can hide one."""
+    folder = copy_project(tmp_path, FIVE_CSV)
+    for name in ("test.py", "src/test.py", "random.csv", "support/random.py"):
+        (folder / name).write_text("x = 1\n")
+    (folder / "random").mkdir()
+    done = subprocess.run([sys.executable, folder / "pds_tester.py"], capture_output=True, text=True, timeout=SECONDS)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.parametrize(
