@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 from vpython import vector
 
+from grading import limits
 from grading.handout import FUNCTIONS, needed, SUITES
 from grading.telling import (
     about,
@@ -96,8 +97,8 @@ def checks(*, tier=None, function=None) -> list[Check]:
 class MistakeError(Exception):
     """A result that the handout does not ask for."""
 
-    def __init__(self, call, lines, hung=False, playable=False):
-        """lines are the (label, text) pairs below the call in the message."""
+    def __init__(self, call, lines, hung="", playable=False):
+        """lines are the (label, text) pairs below the call in the message. hung says how it went over a limit."""
         super().__init__(message([("called", call.lines()), *lines]))
         self.call, self.hung, self.playable = call, hung, playable
 
@@ -105,7 +106,7 @@ class MistakeError(Exception):
 class WaitError(Exception):
     """A check waits for another function or file, which the error names."""
 
-    def __init__(self, what, hung=False):
+    def __init__(self, what, hung=""):
         super().__init__(what)
         self.hung = hung
 
@@ -157,43 +158,48 @@ def find(function) -> Callable:
     file = FUNCTIONS[function].file
     try:
         with working_in(ROOT):  # the check may be in another folder
-            module = importlib.import_module(module_of(file))
+            module = limits.in_limited_memory(importlib.import_module, module_of(file))
     except BaseException as error:  # also SystemExit
-        hung = isinstance(error, KeyboardInterrupt)
-        if hung and not LATE.is_set():
+        if is_ctrl_c(error):
             raise
+        hung = over_limit(error)
         culprit = culprit_of(error)
         if culprit != file and culprit in {other.file for other in FUNCTIONS.values()}:
             raise WaitError(culprit, hung) from None
         lines = [("came back", stopped(error))] if hung else [("it raised", raised(error))]
-        raise MistakeError(Call(function), [*lines, *import_hint(error)], hung) from None
+        raise MistakeError(Call(function), [*lines, *import_hint(error), *end_hint(error)], hung) from None
     if not callable(getattr(module, function, None)):
         raise MistakeError(Call(function), [("came back", f"{file} has no function {function}.")])
     return getattr(module, function)
 
 
 def run(call, solution, arguments, wanted, feeds, hints) -> Any:
-    """Return the result of a student's function. Raise MistakeError if it raises an error or takes too long,
+    """Return the result of a student's function. Raise MistakeError if it raises an error or goes over a limit,
     UnwrittenError if it is not written yet, and WaitError if it calls a function that is not written yet.
     """
     try:
-        for _ in range(call.times):
-            result = solution(*arguments)
-            if feeds and isinstance(result, tuple):
-                arguments = (*result, *arguments[len(result) :])
+        return limits.in_limited_memory(repeat, solution, arguments, call.times, feeds)
     except BaseException as error:  # also SystemExit
-        if isinstance(error, KeyboardInterrupt):
-            if not LATE.is_set():
-                raise
-            raise MistakeError(call, [("came back", stopped(error)), wanted], hung=True) from None
+        if is_ctrl_c(error):
+            raise
+        if over_limit(error):
+            raise MistakeError(call, [("came back", stopped(error)), wanted], over_limit(error)) from None
         stub = unwritten(error)
         if stub not in (None, call.function):
             raise WaitError(stub) from None
         if stub and call.arguments == tuple(map(plain, arguments)):
             raise UnwrittenError(place_of(error, FUNCTIONS[stub].file)) from None
         has_worked = [("hint", "Your code ran up to this line. Now delete it.")] if stub else []
-        lines = [("it raised", raised(error)), wanted, *has_worked, *hint(error, None, hints)]
+        lines = [("it raised", raised(error)), wanted, *has_worked, *(end_hint(error) or hint(error, None, hints))]
         raise MistakeError(call, lines) from None
+
+
+def repeat(solution, arguments, times, feeds) -> Any:
+    """Return the result of the last call; with feeds, the result of a call begins the next arguments."""
+    for _ in range(times):
+        result = solution(*arguments)
+        if feeds and isinstance(result, tuple):
+            arguments = (*result, *arguments[len(result) :])
     return result
 
 
@@ -213,12 +219,33 @@ def module_of(file) -> str:
     return file.removesuffix(".py").replace("/", ".")
 
 
+def over_limit(error) -> str:
+    """Return how a call that raised this error went over a limit, or "" if it did not."""
+    if isinstance(error, KeyboardInterrupt) and LATE.is_set():
+        return f"took longer than {PATIENCE:g} s"
+    return f"took more than {limits.MOST_MEMORY} MB of memory" if isinstance(error, MemoryError) else ""
+
+
 def stopped(error) -> list[str]:
-    """Return lines that say where the grader stopped a function."""
-    return [f"nothing, within {PATIENCE:g} s; it was stopped here:", *own_lines(error)]
+    """Return lines that say where a call went over a limit."""
+    is_late = isinstance(error, KeyboardInterrupt)
+    what = f"nothing, within {PATIENCE:g} s; it was" if is_late else f"nothing; it {over_limit(error)} and was"
+    return [f"{what} stopped here:", *own_lines(error)]
+
+
+def end_hint(error) -> list[tuple[str, str]]:
+    """Return the hint for a call that wants to end the program, or no hint."""
+    ends = isinstance(error, (SystemExit, KeyboardInterrupt))
+    return [("hint", "This line ends the whole program. Remove it; return ends a function.")] if ends else []
 
 
 LATE = threading.Event()  # set if the grader stopped a check
+PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
+
+
+def is_ctrl_c(error) -> bool:
+    """Return whether somebody pressed Ctrl+C: neither the grader nor the function itself raised this error."""
+    return isinstance(error, KeyboardInterrupt) and PRESSED.is_set()
 
 
 @contextmanager
@@ -235,8 +262,14 @@ def patience():
                     interrupt_main_thread()
             in_time = over.wait(0.5)
 
+    def on_interrupt(*_):
+        if not LATE.is_set():
+            PRESSED.set()
+        raise KeyboardInterrupt
+
     LATE.clear()
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a background job ignores interrupts
+    PRESSED.clear()
+    before = signal.signal(signal.SIGINT, on_interrupt)  # a background job ignores interrupts
     threading.Thread(target=interrupt, daemon=True).start()
     try:
         yield
@@ -334,7 +367,8 @@ class Grading:
 
     def __init__(self):
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
-        self.hung: dict[str, str] = {}  # functions and files that took too long, and the cause: mostly themselves
+        # Functions and files that went over a limit: the cause, mostly themselves, and the limit in words.
+        self.hung: dict[str, tuple[str, str]] = {}
 
     def judge(self, check) -> Outcome:
         """Return the outcome of a check. It waits if its function uses a function that is wrong."""
@@ -352,11 +386,12 @@ class Grading:
             is_written = outcome is None or not outcome.place
             return Outcome(WAITING, f"waits for {', '.join(waits)}") if is_written else outcome
         for name in (function.file, check.function):
-            if self.hung.get(name) == name:
-                lines = [("not called", f"{name} took longer than {PATIENCE:g} s in an earlier check.")]
+            cause, limit = self.hung.get(name, ("", ""))
+            if cause == name:
+                lines = [("not called", f"{name} {limit} in an earlier check.")]
                 return Outcome(FAILED, message([*lines, where_to_read(check)]))
-            if name in self.hung:
-                return Outcome(WAITING, f"waits for {self.hung[name]}")
+            if cause:
+                return Outcome(WAITING, f"waits for {cause}")
         return self.make(check)
 
     def is_wrong(self, function) -> bool:
@@ -370,7 +405,7 @@ class Grading:
         shipped = Path(NC_FP)
         before = shipped.read_bytes() if shipped.is_file() else None
         try:
-            with patience():
+            with patience(), limits.without_ends():
                 check.ask()
             if before and not (shipped.is_file() and shipped.read_bytes() == before):
                 shipped.write_bytes(before)
@@ -379,7 +414,7 @@ class Grading:
         except MistakeError as mistake:
             if mistake.hung:
                 name = check.function if mistake.call.arguments is not None else FUNCTIONS[check.function].file
-                self.hung[name] = name
+                self.hung[name] = name, mistake.hung
             lines, is_scene = [where_to_read(check)], check.watched and mistake.playable
             if is_scene:
                 lines.append(("watch", f"{command_line('tests/watch.py', ROOT)} {check.name}"))
@@ -388,10 +423,10 @@ class Grading:
             return Outcome(WAITING, f"waits for you to write {check.function} in {place}", place=str(place))
         except WaitError as error:
             if error.hung:
-                self.hung[FUNCTIONS[check.function].file] = str(error)
+                self.hung[FUNCTIONS[check.function].file] = str(error), error.hung
             return Outcome(WAITING, f"waits for {error}")
         except BaseException as error:
-            if isinstance(error, KeyboardInterrupt) and not LATE.is_set():
+            if is_ctrl_c(error):
                 raise
             lines = ["This is a fault of the grader, not of your code. Please show it to your teacher."]
             return Outcome(FAULT, "\n".join([*lines, traceback.format_exc().rstrip()]))

@@ -4,16 +4,19 @@ With pytest-xdist (-n 2), other processes run the tests and report to the first 
 makes all checks in their order, because the checks share a Grading.
 """
 
+from support import headless_vpython
+
+headless_vpython.install()  # this comes first: the import of support refuses a file that hides a module
+
 import json
+import os
+import sys
+import threading
 from collections import Counter
 from pathlib import Path
 from shutil import get_terminal_size
 
 import pytest
-
-from support import headless_vpython
-
-headless_vpython.install()
 
 from grading.grade import grade, lines, unwritten
 from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
@@ -128,6 +131,7 @@ def pytest_sessionfinish(session):
     """Write the grade. The exit status, else pytest's own, is 1 also if checks wait, and says if the file cannot be
     written.
     """
+    session.config.session = session
     if hasattr(session.config, "workerinput"):  # a process of xdist's, which has seen a part only
         return
     ran, file = session.config.ran, session.config.option.grade_json
@@ -189,3 +193,16 @@ def show_mistakes(terminal, config, mistakes) -> None:
     if len(printed) > PRINTED:
         terminal.line(f"printed     ... ({len(printed)} lines in all)")
     terminal.line(outcome_of(first, config).message)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_unconfigure(config):
+    """End the process with its exit status if a student's code has left a thread that runs: Python would wait for it.
+
+    Everything is printed and written by now; with pytest-xdist, this process has sent its reports.
+    """
+    main = threading.main_thread()
+    if hasattr(config, "session") and any(not each.daemon and each is not main for each in threading.enumerate()):
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(config.session.exitstatus)

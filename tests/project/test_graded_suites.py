@@ -1,5 +1,6 @@
 """The graded suites reject wrong solutions, accept correct ones, and name the mistake."""
 
+import os
 import re
 import sys
 from functools import cache, partial
@@ -16,7 +17,7 @@ from right_solutions import RIGHT
 from vpython import vector
 from wrong_solutions import PLAIN, WRONG
 
-from grading import grader
+from grading import grader, limits
 from grading.grader import check, checks, expect, FAILED, FAULT, Grading, module_of, Outcome, PASSED, WAITING
 from grading.handout import FUNCTIONS, HONOR, needed, SUITES
 from grading.telling import own_lines, ROOT
@@ -405,17 +406,82 @@ def test_what_differs_beyond_six_digits_is_shown_with_more(solve):
 
 
 def test_ctrl_c_is_none_of_the_solutions_doing(solve):
-    solve("angle_update", "raise KeyboardInterrupt")
+    solve("angle_update", "import signal; signal.raise_signal(signal.SIGINT)")
     with pytest.raises(KeyboardInterrupt):
         Grading().judge(checks(function="angle_update")[0])
 
 
 @pytest.mark.parametrize(
-    "ending", ["exit()", "raise SystemExit", "raise GeneratorExit", "import pytest; pytest.skip()"]
+    ("ending", "raises"),
+    [
+        ("exit()", "SystemExit: None"),
+        ("raise SystemExit", "SystemExit: "),
+        ("import sys; sys.exit('the end')", "SystemExit: the end"),
+        ("raise KeyboardInterrupt", "KeyboardInterrupt: "),
+        ("import os; os._exit(0)", "SystemExit: os._exit(0)"),
+        ("from os import abort; abort()", "SystemExit: os.abort()"),
+        ("import os; os.kill(os.getpid(), 9)", f"SystemExit: os.kill({os.getpid()}, 9)"),
+    ],
 )
-def test_a_solution_that_ends_the_program_ends_its_check_only(solve, ending):
+def test_a_solution_that_ends_the_program_ends_its_check_only(solve, ending, raises):
     solve("angle_update", ending)
-    assert re.search("it raised   (SystemExit|GeneratorExit|Skipped): ", first_failure("angle_update").message)
+    lines = first_failure("angle_update").message.splitlines()
+    assert f"it raised   {raises}" in lines
+    assert "hint        This line ends the whole program. Remove it; return ends a function." in lines
+
+
+@pytest.mark.parametrize("ending", ["raise GeneratorExit", "import pytest; pytest.skip()"])
+def test_an_unusual_error_ends_its_check_only(solve, ending):
+    solve("angle_update", ending)
+    assert re.search("it raised   (GeneratorExit|Skipped): ", first_failure("angle_update").message)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="only Linux and macOS have fork")
+def test_a_process_that_a_solution_starts_can_end(solve):
+    """A child that went on would run the tests a second time."""
+    swing = "omega -= g * sin(theta) * dt / r_param\nreturn omega, theta + omega * dt"
+    solve("angle_update", f"import os\nchild = os.fork()\nif not child: os._exit(0)\nos.waitpid(child, 0)\n{swing}")
+    assert {Grading().judge(check).state for check in checks(function="angle_update")} == {PASSED}
+
+
+def test_nobody_is_asked(solve):
+    solve("angle_update", "return float(input('omega? '))")
+    message = first_failure("angle_update").message
+    assert "it raised   EOFError: input() waits for somebody, but nobody answers in a check" in message
+
+
+@pytest.mark.skipif(not limits.MEMORY_IN_USE.exists(), reason="the memory is limited on Linux")
+@pytest.mark.parametrize(
+    "body",
+    [
+        "rows = [0] * 10**9",
+        "rows = [omega]\nfor row in rows: rows.append(row)",
+        "rows = [[]]\nfor row in rows: rows.append([row])",
+        "import numpy; numpy.ones(10**9)",
+    ],
+)
+def test_what_takes_all_memory_is_stopped_and_not_called_again(solve, monkeypatch, body):
+    """Its limits are as before, and the other functions are checked."""
+    before = limits.resource.getrlimit(limits.resource.RLIMIT_DATA)
+    monkeypatch.setattr(limits, "MOST_MEMORY", 20)
+    monkeypatch.setattr(grader, "PATIENCE", 60.0)
+    solve("angle_update", body)
+    outcomes = judge_from("D")
+    failed = [outcome.message for outcome in outcomes.values() if outcome.state == FAILED]
+    assert "came back   nothing; it took more than 20 MB of memory and was stopped here:" in failed[0]
+    assert [message.splitlines()[0] for message in failed[1:]] == [
+        "not called  angle_update took more than 20 MB of memory in an earlier check."
+    ]
+    assert {outcome.state for (of, _), outcome in outcomes.items() if of == "handle_collision"} == {PASSED}
+    assert limits.resource.getrlimit(limits.resource.RLIMIT_DATA) == before
+
+
+@pytest.mark.skipif(not limits.MEMORY_IN_USE.exists(), reason="the memory is limited on Linux")
+def test_what_goes_on_without_memory_is_stopped_by_the_time(solve, monkeypatch):
+    monkeypatch.setattr(limits, "MOST_MEMORY", 20)
+    monkeypatch.setattr(grader, "PATIENCE", 0.5)
+    solve("angle_update", "rows = []\nwhile True:\n try: rows.append([])\n except: pass")
+    assert "came back   nothing, within 0.5 s; it was stopped here:" in first_failure("angle_update").message
 
 
 @pytest.mark.parametrize("code", ["1 / 0", "import nothing_of_that_name"])

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 from math import ceil
+from pathlib import Path
 from textwrap import dedent, indent
 
 import pytest
@@ -135,6 +136,33 @@ def test_a_tier_that_is_complete_says_so(student):
     status, rows = run(folder, "--tier", "B")
     assert status == 1
     assert "Tier B is not complete." in section(rows, "Grade")
+
+
+def test_code_that_ends_the_program_and_a_thread_that_does_not_end_leave_the_table(student):
+    folder = student()
+    for file, code in [
+        ("swinging", "import os\n\nos._exit(0)\n"),
+        ("pds_helper", "import threading\n\nthreading.Thread(target=threading.Event().wait).start()\n"),
+    ]:
+        with (folder / "src" / f"{file}.py").open("a") as source:
+            source.write(code)
+    status, rows = run(folder)
+    assert status == 1
+    assert "it raised   SystemExit: os._exit(0)" in rows
+    assert section(rows, "Grade")[1].split() == ["D", "16", "0", "0", "16/16"]
+    assert " failed, " in rows[-1]  # the last line of pytest is there
+
+
+@pytest.mark.parametrize("name", ["json.py", "tests/statistics.py", "pandas/__init__.py"])
+def test_a_file_that_hides_a_module_is_named(student, name):
+    folder = student()
+    (folder / name).parent.mkdir(exist_ok=True)
+    (folder / name).write_text("x = 1\n")
+    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=2 * SECONDS)
+    file, module = Path(name.removesuffix("/__init__.py")), Path(name.removesuffix("/__init__.py")).stem
+    line = f"{file} hides the module {module} from Python and its packages. Rename it.\n"
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
 
 
 @pytest.mark.slow
