@@ -227,7 +227,7 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
         "--elastic e = 1",
         "--inelastic e = 0",
         "--e E one e, from 0 to 1, for all pendula (default: the CSV's)",
-        "--mass KG one mass, above 0 kg, for all pendula (default: the CSV's)",
+        "--mass KG one mass, in kg, for all pendula (default: the CSV's)",
         "from 0 to 180 degrees (default: ",
         "number of lifted bobs, from the left (default: 1)",
         "--port N",
