@@ -76,7 +76,7 @@ class CleanCopy(str):
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV, the header first, each row as (line number in the file, cells as text).
 
-    Blank lines, spaces around a cell and a byte-order mark are left out. A Snapshot and its clean copies are read only
+    Blank lines, spaces around a cell and byte-order marks are left out. A Snapshot and its clean copies are read only
     once. Raises a ValueError that names the mistake and its place if the file cannot be read, is not UTF-8 text, is
     empty, or has a row with more cells than the header.
     """
@@ -95,7 +95,7 @@ def text_of(file) -> str:
     if file.error:
         raise ValueError(f"{file}: cannot be read as a CSV file: {file.error.strerror}") from file.error
     try:
-        text = file.data.decode("utf-8-sig")
+        text = file.data.decode("utf-8").replace("\ufeff", "")  # byte-order marks: pandas leaves out only one
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
         found = f"found byte 0x{error.object[error.start]:02x}"

@@ -30,6 +30,7 @@ def cell(column, text):
 # extract_and_convert refuses these files, too. The message comes after the name of the file.
 UNREADABLE = {
     "empty": (b"", ": is empty, the first line must name the columns"),
+    "two byte-order marks only": ("\ufeff\ufeff", ": is empty, the first line must name the columns"),
     "blank lines only": (b"\n  \n\n", ": is empty, the first line must name the columns"),
     "binary": (b"\x89PNG\r\n\x1a\n\x00\x00", ", line 1: found byte 0x89, allowed is text only, saved as UTF-8"),
     "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte, allowed is text only, saved as UTF-8"),
@@ -231,6 +232,7 @@ TURNED = "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.spl
     [
         MIXED_CSV,
         "\ufeff" + MIXED_CSV,
+        MIXED_CSV.replace("mass", '\ufeff\ufeff"\ufeffmass"').replace("2.5", "\ufeff2.5"),
         MIXED_CSV.replace("\n", "\r\n"),
         MIXED_CSV.rstrip("\n"),
         MIXED_CSV.replace("\n", "\n\n"),
@@ -240,7 +242,19 @@ TURNED = "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.spl
         MIXED_CSV.replace(",", "\u00a0,\u00a0"),
         MIXED_CSV + '""\n\u00a0\n',
     ],
-    ids=["plain", "mark", "windows", "no end", "blank lines", "spaces", "order", "quotes", "hard spaces", "blanks"],
+    ids=[
+        "plain",
+        "mark",
+        "marks",
+        "windows",
+        "no end",
+        "blank lines",
+        "spaces",
+        "order",
+        "quotes",
+        "hard spaces",
+        "blanks",
+    ],
 )
 def test_accepted_silently(content, save):
     filepath = save(content)
