@@ -41,6 +41,8 @@ def tier_name(text) -> str:
 
 
 def pytest_configure(config):
+    if not __debug__:
+        raise pytest.UsageError("Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks.")
     config.grading, config.ran = Grading(), {}  # ran: the outcomes of this run's checks, by name, as they are reported
     config.pluginmanager.register(Listener(config.ran))
     file = config.option.grade_json

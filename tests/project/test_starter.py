@@ -302,6 +302,14 @@ def test_the_terminal_shows_what_there_is(starter, tiers, remark, angles):
     assert [round(degrees(last[name])) for name in ("theta_1", "theta_5")] == pytest.approx(angles, abs=1)
 
 
+@pytest.mark.parametrize("option", ["-O", "-OO"])
+def test_without_assert_and_docstrings_there_is_no_grade(made, option):
+    done = start(option, "-m", "pytest", "-p", "no:cacheprovider", "--tier", "C", folder=made)
+    assert (done.returncode, done.stdout) == (4, "")
+    line = "ERROR: Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks."
+    assert done.stderr.strip() == line
+
+
 def test_a_line_that_was_left_below_a_return_is_no_stub(starter):
     write_tiers(starter, "DCBA")
     swinging = starter / "src" / "swinging.py"
