@@ -6,7 +6,7 @@ It is the project without the bodies of the handout's functions. Of tests/, it h
 import ast
 import re
 import shutil
-import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 from grading.project_path import ROOT
@@ -24,10 +24,10 @@ FILES = [
 ]
 FOLDERS = ["src", "support", "tests/grading"]
 # Pictures of the READMEs, and files with answers: src/README.md, the fast path, the collisions of the double cradle.
-UNUSED = [
+UNUSED = {
     *("__pycache__", "README.md", "double.png", "experiment.png", "swing.png"),
     *("many_ticks.py", "double_collisions.py"),
-]
+}
 PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
 
 RUN, DOUBLE_RUN = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"
@@ -137,22 +137,32 @@ def main() -> None:
 
 
 def make_starter(folder) -> None:
-    """Make or fill the folder; raise an OSError if this fails."""
-    folder.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory() as work:
-        made = Path(work)
-        for name in FOLDERS:
-            shutil.copytree(ROOT / name, made / name, ignore=shutil.ignore_patterns(*UNUSED))
-        for name in FILES:
-            (made / name).parent.mkdir(exist_ok=True)
-            shutil.copy(ROOT / name, made / name)
-        for file in sorted({change[0] for change in CHANGES} | {function.file for function in FUNCTIONS.values()}):
-            path = made / file
-            path.write_text(for_students(file, path.read_text(encoding="utf-8")), encoding="utf-8", newline="\n")
-        rows = (f"| {of.tier} | `{name}` | `{of.file}` |" for name, of in FUNCTIONS.items())
-        readme = README.format(rows="\n".join(rows))
-        (made / "README.md").write_text(readme, encoding="utf-8", newline="\n")
-        shutil.copytree(made, folder, dirs_exist_ok=True)
+    """Make the folder, or fill an empty one; if this fails, leave nothing behind, and raise an OSError."""
+    new = [path for path in (folder, *folder.parents) if not path.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        fill(folder)
+    except BaseException:
+        for path in folder.iterdir() if folder.is_dir() else ():
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+        for path in new:
+            with suppress(OSError):  # it was not made yet
+                path.rmdir()
+        raise
+
+
+def fill(folder) -> None:
+    """Write all files of the starter into an empty folder."""
+    found = [path.relative_to(ROOT) for name in FOLDERS for path in (ROOT / name).rglob("*") if path.is_file()]
+    for path in [*map(Path, FILES), *(path for path in found if not UNUSED.intersection(path.parts))]:
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / path, folder / path)
+    for file in sorted({change[0] for change in CHANGES} | {function.file for function in FUNCTIONS.values()}):
+        path = folder / file
+        path.write_text(for_students(file, path.read_text(encoding="utf-8")), encoding="utf-8", newline="\n")
+    rows = (f"| {of.tier} | `{name}` | `{of.file}` |" for name, of in FUNCTIONS.items())
+    readme = README.format(rows="\n".join(rows))
+    (folder / "README.md").write_text(readme, encoding="utf-8", newline="\n")
 
 
 def for_students(file, source) -> str:

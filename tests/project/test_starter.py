@@ -1,9 +1,11 @@
 """What students are handed: made, graded as it is, graded with solutions in it, and what its programs say."""
 
 import ast
+import errno
 import json
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -17,6 +19,7 @@ from programs import (
     first_lines,
     MOVES,
     needs_vpython,
+    on_posix,
     open_cradle,
     QUIETLY,
     readout,
@@ -148,6 +151,18 @@ def test_a_student_meets_no_unexplained_name(starter):
             "rule",
         ):
             assert not re.search(rf"\b{word}\b", text), (name, word)
+
+
+@on_posix
+@pytest.mark.parametrize("place", ["deep/down/new", "."])
+def test_on_a_full_disk_nothing_is_left_of_it(tmp_path, place):
+    """A limit for the size of a file is like a full disk. A folder that was there stays."""
+    folder = tmp_path / place
+    words = shlex.join([sys.executable, str(ROOT / "tests" / "make_starter.py"), str(folder)])
+    done = subprocess.run(["sh", "-c", f"ulimit -f 20; {words}"], cwd=tmp_path, capture_output=True, text=True)
+    line = f"argument FOLDER: {folder} cannot be made: {os.strerror(errno.EFBIG)} (--help shows all options)"
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", f"make_starter.py: error: {line}\n")
+    assert os.listdir(tmp_path) == []
 
 
 # --- no answers ------------------------------------------------------------------------------------------------------
