@@ -1,8 +1,8 @@
 """Newton's cradle in the terminal: as moving text, as lines of text, or as data in a file. Needs no VPython."""
 
-if __name__ == "__main__":
-    import sys
+import sys
 
+if __name__ == "__main__":
     try:  # noqa: SIM105  contextlib could be hidden
         import project_path  # noqa: F401
     except ModuleNotFoundError:  # python -m src... does not find it, and does not need it
@@ -27,6 +27,7 @@ from support.files.cradle_csv import check_cradle, Snapshot
 from support.files.recording import check_record
 from support.playback.mistake import own_frames, tell_mistake
 from support.playback.player import run
+from support.start.interrupt import stop_on_signals
 from support.start.options import check_lift, read_text_options
 from support.start.output import spell_out_letters, while_it_is_read
 from support.terminal.players import has_terminal, Lines, Pictures, show_pictures
@@ -37,7 +38,8 @@ def main() -> None:
     """Show the cradle of src/visualize_cradle_run.py, or record its data.
 
     Exits with status 2 if an option, the CSV or the data file is wrong, or if functions for a cradle are missing; with
-    status 1 if a function makes a mistake, or if Ctrl+C ends a recording.
+    status 1 if a function makes a mistake, or if a signal ends a recording. For a signal that ends the picture or the
+    lines, stop_on_signals has the status.
     """
     spell_out_letters()
     options = read_text_options()
@@ -62,10 +64,11 @@ def main() -> None:
             else:
                 print(remark, end="\n" if remark else "", flush=True)
                 run(loop, Lines(cradle, csv, options))
-    except KeyboardInterrupt:
-        if options.record is not None:
-            print(f"The recording ended too early. {options.record} is not written.", file=sys.stderr)
-            sys.exit(1)
+    except KeyboardInterrupt as stopped:
+        if options.record is None:
+            sys.exit(*stopped.args)
+        print(f"The recording ended too early. {options.record} is not written.", file=sys.stderr)
+        sys.exit(1)
     except (Exception, SystemExit) as error:
         cause = error.__cause__ or error  # whole_file replaces every OSError, also one of a student's function
         if isinstance(error, OSError) and not own_frames(cause):
@@ -78,24 +81,6 @@ def refuse(message) -> None:
     """Print this message, and exit with status 2."""
     print(message, file=sys.stderr)
     sys.exit(2)
-
-
-def stop_on_signals() -> None:
-    """Let Ctrl+C, a closed terminal and kill raise one KeyboardInterrupt; later signals do not interrupt the clean-up.
-
-    A signal that is already ignored, for instance because of nohup, stays ignored. Windows has no signal for a closed
-    terminal, but one for Ctrl+Break.
-    """
-    numbers = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK") if hasattr(signal, name)]
-    numbers = [number for number in numbers if signal.getsignal(number) != signal.SIG_IGN]
-
-    def stop(*_):
-        for number in numbers:
-            signal.signal(number, signal.SIG_IGN)
-        raise KeyboardInterrupt
-
-    for number in numbers:
-        signal.signal(number, stop)
 
 
 if __name__ == "__main__":

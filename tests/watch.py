@@ -28,6 +28,7 @@ from support.files.cradle_csv import to_number
 from support.pendulum import show_pendulum
 from support.playback.cradle import Cradle
 from support.playback.player import run
+from support.start.interrupt import stop_on_signals
 from support.start.options import allowed, OneLineParser
 from support.start.output import while_it_is_read
 from support.terminal.picture import TextPicture
@@ -277,10 +278,11 @@ def main() -> None:
         print("There is nothing to watch.", file=sys.stdout if is_passed else sys.stderr)
         sys.exit(0 if is_passed else 1)
     try:
+        stop_on_signals()
         with while_it_is_read():
             play(scene_of(outcome.call), options.seconds)
-    except KeyboardInterrupt:
-        pass
+    except KeyboardInterrupt as stopped:
+        sys.exit(*stopped.args)
     except Exception as error:
         sys.exit(f"It cannot be played: {raised(error)[0]}")
 

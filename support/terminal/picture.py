@@ -16,7 +16,7 @@ class TextPicture:
         self.above = 0.0  # m
 
     def lines(self, cradle: Cradle, columns, rows) -> list[str]:
-        """Return the lines of a picture, at most `columns` wide and `rows` high."""
+        """Return the lines of a picture, at most `columns` wide and `rows` high; no line if there is no room."""
         axles, bobs = [axle.pos for axle in cradle.axles()], [bob.pos for bob in cradle.bobs()]
         xs, ys = sorted(axle.x for axle in axles), sorted(axle.y for axle in axles)
         self.above = max(self.above, *(bob.y - ys[-1] for bob in bobs))
@@ -24,6 +24,8 @@ class TextPicture:
         top, height = ys[-1] + self.above, ys[-1] - ys[0] + cradle.reach + self.above
         # Columns per metre. Three columns and a row stay free for rounding, and for the brackets of a bob.
         scale = min(CORD / cradle.reach, (columns - 3) / width, 2 * (rows - 1) / height)
+        if scale <= 0:
+            return []
         apart = (xs[-1] - xs[0]) / max(1, len(axles) - 1)
         if apart * scale >= 1:  # whole columns from bob to bob: unequal gaps look like groups of bobs
             scale = int(apart * scale + 1e-9) / apart

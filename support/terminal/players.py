@@ -70,11 +70,8 @@ class Pictures(TextPlayer):
 
 def show_pictures(loop, player) -> None:
     """Run the loop with player (Pictures), and leave the last picture on the screen."""
-    try:
-        with own_screen():
-            run(loop, player)
-    finally:
-        print("\n".join(player.seen))
+    with own_screen(lambda: player.seen):
+        run(loop, player)
 
 
 # --- without a terminal ----------------------------------------------------------------------------------------------

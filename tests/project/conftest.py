@@ -16,7 +16,7 @@ from support.start.options import PORT_VARIABLE
 os.environ.pop(PORT_VARIABLE, None)  # or the programs that the tests start would all want that port
 
 # A program that is started inherits which signals are ignored, as with nohup, but none that has a handler.
-for name in ("SIGHUP", "SIGINT"):
+for name in ("SIGHUP", "SIGINT", "SIGQUIT"):
     if hasattr(signal, name) and signal.getsignal(getattr(signal, name)) == signal.SIG_IGN:
         signal.signal(getattr(signal, name), lambda *_: None)
 

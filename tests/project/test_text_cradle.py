@@ -4,6 +4,7 @@ import csv
 import os
 import re
 import select
+import shlex
 import signal
 import struct
 import subprocess
@@ -11,6 +12,7 @@ import sys
 import time
 from contextlib import suppress
 from io import StringIO
+from itertools import product
 from math import radians
 from types import SimpleNamespace
 
@@ -157,19 +159,17 @@ def test_ctrl_c_ends_the_lines_quietly(five):
 class Terminal:
     """A program in its own terminal, for the body of a with statement."""
 
-    def __init__(self, *arguments, lines=24, columns=80, term="xterm"):
-        import fcntl
+    def __init__(self, *arguments, command=(sys.executable, str(PROGRAM)), lines=24, columns=80, term="xterm"):
         import pty
-        import termios
 
         self.said, self.deadline = "", time.monotonic() + SECONDS
         self.process, self.terminal = pty.fork()
         if self.process == 0:
             try:
-                fcntl.ioctl(0, termios.TIOCSWINSZ, struct.pack("HHHH", lines, columns, 0, 0))
+                self.resize(0, lines, columns)
                 sizes = {"LINES", "COLUMNS"}  # they would hide the size of the terminal
                 environment = {name: value for name, value in os.environ.items() if name not in sizes}
-                os.execve(sys.executable, [sys.executable, str(PROGRAM), *arguments], {**environment, "TERM": term})
+                os.execvpe(command[0], [*command, *arguments], {**environment, "TERM": term})
             finally:
                 os._exit(127)
 
@@ -181,6 +181,13 @@ class Terminal:
         with suppress(ProcessLookupError, ChildProcessError):
             os.kill(self.process, signal.SIGKILL)
             os.waitpid(self.process, 0)
+
+    @staticmethod
+    def resize(descriptor, lines, columns):
+        import fcntl
+        import termios
+
+        fcntl.ioctl(descriptor, termios.TIOCSWINSZ, struct.pack("HHHH", lines, columns, 0, 0))
 
     def read_until(self, condition):
         """Read until condition(text so far) holds, or the program ends; return whether it holds."""
@@ -199,7 +206,16 @@ class Terminal:
         """Press these keys, wait for the end of the program, and return its status and its last text."""
         os.write(self.terminal, keys)
         self.read_until(lambda said: False)
-        return os.waitstatus_to_exitcode(os.waitpid(self.process, 0)[1]), self.said.rpartition(RESTORED)[2]
+        return self.status(), self.said.rpartition(RESTORED)[2]
+
+    def status(self):
+        """Wait for the end of the program, and return its status."""
+        ended = 0, 0
+        while not ended[0]:
+            assert time.monotonic() < self.deadline
+            time.sleep(0.02)
+            ended = os.waitpid(self.process, os.WNOHANG)
+        return os.waitstatus_to_exitcode(ended[1])
 
 
 def pictures(said):
@@ -207,7 +223,7 @@ def pictures(said):
     return [re.sub(r"\x1b\[K", "", text).splitlines() for text in re.findall(r"\x1b\[H(.*?)\x1b\[J", said, re.DOTALL)]
 
 
-HOME, RESTORED = "\x1b[H", "\x1b[?25h\x1b[?1049l"
+HOME, TAKEN, RESTORED = "\x1b[H", "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"
 
 
 @posix
@@ -242,6 +258,37 @@ def test_the_picture_is_as_large_as_the_terminal_allows(five, lines, columns):
         assert max(map(len, picture)) <= columns
         assert any(re.search(r"=(\+=*){5}$", line) for line in picture)
         assert picture[0].startswith("t = 0.")
+
+
+@pytest.mark.parametrize("count", [1, 5])
+def test_the_lines_fit_into_a_terminal_of_any_size(tmp_path, monkeypatch, count):
+    motion = make_swing(tmp_path, HEADER + GOOD * count, angle=170).motion
+    motion.trains.add(1.0, 0, 1, True)
+    for rows, columns in product([1, 2, 3, 4, 17, 18, 19], [*range(1, 12), 40]):
+        monkeypatch.setattr("shutil.get_terminal_size", lambda size=(columns, rows): os.terminal_size(size))
+        for remark in ("", "Write next: handle_collision."):
+            lines = screen(motion, TextPicture(), "x0.6", remark)
+            assert 1 <= len(lines) <= rows
+            assert max(map(len, lines)) <= columns
+            assert lines[0] == motion.reading()[:columns].rstrip()
+
+
+def test_a_terminal_that_does_not_know_its_size_gets_a_whole_picture(tmp_path, monkeypatch):
+    """Python 3.10 then returns 0."""
+    monkeypatch.setattr("shutil.get_terminal_size", lambda: os.terminal_size((0, 0)))
+    lines = screen(make_swing(tmp_path).motion, TextPicture(), "")
+    assert (lines[0][:8], lines[-1]) == ("t = 0.00", "Ctrl+C ends it.")
+
+
+@posix
+def test_a_terminal_may_become_small_while_it_runs(five):
+    with Terminal(five) as terminal:
+        assert terminal.read_until(lambda said: HOME in said)
+        terminal.resize(terminal.terminal, 1, 1)
+        assert terminal.read_until(lambda said: ["t"] in pictures(said))
+        terminal.resize(terminal.terminal, 2, 9)
+        assert terminal.read_until(lambda said: any(len(picture[0]) == 9 for picture in pictures(said)))
+        assert terminal.end(b"\x03")[0] == 0
 
 
 def test_a_screen_of_its_own_is_cleared_line_by_line_and_given_back(tmp_path, capsys):
@@ -295,6 +342,44 @@ def test_however_often_ctrl_c_is_pressed_the_terminal_is_restored(five):
             os.kill(terminal.process, signal.SIGINT)
         status, last_words = terminal.end()
     assert (status, last_words[:4]) == (0, "t = ")
+
+
+@posix
+@pytest.mark.parametrize("name", ["SIGQUIT", "SIGTERM", "SIGHUP"])
+def test_what_ends_it_otherwise_restores_the_terminal_too(five, name):
+    number = getattr(signal, name)
+    with Terminal(five) as terminal:
+        assert terminal.read_until(lambda said: HOME in said)
+        if name != "SIGQUIT":
+            os.kill(terminal.process, number)
+        status, last_words = terminal.end(b"\x1c" if name == "SIGQUIT" else b"")  # Ctrl+\
+    assert (status, last_words[:4]) == (128 + number, "t = ")
+    assert "Traceback" not in terminal.said
+
+
+@posix
+def test_a_terminal_that_is_closed_ends_it(five):
+    with Terminal(five) as terminal:
+        assert terminal.read_until(lambda said: HOME in said)
+        os.close(terminal.terminal)
+        terminal.terminal = os.open(os.devnull, os.O_RDONLY)
+        assert terminal.status() == 128 + signal.SIGHUP
+
+
+@posix
+def test_ctrl_z_gives_the_terminal_back_until_fg(five):
+    program = shlex.join([sys.executable, str(PROGRAM), five])
+    with Terminal(f'{program}; echo "stopped: $?"; fg; echo "ended: $?"', command=("sh", "-mc")) as terminal:
+        assert terminal.read_until(lambda said: HOME in said)
+        os.write(terminal.terminal, b"\x1a")
+        assert terminal.read_until(lambda said: HOME in said.partition("stopped:")[2])
+        _, last_words = terminal.end(b"\x03")
+    before, status, after = terminal.said.partition(f"stopped: {128 + signal.SIGTSTP}\r\n")
+    assert status
+    assert before.count(TAKEN) == before.count(RESTORED) == after.count(TAKEN) == after.count(RESTORED) == 1
+    assert HOME not in before.partition(RESTORED)[2]
+    assert HOME not in after.partition(TAKEN)[0]
+    assert last_words.endswith("ended: 0\r\n")
 
 
 # --- data ------------------------------------------------------------------------------------------------------------

@@ -235,17 +235,21 @@ def draw(scene, _):
 @pytest.fixture
 def main(monkeypatch, capsys):
     """A function that watches test_angle_update with this outcome; it returns status, stdout and stderr."""
+    signals: list = []
 
     def main(outcome, play=say):
         monkeypatch.setattr("sys.argv", ["watch.py", "test_angle_update", "--seconds", "3"])
         monkeypatch.setattr(watch.Grading, "judge", lambda *_: outcome)
         monkeypatch.setattr(watch, "play", play)
+        monkeypatch.setattr(watch, "stop_on_signals", lambda: signals.append("stop"))
         try:
             watch.main()
         except SystemExit as ended:
             status, words = (1, f"{ended.code}\n") if isinstance(ended.code, str) else (ended.code, "")
             out, err = capsys.readouterr()
             return status, out, err + words
+        finally:
+            assert signals == ["stop"] * bool(outcome.call)
         return 0, *capsys.readouterr()
 
     return main
@@ -293,3 +297,16 @@ def test_so_is_one_that_cannot_go_on(main, monkeypatch, place, kind):
     assert (status, out) == (1, "It is wrong.\n")
     assert err.count("\n") == 1
     assert err.startswith(f"It cannot be played: {kind}: ")
+
+
+@pytest.mark.parametrize(
+    ("error", "status", "line"),
+    [
+        (KeyboardInterrupt(131), 131, ""),
+    ],
+)
+def test_it_ends_with_one_line_at_most_if_it_is_stopped_or_its_output_fails(main, error, status, line):
+    def stop(*_):
+        raise error
+
+    assert main(Outcome(FAILED, "It is wrong.", CALL), stop) == (status, "It is wrong.\n", line)
