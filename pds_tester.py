@@ -1,6 +1,5 @@
 """Run this file to see, step by step, how newton_cradle_pends.csv becomes pend_list. It needs no VPython."""
 
-import sys
 
 from support import headless_vpython
 
@@ -11,17 +10,16 @@ import pandas as pd
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.files.cradle_csv import cleaned
-from support.start.output import spell_out_letters
+from support.start.output import refuse, while_it_is_read
 
 
+@while_it_is_read()
 def main() -> None:
     """Print df, bad_rep and pend_list; exit with status 2 if the CSV cannot be read."""
-    spell_out_letters()
     try:
         df = pd.read_csv(cleaned(NC_FP))
     except ValueError as error:
-        print(error, file=sys.stderr)
-        sys.exit(2)
+        refuse(error)
     print("df: the CSV as a pandas dataframe, a table with a row for each pendulum.")
     print(df)
 

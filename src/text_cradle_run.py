@@ -13,7 +13,6 @@ if __name__ == "__main__":
     end_on_interrupt(status=1 if "--record" in " ".join(sys.argv) else 0)
 
 import signal
-import sys
 
 from support import headless_vpython
 
@@ -29,23 +28,23 @@ from support.playback.mistake import own_frames, tell_mistake
 from support.playback.player import run
 from support.start.interrupt import stop_on_signals
 from support.start.options import check_lift, read_text_options
-from support.start.output import spell_out_letters, while_it_is_read
+from support.start.output import complain, is_unread, refuse, while_it_is_read
 from support.terminal.players import has_terminal, Lines, Pictures, show_pictures
 from support.terminal.recorder import record
 
 
+@while_it_is_read()
 def main() -> None:
     """Show the cradle of src/visualize_cradle_run.py, or record its data.
 
-    Exits with status 2 if an option, the CSV or the data file is wrong, or if functions for a cradle are missing; with
-    status 1 if a function makes a mistake, or if a signal ends a recording. For a signal that ends the picture or the
-    lines, stop_on_signals has the status.
+    Exits with status 2 if an option, the CSV or the data file is wrong, if the output is full, or if functions for a
+    cradle are missing; with status 1 if a function makes a mistake, or if a signal ends a recording. For a signal that
+    ends the picture or the lines, stop_on_signals has the status.
     """
-    spell_out_letters()
     options = read_text_options()
     loop, remark = what_there_is(cradle_main)
     csv = Snapshot(options.csv)
-    try:  # noqa: SIM105  contextlib could be hidden
+    try:
         check_cradle(csv)
         check_lift(options.lift, csv)
         if options.record is not None:
@@ -54,33 +53,26 @@ def main() -> None:
         refuse(error)
     cradle = LiveCradle(cradle_main.__globals__, options, many_ticks)
 
-    try:  # noqa: SIM105  contextlib could be hidden
+    try:
         stop_on_signals()
-        with while_it_is_read():
-            if options.record is not None:
-                record(loop, cradle, csv, options, remark)
-            elif has_terminal():
-                show_pictures(loop, Pictures(cradle, csv, options, remark))
-            else:
-                print(remark, end="\n" if remark else "", flush=True)
-                run(loop, Lines(cradle, csv, options))
+        if options.record is not None:
+            record(loop, cradle, csv, options, remark)
+        elif has_terminal():
+            show_pictures(loop, Pictures(cradle, csv, options, remark))
+        else:
+            print(remark, end="\n" if remark else "", flush=True)
+            run(loop, Lines(cradle, csv, options))
     except KeyboardInterrupt as stopped:
         if options.record is None:
             sys.exit(*stopped.args)
-        print(f"The recording ended too early. {options.record} is not written.", file=sys.stderr)
+        complain(f"The recording ended too early. {options.record} is not written.")
         sys.exit(1)
     except (Exception, SystemExit) as error:
         cause = error.__cause__ or error  # whole_file replaces every OSError, also one of a student's function
-        if isinstance(error, OSError) and not own_frames(cause):
-            refuse(f"{error.filename or 'The output'}: {error.strerror}")
+        if is_unread(error) or isinstance(error, OSError) and not own_frames(cause):
+            raise  # while_it_is_read ends the program
         tell_mistake(cause)
         sys.exit(1)
-
-
-def refuse(message) -> None:
-    """Print this message, and exit with status 2."""
-    print(message, file=sys.stderr)
-    sys.exit(2)
 
 
 if __name__ == "__main__":

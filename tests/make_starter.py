@@ -16,6 +16,7 @@ headless_vpython.install()
 
 from grading.handout import FUNCTIONS, SUITES
 from support.start.options import OneLineParser
+from support.start.output import in_one_line, while_it_is_read
 
 FILES = [
     *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"),
@@ -122,6 +123,7 @@ collide, and the two calls in `main` of `src/visualize_double_cradle_run.py`.
 """
 
 
+@while_it_is_read()
 def main() -> None:
     """Make the folder; the status is 2 if this fails."""
     parser = OneLineParser(description="Make the folder that students get.", allow_abbrev=False)
@@ -133,7 +135,8 @@ def main() -> None:
         make_starter(folder)
     except OSError as error:
         parser.error(f"argument FOLDER: {folder} cannot be made: {error.strerror}")
-    print(f"{folder} is ready. Students write {len(FUNCTIONS)} functions in it. Its README.md says how to begin.")
+    line = f"{folder} is ready. Students write {len(FUNCTIONS)} functions in it. Its README.md says how to begin."
+    print(in_one_line(line))
 
 
 def make_starter(folder) -> None:

@@ -21,7 +21,7 @@ from vpython import color, mag, vector
 from grading.cradles import hang
 from grading.grader import checks, find, Grading, PASSED
 from grading.handout import FUNCTIONS, SUITES
-from grading.telling import raised
+from grading.telling import own_places, raised
 from support.constants import DT, G
 from support.energy import double_kinetic_energy, double_potential_energy, kinetic_energy, potential_energy
 from support.files.cradle_csv import to_number
@@ -30,7 +30,7 @@ from support.playback.cradle import Cradle
 from support.playback.player import run
 from support.start.interrupt import stop_on_signals
 from support.start.options import allowed, OneLineParser
-from support.start.output import while_it_is_read
+from support.start.output import is_unread, while_it_is_read
 from support.terminal.picture import TextPicture
 from support.terminal.players import has_terminal, Lines, Pictures, show_pictures
 
@@ -257,6 +257,7 @@ SCENES = {
 }
 
 
+@while_it_is_read()
 def main() -> None:
     """Print the outcome of a check, and play it.
 
@@ -279,11 +280,12 @@ def main() -> None:
         sys.exit(0 if is_passed else 1)
     try:
         stop_on_signals()
-        with while_it_is_read():
-            play(scene_of(outcome.call), options.seconds)
+        play(scene_of(outcome.call), options.seconds)
     except KeyboardInterrupt as stopped:
         sys.exit(*stopped.args)
     except Exception as error:
+        if is_unread(error) or isinstance(error, OSError) and not own_places(error):
+            raise  # while_it_is_read ends the program
         sys.exit(f"It cannot be played: {raised(error)[0]}")
 
 

@@ -5,8 +5,10 @@ from src.beyond.live_double_cradle import LiveDoubleCradle
 from src.beyond.preview import end_if_unwritten, what_there_is
 from support.page.page import show_page
 from support.start.options import read_double_page_options, read_page_options
+from support.start.output import while_it_is_read
 
 
+@while_it_is_read()
 def show_cradle(main, many_ticks=None) -> None:
     """Show the cradle of main in the browser until the tab is closed.
 
@@ -18,6 +20,7 @@ def show_cradle(main, many_ticks=None) -> None:
     show_page(loop, LiveCradle(main.__globals__, options, many_ticks), options, [options.angle], remark)
 
 
+@while_it_is_read()
 def show_double_cradle(main) -> None:
     """Show the double cradle of main in the same way; exit with status 2 while a function is missing."""
     options = read_double_page_options()

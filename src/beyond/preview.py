@@ -1,9 +1,9 @@
 """Show the cradle while functions of the handout are missing."""
 
 import inspect
-import sys
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.start.output import refuse
 from support.start.unwritten import unwritten
 
 CONSTANTS = {"r_param": R_PARAM, "theta_init": THETA_INIT, "dt": DT, "g": G}
@@ -13,8 +13,7 @@ def end_if_unwritten(*modules) -> None:
     """If functions in these modules of src/ are missing, name them in one line, and exit with status 2."""
     missing = unwritten(*modules)
     if missing:
-        print(f"There is no cradle to see yet. Write first: {missing}.", file=sys.stderr)
-        sys.exit(2)
+        refuse(f"There is no cradle to see yet. Write first: {missing}.")
 
 
 def what_there_is(main) -> tuple:

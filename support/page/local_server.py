@@ -36,6 +36,7 @@ from typing import Any
 from urllib.parse import unquote
 
 from support.page.replay import Replay
+from support.start.output import say
 
 RETURN = 3.0  # s that a closed tab has to come back
 ELSEWHERE = 4001  # closes the websocket of a tab because another one shows the cradle; page_head.html knows it
@@ -155,8 +156,8 @@ class PageServer(http.server.ThreadingHTTPServer):
 
     def server_activate(self) -> None:
         super().server_activate()
-        print(f"Newton's cradle is at http://localhost:{self.server_port}")
-        print("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.", flush=True)
+        say(f"Newton's cradle is at http://localhost:{self.server_port}")
+        say("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.")
 
     def handle_error(self, request, client_address) -> None:
         """Print nothing: the browser disconnected in the middle of an answer."""
@@ -191,7 +192,7 @@ def own_files_only(handler: Any, place, no_webgl, write_data) -> Any:
             elif self.path == "/no-webgl":
                 self.send_response(204)
                 self.end_headers()
-                print(no_webgl, flush=True)
+                say(no_webgl)
             elif self.path == "/cradle_data.csv":
                 self.send_response(200)
                 self.send_header("Content-Type", "text/csv; charset=utf-8")

@@ -23,6 +23,7 @@ from support.start.command_line import command_line, same_program
 from support.start.interrupt import end_on_interrupt
 from support.start.later import import_now
 from support.start.options import check_lift
+from support.start.output import refuse
 
 # The beginning of the page: its title, the check of the browser's WebGL, and the messages of a page without a cradle.
 PAGE_HEAD = Path(__file__).with_name("page_head.html")
@@ -50,8 +51,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
         check_lift(options.lift, csv)
         sockets = page_sockets(options.port)
     except ValueError as error:
-        print(error, file=sys.stderr)
-        sys.exit(2)
+        refuse(error)
     viewer = None
     try:
         open_page(

@@ -3,6 +3,7 @@
 import linecache
 import sys
 import traceback
+from contextlib import suppress
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -51,7 +52,8 @@ def tell_mistake(error) -> str:
         text, words = "".join(report.stack.format()) + f"{error}\n", str(error)
     else:
         text, words = "".join(report.format()), " ".join("".join(report.format_exception_only()).split())
-    print(text, end="", file=sys.stderr, flush=True)
+    with suppress(OSError):  # the page says it, too
+        print(text, end="", file=sys.stderr, flush=True)
     last = report.stack[-1]
     path = Path(last.filename).resolve()
     place = path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else path.name

@@ -2,13 +2,13 @@
 
 import argparse
 import os
-import sys
 from math import inf
 
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.cradle_csv import read_cells, RULES, to_number
 from support.files.recording import EVERY
 from support.pendulum import exact_lift, from_lift, to_lift
+from support.start.output import refuse
 
 # VPython's environment variable for the port of the page; --port overrides it.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
@@ -21,8 +21,7 @@ class OneLineParser(argparse.ArgumentParser):
     """A parser that prints an error in one line, without the usage."""
 
     def error(self, message):
-        print(f"{self.prog}: error: {message} (--help shows all options)", file=sys.stderr)
-        sys.exit(2)
+        refuse(f"{self.prog}: error: {message} (--help shows all options)")
 
 
 def allowed(kind, is_allowed, words):

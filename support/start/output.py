@@ -1,25 +1,72 @@
-"""Printed output: letters that the output does not have, and readers that stop early."""
+"""Printed output: messages in one line, letters that the output does not have, and an output that is closed or full."""
 
 import errno
 import os
 import sys
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
 
 @contextmanager
 def while_it_is_read():
-    """Run the body of the with statement. If the reader of its output stops, as in `| head`, end it quietly."""
+    """Run a program, the body of the with statement or the decorated function, whatever its output is.
+
+    If the reader of the output stops, as in `| head`, end the program quietly. If an OSError reaches this place, for
+    instance because the output is full, name its cause in one line, and exit with status 2.
+    """
+    replace_closed()
+    spell_out_letters()
     try:
         yield
+        sys.stdout.flush()  # here: at the end of Python, an error would be a traceback
     except OSError as error:
-        # Windows has no special error for this.
-        is_unread = sys.platform == "win32" and error.errno == errno.EINVAL and error.filename is None
-        if not (is_unread or isinstance(error, BrokenPipeError)):
-            raise
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if not is_unread(error):
+            refuse(f"{error.filename or 'The output'}: {error.strerror or error}")
+    finally:
+        for stream in (sys.stdout, sys.stderr):
+            try:
+                stream.flush()
+            except OSError:  # Python would try again, and fail
+                os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def is_unread(error) -> bool:
+    """Return whether an error says that the reader of the output has stopped."""
+    is_said_by_windows = sys.platform == "win32" and isinstance(error, OSError) and error.errno == errno.EINVAL
+    return (isinstance(error, BrokenPipeError) or is_said_by_windows) and error.filename is None
+
+
+def replace_closed() -> None:
+    """Let an output that is closed, as after `>&-`, be one that nobody reads, and a closed input be empty."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            file = open(os.devnull, mode, encoding="utf-8", errors="backslashreplace")  # noqa: SIM115  it stays open
+            setattr(sys, name, file)
 
 
 def spell_out_letters() -> None:
     """Print letters that the output does not have as numbers, like \\u03c9: a pipe on Windows lacks some."""
     if hasattr(sys.stdout, "reconfigure"):  # not in IDLE's shell, which has all letters
         sys.stdout.reconfigure(errors="backslashreplace")
+
+
+def in_one_line(text) -> str:
+    """Return a text with its line breaks and other characters that a terminal does not show as numbers, like \\x1b."""
+    return "".join(letter if letter.isprintable() else letter.encode("unicode_escape").decode() for letter in str(text))
+
+
+def say(text) -> None:
+    """Print a text. If this fails, the program goes on without it."""
+    with suppress(OSError):
+        print(text, flush=True)
+
+
+def complain(message) -> None:
+    """Print a message in one line on stderr. If this fails, the program goes on without it."""
+    with suppress(OSError):
+        print(in_one_line(message), file=sys.stderr, flush=True)
+
+
+def refuse(message) -> None:
+    """Print a message in one line on stderr, and exit with status 2."""
+    complain(message)
+    sys.exit(2)

@@ -7,6 +7,7 @@ from contextlib import contextmanager, suppress
 
 from support.files.recording import data_file
 from support.playback.player import Player, run
+from support.start.output import in_one_line
 from support.terminal.screen import switch_on_escapes
 
 PART = 1000  # ticks from one report of the progress to the next
@@ -48,7 +49,8 @@ def record(loop, cradle, csv, options, remark="") -> None:
         recorder = Recorder(cradle, csv, options, writer, progress)
         run(loop, recorder)
     print(remark, end="\n" if remark else "")
-    print(f"{recorder.count} rows, from t = 0 to {recorder.motion.time():g} s, are in {options.record}")
+    line = f"{recorder.count} rows, from t = 0 to {recorder.motion.time():g} s, are in {options.record}"
+    print(in_one_line(line))
 
 
 @contextmanager

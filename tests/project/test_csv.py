@@ -1,5 +1,6 @@
 """The CSV: refused files and their messages, accepted files, and writing."""
 
+import errno
 import os
 import random
 import sys
@@ -221,6 +222,11 @@ def test_a_row_after_the_last_one_that_is_allowed_is_not_even_read(save):
     """The rows of a file of 10 MB would take a gigabyte."""
     filepath = save(HEADER + GOOD * 1001 + '"' + "x" * 200_000)  # the last cell is longer than a CSV's can be
     assert ", line 1002: found pendulum 1001, " in complaint(make_newton_cradle, filepath, R_PARAM, 0)
+
+
+def test_a_line_break_in_the_name_of_a_file_is_written_out(tmp_path, monkeypatch, capsys):
+    line = rf"{tmp_path / 'two'}\nlines.csv: cannot be read as a CSV file: {os.strerror(errno.ENOENT)}" + "\n"
+    assert the_programs_complaint(monkeypatch, capsys, f"{tmp_path / 'two'}\nlines.csv") == line
 
 
 PADDED = "\n".join("  " + line.replace(",", " ,\t ") + "  " for line in MIXED_CSV.splitlines())

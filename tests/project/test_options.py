@@ -202,6 +202,21 @@ def test_what_it_refuses_in_one_line(line, message, capsys):
     assert stderr.count("\n") == 1
 
 
+@pytest.mark.parametrize("read_options", [read_page_options, read_double_page_options, read_text_options])
+@pytest.mark.parametrize(
+    ("word", "shown"),
+    [
+        ("--el\nast", r"--el\nast"),
+        ("a\x1b[2J\r.csv", r"a\x1b[2J\r.csv"),
+        ("\udcff\u2028ω", r"\udcff\u2028ω"),
+    ],
+)
+def test_what_a_terminal_does_not_show_is_written_out(read_options, word, shown, capsys):
+    with pytest.raises(SystemExit):
+        read_options(["my.csv", word])
+    assert capsys.readouterr().err.endswith(f": error: unrecognized arguments: {shown} (--help shows all options)\n")
+
+
 def test_the_port_may_come_from_vpythons_environment_variable(monkeypatch, capsys):
     monkeypatch.setenv(PORT_VARIABLE, "8000")
     assert read("")["port"] == 8000

@@ -1,13 +1,18 @@
 """The programs, as far as they need no browser: pds_tester.py, importing the viewer, and what its main does."""
 
+import errno
+import os
+import shlex
+import signal
 import subprocess
 import sys
-from importlib.machinery import PathFinder
+from contextlib import nullcontext, suppress
 from math import copysign, degrees
 from pathlib import Path
+from urllib.request import urlopen
 
 import pytest
-from programs import copy_project, ROOT, SECONDS
+from programs import copy_project, on_posix, PROGRAM, ROOT, running, SECONDS, wait_until, with_vpython
 from whole_cradles import components, FIVE_CSV, go_on
 
 from grading.cradles import MIXED, MIXED_CSV
@@ -16,7 +21,8 @@ from src.beyond.in_browser import show_cradle, show_double_cradle
 from src.special_cradles import make_newton_cradle
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.files import cradle_csv
-from support.start.output import spell_out_letters
+from support.page.local_server import page_sockets, port_of
+from support.start.output import spell_out_letters, while_it_is_read
 
 
 def test_pds_tester_shows_each_step_without_vpython(run, tmp_path):
@@ -98,29 +104,81 @@ def test_a_file_that_hides_nothing_is_no_mistake(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("error", "status"),
+    ("error", "status", "line"),
     [
-        ("BrokenPipeError", 0),
-        ("OSError(errno.EINVAL, 'Invalid argument')", 0),  # which is how Windows says it
-        ("OSError(errno.EINVAL, 'Invalid argument', 'data.csv')", 1),
-        ("OSError(errno.ENOSPC, 'No space left on device')", 1),
+        (BrokenPipeError(), None, ""),
+        (OSError(errno.EINVAL, "Invalid argument"), None, ""),  # which is how Windows says it
+        (OSError(errno.EINVAL, "Invalid argument", "data.csv"), 2, "data.csv: Invalid argument\n"),
+        (BrokenPipeError(errno.EPIPE, "Broken pipe", "data.csv"), 2, "data.csv: Broken pipe\n"),
+        (OSError(errno.ENOSPC, "No space left on device"), 2, "The output: No space left on device\n"),
     ],
 )
-def test_a_program_ends_quietly_where_nobody_reads_it(error, status):
-    code = f"""
-import errno, sys
-from support.start.output import while_it_is_read
-sys.platform = "win32"
-with while_it_is_read():
-    raise {error}
-print("this, too, nobody reads")
-"""
-    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
-    assert (done.returncode, done.stdout) == (status, "")
-    assert bool(done.stderr) == bool(status)
+def test_a_program_ends_quietly_or_with_one_line_where_nobody_reads_it(monkeypatch, capsys, error, status, line):
+    @while_it_is_read()
+    def main():
+        raise error
+
+    monkeypatch.setattr(sys, "platform", "win32")
+    with pytest.raises(SystemExit) if status else nullcontext() as refused:
+        main()
+    assert (refused.value.code if status else None) == status
+    assert capsys.readouterr() == ("", line)
 
 
-@pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
+def told(command, redirection):
+    """Return the exit status and the stderr of a program whose output nobody reads, or as the shell redirects it."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"}
+    line = ["sh", "-c", f"{shlex.quote(sys.executable)} {command} {redirection}"]
+    try:
+        done = subprocess.run(line, cwd=ROOT, env=environment, stdout=writer, stderr=subprocess.PIPE, text=True)
+    finally:
+        os.close(writer)
+    return done.returncode, done.stderr
+
+
+@on_posix
+@pytest.mark.parametrize(
+    ("command", "redirection", "outcome"),
+    [
+        ("src/text_cradle_run.py --seconds 0.01", ">&-", (0, "")),
+        ("src/text_cradle_run.py --help", ">&-", (0, "")),
+        ("src/text_cradle_run.py --lift 99", "2>/dev/full", (2, "")),
+        ("pds_tester.py", "", (0, "")),
+        ("pds_tester.py", ">/dev/full", (2, "The output: No space left on device\n")),
+        ("tests/watch.py test_angle_update --seconds 0.01", "", (0, "")),
+        ("tests/make_starter.py {folder}", ">/dev/full", (2, "The output: No space left on device\n")),
+    ],
+)
+def test_an_output_that_is_closed_or_full_or_unread_gives_one_line_at_most(tmp_path, command, redirection, outcome):
+    if redirection.endswith("/dev/full") and not Path("/dev/full").exists():
+        pytest.skip("macOS has no /dev/full")
+    assert told(command.format(folder=shlex.quote(str(tmp_path))), redirection) == outcome
+
+
+@with_vpython
+@on_posix
+def test_the_page_does_not_depend_on_its_output():
+    sockets = page_sockets(0)
+    port = port_of(sockets[0])
+    for each in sockets:
+        each.close()
+    with running(PROGRAM, "--no-browser", "--port", str(port)) as process:
+        process.stdout.close()
+        wait_until(lambda: has_page(port) or process.poll() is not None)
+        process.send_signal(signal.SIGINT)
+        assert (process.wait(SECONDS), process.stderr.read()) == (0, "")
+
+
+def has_page(port):
+    """Return whether a page is at this port."""
+    with suppress(OSError), urlopen(f"http://localhost:{port}/favicon.ico", timeout=SECONDS) as answer:
+        return answer.status == 200
+    return False
+
+
+@with_vpython
 def test_importing_the_viewer_starts_nothing():
     """With VPython itself: its server's module is not even loaded, and there is no word on the screen."""
     program = "import sys, src.visualize_cradle_run; sys.exit('vpython.no_notebook' in sys.modules)"

@@ -303,6 +303,8 @@ def test_so_is_one_that_cannot_go_on(main, monkeypatch, place, kind):
     ("error", "status", "line"),
     [
         (KeyboardInterrupt(131), 131, ""),
+        (OSError(28, "No space left on device"), 2, "The output: No space left on device\n"),
+        (BrokenPipeError(), 0, ""),
     ],
 )
 def test_it_ends_with_one_line_at_most_if_it_is_stopped_or_its_output_fails(main, error, status, line):
