@@ -1,5 +1,10 @@
 """Run this file to see, step by step, how newton_cradle_pends.csv becomes pend_list. It needs no VPython."""
 
+import os
+import sys
+
+if __name__ == "__main__":
+    sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))  # so that Python finds the project, also with -P
 
 from support import headless_vpython
 

@@ -1,18 +1,14 @@
 """Newton's cradle in the terminal: as moving text, as lines of text, or as data in a file. Needs no VPython."""
 
+import os
 import sys
 
 if __name__ == "__main__":
-    try:  # noqa: SIM105  contextlib could be hidden
-        import project_path  # noqa: F401
-    except ModuleNotFoundError:  # python -m src... does not find it, and does not need it
-        pass
+    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))  # finds the project, also with -P
     from support.start.interrupt import end_on_interrupt
 
     # The imports below take a moment; without this, Ctrl+C would print a traceback.
     end_on_interrupt(status=1 if "--record" in " ".join(sys.argv) else 0)
-
-import signal
 
 from support import headless_vpython
 

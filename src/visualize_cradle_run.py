@@ -1,10 +1,10 @@
 """Newton's cradle in the browser: collisions, the tick, and the program to play with."""
 
 if __name__ == "__main__":
-    try:  # noqa: SIM105  contextlib could be hidden
-        import project_path  # noqa: F401
-    except ModuleNotFoundError:  # python -m src... does not find it, and does not need it
-        pass
+    import os
+    import sys
+
+    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))  # finds the project, also with -P
     from support.start.interrupt import end_on_interrupt
     from support.start.later import import_later
 

@@ -16,10 +16,13 @@ from pathlib import Path
 
 import numpy as np
 
+if __name__ == "__main__":
+    sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
+
 from grading.project_path import ROOT
 from support import headless_vpython
 
-if "vpython" not in sys.argv:
+if "--vpython" not in sys.argv:
     headless_vpython.install()
 
 from src import visualize_cradle_run
@@ -28,6 +31,8 @@ from src.special_cradles import make_newton_cradle
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.energy import kinetic_energy, potential_energy
+from support.start.options import OneLineParser
+from support.start.output import while_it_is_read
 
 CRADLES = (5, 1), (50, 1), (500, 1), (50, 0)  # number of pendula, and their e
 CLING = 3.0  # s; then bobs with e = 0 cling together
@@ -113,7 +118,7 @@ def tick_costs() -> list[tuple[float, float]]:
 
 def tick_costs_on_vpython() -> list[tuple[float, float]]:
     """Return tick_costs with VPython's own objects, from this program in another process."""
-    done = subprocess.run([sys.executable, __file__, "vpython"], stdout=subprocess.PIPE, check=True)
+    done = subprocess.run([sys.executable, __file__, "--vpython"], stdout=subprocess.PIPE, check=True)
     return json.loads(done.stdout)
 
 
@@ -299,8 +304,13 @@ def project_without_fast_path(folder) -> Path:
     return project
 
 
-if __name__ == "__main__":
-    if "vpython" in sys.argv:
+@while_it_is_read()
+def main() -> None:
+    """Print all measurements, or those that another process makes for them."""
+    parser = OneLineParser(description="Measure the speed and the accuracy of the cradle.", allow_abbrev=False)
+    text = "measure only the ticks on VPython's objects, and print the numbers as JSON"
+    parser.add_argument("--vpython", action="store_true", help=text)
+    if parser.parse_args().vpython:
         import vpython
 
         vpython.baseObj._view_constructed = True  # VPython then believes that the page is open: no server, no browser
@@ -312,3 +322,7 @@ if __name__ == "__main__":
             plain = project_without_fast_path(folder)
             show_recording(plain)
             show_viewer(plain)
+
+
+if __name__ == "__main__":
+    main()

@@ -13,6 +13,9 @@ from pathlib import Path
 from queue import SimpleQueue
 from tempfile import TemporaryDirectory
 
+if __name__ == "__main__":
+    sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
+
 from grading.project_path import ROOT
 from support import headless_vpython
 

@@ -6,8 +6,12 @@ It is the project without the bodies of the handout's functions. Of tests/, it h
 import ast
 import re
 import shutil
+import sys
 from contextlib import suppress
 from pathlib import Path
+
+if __name__ == "__main__":
+    sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
 
 from grading.project_path import ROOT
 from support import headless_vpython

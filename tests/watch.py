@@ -11,6 +11,9 @@ from tempfile import TemporaryDirectory
 from types import SimpleNamespace
 from unittest.mock import patch
 
+if __name__ == "__main__":
+    sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
+
 from grading import project_path  # noqa: F401  finds the imports below
 from support import headless_vpython
 

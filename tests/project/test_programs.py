@@ -178,6 +178,30 @@ def has_page(port):
     return False
 
 
+@pytest.mark.parametrize(
+    "program",
+    [
+        *("pds_tester", "src/text_cradle_run"),
+        *(pytest.param(f"src/visualize_{name}_run", marks=with_vpython) for name in ("cradle", "double_cradle")),
+    ],
+)
+def test_a_program_finds_its_own_project_if_python_leaves_out_its_folder(monkeypatch, tmp_path, program):
+    monkeypatch.setenv("PYTHONSAFEPATH", "1")
+    command = [sys.executable, str(copy_project(tmp_path, "") / f"{program}.py")]
+    done = subprocess.run(command, cwd=os.sep, capture_output=True, text=True)
+    line = f"{tmp_path / 'newton_cradle_pends.csv'}: is empty, the first line must name the columns\n"
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
+
+
+@pytest.mark.parametrize("program", ["watch", "make_starter", "benchmark"])
+def test_so_does_a_program_of_the_tests_and_it_has_help(monkeypatch, program):
+    monkeypatch.setenv("PYTHONSAFEPATH", "1")
+    command = [sys.executable, str(ROOT / "tests" / f"{program}.py"), "--help"]
+    done = subprocess.run(command, cwd=os.sep, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith(f"usage: {program}.py ")
+
+
 @with_vpython
 def test_importing_the_viewer_starts_nothing():
     """With VPython itself: its server's module is not even loaded, and there is no word on the screen."""

@@ -106,7 +106,7 @@ def test_src_has_the_handouts_files_and_the_programs_and_nothing_else(starter):
     names = {path.name for path in starter.glob("src/*")}
     handouts = {function.file.partition("/")[2] for function in FUNCTIONS.values()}
     assert names == handouts | {
-        *("__init__.py", "beyond", "project_path.py", "text_cradle_run.py", "visualize_double_cradle_run.py"),
+        *("__init__.py", "beyond", "text_cradle_run.py", "visualize_double_cradle_run.py"),
     }
 
 
