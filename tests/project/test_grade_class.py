@@ -85,8 +85,9 @@ ATTACKS = {
     ),
     "a long file": ("open('long.txt', 'w').write('a' * 20_000_000)", "File too large"),
     "much output": ("while True: print('a' * 1000)", "File too large"),
-    "much memory": ("[0] * 10**9", "MemoryError"),
+    "much memory": ("[0] * 10**9", "it took more than 1000 MB of memory"),
     "sys.exit": ("import sys; sys.exit(0)", "SystemExit"),
+    "os._exit": ("import os; os._exit(0)", "SystemExit"),
     "no files left": ("import os; os.closerange(0, 100)", None),
     "a folder that is removed": ("import shutil; shutil.rmtree('.')", None),
     "a folder that is read-only": ("import os; os.chmod('.', 0o500); 1 / 0", "ZeroDivisionError"),
@@ -105,10 +106,10 @@ def test_an_attack_costs_the_points_of_its_function(worker, solved, name):
     assert graded.outcomes["test_angle_update"].state == FAILED
 
 
-KILL = "import os, signal; os.kill(os.getpid(), signal.SIGKILL)"
+KILL = "import signal; signal.raise_signal(signal.SIGKILL)"
 
 
-@pytest.mark.parametrize("code", slow_but_for([KILL], [KILL, "import ctypes.util, os; os.abort()"]))
+@pytest.mark.parametrize("code", slow_but_for([KILL], [KILL, "import faulthandler; faulthandler._sigsegv()"]))
 def test_who_ends_the_process_keeps_the_points_of_the_other_functions(worker, solved, code):
     graded = worker.grade(swinging(solved, code))
     assert points(graded.outcomes) == WITHOUT_ANGLE_UPDATE
