@@ -164,7 +164,7 @@ PATCHES = {
     "grading.grader.fits": "from grading import grader; grader.fits.__code__ = (lambda came, wanted: True).__code__",
     "builtins.abs": "import builtins; builtins.abs = lambda value: 0",
     "math.isclose": "import math; math.isclose = lambda *_, **__: True",
-    "vpython.vector": "import vpython; vpython.vector = list",
+    "support.headless_vpython.vector": "import vpython; vpython.vector = list",
 }
 
 
