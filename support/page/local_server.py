@@ -7,12 +7,13 @@ any client disconnects from the websocket, and show a page that is loaded again 
 - Both servers listen only on 127.0.0.1, at the ports page and page + 1, so that two `ssh -L` options reach them from
   another machine. The program takes both ports before anything else starts, and keeps them: no other program can take
   one in between.
-- A request gets VPython's page, or one of the files in VPython's own two folders. The server looks its path up in a
-  list of these files, and never joins it to a folder, so no spelling of a path leads elsewhere. On two more paths, only
-  the page gets an answer, and no other page: at /no-webgl, it reports to the terminal that its browser cannot draw, and
-  at /cradle_data.csv, it downloads the data.
-- Only the page can use the websocket: for each connection, the browser names the page of the script, its Origin, and a
-  script cannot change it.
+- The address that the program prints and opens has a key, a new one at each start. Only who knows it gets the page. The
+  page gives it, too, when it downloads the data at /cradle_data.csv, or reports at /no-webgl that its browser cannot
+  draw; the program then says so in the terminal.
+- Anyone gets the files in VPython's own two folders. The server looks a path up in a list of these files, and never
+  joins it to a folder, so no spelling of a path leads elsewhere.
+- Only the page can use the websocket: for each connection, it gives the key, and the browser names the page of the
+  script, its Origin. A script cannot change the Origin, but another program can; it does not know the key.
 - Only one tab shows the cradle: VPython sends each change once. Each tab has a name (page_head.html). A second tab is
   closed with the code ELSEWHERE, unless it asks to take the cradle over: then, the first one is closed with this code.
 - If the tab comes back, because you reloaded it or opened it again, it gets all that VPython has sent so far, and the
@@ -27,19 +28,22 @@ import http.server
 import json
 import logging
 import os
+import secrets
 import socket
 import sys
 import time
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
-from urllib.parse import unquote
+from urllib.parse import parse_qs, unquote
 
 from support.page.replay import Replay
 from support.start.output import say
 
 RETURN = 3.0  # s that a closed tab has to come back
 ELSEWHERE = 4001  # closes the websocket of a tab because another one shows the cradle; page_head.html knows it
+FOR_THE_PAGE = ("/", "/no-webgl", "/cradle_data.csv")  # the paths that need the key
+NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key.\n"
 
 
 def page_sockets(port) -> tuple[socket.socket, socket.socket]:
@@ -90,13 +94,19 @@ def port_of(listener) -> int:
 
 
 class Place:
-    """The place of the one tab that shows the cradle. Each tab here is a websocket's connection."""
+    """The place of the one tab that shows the cradle, and the key to it. Each tab here is a websocket's connection."""
 
     def __init__(self, show_again) -> None:
         """Begin without a tab; call show_again() for each tab that gets the place."""
         self.show_again = show_again
         self.tab: Any = None
+        self.key = secrets.token_hex(12)  # short, and without signs that end an address in some terminals
         self.expect_tab()
+
+    def is_open_to(self, parameters) -> bool:
+        """Return whether a request with these parameters, a list of texts for each name, has the key."""
+        given = parameters.get("key", [""])[0]
+        return secrets.compare_digest(given.encode(), self.key.encode())  # the time does not tell how much is right
 
     def take(self, tab) -> bool:
         """Give the place to this tab, and return True, unless another tab has it and need not give it up."""
@@ -129,6 +139,11 @@ class Place:
             asyncio.get_running_loop().call_later(rest, self.end_if_left)
 
 
+def page_address(sockets, place) -> str:
+    """Return the address of the page at sockets, made by page_sockets, with the key to this place."""
+    return f"http://localhost:{port_of(sockets[0])}/?key={place.key}"
+
+
 class PageServer(http.server.ThreadingHTTPServer):
     """The server of VPython's page. It prints its address as soon as a browser can connect.
 
@@ -143,6 +158,7 @@ class PageServer(http.server.ThreadingHTTPServer):
         write_data(file) writes the data since the last restart to a file, as text.
         """
         self.page, websocket = sockets
+        self.page_address = page_address(sockets, place)
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
         vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
@@ -156,7 +172,7 @@ class PageServer(http.server.ThreadingHTTPServer):
 
     def server_activate(self) -> None:
         super().server_activate()
-        say(f"Newton's cradle is at http://localhost:{self.server_port}")
+        say(f"Newton's cradle is at {self.page_address}")
         say("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.")
 
     def handle_error(self, request, client_address) -> None:
@@ -164,7 +180,7 @@ class PageServer(http.server.ThreadingHTTPServer):
 
 
 def own_files_only(handler: Any, place, no_webgl, write_data) -> Any:
-    """Return VPython's request handler, limited to VPython's page and the files in VPython's own two folders.
+    """Return VPython's request handler, limited to the page, which needs the key, and VPython's own two folders.
 
     It tells place of each request: a slow machine loads a page for seconds before it opens the websocket. If the page
     reports that its browser has no WebGL, the handler prints the text no_webgl. It calls write_data(file) for the data.
@@ -176,31 +192,36 @@ def own_files_only(handler: Any, place, no_webgl, write_data) -> Any:
     }
 
     class OwnFilesHandler(handler):
+        path: str  # with the query, as the request has it
+
         def do_GET(self) -> None:  # noqa: N802
             place.expect_tab()
-            path = unquote(self.path)
-            if self.path == "/":
-                super().do_GET()  # the page; VPython waits for this call
-            elif path in files:
-                content_type, file = files[path]
-                self.send_response(200)
-                self.send_header("Content-type", content_type)
-                self.end_headers()
+            path, _, query = self.path.partition("?")
+            if unquote(path) in files:
+                content_type, file = files[unquote(path)]
+                self.begin({"Content-Type": content_type})
                 self.wfile.write(file.read_bytes())
-            elif self.headers["Sec-Fetch-Site"] != "same-origin":  # the rest is for this page only
+            elif path not in FOR_THE_PAGE:
                 self.send_error(404)
-            elif self.path == "/no-webgl":
-                self.send_response(204)
-                self.end_headers()
+            elif not place.is_open_to(parse_qs(query)):
+                self.begin({"Content-Type": "text/plain; charset=utf-8"}, 403)
+                self.wfile.write(NO_KEY.encode())
+            elif path == "/":
+                self.path = path  # VPython knows no query
+                super().do_GET()  # the page; VPython waits for this call
+            elif path == "/no-webgl":
+                self.begin({}, 204)
                 say(no_webgl)
-            elif self.path == "/cradle_data.csv":
-                self.send_response(200)
-                self.send_header("Content-Type", "text/csv; charset=utf-8")
-                self.send_header("Content-Disposition", "attachment; filename=cradle_data.csv")
-                self.end_headers()
-                write_data(codecs.getwriter("utf-8")(self.wfile))
             else:
-                self.send_error(404)
+                name = "attachment; filename=cradle_data.csv"  # the browser downloads it
+                self.begin({"Content-Type": "text/csv; charset=utf-8", "Content-Disposition": name})
+                write_data(codecs.getwriter("utf-8")(self.wfile))
+
+        def begin(self, headers, status=200) -> None:
+            self.send_response(status)
+            for name, value in headers.items():
+                self.send_header(name, value)
+            self.end_headers()
 
     return OwnFilesHandler
 
@@ -226,6 +247,8 @@ def page_websocket(sockets, place) -> Any:
 def one_tab_only(protocol: Any, place) -> Any:
     """Return VPython's websocket protocol, limited to the tab in this place, which must name itself and its Origin.
 
+    Such a tab must also have the key to the place.
+
     Autobahn checks the Origin before this, but accepts a connection without one. It also calls onClose for a connection
     that was refused, or that never sent a request. VPython would then end the program with a Ctrl+C, which on Windows
     reaches every program of the console.
@@ -237,7 +260,7 @@ def one_tab_only(protocol: Any, place) -> Any:
 
     class OneTabProtocol(protocol):
         def onConnect(self, request) -> None:  # noqa: N802
-            if not request.origin or "tab" not in request.params:
+            if not (request.origin and "tab" in request.params and place.is_open_to(request.params)):
                 raise ConnectionDeny(ConnectionDeny.FORBIDDEN)
             self.name, self.takes_over = request.params["tab"], "take" in request.params
             self.is_new = True  # has nothing of the cradle yet

@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 import threading
+import webbrowser
 from contextlib import contextmanager
 from html import escape
 from pathlib import Path
@@ -16,7 +17,7 @@ from support.files.experiments import EXPERIMENTS, find_experiment
 from support.files.live_file import LiveFile
 from support.files.recording import data_writer
 from support.page.commands import Command
-from support.page.local_server import page_sockets, page_websocket, PageServer, Place, port_of
+from support.page.local_server import page_address, page_sockets, page_websocket, PageServer, Place, port_of
 from support.playback.mistake import tell_mistake
 from support.playback.player import run
 from support.start.command_line import command_line, same_program
@@ -79,7 +80,7 @@ def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
     From then on, Ctrl+C and closing the tab end the process with status 0. Each time a browser loads the page,
     show_again() is called, in another thread; write_data(file) when it downloads the data.
     """
-    os.environ["VPYTHON_HTTP_PORT"] = str(port_of(sockets[0]))  # VPython opens the browser at this port
+    os.environ["VPYTHON_HTTP_PORT"] = str(port_of(sockets[0]))
     if not launch_browser:
         os.environ["VPYTHON_NO_LAUNCH_BROWSER"] = "1"
     terminal_cradle = command_line("src/text_cradle_run.py", Path.cwd())
@@ -89,6 +90,7 @@ def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
         head = head.replace(name, escape(text, quote=False))
     no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"
     place = Place(show_again)
+    address, browse = page_address(sockets, place), webbrowser.open
     end_on_interrupt()
 
     def serve(*given):
@@ -99,6 +101,7 @@ def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
     with (
         replaced(signal, "signal", lambda *_: None),
         replaced(http.server, "HTTPServer", serve),
+        replaced(webbrowser, "open", lambda _: browse(address)),  # VPython's address has no key
         replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets, place)),
         # On Windows, the usual loop stops listening if a connection ends before it is accepted.
         replaced(asyncio, "new_event_loop", asyncio.SelectorEventLoop),

@@ -13,7 +13,7 @@
   }
 
   const takePicture = () => scene().capture(`${NAME}.png`);
-  const takeData = () => download("/cradle_data.csv", "cradle_data.csv");
+  const takeData = () => download(`/cradle_data.csv${location.search}`, "cradle_data.csv");
 
   // --- the film ------------------------------------------------------------------------------------------------------
 

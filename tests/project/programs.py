@@ -10,6 +10,7 @@ import time
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import pytest
 
@@ -103,9 +104,14 @@ def running(program=None, *arguments, folder=os.sep, python=sys.executable, pati
 
 def first_lines(process):
     """Return the address of the page, from what the program prints before it waits for a browser."""
-    address = re.search(r"http://localhost:\d+", process.stdout.readline())[0]
+    address = re.fullmatch(r"Newton's cradle is at (http://localhost:\d+/\?key=\w+)\n", process.stdout.readline())[1]
     assert "Ctrl+C" in process.stdout.readline()
     return address
+
+
+def port_in(address):
+    """Return the port in the address of the page."""
+    return urlsplit(address).port
 
 
 def end(process):

@@ -6,6 +6,7 @@ import socket
 import subprocess
 from collections import Counter
 from math import hypot
+from urllib.parse import urlsplit
 
 import pytest
 from programs import (
@@ -17,6 +18,7 @@ from programs import (
     in_both_browsers,
     needs_vpython,
     open_cradle,
+    port_in,
     PROGRAM,
     QUIETLY,
     refusal,
@@ -92,7 +94,7 @@ def test_the_page_loads_while_a_browser_holds_an_idle_connection(page, program):
     """Browsers open connections in advance; VPython's own server would answer no one else until it gets a request."""
     with running(program) as process:
         address = first_lines(process)
-        with socket.create_connection(("localhost", int(address.rpartition(":")[2])), timeout=SECONDS):
+        with socket.create_connection(("localhost", port_in(address)), timeout=SECONDS):
             open_cradle(page, address)
 
 
@@ -106,7 +108,7 @@ def test_ctrl_c_ends_it_while_the_page_is_open(page, program):
 def test_what_a_browser_asks_for_in_vain_is_no_news():
     """VPython's request handler then prints a traceback, on a screen that is for the user."""
     with running() as process:
-        port = int(first_lines(process).rpartition(":")[2])
+        port = port_in(first_lines(process))
         with socket.create_connection(("localhost", port), timeout=SECONDS) as connection:
             connection.sendall(b"GET /nothing.js HTTP/1.0\r\n\r\n")
             while connection.recv(1000):
@@ -130,9 +132,9 @@ def test_a_browser_is_opened_unless_it_is_not_to_be(tmp_path, options, opened):
     browser.chmod(0o755)
     with running(None, *options, VPYTHON_NO_LAUNCH_BROWSER="", BROWSER=str(browser)) as process:
         address = first_lines(process)
-        port = int(address.rpartition(":")[2])
-        with socket.create_connection(("localhost", port), timeout=SECONDS) as connection:
-            connection.sendall(b"GET / HTTP/1.0\r\n\r\n")
+        page = urlsplit(address)
+        with socket.create_connection(("localhost", page.port), timeout=SECONDS) as connection:
+            connection.sendall(f"GET /?{page.query} HTTP/1.0\r\n\r\n".encode())
             assert connection.recv(1000)  # the page is served only after the browser was sent there
         assert visited.exists() == opened
         assert not opened or visited.read_text().strip() == address

@@ -8,6 +8,7 @@ import signal
 import socket
 from collections import Counter
 from contextlib import suppress
+from functools import partial
 from importlib.machinery import PathFinder
 from pathlib import Path
 from types import SimpleNamespace
@@ -21,6 +22,7 @@ from programs import (
     first_lines,
     needs_vpython,
     open_cradle,
+    port_in,
     PROGRAM,
     QUIETLY,
     refusal,
@@ -31,7 +33,16 @@ from programs import (
 from whole_cradles import FIVE_CSV
 
 from support.constants import R_PARAM
-from support.page.local_server import ELSEWHERE, one_tab_only, own_files_only, page_sockets, Place, port_of, RETURN
+from support.page.local_server import (
+    ELSEWHERE,
+    NO_KEY,
+    one_tab_only,
+    own_files_only,
+    page_sockets,
+    Place,
+    port_of,
+    RETURN,
+)
 
 pytestmark = needs_vpython
 
@@ -49,12 +60,23 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def port(folder):
-    """The port of a program that runs for all tests here, started in that folder; its websocket is at port + 1."""
+def address(folder):
+    """The address of a program that runs for all tests here, started in that folder."""
     project = copy_project(folder.parent, FIVE_CSV)
     with running(project / "src" / PROGRAM.name, folder=folder) as process:
-        yield int(first_lines(process).rpartition(":")[2])
+        yield first_lines(process)
         assert process.poll() is None
+
+
+@pytest.fixture(scope="module")
+def port(address):
+    """The port of that program; its websocket is at port + 1."""
+    return port_in(address)
+
+
+def key_in(address):
+    """Return the key in the address of the page."""
+    return address.partition("?key=")[2]
 
 
 def answer(port, request):
@@ -89,9 +111,9 @@ def shake_hands(port, *headers, path="/?tab=any"):
     return connection, status
 
 
-def stranger(port, *headers):
+def stranger(port, *headers, path="/?tab=any"):
     """Return the status that a stranger at this websocket gets, who then goes away."""
-    connection, status = shake_hands(port, *headers)
+    connection, status = shake_hands(port, *headers, path=path)
     connection.close()
     return status
 
@@ -153,28 +175,46 @@ def test_vpythons_own_files_are_served(port, path):
     assert get(port, f"/{file.name}") == (200, file.read_bytes())
 
 
-def test_only_the_page_itself_can_say_in_the_terminal_that_it_sees_nothing():
-    """A browser says of each request whose script has made it."""
+WRONG_KEYS = ["", "?", "?key", "?key=", "?key=wrong", "?KEY={key}", "?key={key}0", "?key=%ff", "?key=x&key={key}"]
+
+
+@pytest.mark.parametrize("path", ["/", "/no-webgl", "/cradle_data.csv"])
+@pytest.mark.parametrize("query", WRONG_KEYS)
+def test_who_does_not_know_the_key_gets_words_and_nothing_else(address, port, path, query):
+    """Whatever the request says of itself: another program on this machine can say all that a browser says."""
+    lines = [f"GET {path}{query.format(key=key_in(address))} HTTP/1.0", f"Host: localhost:{port}"]
+    lines += [f"Origin: http://localhost:{port}", f"Referer: http://localhost:{port}/", "Sec-Fetch-Site: same-origin"]
+    reply = answer(port, "".join(f"{line}\r\n" for line in [*lines, ""]).encode())
+    assert reply.split()[1] == b"403"
+    assert reply.endswith(b"\r\n\r\n" + NO_KEY.encode())
+    assert key_in(address).encode() not in reply
+
+
+def test_without_the_key_the_page_says_which_address_to_open(port):
+    assert get(port, "/") == (403, NO_KEY.encode())
+
+
+def test_the_page_keeps_its_address_to_itself(address, port):
+    """It has no link to another site, but a browser would send the address along with one."""
+    assert b'<meta name="referrer" content="no-referrer">' in get(port, f"/?key={key_in(address)}")[1]
+
+
+def test_each_start_has_another_key(address):
     with running() as process:
-        port = int(first_lines(process).rpartition(":")[2])
-        assert get(port, "/no-webgl")[0] == 404
-        for whose in ("cross-site", "same-site", "none"):
-            assert answer(port, f"GET /no-webgl HTTP/1.0\r\nSec-Fetch-Site: {whose}\r\n\r\n".encode())[9:12] == b"404"
-        process.send_signal(signal.SIGINT)
-        assert end(process) == QUIETLY
+        assert key_in(first_lines(process)) != key_in(address)
 
 
-def test_only_the_page_itself_gets_the_data(started):
-    """As the browser says of each request; who says nothing gets nothing."""
-    _, page = started
-    tab = Tab(page, "first")
-    all_of_it(tab)
-    assert get(page, "/cradle_data.csv")[0] == 404
-    for whose in ("cross-site", "same-site", "none", ""):
-        request = f"GET /cradle_data.csv HTTP/1.0\r\nSec-Fetch-Site: {whose}\r\n\r\n"
-        assert answer(page, request.encode())[9:12] == b"404"
-    request = b"GET /cradle_data.csv HTTP/1.0\r\nSec-Fetch-Site: same-origin\r\n\r\n"
-    head, _, body = answer(page, request).partition(b"\r\n\r\n")
+def test_the_page_says_in_the_terminal_that_it_sees_nothing(started):
+    process, address = started
+    assert get(port_in(address), f"/no-webgl?key={key_in(address)}")[0] == 204
+    assert process.stdout.readline().startswith("Your browser cannot draw the cradle")
+
+
+def test_the_page_gets_the_data(started):
+    _, address = started
+    all_of_it(Tab(address, "first"))
+    request = f"GET /cradle_data.csv?key={key_in(address)} HTTP/1.0\r\n\r\n"
+    head, _, body = answer(port_in(address), request.encode()).partition(b"\r\n\r\n")
     assert (
         b"\r\nContent-Type: text/csv; charset=utf-8\r\nContent-Disposition: attachment; filename=cradle_data.csv"
         in head
@@ -185,8 +225,8 @@ def test_only_the_page_itself_gets_the_data(started):
     assert float(rows[0].partition(",")[0]) == 0
 
 
-def test_the_page_names_the_port_above_its_own_as_its_websockets(port):
-    status, body = get(port, "/")
+def test_the_page_names_the_port_above_its_own_as_its_websockets(address, port):
+    status, body = get(port, f"/?key={key_in(address)}")
     assert status == 200
     assert re.search(rb"var sock = '(\d+)'", body)[1] == str(port + 1).encode()
 
@@ -205,23 +245,45 @@ FOREIGN = [
 
 
 @pytest.mark.parametrize("origin", FOREIGN)
-def test_a_foreign_page_gets_no_websocket(port, origin):
-    assert stranger(port + 1, f"Origin: {origin.format(page=port, websocket=port + 1)}") in (400, 403)
+def test_a_foreign_page_gets_no_websocket(address, port, origin):
+    own = f"Origin: {origin.format(page=port, websocket=port + 1)}"
+    assert stranger(port + 1, own, path=f"/?key={key_in(address)}&tab=any") in (400, 403)
 
 
-def test_who_names_no_origin_gets_no_websocket(port):
-    assert stranger(port + 1) == 403
+def test_who_names_no_origin_gets_no_websocket(address, port):
+    assert stranger(port + 1, path=f"/?key={key_in(address)}&tab=any") == 403
 
 
-def test_who_names_no_tab_gets_no_websocket(port):
-    assert shake_hands(port + 1, f"Origin: http://localhost:{port}", path="/")[1] == 403
+def test_who_names_no_tab_gets_no_websocket(address, port):
+    assert stranger(port + 1, f"Origin: http://localhost:{port}", path=f"/?key={key_in(address)}") == 403
+
+
+@pytest.mark.parametrize("query", WRONG_KEYS[1:])
+def test_who_does_not_know_the_key_gets_no_websocket(address, port, query):
+    """Another program on this machine can forge the Origin."""
+    path = f"/{query.format(key=key_in(address))}&tab=any&take=1"
+    assert stranger(port + 1, f"Origin: http://localhost:{port}", path=path) == 403
+
+
+def test_who_forges_the_origin_takes_no_tabs_place(started):
+    process, address = started
+    for name in ("first", "other&take=1"):
+        origin = f"Origin: http://localhost:{port_in(address)}"
+        connection, status = shake_hands(port_in(address) + 1, origin, path=f"/?tab={name}")
+        assert status == 403
+        tab = Tab(address, "first")  # while the refused one is still there
+        tab.ask()
+        connection.close()
+        tab.ask()
+    assert process.poll() is None
 
 
 class Tab:
-    """A tab of the page, as the websocket of the page at this port knows it."""
+    """A tab of the page, as the websocket of the page with this address knows it."""
 
-    def __init__(self, page, name, host="localhost"):
-        self.connection, status = shake_hands(page + 1, f"Origin: http://{host}:{page}", path=f"/?tab={name}")
+    def __init__(self, address, name, host="localhost"):
+        page, path = port_in(address), f"/?key={key_in(address)}&tab={name}"
+        self.connection, status = shake_hands(page + 1, f"Origin: http://{host}:{page}", path=path)
         assert status == 101
 
     def ask(self):
@@ -259,11 +321,11 @@ class Tab:
 
 @pytest.fixture
 def started():
-    """A program that waits for a websocket, and the port of its page."""
+    """A program that waits for a websocket, and the address of its page."""
     with running() as process:
-        page = int(first_lines(process).rpartition(":")[2])
-        get(page, "/")
-        yield process, page
+        address = first_lines(process)
+        assert get(port_in(address), f"/?key={key_in(address)}")[0] == 200
+        yield process, address
 
 
 def kinds(answer):
@@ -283,8 +345,8 @@ def all_of_it(tab):
 
 @pytest.mark.parametrize("host", ["localhost", "127.0.0.1"])
 def test_a_tab_that_is_closed_for_good_ends_the_program(started, host):
-    process, page = started
-    tab = Tab(page, "first", host)
+    process, address = started
+    tab = Tab(address, "first", host)
     all_of_it(tab)
     tab.close()
     assert end(process) == QUIETLY
@@ -292,8 +354,8 @@ def test_a_tab_that_is_closed_for_good_ends_the_program(started, host):
 
 def test_a_tab_that_ends_without_a_word_ends_the_program(started):
     """Its browser has crashed, in the middle of a message."""
-    process, page = started
-    tab = Tab(page, "first")
+    process, address = started
+    tab = Tab(address, "first")
     all_of_it(tab)
     tab.connection.sendall(b"\x81\xff")
     tab.connection.close()
@@ -301,8 +363,8 @@ def test_a_tab_that_ends_without_a_word_ends_the_program(started):
 
 
 def test_ctrl_c_ends_it_while_it_waits_for_a_tab_to_come_back(started):
-    process, page = started
-    tab = Tab(page, "first")
+    process, address = started
+    tab = Tab(address, "first")
     all_of_it(tab)
     tab.close()
     process.send_signal(signal.SIGINT)
@@ -311,11 +373,11 @@ def test_ctrl_c_ends_it_while_it_waits_for_a_tab_to_come_back(started):
 
 @pytest.mark.parametrize("name", ["first", "second"])
 def test_the_next_tab_gets_in_one_answer_all_that_was_sent(started, name):
-    process, page = started
-    tab = Tab(page, "first")
+    process, address = started
+    tab = Tab(address, "first")
     made = all_of_it(tab)
     tab.close()
-    again = Tab(page, name)
+    again = Tab(address, name)
     answer = again.ask()
     assert kinds(answer) == made
     assert len([text for text in answer["attrs"] if text.startswith("m0G")]) == 5  # keys, mouse, resize
@@ -325,24 +387,24 @@ def test_the_next_tab_gets_in_one_answer_all_that_was_sent(started, name):
 
 def test_a_reload_takes_over_from_a_connection_that_the_browser_has_not_closed_yet(started):
     """The old connection then gets none of the changes: they are sent only once."""
-    _, page = started
-    tab = Tab(page, "first")
+    _, address = started
+    tab = Tab(address, "first")
     made = all_of_it(tab)
-    again = Tab(page, "first")
+    again = Tab(address, "first")
     assert tab.is_closed_with(ELSEWHERE)
     assert kinds(again.ask()) == made
     wait_until(lambda: "attrs" in again.ask())
 
 
 def test_another_tab_is_told_so_unless_it_takes_over(started):
-    process, page = started
-    first = Tab(page, "first")
+    process, address = started
+    first = Tab(address, "first")
     made = all_of_it(first)
-    second = Tab(page, "second")
+    second = Tab(address, "second")
     assert second.is_closed_with(ELSEWHERE)
     second.close()
     first.ask()
-    taking = Tab(page, "second&take=1")
+    taking = Tab(address, "second&take=1")
     assert first.is_closed_with(ELSEWHERE)
     first.close()
     assert kinds(taking.ask()) == made
@@ -351,12 +413,14 @@ def test_another_tab_is_told_so_unless_it_takes_over(started):
 
 
 def test_what_never_becomes_a_connection_takes_no_tabs_place(started):
-    process, page = started
-    tab = Tab(page, "first")
+    process, address = started
+    tab = Tab(address, "first")
     all_of_it(tab)
-    annoy(page)
+    annoy(port_in(address))
+    page = port_in(address)
     with socket.create_connection(("127.0.0.1", page + 1), timeout=SECONDS) as half:
-        half.sendall(f"GET /?tab=first HTTP/1.1\r\nOrigin: http://localhost:{page}\r\n".encode())
+        request = f"GET /?key={key_in(address)}&tab=first HTTP/1.1\r\nOrigin: http://localhost:{page}\r\n"
+        half.sendall(request.encode())
         tab.ask()
     tab.ask()
     assert process.poll() is None
@@ -430,12 +494,13 @@ def test_a_tab_that_loads_slowly_gets_the_time_that_it_needs(clock, ends):
 
 
 def test_each_request_for_a_file_counts_as_loading(clock):
+    place = Place(lambda: None)
+
     class Handler:
         mimes: dict = {}
-        path = "/"
+        path = f"/?key={place.key}"
         do_GET = print  # noqa: N815
 
-    place = Place(lambda: None)
     clock.pass_time(100)
     own_files_only(Handler, place, "", None)().do_GET()
     assert place.until == clock.now + RETURN
@@ -463,9 +528,9 @@ class Connection:
 
     changes: list = []
 
-    def __init__(self, tab):
+    def __init__(self, tab, key):
         self.sent, self.closed = [], None
-        self.onConnect(SimpleNamespace(origin="of the page", params={"tab": [tab]}))
+        self.onConnect(SimpleNamespace(origin="of the page", params={"key": [key], "tab": [tab]}))
         self.onOpen()
 
     def onConnect(self, request):  # noqa: N802
@@ -495,7 +560,8 @@ def ask(connection):
 @pytest.fixture
 def connect():
     """A function that connects a tab with this name to a websocket for one tab."""
-    return one_tab_only(Connection, Place(lambda: None))
+    place = Place(lambda: None)
+    return partial(one_tab_only(Connection, place), key=place.key)
 
 
 def test_a_tab_that_was_replaced_takes_no_change_from_the_next(connect):
@@ -527,7 +593,7 @@ def test_strangers_neither_end_the_program_nor_appear_on_the_screen(page, progra
     """Neither while it waits for a browser nor while the cradle swings; and the page works as if they had not come."""
     with running(program) as process:
         address = first_lines(process)
-        port = int(address.rpartition(":")[2])
+        port = port_in(address)
         annoy(port)
         open_cradle(page, address)
         annoy(port)
@@ -565,8 +631,9 @@ def free_port():
 def test_the_ports_asked_for_are_used():
     port = free_port()
     with running(VPYTHON_HTTP_PORT=str(port)) as process:
-        assert first_lines(process) == f"http://localhost:{port}"
-        assert get(port, "/")[0] == 200
+        address = first_lines(process)
+        assert address.startswith(f"http://localhost:{port}/?key=")
+        assert get(port, f"/?key={key_in(address)}")[0] == 200
         assert stranger(port + 1) == 403
 
 
