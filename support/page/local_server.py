@@ -18,7 +18,7 @@ any client disconnects from the websocket, and show a page that is loaded again 
   closed with the code ELSEWHERE, unless it asks to take the cradle over: then, the first one is closed with this code.
 - If the tab comes back, because you reloaded it or opened it again, it gets all that VPython has sent so far, and the
   cradle restarts. If it does not begin to load within RETURN seconds, the program ends.
-- The program never prints text from other clients.
+- The program never prints text from other clients, and ignores what VPython's page would not send (events.py).
 """
 
 import asyncio
@@ -37,11 +37,13 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qs, unquote
 
+from support.page.events import known_events
 from support.page.replay import Replay
 from support.start.output import say
 
 RETURN = 3.0  # s that a closed tab has to come back
 ELSEWHERE = 4001  # closes the websocket of a tab because another one shows the cradle; page_head.html knows it
+LARGEST_MESSAGE = 2**26  # bytes; closes the websocket of a tab that sends more: the program would keep it in memory
 FOR_THE_PAGE = ("/", "/no-webgl", "/cradle_data.csv")  # the paths that need the key
 NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key.\n"
 
@@ -238,16 +240,18 @@ def page_websocket(sockets, place) -> Any:
     async def create_page_websocket(loop, factory, *_):
         logging.getLogger("autobahn").setLevel(logging.CRITICAL)  # it quotes refused clients
         factory.setProtocolOptions(allowedOrigins=origins, allowNullOrigin=False, webStatus=False)
-        factory.protocol = one_tab_only(factory.protocol, place)
+        factory.setProtocolOptions(maxFramePayloadSize=LARGEST_MESSAGE, maxMessagePayloadSize=LARGEST_MESSAGE)
+        objects = sys.modules[factory.protocol.__module__].baseObj.object_registry  # of VPython, by number
+        factory.protocol = one_tab_only(factory.protocol, place, objects)
         return await create_server(loop, factory, sock=websocket)
 
     return create_page_websocket
 
 
-def one_tab_only(protocol: Any, place) -> Any:
+def one_tab_only(protocol: Any, place, objects) -> Any:
     """Return VPython's websocket protocol, limited to the tab in this place, which must name itself and its Origin.
 
-    Such a tab must also have the key to the place.
+    Such a tab must also have the key to the place. objects has VPython's objects by number.
 
     Autobahn checks the Origin before this, but accepts a connection without one. It also calls onClose for a connection
     that was refused, or that never sent a request. VPython would then end the program with a Ctrl+C, which on Windows
@@ -270,9 +274,9 @@ def one_tab_only(protocol: Any, place) -> Any:
             if place.take(self):
                 super().onOpen()
 
-        async def onMessage(self, *message) -> None:  # noqa: N802
+        async def onMessage(self, data, is_binary) -> None:  # noqa: N802
             if self is place.tab:  # VPython forgets each change when it answers a message
-                await super().onMessage(*message)
+                await super().onMessage(known_events(data, objects), is_binary)
 
         def sendMessage(self, payload, **options) -> None:  # noqa: N802
             replay.add(json.loads(payload))

@@ -91,6 +91,8 @@ class Questions:
         """
         if not (self.is_asking and self.experiment and self.experiment.key == question):
             return False
+        if number not in (None, *range(len(self.experiment.answers))):
+            return False
         self.is_asking, self.said = False, number
         self.show()
         return True

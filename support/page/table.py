@@ -10,9 +10,9 @@ from support.constants import COLOR_MAP
 from support.files.cradle_csv import are_in_range, IN_RANGE, RULES
 from support.files.edited_csv import values_of, with_cell
 from support.page.commands import Command
+from support.page.events import read_json
 from support.page.widgets import add_hint, end_row, set_text
 
-FROM_PAGE = ("ANSWER", "TABLE", "EDIT", "ADD", "DELETE")  # the commands that the page's own script gives
 HINT = "Row 1 is pend_list[0]. A change restarts the cradle. Your file stays as it is until you write it."
 
 
@@ -31,7 +31,7 @@ class Table:
     def add(self, give) -> None:
         """Add the table to the panel; its widgets call give(command, value), in a thread of VPython."""
         self.rows, self.now = wtext(), wtext()
-        winput(bind=lambda box: give(*read_command(box.text)))  # table.js gives commands through it, and hides it
+        winput(bind=lambda box: give_command(give, box.text))  # table.js gives commands through it, and hides it
         end_row()
         self.tick = button(text="One tick", bind=lambda: give(Command.TICK))
         self.write = button(text="Write to my CSV", bind=lambda: give(Command.WRITE))
@@ -94,9 +94,14 @@ def as_data(name, data) -> str:
     return f'<i class="data" data-name="{name}" data-value="{escape(json.dumps(data))}"></i>'
 
 
-def read_command(text) -> tuple[Command, object]:
-    """Return the command and its value from the text that the page's script has sent."""
-    name, value = json.loads(text)
-    if name not in FROM_PAGE:
-        raise ValueError(f"the page gives no command {name!r}")
-    return Command[name], value
+def give_command(give, text) -> None:
+    """Call give(command, value) for a text from the page's script; do nothing for a text that it does not send."""
+    match read_json(text):
+        case (
+            ["TABLE", bool() as value]
+            | ["ADD", None as value]
+            | ["DELETE", int() as value]
+            | ["EDIT", [int(), "mass" | "e" | "color", str()] as value]
+            | ["ANSWER", [str(), int() | None] as value]
+        ) as command:
+            give(Command[command[0]], value)

@@ -35,6 +35,7 @@ from whole_cradles import FIVE_CSV
 from support.constants import R_PARAM
 from support.page.local_server import (
     ELSEWHERE,
+    LARGEST_MESSAGE,
     NO_KEY,
     one_tab_only,
     own_files_only,
@@ -293,7 +294,8 @@ class Tab:
 
     def send(self, kind, data):
         """Send a frame (RFC 6455): 1 is text, 8 closes. A client's frames have a mask; this one changes nothing."""
-        self.connection.sendall(bytes([0x80 | kind, 0x80 | len(data), 0, 0, 0, 0]) + data)
+        length = [len(data)] if len(data) < 126 else [126, *len(data).to_bytes(2, "big")]
+        self.connection.sendall(bytes([0x80 | kind, 0x80 | length[0], *length[1:], 0, 0, 0, 0]) + data)
 
     def frame(self, kind):
         """Return the data of the next frame, which must be of this kind."""
@@ -424,6 +426,61 @@ def test_what_never_becomes_a_connection_takes_no_tabs_place(started):
         tab.ask()
     tab.ask()
     assert process.poll() is None
+
+
+BAD_MESSAGES = [
+    *(b"", b"{", b"\xff", b"TRIGGER", b"null", b"7", b'"trigger"', b"{}", b"[7]", b"[[]]", b"[{}]", b"[null]"),
+    *(b"[" * 50_000, b"9" * 10_000, b'[{"event": NaN}]'),
+]
+
+
+def test_a_message_that_is_not_of_the_page_does_nothing(started):
+    """It gets an answer, as each message does. Text that is not UTF-8 ends a websocket, so it comes as binary data."""
+    process, address = started
+    tab = Tab(address, "first")
+    all_of_it(tab)
+    for message in BAD_MESSAGES:
+        for kind in (1, 2) if message.isascii() else (2,):
+            tab.send(kind, message)
+            tab.frame(1)
+    unknown = [
+        *({"widget": "button", "idx": number, "value": 0} for number in (-1, 0, 10**6, None, "0", [])),
+        *({"event": "keydown", "canvas": number, "key": "r"} for number in (0, 10**6, None)),
+        {"event": "nothing", "canvas": 0},
+    ]
+    for event in unknown:
+        tab.send(1, json.dumps([event]).encode())
+        tab.frame(1)
+    wait_until(lambda: "attrs" in tab.ask())  # the cradle swings on
+    process.send_signal(signal.SIGINT)
+    assert end(process) == QUIETLY
+
+
+def test_a_message_of_the_page_does_what_it_says_beside_one_that_is_unknown(started):
+    _, address = started
+    tab = Tab(address, "first")
+    buttons = {}
+
+    def note_buttons():
+        answer = tab.ask()
+        buttons.update({cmd["text"]: cmd["idx"] for cmd in answer.get("cmds", []) if cmd.get("cmd") == "button"})
+        return kinds(answer)["gcurve"]
+
+    wait_until(note_buttons)
+    tab.send(1, json.dumps([{"idx": 10**6}, {"widget": "button", "idx": buttons["Pause"], "value": 0}]).encode())
+    tab.frame(1)
+    wait_until(lambda: f"a{buttons['Pause']}$Run" in tab.ask().get("attrs", []))
+
+
+def test_a_message_that_would_fill_the_memory_closes_the_tab(started):
+    process, address = started
+    tab = Tab(address, "first")
+    made = all_of_it(tab)
+    tab.connection.sendall(bytes([0x81, 0x80 | 127]) + (LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4))
+    assert tab.connection.recv(1) == b""  # it is closed
+    assert kinds(Tab(address, "first").ask()) == made
+    process.send_signal(signal.SIGINT)
+    assert end(process) == QUIETLY
 
 
 # --- the place of the tab --------------------------------------------------------------------------------------------
@@ -561,7 +618,7 @@ def ask(connection):
 def connect():
     """A function that connects a tab with this name to a websocket for one tab."""
     place = Place(lambda: None)
-    return partial(one_tab_only(Connection, place), key=place.key)
+    return partial(one_tab_only(Connection, place, {}), key=place.key)
 
 
 def test_a_tab_that_was_replaced_takes_no_change_from_the_next(connect):

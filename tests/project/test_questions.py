@@ -146,7 +146,10 @@ def test_it_also_runs_without_an_answer(asking, go_on):
     assert shown(asking)[-1].startswith("What happened: Two bobs, as far as the two. Two bobs came in at 1.07 m/s")
 
 
-@pytest.mark.parametrize("value", [["1_one_bob", 0], ["5_heavy_hits_light", None]])
+OTHERS = [["1_one_bob", 0], ["5_heavy_hits_light", None], ["2_two_bobs", 99], ["2_two_bobs", -1]]
+
+
+@pytest.mark.parametrize("value", OTHERS)
 def test_an_answer_to_another_question_does_nothing(asking, value):
     """You may click faster than the page shows the new question."""
     asking.viewer.give(Command.ANSWER, value)

@@ -15,7 +15,7 @@ from src.pds_helper import extract_and_convert
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import COLOR_MAP, DT, G, R_PARAM
 from support.page.commands import Command
-from support.page.table import read_command
+from support.page.table import give_command
 
 MASS_RULE = "mass: allowed is a number from 1e-300 to 1e6 (kg)"
 
@@ -29,7 +29,7 @@ def opened(wall):
 
 def tell(wall, name, value):
     """Give a command as the page's script does."""
-    wall.viewer.give(*read_command(json.dumps([name, value])))
+    give_command(wall.viewer.give, json.dumps([name, value]))
     wall.wait()
 
 
@@ -234,10 +234,22 @@ def test_a_saved_file_comes_before_what_was_edited(opened, csv):
     assert data(opened.viewer.table.rows)["mistakes"] == {}
 
 
+GIVEN = [
+    *(("TABLE", True), ("ADD", None), ("DELETE", 0), ("EDIT", [0, "mass", "2"])),
+    *(("ANSWER", ["1_one_bob", 0]), ("ANSWER", ["1_one_bob", None])),
+]
+NOT_GIVEN = [
+    *("", "{", "7", "[]", "null", '["ADD"]', '["SAVE", null]', '["ADD", null, 1]', '["ADD", 1]', "[" * 100_000),
+    *('["TABLE", 1]', '["DELETE", "0"]', '["DELETE", null]', '["ANSWER", "a"]', '["ANSWER", ["a", "0"]]'),
+    *('["EDIT", null]', '["EDIT", [0, "mass"]]', '["EDIT", [0, "mass", 2]]', '["EDIT", [0, "texture", "metal"]]'),
+]
+
+
 def test_the_page_gives_only_the_commands_of_its_script():
-    assert read_command('["ADD", null]') == (Command.ADD, None)
-    with pytest.raises(ValueError, match="SAVE"):
-        read_command('["SAVE", null]')
+    given: list = []
+    for text in [*NOT_GIVEN, *map(json.dumps, GIVEN)]:
+        give_command(lambda *command: given.append(command), text)
+    assert given == [(Command[name], value) for name, value in GIVEN]
 
 
 # --- write -----------------------------------------------------------------------------------------------------------
