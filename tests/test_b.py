@@ -1,12 +1,13 @@
 """B checks: two pendula knock into each other."""
 
-from itertools import permutations
+from itertools import permutations, product
+from math import pi
 
 from grading.cradles import hang
 from grading.grader import check, expect, find, same
 
 # The arguments e, omega1, omega2, m1, m2, and the result; by hand from the two formulas of the appendix.
-HIT, AFTER = (0.75, 4.0, -2.0, 1.0, 4.0), (-4.4, 0.1)
+HIT, AFTER = (0.7, 3.0, -4.0, 2.0, 8.0), (-6.52, -1.62)
 COLLISIONS = [
     ((0.5, 4.0, 0.0, 1.0, 1.0), (1.0, 3.0)),
     ((1, 3.0, 0.0, 1.0, 1.0), (0.0, 3.0)),  # equal masses, elastic: the velocities change places
@@ -26,41 +27,45 @@ COLLISIONS = [
     ((0.98, 2.0, 0.0, 1.0, 1.0), (0.02, 1.98)),  # e near 1
     ((0.5, 1.0, 0.0, 0.25, 24.75), (-0.485, 0.015)),  # masses far apart
     ((0.5, 1.0, 0.0, 24.75, 0.25), (0.985, 1.485)),
-    ((0.5, 1e-4, 0.0, 1.0, 1.0), (2.5e-5, 7.5e-5)),  # slowly
+    ((0.5, 1.0, 0.0, 0.25, 249.75), (-0.4985, 0.0015)),
+    ((0.5, 1.0, 0.0, 249.75, 0.25), (0.9985, 1.4985)),
+    ((0.5, 4e-8, 0.0, 1.0, 1.0), (1e-8, 3e-8)),  # slowly
+    ((0.5, 400.0, 0.0, 1.0, 1.0), (100.0, 300.0)),  # fast
 ]
 
-# Results of common mistakes for HIT with a cord of 0.4 m, by hand.
+# Results of common mistakes for HIT with a cord of 0.4 m, by hand. No other mistake that is known gives the same.
 MISTAKES = [
-    ((-5.6, 0.4), "This is the result with e = 1, but e is 0.75."),
-    ((-0.8, -0.8), "This is the result with e = 0, but e is 0.75."),
-    ((-5.6, 0.1), "You forgot e in the first formula."),
-    ((-4.4, 0.4), "You forgot e in the second formula."),
-    ((1.9, 6.4), "You exchanged the masses."),
-    ((2.8, -1.7), "The sign of e is wrong in both formulas."),
-    ((2.8, 0.1), "The sign of e is wrong in the first formula."),
-    ((-4.4, -1.7), "The sign of e is wrong in the second formula."),
-    ((-1.7, 0.1), "In the first formula, you used m1 in place of m2."),
-    ((-4.4, 2.8), "In the second formula, you used m2 in place of m1."),
-    ((-2.0, 0.1), "In the first formula, you added the velocities after e. Subtract them."),
-    ((-4.4, -0.5), "In the second formula, you added the velocities after e. Subtract them."),
-    ((-2.0, -0.5), "In both formulas, you added the velocities after e. Subtract them."),
-    ((-1.2, 0.1), "In the first formula, you subtracted the momenta. Add them."),
-    ((-7.6, 0.1), "In the first formula, brackets are missing: divide all of it by the sum of the masses."),
-    ((-4.4, -3.1), "In the second formula, brackets are missing: divide all of it by the sum of the masses."),
-    ((-7.6, -3.1), "In both formulas, brackets are missing: divide all of it by the sum of the masses."),
-    ((-4.4, -1.16), "In the second formula, you used the new velocity of the first bob. Use the old one."),
-    ((0.4, -1.1), "If you compute the impulse, use 1 + e in place of e."),
-    ((-1.76, 0.04), "These are the linear velocities. Convert them back to angular ones."),
-    ((-11.0, 0.25), "You forgot to convert to linear velocities. You only converted back."),
-    ((-0.704, 0.016), "You converted to linear velocities twice. The second time, convert back."),
-    ((-2.0, 4.0), "You exchanged the velocities. That is right only for equal masses and e = 1."),
-    ((-12.0, 10.5), "The sum of the masses needs brackets: you divided only by m1."),
-    ((-22.0, 0.5), "You forgot to divide by the sum of the masses."),
-    ((-5.5, 0.125), "You divided by the product of the masses. Divide by their sum."),
-    ((-110.0, 2.5), "You multiplied by the sum of the masses. Divide by it."),
-    ((-27.5, 0.625), "You divided by r_param twice. v is r_param times omega."),
-    ((-5.0, 0.0), "This is the result with //, which rounds down. Use /."),
-    ((4.0, -2.0), "You returned the old velocities."),
+    ((-8.2, -1.2), "This is the result with e = 1, but e is 0.7."),
+    ((-2.6, -2.6), "This is the result with e = 0, but e is 0.7."),
+    ((-8.2, -1.62), "You forgot e in the first formula."),
+    ((-6.52, -1.2), "You forgot e in the second formula."),
+    ((0.62, 5.52), "You exchanged the masses."),
+    ((1.32, -3.58), "The sign of e is wrong in both formulas."),
+    ((1.32, -1.62), "The sign of e is wrong in the first formula."),
+    ((-6.52, -3.58), "The sign of e is wrong in the second formula."),
+    ((-3.58, -1.62), "In the first formula, you used m1 in place of m2."),
+    ((-6.52, 1.32), "In the second formula, you used m2 in place of m1."),
+    ((-2.04, -1.62), "In the first formula, you added the velocities after e. Subtract them."),
+    ((-6.52, -2.74), "In the second formula, you added the velocities after e. Subtract them."),
+    ((-2.04, -2.74), "In both formulas, you added the velocities after e. Subtract them."),
+    ((-0.12, -1.62), "In the first formula, you subtracted the momenta. Add them."),
+    ((-29.92, -1.62), "In the first formula, brackets are missing: divide all of it by the sum of the masses."),
+    ((-6.52, -25.02), "In the second formula, brackets are missing: divide all of it by the sum of the masses."),
+    ((-29.92, -25.02), "In both formulas, brackets are missing: divide all of it by the sum of the masses."),
+    ((-6.52, -2.9528), "In the second formula, you used the new velocity of the first bob. Use the old one."),
+    ((-0.92, -3.02), "If you compute the impulse, use 1 + e in place of e."),
+    ((-2.608, -0.648), "These are the linear velocities. Convert them back to angular ones."),
+    ((-16.3, -4.05), "You forgot to convert to linear velocities. You only converted back."),
+    ((-1.0432, -0.2592), "You converted to linear velocities twice. The second time, convert back."),
+    ((-4.0, 3.0), "You exchanged the velocities. That is right only for equal masses and e = 1."),
+    ((-12.6, 11.9), "The sum of the masses needs brackets: you divided only by m1."),
+    ((-65.2, -16.2), "You forgot to divide by the sum of the masses."),
+    ((-4.075, -1.0125), "You divided by the product of the masses. Divide by their sum."),
+    ((-652.0, -162.0), "You multiplied by the sum of the masses. Divide by it."),
+    ((-40.75, -10.125), "You divided by r_param twice. v is r_param times omega."),
+    ((-7.5, -2.5), "This is the result with //, which rounds down. Use /."),
+    ((-7.0, -2.0), "This is the result with //, which rounds down. Use /."),
+    ((3.0, -4.0), "You returned the old velocities."),
 ]
 
 
@@ -79,7 +84,7 @@ def test_collisions_from_elastic_to_inelastic():
     elastic collision (kinetic energy is conserved).
     """
     for arguments, gives in COLLISIONS:
-        hints = [(arguments[1:3], "You returned the old velocities.")]
+        hints = [(arguments[1:3], "These are the old velocities.")]
         expect("handle_collision", *arguments, 0.4, gives=gives, hints=hints)
 
 
@@ -109,43 +114,49 @@ def test_laws_of_the_collision():
                 return m1 * new[0] ** 2 + m2 * new[1] ** 2
 
             arguments = e, omega1, omega2, m1, m2, 0.4
-            what = "m1 new_omega1 + m2 new_omega2"
+            what = "momentum m1 new_omega1 + m2 new_omega2"
             expect("handle_collision", *arguments, gives=momentum, see=momentum_after, what=what)
             if e == 1:
-                what = "m1 new_omega1^2 + m2 new_omega2^2"
+                what = "energy m1 new_omega1^2 + m2 new_omega2^2"
                 expect("handle_collision", *arguments, gives=energy, see=energy_after, what=what)
 
 
 # --- handle_two_bobs -------------------------------------------------------------------------------------------------
 
-LENGTH = 4.0  # m; with it, the distances below have no rounding errors
-LEFT, HITS, MISSES = 4.0, (1.0, 3.0), (4.0, 0.0)  # omega of pend1 before; omegas of both after, with e = 0.5
+# omega of pend1 before, and the omegas of both after, with e = 0.5 and equal masses.
+LEFT, HITS, MISSES = 4.0, (1.0, 3.0), (4.0, 0.0)
 
 
-def pair(distance=(1.0, 0.0, 0.0), radius1=0.5, radius2=0.5, values1=None, values2=None):
-    """Return two pendula that hang straight down; distance (x, y, z in m) is between their axles. pend1 moves."""
-    pend1 = hang(r_param=LENGTH, radius=radius1, **{"omega": LEFT, "e": 0.5, **(values1 or {})})
-    pend2 = hang(r_param=LENGTH, axle=distance, radius=radius2, **{"e": 0.5, **(values2 or {})})
+def pair(apart=1.0, radius1=0.5, radius2=0.5, values1=None, values2=None):
+    """Return two pendula. Their axles are apart (m), and the cords 4 times as long, as in a cradle. pend1 moves."""
+    pend1 = hang(r_param=4 * apart, radius=radius1, **{"omega": LEFT, "e": 0.5, **(values1 or {})})
+    pend2 = hang(r_param=4 * apart, axle=(apart, 0, 0), radius=radius2, **{"e": 0.5, **(values2 or {})})
     return pend1, pend2
 
 
-def check_pair(gives, *arguments, hints=(), **values):
+def check_pair(gives, apart=1.0, *radii, hints=(), **values):
     """Check the omegas of two such pendula after the call."""
-    pend1, pend2 = pair(*arguments, **values)
+    pend1, pend2 = pair(apart, *radii, **values)
 
     def see(_):
         return pend1["omega"], pend2["omega"]
 
-    what = "omega of pend1 and of pend2"
+    what = "omega of pend1, omega of pend2"
     before = pend1["omega"], pend2["omega"]
     if gives != before:
-        hints = [
-            *hints,
-            (before, "The bobs touch, but no omega has changed."),
-            ((before[0], gives[1]), "omega of pend1 has not changed."),
-            ((gives[0], before[1]), "omega of pend2 has not changed."),
-        ]
-    expect("handle_two_bobs", pend1, pend2, LENGTH, gives=gives, see=see, what=what, hints=hints)
+        unchanged = {
+            before: "The bobs touch, but no omega has changed.",
+            (before[0], gives[1]): "omega of pend1 has not changed.",
+            (gives[0], before[1]): "omega of pend2 has not changed.",
+        }
+        hints = [*{**unchanged, **dict(hints)}.items()]
+    expect("handle_two_bobs", pend1, pend2, 4 * apart, gives=gives, see=see, what=what, hints=hints)
+
+
+def check_places(gives, theta1, theta2, fact, apart=1.0):
+    """Check whether two bobs at these angles collide. If not, the hint is a fact: many mistakes have this effect."""
+    hints = [(MISSES if gives == HITS else HITS, fact)]
+    check_pair(gives, apart, values1={"theta": theta1}, values2={"theta": theta2}, hints=hints)
 
 
 # Two bobs with different values, their omegas after the hit, and the results of common mistakes; by hand.
@@ -170,7 +181,8 @@ def is_other_order(came):
     It is the student's own function. It is correct: handle_two_bobs waits for it.
     """
     collide = find("handle_collision")
-    return any(same(came, collide(*order)) for order in permutations((0.25, 3.0, 1.0, 2.0, 6.0, LENGTH)))
+    is_named = any(same(came, mistaken) for mistaken, _ in MEETING_HINTS)
+    return not is_named and any(same(came, collide(*order)) for order in permutations((0.25, 3.0, 1.0, 2.0, 6.0, 4.0)))
 
 
 @check("handle_two_bobs", watched=True)
@@ -188,50 +200,58 @@ def test_bobs_that_touch_collide():
     """Check if the magnitude of the difference in positions of both bobs is less than or equal to 1.05 times the sum of
     the bobs' radii.
     """
-    check_pair(HITS)
-    check_pair(HITS, (0.2, 0, 0))
-    check_pair(HITS, (1.02, 0, 0), hints=[(MISSES, "These bobs are within the buffer. Did you forget 1.05?")])
-    buffer = "Multiply the whole sum of both radii by 1.05, and nothing else."
-    check_pair(HITS, (1.04, 0, 0), hints=[(MISSES, buffer)])
+    touch = "The bobs touch, but no omega has changed."
+    check_places(HITS, 0, 0, touch)
+    check_places(HITS, 0, 0, touch, apart=0.2)
+    for apart in (1.02, 1.04):
+        check_places(HITS, 0, 0, f"These bobs are {apart} times the sum of their radii apart.", apart)
     # Every way to compute 1.05 times the sum of the radii gives exactly 21.
-    just = [(MISSES, "At exactly 1.05 times the sum, bobs collide too: less than or equal, not rounded.")]
-    check_pair(HITS, (21.0, 0, 0), 10.0, 10.0, hints=just)
-    check_pair(HITS, (-1.0, 0, 0), hints=[(MISSES, "Here pend2 is to the left. Is your distance a magnitude?")])
-    check_pair(HITS, (0.7, 0.7, 0), hints=[(MISSES, "Did you add the distances along x and y? Use the magnitude.")])
-    check_pair(HITS, (0, 0, 1.0))
-    lifted = [(MISSES, "Here the axles are further apart than the bobs. Only the bobs count.")]
-    check_pair(HITS, values1={"theta": 0.3}, hints=lifted)
-    check_pair(HITS, (1.5, 0, 0), values1={"theta": 0.2}, hints=lifted)
-    check_pair(HITS, values1={"theta": 0.02}, values2={"theta": 0.03})
+    just = [(MISSES, "These bobs are exactly 1.05 times the sum of their radii apart. They touch.")]
+    check_pair(HITS, 21.0, 10.0, 10.0, hints=just)
+    check_places(HITS, 0.25, -0.25, "Here bob 2 is to the left of bob 1. The bobs touch.")
+    near = "These bobs touch. The distance of the axles does not matter."
+    check_places(HITS, 0.15, 0.0, near, apart=1.5)
+    check_places(HITS, 0.3, 0.0, near)
+    check_places(HITS, 0.02, 0.03, near)
+    diagonal = "The bobs are 0.99 times the sum of their radii apart, on a diagonal."
+    check_places(HITS, 1.25, 1.05, diagonal)
+    check_places(HITS, -1.05, -1.25, diagonal)
+    check_places(HITS, pi / 2, pi / 2, "These cords are level. The bobs touch.")
+    above = "These bobs are above their axles. They touch."
+    check_places(HITS, 2.0, 2.1, above)
+    check_places(HITS, 2.0 - 4 * pi, 2.1 + 2 * pi, "These pendula have turned more than once. The bobs touch.")
 
 
 @check("handle_two_bobs", watched=True)
 def test_bobs_that_do_not_touch_go_on():
     """We add a little bit of buffer to what is considered a 'collision'."""
-    check_pair(MISSES, (9.0, 0, 0), hints=[(HITS, "These bobs are far apart, but your function lets them collide.")])
-    check_pair(MISSES, (1.0504, 0, 0), hints=[(HITS, "Your buffer is too large, or your distance is too small.")])
-    check_pair(MISSES, (-1.2, 0, 0), hints=[(HITS, "Here pend2 is to the left. A magnitude is never negative.")])
-    along_x = [(HITS, "Did you use only the distance along x? Use the magnitude.")]
-    check_pair(MISSES, (0.8, 0.8, 0), hints=along_x)
-    check_pair(MISSES, (0, 1.2, 0), hints=along_x)
-    lifted = [(HITS, "Here the axles are close, but the bobs are not. Only the bobs count.")]
-    check_pair(MISSES, values1={"theta": -0.3}, values2={"theta": 0.3}, hints=lifted)
+    far = "These bobs are {} times the sum of their radii apart. They do not touch."
+    for apart in (9.0, 1.0504):
+        check_places(MISSES, 0, 0, far.format(apart), apart)
+    check_places(MISSES, 0.28, -0.28, "Here bob 2 is to the left of bob 1. The bobs do not touch.")
+    check_places(MISSES, -0.3, 0.3, "Here the axles are close, but the bobs are not. Only the bobs count.")
+    diagonal = "These bobs are {} times the sum of their radii apart, on a diagonal."
+    check_places(MISSES, 1.5, 1.64, diagonal.format(1.15))
+    check_places(MISSES, 1.64, 1.5, diagonal.format(1.15))
+    check_places(MISSES, 2.05, 2.45, "Here one bob is 1.24 times the sum of the radii above the other one.")
+    above = "These bobs are above their axles. They do not touch."
+    check_places(MISSES, 2.0, 1.93, above)
 
 
 @check("handle_two_bobs", watched=True)
 def test_both_radii_count():
     """You can access positions and radii of VPython objects with bob.pos and bob.radius."""
-    one_radius = [
-        (HITS, "These bobs have different radii. Do you add both?"),
-        (MISSES, "These bobs have different radii. Do you add both?"),
-    ]
     check_pair(HITS)
-    check_pair(HITS, (1.0, 0, 0), 0.9, 0.2, hints=one_radius)
-    check_pair(HITS, (1.0, 0, 0), 0.2, 0.9, hints=one_radius)
-    check_pair(MISSES, (1.0, 0, 0), 0.2, 0.7, hints=one_radius)
-    check_pair(MISSES, (1.0, 0, 0), 0.7, 0.2, hints=one_radius)
-    check_pair(MISSES, (1.0, 0, 0), 0.05, 0.05, hints=[(HITS, "These bobs are small. Do you use their radii?")])
-    check_pair(HITS, (3.1, 0, 0), 2.0, 1.0, hints=[(MISSES, "These bobs are large. Use 1.05 as a factor.")])
+    for gives, apart, radius1, radius2 in (
+        (HITS, 1.0, 0.9, 0.2),
+        (HITS, 1.0, 0.2, 0.9),
+        (MISSES, 1.0, 0.2, 0.7),
+        (MISSES, 1.0, 0.7, 0.2),
+        (MISSES, 1.0, 0.05, 0.05),
+        (HITS, 3.1, 2.0, 1.0),
+    ):
+        fact = f"The sum of the radii is {radius1 + radius2:g}, and the bobs are {apart:g} apart."
+        check_pair(gives, apart, radius1, radius2, hints=[(MISSES if gives == HITS else HITS, fact)])
 
 
 @check("handle_two_bobs", watched=True)
@@ -240,18 +260,18 @@ def test_e_is_the_first_pendulums():
     hints = [
         ((0.0, 4.0), "This is the result with e = 1, but e of pend1 is 0.5."),
         ((2.0, 2.0), "This is the result with e = 0, but e of pend1 is 0.5."),
-        ((0.5, 3.5), "This is the result with the mean of both e. Use only e of pend1."),
+        ((0.5, 3.5), "This is the result with e = 0.75, but e of pend1 is 0.5."),
     ]
     check_pair((1.0, 3.0), values1={"e": 0.5}, values2={"e": 1.0}, hints=hints)
     hints = [((1.0, 3.0), "This is the result with e = 0.5, but e of pend1 is 1.")]
     check_pair((0.0, 4.0), values1={"e": 1.0}, values2={"e": 0.5}, hints=hints)
     hints = [((0.0, 4.0), "This is the result with e = 1, but e of pend1 is 0.")]
     check_pair((2.0, 2.0), values1={"e": 0}, values2={"e": 1.0}, hints=hints)
-    # pend1 counts, even if pend2 is heavier, faster, or on the left.
+    # pend1 counts, even if pend2 is heavier, faster, or has its bob on the left.
     check_pair((2.5, 4.5), values1={"e": 0.5, "mass": 3.0}, values2={"e": 1.0})
     check_pair((-0.5, 1.5), values1={"e": 0.5}, values2={"e": 1.0, "mass": 3.0})
     check_pair((-3.0, -1.0), values1={"e": 0.5, "omega": 0.0}, values2={"e": 1.0, "omega": -4.0})
-    check_pair((1.0, 3.0), (-1.0, 0, 0), values1={"e": 0.5}, values2={"e": 1.0})
+    check_pair((1.0, 3.0), values1={"e": 0.5, "theta": 0.25}, values2={"e": 1.0, "theta": -0.25})
 
 
 @check("handle_two_bobs", watched=True)
@@ -263,7 +283,12 @@ def test_bobs_that_touch_collide_whatever_their_velocities_are():
     check_pair((-2.25, -0.75), values1={"omega": 0.0}, values2={"omega": -3.0})
     check_pair((-2.5, -1.5), values1={"omega": -1.0}, values2={"omega": -3.0})
     check_pair((1.75, 3.25), values2={"omega": 1.0})
-    check_pair((0.001, 0.003), values1={"omega": 0.004})
+    check_pair((1e-8, 3e-8), values1={"omega": 4e-8})
+    # The student's own function, which is correct: handle_two_bobs waits for it.
+    collide = find("handle_collision")
+    for e, mass, omega in product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0), (-5.0, 0.0, 3.0, 6.0)):
+        gives = collide(e, LEFT, omega, 1.0, mass, 4.0)
+        check_pair(gives, values1={"e": e}, values2={"e": 0.25, "mass": mass, "omega": omega})
 
 
 def all_but_omega(pend1, pend2):
@@ -279,8 +304,8 @@ def all_but_omega(pend1, pend2):
 @check("handle_two_bobs")
 def test_omegas_are_updated_and_nothing_else():
     """Then, update both dictionaries with their respective new omega values."""
-    for distance in (1.0, 2.0):
-        pends = pair((distance, 0, 0), values1={"mass": 2.0, "theta": 0.01}, values2={"e": 0.9, "theta": 0.02})
+    for apart in (1.0, 2.0):
+        pends = pair(apart, values1={"mass": 2.0, "theta": 0.01}, values2={"e": 0.9, "theta": 0.02})
 
         before = all_but_omega(*pends)
 
@@ -288,8 +313,8 @@ def test_omegas_are_updated_and_nothing_else():
             now = all_but_omega(*pends)
             return {key: now.get(key) for key in before | now if not same(now.get(key), before.get(key))}
 
-        what = "changed values, without omega"
-        expect("handle_two_bobs", *pends, LENGTH, gives={}, see=changed, what=what)
+        what = "changed values (besides omega)"
+        expect("handle_two_bobs", *pends, 4 * apart, gives={}, see=changed, what=what)
 
 
 @check("handle_two_bobs")
@@ -303,5 +328,5 @@ def test_what_was_before_does_not_matter():
         def omegas(_):
             return pend1["omega"], pend2["omega"]
 
-        what = "omega of pend1 and of pend2 (each call starts from the last omegas)"
-        expect("handle_two_bobs", pend1, pend2, LENGTH, gives=gives, see=omegas, what=what)
+        what = "omega of pend1, omega of pend2"
+        expect("handle_two_bobs", pend1, pend2, 4.0, gives=gives, see=omegas, what=what)

@@ -4,12 +4,12 @@ from math import cos, pi, sin
 
 from vpython import vector
 
-from grading.cradles import hang, R, row
+from grading.cradles import hang, LEFT_OVER, left_over, R, row, shapes_made
 from grading.grader import check, expect, same
 from grading.telling import Wanted
 
 # The arguments omega, theta, r_param, dt, g, and the result; by hand from the two formulas of the appendix.
-STEP, AFTER = (2.0, 5 * pi / 6, 0.4, 0.1, 8.0), (1.0, 5 * pi / 6 + 0.1)  # omega falls by 1
+STEP, AFTER = (3.0, 5 * pi / 6, 0.4, 0.1, 8.0), (2.0, 5 * pi / 6 + 0.2)  # omega falls by 1
 STEPS = [
     ((2.0, -pi / 6, 0.5, 0.1, 10.0), (3.0, -pi / 6 + 0.3)),  # on the left, gravity pulls to the right
     ((0.0, pi / 2, 2.0, 0.01, 9.8), (-0.049, pi / 2 - 0.00049)),  # from rest, cord level
@@ -18,35 +18,37 @@ STEPS = [
     ((1.0, pi, 0.3, 0.5, 9.81), (1.0, pi + 0.5)),  # straight up, gravity does not turn it either
     ((-1.0, 5 * pi / 6, 0.25, 0.2, 5.0), (-3.0, 5 * pi / 6 - 0.6)),  # more than 90 degrees: sin, not the angle itself
     ((1.0, -5 * pi / 6, 0.25, 0.2, 5.0), (3.0, -5 * pi / 6 + 0.6)),
-    ((20.0, 3 * pi / 2, 0.5, 0.1, 10.0), (22.0, 3 * pi / 2 + 2.2)),  # it may go full circles, in both directions
+    ((0.0, 0.05, 0.5, 0.1, 10.0), (-0.09995833854, 0.04000416615)),  # a small angle is not its own sine
+    ((200.0, 3 * pi / 2, 0.5, 0.1, 10.0), (202.0, 3 * pi / 2 + 20.2)),  # it may go full circles, in both directions
     ((-9.0, -3 * pi, 0.5, 1.0, 10.0), (-9.0, -3 * pi - 9.0)),
-    ((1e-4, 0.0, 0.5, 0.1, 10.0), (1e-4, 1e-5)),  # very slowly
+    ((9.0, 40 * pi, 0.5, 1.0, 10.0), (9.0, 40 * pi + 9.0)),
+    ((4e-8, 0.0, 0.5, 0.1, 10.0), (4e-8, 4e-9)),  # very slowly
     ((1.0, pi / 6, 0.5, 0.0, 10.0), (1.0, pi / 6)),  # no time, no change
     ((1.0, pi / 6, 0.5, 0.1, 0.0), (1.0, pi / 6 + 0.1)),  # no gravity: theta still moves with omega
 ]
 
 # Results of common mistakes for STEP, by hand.
 MISTAKES = [
-    ((1.0, 5 * pi / 6 + 0.2), "You used the old omega; theta moves with the new one."),
-    ((3.0, 5 * pi / 6 + 0.3), "The sign of gravity is wrong. Gravity pulls the bob back down."),
-    ((1.908647, 5 * pi / 6 + 0.190865), "This is the result with degrees. sin() takes radians."),
-    ((3.732051, 5 * pi / 6 + 0.373205), "You used cos in place of sin."),
-    ((-3.235988, 5 * pi / 6 - 0.323599), "You used theta in place of its sine."),
-    ((-8.0, 5 * pi / 6 - 0.8), "You forgot dt in the change of omega."),
-    ((1.0, 5 * pi / 6 + 1.0), "You forgot dt in the change of theta."),
-    ((1.6, 5 * pi / 6 + 0.16), "You forgot to divide by r_param."),
-    ((1.84, 5 * pi / 6 + 0.184), "You multiplied by r_param. Divide by it."),
-    ((1.875, 5 * pi / 6 + 0.1875), "You forgot g."),
-    ((1.364039, 5 * pi / 6 + 0.2), "You changed theta first. Change omega first, then theta."),
+    ((2.0, 5 * pi / 6 + 0.3), "You used the old omega; theta moves with the new one."),
+    ((4.0, 5 * pi / 6 + 0.4), "The sign of gravity is wrong. Gravity pulls the bob back down."),
+    ((2.908647, 5 * pi / 6 + 0.290865), "This is the result with degrees. sin() takes radians."),
+    ((4.732051, 5 * pi / 6 + 0.473205), "You used cos in place of sin."),
+    ((-2.235988, 5 * pi / 6 - 0.223599), "You used theta in place of its sine."),
+    ((-7.0, 5 * pi / 6 - 0.7), "You forgot dt in the change of omega."),
+    ((2.0, 5 * pi / 6 + 2.0), "You forgot dt in the change of theta."),
+    ((2.6, 5 * pi / 6 + 0.26), "You forgot to divide by r_param."),
+    ((2.84, 5 * pi / 6 + 0.284), "You multiplied by r_param. Divide by it."),
+    ((2.875, 5 * pi / 6 + 0.2875), "You forgot g."),
+    ((2.55652, 5 * pi / 6 + 0.3), "You changed theta first. Change omega first, then theta."),
     ((-1.0, 5 * pi / 6 - 0.1), "You forgot to add the old omega."),
-    ((1.0, 0.1), "You forgot to add the old theta."),
-    ((1.0, 5 * pi / 6), "theta has not changed."),
-    ((2.0, 5 * pi / 6 + 0.2), "omega has not changed."),
-    ((2.0, 5 * pi / 6), "You returned the old values."),
-    ((-0.8, 5 * pi / 6 - 0.08), "In the first formula, multiply only the acceleration by dt, not the old omega."),
-    ((1.0, pi / 12 + 0.1), "In the second formula, multiply only the new omega by dt, not the old theta."),
-    ((1.792945, 5 * pi / 6 + 0.179294), "You divided theta by r_param. Divide its sine."),
-    ((-10.0, 5 * pi / 6 + 0.1), "You returned the angular acceleration in place of the new omega."),
+    ((2.0, 0.2), "You forgot to add the old theta."),
+    ((2.0, 5 * pi / 6), "theta has not changed."),
+    ((3.0, 5 * pi / 6 + 0.3), "omega has not changed."),
+    ((3.0, 5 * pi / 6), "You returned the old values."),
+    ((-0.7, 5 * pi / 6 - 0.07), "In the first formula, multiply only the acceleration by dt, not the old omega."),
+    ((2.0, pi / 12 + 0.2), "In the second formula, multiply only the new omega by dt, not the old theta."),
+    ((2.792945, 5 * pi / 6 + 0.279294), "You divided theta by r_param. Divide its sine."),
+    ((-10.0, 5 * pi / 6 + 0.2), "You returned the angular acceleration in place of the new omega."),
 ]
 
 
@@ -82,15 +84,27 @@ def test_angle_update_of_other_swings():
         expect("angle_update", *arguments, gives=gives, hints=hints)
 
 
+# theta, omega, mass and e of pendula, and their omega and theta after 0.1 s with g = 10 m/s^2 and cords of 0.5 m. The
+# first one is there three times, and they are not sorted.
+SWINGING = [
+    ((pi / 6, 2.0, 2.0, 0.5), (1.0, pi / 6 + 0.1)),
+    ((-pi / 6, 2.0, 3.0, 0.75), (3.0, -pi / 6 + 0.3)),
+    ((pi / 2, 0.0, 1.0, 0.25), (-2.0, pi / 2 - 0.2)),
+    ((0.0, 1.5, 3.0, 1.0), (1.5, 0.15)),
+    ((0.0, 0.0, 1.0, 0.5), (0.0, 0.0)),
+    ((0.0, 4e-8, 3.0, 0.5), (4e-8, 4e-9)),
+    ((7 * pi / 2, 20.0, 2.0, 0.5), (22.0, 7 * pi / 2 + 2.2)),
+    ((pi / 6, 2.0, 2.0, 0.5), (1.0, pi / 6 + 0.1)),
+    ((-5 * pi / 2, -5.0, 2.0, 0.5), (-3.0, -5 * pi / 2 - 0.3)),
+    ((pi / 6, 2.0, 2.0, 0.5), (1.0, pi / 6 + 0.1)),
+]
+
+
 def swinging_row(count):
-    """Return count (up to 7) pendula on cords of 0.5 m, and their omegas and thetas after 0.1 s with g = 10 m/s^2."""
-    thetas, omegas = (pi / 6, -pi / 6, pi / 2, 0.0, 0.0, 0.0, 3 * pi / 2), (2.0, 2.0, 0.0, 1.5, 0.0, 1e-3, 20.0)
-    pend_list = [
-        hang(theta=theta, omega=omega, axle=(i * 0.1, 0.05, 0), r_param=0.5, mass=7.0 - i, e=0.5)
-        for i, (theta, omega) in enumerate(zip(thetas, omegas, strict=True))
-    ]
-    after = [pi / 6 + 0.1, -pi / 6 + 0.3, pi / 2 - 0.2, 0.15, 0.0, 1e-4, 3 * pi / 2 + 2.2]
-    return pend_list[:count], [1.0, 3.0, -2.0, 1.5, 0.0, 1e-3, 22.0][:count], after[:count]
+    """Return count pendula, and their omegas and thetas after the swing: SWINGING, again and again."""
+    rows = [SWINGING[i % len(SWINGING)] for i in range(count)]
+    pend_list = [hang(*values, axle=(7 * i % 10 * 0.1, 0.05, 0), r_param=0.5) for i, (values, _) in enumerate(rows)]
+    return pend_list, [omega for _, (omega, _) in rows], [theta for _, (_, theta) in rows]
 
 
 # omega and theta of the first pendulum for each wrong order of r_param, dt and g, by hand.
@@ -128,7 +142,7 @@ def swing_hints(pend_list, omegas, thetas):
 @check("full_swing_update", watched=True)
 def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
-    for count in (3, 7):
+    for count in (3, 10, 40):
         pend_list, omegas, thetas = swinging_row(count)
 
         def see(_, pend_list=pend_list):
@@ -148,19 +162,22 @@ def test_every_pendulum_swings_once():
 def test_bobs_and_cords_move():
     """Updates the angle and position of the pendulum components."""
     pend_list, _, thetas = swinging_row(3)
+    shapes = [pend["objects"] for pend in pend_list]
 
     def see(_):
-        shapes = [pend["objects"] for pend in pend_list]
         return [(axle.pos, bob.pos, ends(cord)) for axle, bob, cord in shapes]
 
     def ends(cord):  # a student may draw it from either end
         return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: end.y)
 
-    axles = [vector(i * 0.1, 0.05, 0) for i in range(3)]
+    axles = [vector(axle.pos) for axle, _, _ in shapes]
     bobs = [axle + vector(0.5 * sin(theta), -0.5 * cos(theta), 0) for axle, theta in zip(axles, thetas, strict=True)]
     gives = [(axle, bob, [bob, axle]) for axle, bob in zip(axles, bobs, strict=True)]
-    what = "position of each axle and bob, and the ends of each cord"
-    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=gives, see=see, what=what)
+    what = "axle, bob and ends of the cord of each pendulum"
+    with shapes_made() as made:
+        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=gives, see=see, what=what)
+        parts = [part for objects in shapes for part in objects]
+        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, see=lambda _: left_over(made, parts), **LEFT_OVER)
 
 
 @check("full_swing_update")
@@ -171,19 +188,21 @@ def test_a_swing_changes_nothing_else():
         pend["objects"][1].radius = 0.02  # so the bobs do not touch
     pendula, objects = list(pend_list), [pend["objects"] for pend in pend_list]
 
-    def see(_):
-        same_objects = [all(map(is_same, pend["objects"], old)) for pend, old in zip(pend_list, objects, strict=True)]
-        values = [
-            (*(pend[key] for key in ("mass", "e", "color", "texture")), pend["objects"][1].radius) for pend in pend_list
-        ]
-        return values, same_objects, list(map(is_same, pend_list, pendula))
+    def values():
+        kept = [{key: pend[key] for key in ("mass", "e", "color", "texture")} for pend in pend_list]
+        return [{**pend, "radius": bob.radius} for pend, (_, bob, _) in zip(kept, objects, strict=True)]
 
-    def is_same(one, other):
-        return one is other
+    def are_same(now, old):
+        return len(now) == len(old) and all(one is other for one, other in zip(now, old, strict=True))
 
-    gives = [(7.0 - i, 0.5, "white", "none", 0.02) for i in range(3)], [True] * 3, [True] * 3
-    what = "mass, e, color, texture and radius of each; same objects? same dictionary?"
-    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=gives, see=see, what=what)
+    before, row = values(), (pend_list, 0.5, 0.1, 10.0)
+    what = "each pendulum"
+    expect("full_swing_update", *row, gives=before, see=lambda _: values(), what=what)
+    what = "that the list has the same pendula in the same order"
+    expect("full_swing_update", *row, gives=True, see=lambda _: are_same(pend_list, pendula), what=what)
+    what = "that all pendula have the same objects"
+    same_objects = {"see": lambda _: all(map(are_same, (pend["objects"] for pend in pend_list), objects))}
+    expect("full_swing_update", *row, gives=True, **same_objects, what=what)
 
 
 @check("full_swing_update", watched=True)
@@ -201,5 +220,13 @@ def test_a_swing_is_no_collision():
         return [pend["omega"] for pend in pend_list]
 
     expect(
-        "full_swing_update", pend_list, R, 1e-9, 9.81, gives=omegas, see=see, what="omega of each", hints=[exchanged]
+        "full_swing_update",
+        pend_list,
+        R,
+        1e-9,
+        9.81,
+        gives=omegas,
+        see=see,
+        what="omega of each pendulum",
+        hints=[exchanged],
     )

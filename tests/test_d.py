@@ -3,19 +3,21 @@
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import cycle, islice
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from vpython import box, color, cylinder, sphere, textures, vector
 
-from grading.cradles import MIXED, MIXED_CSV, R
+from grading.cradles import LEFT_OVER, left_over, MIXED, MIXED_CSV, R, shapes_made
 from grading.grader import check, expect, same, working_in
 from grading.telling import Wanted
-from support.constants import NC_FP
+from support.constants import COLOR_MAP, NC_FP, TEXTURE_MAP
 from support.files.cradle_csv import read_cells
 from support.pendulum import make_pendulum
 
-# It has equal rows, zeros, e = 0 and e = 1, many digits, more rows than columns, and no line break at the end.
+# It has equal rows, also the first and the last one, zeros, e = 0 and e = 1, many digits, more rows than columns, and
+# no line break at the end.
 SEVEN_CSV = """\
 mass,e,theta,omega,color,texture
 12.625,1.0,0.4375,0.0,white,none
@@ -24,7 +26,7 @@ mass,e,theta,omega,color,texture
 2.0,0.5,-0.125,3.5,green,none
 7.0,0.0625,0.0,0.0,blue,stucco
 1.0,1.0,0.0,-0.5,purple,wood_old
-3.0,0.9375,1.5,0.0,black,metal"""
+12.625,1.0,0.4375,0.0,white,none"""
 SEVEN = [
     {"mass": 12.625, "e": 1.0, "theta": 0.4375, "omega": 0.0, "color": "white", "texture": "none"},
     {"mass": 0.25, "e": 0.0, "theta": 0.0, "omega": 0.0, "color": "red", "texture": "rug"},
@@ -32,7 +34,7 @@ SEVEN = [
     {"mass": 2.0, "e": 0.5, "theta": -0.125, "omega": 3.5, "color": "green", "texture": "none"},
     {"mass": 7.0, "e": 0.0625, "theta": 0.0, "omega": 0.0, "color": "blue", "texture": "stucco"},
     {"mass": 1.0, "e": 1.0, "theta": 0.0, "omega": -0.5, "color": "purple", "texture": "wood_old"},
-    {"mass": 3.0, "e": 0.9375, "theta": 1.5, "omega": 0.0, "color": "black", "texture": "metal"},
+    {"mass": 12.625, "e": 1.0, "theta": 0.4375, "omega": 0.0, "color": "white", "texture": "none"},
 ]
 
 FILES = {
@@ -40,18 +42,26 @@ FILES = {
     "seven.csv": SEVEN_CSV,
     "one.csv": "mass,e,theta,omega,color,texture\n3.0,0.5,0.1,0.2,green,rug\n",
     "two.csv": "mass,e,theta,omega,color,texture\n3.0,0.5,0.1,0.2,green,rug\n4.0,0.5,0.1,0.2,green,rug\n",
+    "none.csv": "mass,e,theta,omega,color,texture\n",
     "assistants.csv": "name,year,house\nAda,2,Page\nGrace,4,Lloyd\n",
 }
+# All names and values of COLOR_MAP and TEXTURE_MAP, and the rows of many.csv, whose columns are in another order.
+LOOKS = list(islice(zip(cycle(COLOR_MAP.items()), cycle(TEXTURE_MAP.items())), 40))
+MANY = [
+    {"e": 0.5, "color": name, "omega": 0.0, "mass": 0.5 + i, "texture": image, "theta": 0.0}
+    for i, ((name, _), (image, _)) in enumerate(LOOKS)
+]
+FILES["many.csv"] = "\n".join([",".join(MANY[0]), *(",".join(map(str, pend.values())) for pend in MANY)])
 ONE = {"mass": 3.0, "e": 0.5, "theta": 0.1, "omega": 0.2, "color": "green", "texture": "rug"}
 ASSISTANTS = [{"name": "Ada", "year": 2, "house": "Page"}, {"name": "Grace", "year": 4, "house": "Lloyd"}]
 
 
 @contextmanager
-def files() -> Iterator[Path]:
-    """Yield a folder with FILES. On Windows, it is not deleted if a solution left a file open."""
+def files(*names) -> Iterator[Path]:
+    """Yield a folder with these FILES. On Windows, it is not deleted if a solution left a file open."""
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        for name, text in FILES.items():
-            (Path(folder) / name).write_text(text, encoding="utf-8")
+        for name in names:
+            (Path(folder) / name).write_text(FILES[name], encoding="utf-8")
         yield Path(folder)
 
 
@@ -84,7 +94,7 @@ ROWS = [
     ([{i: pendulum} for i, pendulum in enumerate(MIXED)], "You kept the keys of bad_rep. You need only its values."),
     ([dict(enumerate(MIXED))], "You put bad_rep into a list. You need only its values."),
     ([MIXED], "You put the right list into another list."),
-    (lambda came: len(came) > 3 and came[0] == came[1], "Your list has the same pendulum more than once."),
+    ([row for row in MIXED for _ in row], "Your list has each pendulum six times: once for each key."),
     OTHER_FILE,
     ([], "Your list is empty. Do you append to the list that you return?"),
 ]
@@ -98,6 +108,7 @@ def test_pend_list_is_a_list_of_dictionaries():
     kind = Wanted(
         "a list with 3 dictionaries",
         lambda came: isinstance(came, list) and len(came) == 3 and all(isinstance(pend, dict) for pend in came),
+        like=[{}] * 3,
     )
     hints = [
         (dict(enumerate(MIXED)), "You returned bad_rep. You need a list, without the keys 0, 1, 2."),
@@ -105,7 +116,7 @@ def test_pend_list_is_a_list_of_dictionaries():
         (lambda came: type(came).__name__ == "dict_values", "These are the values of bad_rep, but not yet a list."),
         (lambda came: type(came).__name__ == "DataFrame", "You returned the dataframe df."),
     ]
-    with files() as folder:
+    with files("mixed.csv") as folder:
         expect("extract_and_convert", str(folder / "mixed.csv"), gives=kind, hints=[*hints, *ROWS])
 
 
@@ -114,9 +125,11 @@ def test_a_row_is_a_pendulum():
     """Each key is the name of a pendulum attribute and the value of a key is the value associated with that
     attribute.
     """
-    with files() as folder:
+    with files("mixed.csv", "seven.csv", "many.csv", "none.csv") as folder:
         expect("extract_and_convert", str(folder / "mixed.csv"), gives=MIXED, hints=ROWS)
         expect("extract_and_convert", str(folder / "seven.csv"), gives=SEVEN)
+        expect("extract_and_convert", str(folder / "many.csv"), gives=MANY)
+        expect("extract_and_convert", str(folder / "none.csv"), gives=[])
 
 
 @check("extract_and_convert")
@@ -124,17 +137,22 @@ def test_the_file_given_is_read():
     """Creates and returns the list of pendulum dictionaries pend_list with the provided relative_filepath to a CSV file
     representing a Newton's Cradle.
     """
-    with files() as folder, working_in(folder):
+    with files("one.csv") as folder, working_in(folder):
         first = expect("extract_and_convert", "one.csv", gives=[ONE], hints=[OTHER_FILE])
         (folder / "one.csv").write_text(FILES["two.csv"])
-        what = "each mass from the first call, and from this call with a new file"
-        expect("extract_and_convert", "one.csv", gives=([3.0], [3.0, 4.0]), see=values_of(first, "mass"), what=what)
+        what = "each mass from the first call, each mass from this call with a new file"
+        hints = [
+            (([3.0], [3.0]), "You returned the old rows. Read the file in each call."),
+            (([3.0, 4.0], [3.0, 4.0]), "Your second call has changed the list from the first one. Make a new list."),
+        ]
+        both = {"see": values_of(first, "mass"), "what": what, "hints": hints}
+        expect("extract_and_convert", "one.csv", gives=([3.0], [3.0, 4.0]), **both)
 
 
 @check("extract_and_convert")
 def test_any_csv_is_converted():
     """The very first line in a CSV file contains the names of each attribute."""
-    with files() as folder:
+    with files("assistants.csv") as folder:
         expect("extract_and_convert", str(folder / "assistants.csv"), gives=ASSISTANTS)
 
 
@@ -161,10 +179,12 @@ def check_uniform(function, *arguments, also=(), **changed):
         (uniform(MIXED, **{key: str(value)}), f"You stored {key} as text. You need a number."),
         OTHER_FILE,
     ]
-    with files() as folder, working_in(folder):
+    with files(*FILES) as folder, working_in(folder):
         first = expect(function, "mixed.csv", *arguments, gives=right, hints=hints)
         expect(function, "seven.csv", *arguments, gives=uniform(SEVEN, **changed))
-        what = f"each {key} from the first call, and from this call"
+        expect(function, "many.csv", *arguments, gives=uniform(MANY, **changed))
+        expect(function, "none.csv", *arguments, gives=[])
+        what = f"each {key} from the first call, each {key} from this call"
         both = {"see": values_of(first, key), "what": what, "gives": ([value] * 3, [value])}
         hints = [(lambda came: OTHER_FILE[0](came[1]), OTHER_FILE[1])]
         expect(function, "one.csv", *arguments, **both, hints=hints)
@@ -228,8 +248,8 @@ def check_cradle(see, what, gives, file="mixed.csv", r_param=R, theta_init=0.6, 
     def is_first_alone(_):
         return ready[:1] == [True] and len(ready) > 1 and not any(ready[1:])
 
-    hints = [(is_first_alone, "Only the first pendulum has objects. Is your return inside the loop?"), *hints]
-    with files() as folder, working_in(folder):
+    hints = hints or [(is_first_alone, "Only the first pendulum has objects. Is your return inside the loop?")]
+    with files(file) as folder, working_in(folder):
         expect("make_newton_cradle", file, r_param, theta_init, gives=gives, see=see_all, what=what, hints=hints)
 
 
@@ -242,10 +262,11 @@ def test_a_cradle_keeps_the_files_values():
     def kept(pend):
         return {key: pend[key] for key in ("mass", "e", "color", "texture")}
 
-    what = "mass, e, color and texture of each pendulum"
+    what = "each pendulum"
     check_cradle(kept, what, [kept(row) for row in MIXED])
     check_cradle(kept, what, [kept(ONE)], file="one.csv", hints=[OTHER_FILE])
     check_cradle(kept, what, [kept(row) for row in SEVEN], file="seven.csv")
+    check_cradle(kept, what, [kept(row) for row in MANY], file="many.csv")
 
 
 @check("make_newton_cradle")
@@ -268,6 +289,8 @@ def test_the_first_pendulum_is_lifted():
         ("mixed.csv", 3, 2.0),
         ("seven.csv", 7, -2.0),
         ("seven.csv", 7, 0),
+        ("many.csv", 40, 8.0),
+        ("many.csv", 40, 4e-8),
     ]:
         gives = [theta_init, *[0] * (count - 1)]
         check_cradle(lambda pend: pend["theta"], "theta of each pendulum", gives, file=file, theta_init=theta_init)
@@ -302,6 +325,12 @@ def test_objects_are_axle_bob_and_cord():
     hints = [(are_lists, "You stored lists. You need tuples, as the helper function returns them.")]
     what = "objects of each pendulum"
     check_cradle(lambda pend: pend["objects"], what, Wanted("a tuple (axle, bob, cord) for each", is_one), hints=hints)
+
+    def strays(pend_list):
+        return left_over(made, [part for pend in pend_list for part in pend["objects"]])
+
+    with files("mixed.csv") as folder, working_in(folder), shapes_made() as made:
+        expect("make_newton_cradle", "mixed.csv", R, 0.6, see=strays, **LEFT_OVER)
 
 
 @check("make_newton_cradle", watched=True)
@@ -349,14 +378,19 @@ def test_bobs_hang_from_their_axles():
         return bob.pos - axle.pos, bob.radius
 
     swapped = [make_pendulum(vector(0, 0, 0), theta, R, vector(1, 1, 1), None)[1] for theta in (0.6, 0, 0)]
-    hints = [
+    hints: list = [
         ([(bob.pos, bob.radius) for bob in swapped], "make_pendulum takes r_param first, then theta."),
         (bobs([0, 0, 0]), "Your first bob hangs straight down. make_pendulum needs its theta."),
         (bobs([0.6, 0.6, 0.6]), "All your bobs are lifted. Each bob hangs at the theta of its own pendulum."),
         (bobs([row["theta"] for row in MIXED]), "Your bobs hang at the angles from the file, not at the new ones."),
-        (lambda came: came[1][1] != bobs([0])[0][1], "Do you give r_param to make_pendulum unchanged?"),
     ]
-    what = "vector from the axle to the bob, and radius of the bob (m)"
+
+    def is_another_size(came):
+        radius = came[1][1]
+        return isinstance(radius, float) and radius not in (bobs([0])[0][1], swapped[1].radius)
+
+    hints.append((is_another_size, "Do you give r_param to make_pendulum unchanged?"))
+    what = "position (m, from the axle) and radius of each bob"
     check_cradle(seen, what, bobs([0.6, 0, 0]), hints=hints)
     check_cradle(seen, what, bobs([-0.3, 0, 0], 1.0), r_param=1.0, theta_init=-0.3)
 
@@ -369,7 +403,7 @@ def test_bobs_have_the_color_and_texture_of_their_row():
         return pend["objects"][1].color, pend["objects"][1].texture
 
     first, _, last = mixed = [(color.red, textures.metal), (color.blue, None), (color.yellow, textures.wood)]
-    red, black = (color.red, textures.rug), (color.black, textures.metal)
+    white, red = (color.white, None), (color.red, textures.rug)
     others = [(color.green, None), (color.blue, textures.stucco), (color.purple, textures.wood_old)]
     hints = [
         ([first] * 3, "All your bobs have the color and texture of the first row."),
@@ -378,17 +412,21 @@ def test_bobs_have_the_color_and_texture_of_their_row():
         (lambda came: came[0][1] == "metal", "You used the name of a texture. TEXTURE_MAP has the texture itself."),
     ]
     check_cradle(seen, "color and texture of each bob", mixed, hints=hints)
-    seven = [(color.white, None), red, red, *others, black]
+    seven = [white, red, red, *others, white]
     check_cradle(seen, "color and texture of each bob", seven, file="seven.csv")
+    many = [(value, image) for (_, value), (_, image) in LOOKS]
+    check_cradle(seen, "color and texture of each bob", many, file="many.csv")
 
 
 @check("make_newton_cradle")
 def test_the_pend_list_is_returned():
     """Return the updated pend_list."""
-    is_list = Wanted("a list with 3 dictionaries", lambda came: isinstance(came, list) and len(came) == 3)
+    words = "a list with 3 dictionaries"
+    is_list = Wanted(words, lambda came: isinstance(came, list) and len(came) == 3, like=[{}] * 3)
     hints = [(lambda came: isinstance(came, dict), "You returned one pendulum. You need the whole pend_list.")]
-    with files() as folder, working_in(folder):
+    with files("mixed.csv") as folder, working_in(folder):
         first = expect("make_newton_cradle", "mixed.csv", R, 0.6, gives=is_list, hints=hints)
-        what = "theta of the first pendulum in the cradle of the first call, and in this one"
+        what = "first theta from the first call, first theta from this call"
         thetas = {"see": lambda second: (first[0]["theta"], second[0]["theta"]), "what": what, "gives": (0.6, -0.3)}
-        expect("make_newton_cradle", "mixed.csv", R, -0.3, **thetas)
+        one_list = ((-0.3, -0.3), "Your second call has changed the list from the first one. Make a new list.")
+        expect("make_newton_cradle", "mixed.csv", R, -0.3, **thetas, hints=[one_list])

@@ -1,8 +1,13 @@
 """Cradles for the checks and the tests: CSV text, and pendula made by hand, without src/."""
 
-from vpython import color, vector
+from collections.abc import Iterator
+from contextlib import contextmanager, ExitStack
+from unittest.mock import patch
+
+from vpython import box, color, cylinder, sphere, vector
 
 from support.pendulum import make_pendulum
+from support.shapes import discarded
 
 R = 0.4  # m; R_PARAM differs, so a check finds the constant in place of the parameter
 
@@ -31,3 +36,38 @@ def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R,
 def row(count, **values) -> list[dict]:
     """Return count pendula with axles R / 4 apart, and these values for hang."""
     return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]
+
+
+@contextmanager
+def shapes_made() -> Iterator[list]:
+    """Yield a list that gets each box, sphere and cylinder made in the body of the with statement."""
+    made: list = []
+    discarded.clear()  # or make_shape would use old shapes
+    with ExitStack() as stack:
+        for kind in (box, sphere, cylinder):
+
+            def make(shape, original=kind.__init__, **attributes):
+                original(shape, **attributes)
+                made.append(shape)
+
+            stack.enter_context(patch.object(kind, "__init__", make))
+        yield made
+
+
+# Options of expect for the number of left_over.
+LEFT_OVER = {
+    "gives": 0,
+    "what": "number of shapes that are left over in the scene",
+    "hints": [(lambda came: came > 0, "Axles, bobs or cords stay in the scene without use. Make each pendulum once.")],
+}
+
+
+def left_over(made, parts) -> int:
+    """Return how many shapes of made stay in the scene and look like one of parts, but are none of them.
+
+    parts are the objects of pendula. Shapes of another thickness are for show, for example a frame.
+    """
+    kinds = {(type(part), *part.size.value[1:]) for part in parts}
+    own = {id(part) for part in parts}
+    looks = [(type(shape), *shape.size.value[1:]) for shape in made if shape.visible and id(shape) not in own]
+    return sum(look in kinds for look in looks)

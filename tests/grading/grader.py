@@ -9,10 +9,12 @@ code of the function does not matter.
 import importlib
 import os
 import signal
+import sys
 import threading
 import traceback
 from collections.abc import Callable
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
+from io import StringIO
 from math import isclose
 from numbers import Real
 from pathlib import Path
@@ -29,6 +31,7 @@ from grading.telling import (
     culprit_of,
     import_hint,
     message,
+    mistake_in,
     own_lines,
     place_of,
     plain,
@@ -95,12 +98,19 @@ def checks(*, tier=None, function=None) -> list[Check]:
 
 
 class MistakeError(Exception):
-    """A result that the handout does not ask for."""
+    """A result that the handout does not ask for. Its text is a sentence that says what is wrong."""
 
-    def __init__(self, call, lines, hung="", playable=False):
-        """lines are the (label, text) pairs below the call in the message. hung says how it went over a limit."""
-        super().__init__(message([("called", call.lines()), *lines]))
-        self.call, self.hung, self.playable = call, hung, playable
+    def __init__(self, wrong, call, lines, hints=(), hung="", playable=False):
+        """lines and hints are the (label, text) pairs below the call in the message; there is at most one hint.
+
+        hung says how the call went over a limit.
+        """
+        super().__init__(wrong)
+        self.call, self.lines, self.hints, self.hung, self.playable = call, lines, list(hints), hung, playable
+
+    def message(self, *more) -> str:
+        """Return the message, with more (label, text) pairs at its end."""
+        return message([("wrong", f"{self}"), ("called", self.call.lines()), *self.lines, *self.hints, *more])
 
 
 class WaitError(Exception):
@@ -116,6 +126,7 @@ class UnwrittenError(Exception):
 
 
 CALLS: list[Call] = []  # of the current check
+ALONE: list[int] = []  # the number of the only call that expect makes, if there is one: is_right_alone
 
 
 def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, feeds=False) -> Any:
@@ -123,33 +134,39 @@ def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, fe
 
     see(result) returns the value to compare with gives, from the result or from the arguments; without see, it is the
     result. gives is a Wanted, or a value for same. what describes the value in words. hints are pairs: the result of a
-    mistake (a value, or a test of a value or an error), and the sentence that names the mistake. times is the number
-    of calls; with feeds, the result of a call gives the first arguments of the next one.
+    mistake (a value, or a test of a value or an error), and the sentence that names the mistake. A hint is shown only
+    if no other hint has the same result. times is the number of calls; with feeds, the result of a call gives the first
+    arguments of the next one.
     """
     call = Call(function, tuple(plain(argument) for argument in arguments), times)
     CALLS.append(call)
+    if ALONE and len(CALLS) not in ALONE:
+        return None
     wanted = ("expected", about(what, gives))
     solution = find(function)
     result = run(call, solution, arguments, wanted, feeds, hints)
     for before, path in zip(call.arguments, arguments, strict=True):
         if isinstance(before, PlainFile) and plain(path) != before:
-            lines = [("came back", "The file has changed.")]
-            raise MistakeError(call, [*lines, ("expected", "The file stays as it is. Only read it.")])
+            lines = [("came back", "The file has changed."), ("expected", "The file stays as it is. Only read it.")]
+            raise MistakeError(f"{function} has changed the file at relative_filepath.", call, lines)
+    if result is None and FUNCTIONS[function].returns:
+        lines = [("came back", "None"), wanted]
+        raise MistakeError(f"{function} returns nothing.", call, lines, [("hint", RETURNS_NOTHING)])
     try:
         came = see(result) if see else result
     except OTHER_FORM as error:
-        lines = [
-            *shown(result).split("\n"),
-            f"This has the wrong form ({type(error).__name__}: {error}).",
-        ]
-        raise MistakeError(call, [("came back", lines), wanted, *hint(result, gives, hints)]) from None
+        lines = [*shown(result).split("\n")] if FUNCTIONS[function].returns else []
+        lines.append(f"This has the wrong form ({type(error).__name__}: {error}).")
+        sentence = f"{what or 'The result'} cannot be read."
+        raise MistakeError(sentence, call, [("came back", lines), wanted], hint(result, gives, hints)) from None
     if not fits(came, gives):
+        sentence = mistake_in(what or FUNCTIONS[function].returns, came, gives, fits)
         digits = 6 if shown(came) != shown(gives) else 15  # else both would look the same
         at, *values = first_difference(what, came, gives)
         lines = [
             (label, about(at, value, digits)) for label, value in zip(("came back", "expected"), values, strict=True)
         ]
-        raise MistakeError(call, [*lines, *hint(came, gives, hints)], playable=has_form_of(came, gives))
+        raise MistakeError(sentence, call, lines, hint(came, gives, hints), playable=has_form_of(came, gives))
     return result
 
 
@@ -167,9 +184,10 @@ def find(function) -> Callable:
         if culprit != file and culprit in {other.file for other in FUNCTIONS.values()}:
             raise WaitError(culprit, hung) from None
         lines = [("came back", stopped(error))] if hung else [("it raised", raised(error))]
-        raise MistakeError(Call(function), [*lines, *import_hint(error), *end_hint(error)], hung) from None
+        sentence = f"Python cannot import {file}."
+        raise MistakeError(sentence, Call(function), lines, import_hint(error) or end_hint(error), hung) from None
     if not callable(getattr(module, function, None)):
-        raise MistakeError(Call(function), [("came back", f"{file} has no function {function}.")])
+        raise MistakeError(f"{file} has no function {function}.", Call(function), [])
     return getattr(module, function)
 
 
@@ -182,16 +200,19 @@ def run(call, solution, arguments, wanted, feeds, hints) -> Any:
     except BaseException as error:  # also SystemExit
         if is_ctrl_c(error):
             raise
-        if over_limit(error):
-            raise MistakeError(call, [("came back", stopped(error)), wanted], over_limit(error)) from None
+        limit = over_limit(error)
+        if limit:
+            sentence = f"{call.function} {limit}."
+            raise MistakeError(sentence, call, [("came back", stopped(error)), wanted], hung=limit) from None
         stub = unwritten(error)
         if stub not in (None, call.function):
             raise WaitError(stub) from None
         if stub and call.arguments == tuple(map(plain, arguments)):
             raise UnwrittenError(place_of(error, FUNCTIONS[stub].file)) from None
         has_worked = [("hint", "Your code ran up to this line. Now delete it.")] if stub else []
-        lines = [("it raised", raised(error)), wanted, *has_worked, *(end_hint(error) or hint(error, None, hints))]
-        raise MistakeError(call, lines) from None
+        sentence = f"{call.function} stops with an error."
+        lines, found = [("it raised", raised(error)), wanted], has_worked or end_hint(error) or hint(error, None, hints)
+        raise MistakeError(sentence, call, lines, found) from None
 
 
 def repeat(solution, arguments, times, feeds) -> Any:
@@ -201,6 +222,34 @@ def repeat(solution, arguments, times, feeds) -> Any:
         if feeds and isinstance(result, tuple):
             arguments = (*result, *arguments[len(result) :])
     return result
+
+
+def is_right_alone(check, number) -> bool:
+    """Return whether the call with this number in a check is right if nothing was called before it."""
+    CALLS.clear()
+    ALONE.append(number)
+    try:
+        with patience(), limits.without_ends(), imported_again(), redirect_stdout(StringIO()):
+            check.ask()
+    except BaseException as error:
+        if is_ctrl_c(error):
+            raise
+        return False
+    finally:
+        ALONE.clear()
+    return True
+
+
+@contextmanager
+def imported_again():
+    """Let the body of the with statement import the student's modules again, so that they have kept nothing."""
+    kept = {name: sys.modules.pop(name) for name in list(sys.modules) if name.partition(".")[0] == "src"}
+    try:
+        yield
+    finally:
+        for name in [name for name in sys.modules if name.partition(".")[0] == "src"]:
+            del sys.modules[name]
+        sys.modules.update(kept)
 
 
 @contextmanager
@@ -335,19 +384,18 @@ def has_form_of(came, wanted) -> bool:
     return isinstance(came, Real) if isinstance(wanted, Real) else came is not None
 
 
+RETURNS_NOTHING = "Does your function reach a return with a value? (append returns None.)"
+
+
 def hint(came, wanted, hints) -> list[tuple[str, str]]:
-    """Return the hint for this result, or no hint."""
-    for mistaken, sentence in hints:
-        if fits(came, mistaken):
-            return [("hint", sentence)]
-    if came is None:
-        return [("hint", "Your function returned None. Does it reach a return with a value? (append returns None.)")]
-    if isinstance(wanted, tuple) and len(wanted) > 1 and isinstance(came, (list, tuple)):
+    """Return the hint for this result, or no hint. If two mistakes give this result, nobody knows which one it was."""
+    sentences = {sentence for mistaken, sentence in hints if fits(came, mistaken)}
+    if not sentences and isinstance(wanted, tuple) and len(wanted) > 1 and isinstance(came, (list, tuple)):
         if same(tuple(came), wanted):
-            return [("hint", "You returned a list. Return a tuple.")]
+            sentences.add("You returned a list. Return a tuple.")
         if same(tuple(reversed(came)), wanted):
-            return [("hint", "The values are right, but in the wrong order.")]
-    return []
+            sentences.add("The values are right, but in the wrong order.")
+    return [("hint", sentence) for sentence in sentences] if len(sentences) == 1 else []
 
 
 # --- judging ---------------------------------------------------------------------------------------------------------
@@ -360,6 +408,9 @@ class Outcome(NamedTuple):
     message: str = ""
     call: Call | None = None  # the call that failed, else the first one; None if watch.py cannot play it
     place: str = ""  # the place of the function, if it is not written yet
+
+
+MATTERS = "This call is right when it is made alone. What does your code keep from the calls before it?"
 
 
 class Grading:
@@ -410,15 +461,10 @@ class Grading:
             if before and not (shipped.is_file() and shipped.read_bytes() == before):
                 shipped.write_bytes(before)
                 lines = [("came back", "Your code changed newton_cradle_pends.csv. It is restored now.")]
-                raise MistakeError(Call(check.function), [*lines, ("expected", "Your function writes no file.")])
+                lines.append(("expected", "Your function writes no file."))
+                raise MistakeError(f"{check.function} writes a file.", Call(check.function), lines)
         except MistakeError as mistake:
-            if mistake.hung:
-                name = check.function if mistake.call.arguments is not None else FUNCTIONS[check.function].file
-                self.hung[name] = name, mistake.hung
-            lines, is_scene = [where_to_read(check)], check.watched and mistake.playable
-            if is_scene:
-                lines.append(("watch", f"{command_line('tests/watch.py', ROOT)} {check.name}"))
-            return Outcome(FAILED, f"{mistake}\n{message(lines)}", mistake.call if is_scene else None)
+            return self.failed(check, mistake)
         except UnwrittenError as place:
             return Outcome(WAITING, f"waits for you to write {check.function} in {place}", place=str(place))
         except WaitError as error:
@@ -431,6 +477,19 @@ class Grading:
             lines = ["This is a fault of the grader, not of your code. Please show it to your teacher."]
             return Outcome(FAULT, "\n".join([*lines, traceback.format_exc().rstrip()]))
         return Outcome(PASSED, call=CALLS[0] if check.watched else None)
+
+    def failed(self, check, mistake) -> Outcome:
+        """Return the outcome of a check in which a function made this mistake."""
+        called = mistake.call.arguments is not None
+        if mistake.hung:
+            name = check.function if called else FUNCTIONS[check.function].file
+            self.hung[name] = name, mistake.hung
+        elif called and is_right_alone(check, len(CALLS)):
+            mistake.hints = [("hint", MATTERS)]
+        lines, is_scene = [where_to_read(check)], check.watched and mistake.playable
+        if is_scene:
+            lines.append(("watch", f"{command_line('tests/watch.py', ROOT)} {check.name}"))
+        return Outcome(FAILED, mistake.message(*lines), mistake.call if is_scene else None)
 
 
 def where_to_read(check) -> tuple[str, str]:

@@ -13,6 +13,7 @@ class Function(NamedTuple):
     read: str  # place in the handout
     calls: tuple[str, ...] = ()  # the other functions here that it uses
     reads: tuple[str, ...] = ()  # keys of a pendulum that messages show
+    returns: str = ""  # names of what it returns; without, it returns nothing
 
 
 SPECIAL, SWINGING = "src/special_cradles.py", "src/swinging.py"
@@ -25,19 +26,30 @@ RUNNING, CHALLENGE = "Running the Simulation (A Tests)", "Honor Roll Challenge"
 
 # In the order of the handout.
 FUNCTIONS = {
-    "extract_and_convert": Function("D", "src/pds_helper.py", "relative_filepath", CONVERTER),
-    "uniform_mass_newton_cradle": Function("D", SPECIAL, "relative_filepath, mass", CREATION, ("extract_and_convert",)),
-    "uniform_e_newton_cradle": Function("D", SPECIAL, "relative_filepath, e_val", CREATION, ("extract_and_convert",)),
-    "elastic_newton_cradle": Function("D", SPECIAL, "relative_filepath", CREATION, ("uniform_e_newton_cradle",)),
-    "inelastic_newton_cradle": Function("D", SPECIAL, "relative_filepath", CREATION, ("uniform_e_newton_cradle",)),
-    "make_newton_cradle": Function(
-        "D", SPECIAL, "relative_filepath, r_param, theta_init", CREATION, ("extract_and_convert",)
+    "extract_and_convert": Function("D", "src/pds_helper.py", "relative_filepath", CONVERTER, returns="pend_list"),
+    "uniform_mass_newton_cradle": Function(
+        *("D", SPECIAL, "relative_filepath, mass", CREATION, ("extract_and_convert",)), returns="pend_list"
     ),
-    "angle_update": Function("C", SWINGING, "omega, theta, r_param, dt, g", SWING),
+    "uniform_e_newton_cradle": Function(
+        *("D", SPECIAL, "relative_filepath, e_val", CREATION, ("extract_and_convert",)), returns="pend_list"
+    ),
+    "elastic_newton_cradle": Function(
+        *("D", SPECIAL, "relative_filepath", CREATION, ("uniform_e_newton_cradle",)), returns="pend_list"
+    ),
+    "inelastic_newton_cradle": Function(
+        *("D", SPECIAL, "relative_filepath", CREATION, ("uniform_e_newton_cradle",)), returns="pend_list"
+    ),
+    "make_newton_cradle": Function(
+        *("D", SPECIAL, "relative_filepath, r_param, theta_init", CREATION, ("extract_and_convert",)),
+        returns="pend_list",
+    ),
+    "angle_update": Function("C", SWINGING, "omega, theta, r_param, dt, g", SWING, returns="omega_new, theta_new"),
     "full_swing_update": Function(
         "C", SWINGING, "pend_list, r_param, dt, g", SWING, ("angle_update",), ("theta", "omega")
     ),
-    "handle_collision": Function("B", RUN, "e, omega1, omega2, m1, m2, r_param", COLLISIONS),
+    "handle_collision": Function(
+        *("B", RUN, "e, omega1, omega2, m1, m2, r_param", COLLISIONS), returns="new_omega1, new_omega2"
+    ),
     "handle_two_bobs": Function(
         *("B", RUN, "pend1, pend2, r_param", COLLISIONS, ("handle_collision",)),
         reads=("mass", "e", "omega", "bob", "radius"),
@@ -47,9 +59,13 @@ FUNCTIONS = {
         reads=("mass", "e", "theta", "omega", "bob"),
     ),
     "main": Function("A", RUN, "page", RUNNING, ("make_newton_cradle", "newton_cradle_tick")),
-    "make_double_pendulum": Function(HONOR, DOUBLE, "axle_pos, r_param, theta, phi, color, texture", CHALLENGE),
+    "make_double_pendulum": Function(
+        *(HONOR, DOUBLE, "axle_pos, r_param, theta, phi, color, texture", CHALLENGE),
+        returns="axle, bob1, cord1, bob2, cord2",
+    ),
     "double_angle_update": Function(
-        HONOR, DOUBLE, "omega_theta, omega_phi, theta, phi, r_param, dt, g, m1, m2", CHALLENGE
+        *(HONOR, DOUBLE, "omega_theta, omega_phi, theta, phi, r_param, dt, g, m1, m2", CHALLENGE),
+        returns="omega_theta, omega_phi, theta, phi",
     ),
 }
 

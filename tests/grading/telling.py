@@ -152,6 +152,63 @@ def about(what, value, digits=6) -> list[str]:
     return [f"{what}: {lines[0]}"] if len(lines) == 1 and len(what + lines[0]) < WIDTH else [f"{what}:", *lines]
 
 
+FORMS = {list: "a list", tuple: "a tuple", dict: "a dictionary", str: "text", bool: "a bool", type(None): "None"}
+
+
+def form_of(value) -> str:
+    """Return the form of a value in words."""
+    words = [words for kind, words in FORMS.items() if isinstance(value, kind)]
+    return words[0] if words else "a number" if isinstance(value, Real) else f"a {type(value).__name__}"
+
+
+def mistake_in(what, came, wanted, fits) -> str:
+    """Return a sentence that says what is wrong in came. what names the value, or the parts of a tuple, with commas.
+
+    fits(came, wanted) compares two values.
+    """
+    names = what.split(", ")
+    whole = what if len(names) == 1 else "The result"
+    like = wanted.like if isinstance(wanted, Wanted) else wanted
+    if wanted is True and isinstance(came, bool):
+        return f"It is not true {what}."
+    if like is not None and form_of(came) != form_of(like):
+        return f"{whole} is {form_of(came)}, not {form_of(like)}."
+    if isinstance(like, (list, tuple)) and len(came) != len(like):
+        elements = "element" if len(came) == 1 else "elements"
+        return f"{whole} has {len(came)} {elements}, not {len(like)}."
+    if isinstance(wanted, (list, tuple)):
+        parts = names if len(names) == len(wanted) > 1 else [part_of(what, i) for i in range(len(wanted))]
+        bad = [trio for trio in zip(parts, came, wanted, strict=True) if not fits(*trio[1:])]
+        if isinstance(bad[0][2], dict) or (len(bad) == 1 and not isinstance(bad[0][2], (list, tuple))):
+            return mistake_in(*bad[0], fits)
+        bad_parts = [part for part, *_ in bad]
+        return wrong(what if len(bad) == len(parts) else ", ".join(bad_parts[:2] + ["..."] * (len(bad) > 2)))
+    if isinstance(wanted, dict):
+        return mistake_in_dictionary(what, came, wanted, fits)
+    return wrong(what)
+
+
+def mistake_in_dictionary(what, came, wanted, fits) -> str:
+    """Return a sentence that says what is wrong in the dictionary came."""
+    for words, keys in (("misses", wanted.keys() - came.keys()), ("must not have", came.keys() - wanted.keys())):
+        if keys:
+            return f"{what} {words} the key {min(map(shown, keys))}."
+    return wrong(", ".join(f"{key} of {what}" for key in wanted if not fits(came[key], wanted[key])))
+
+
+def part_of(what, i) -> str:
+    """Return the name of an element: "theta of pend_list[2]" for "theta of each pendulum"."""
+    for each, one in (("each pendulum", "pend_list"), ("each axle", "axle"), ("each bob", "bob")):
+        if each in what:
+            return what.replace(each, f"{one}[{i}]")
+    return f"{what} at index {i}" if " " in what else f"{what}[{i}]"
+
+
+def wrong(what) -> str:
+    """Return a sentence that says what is wrong."""
+    return f"{what} {'are' if ', ' in what or ' and ' in what else 'is'} wrong."
+
+
 def message(lines) -> str:
     """Return pairs of a label and a text (or a list of lines) as one text."""
     block = []

@@ -110,6 +110,18 @@ RIGHT = {
                 return {**row, "theta": theta, "omega": 0, "objects": objects}
             return [made(i, row) for i, row in enumerate(extract_and_convert(relative_filepath))]
             """,
+        "with a frame and a name": (
+            "return pend_list",
+            "__import__('vpython').box(pos=vector(0, -1, 0), size=vector(2, 0.1, 1)); "
+            "__import__('vpython').cylinder(axis=vector(1, 0, 0), radius=r_param / 20); "
+            "__import__('vpython').label(text='cradle')\n        return pend_list",
+        ),
+        "made twice, and the first ones hidden": (
+            "pend['objects'] = make",
+            "for old in make_pendulum(axle_pos, r_param, 0, color, texture): old.visible = False\n"
+            "            pend['objects'] = make",
+        ),
+        "the first known by itself": ("i == 0", "pend is pend_list[0]"),
         "theta_init times a truth": ("= theta_init", "= theta_init * (i == 0)"),
         "keys of its own": ("pend['omega'] = 0", "pend['omega'] = 0; pend['number'] = i + 1"),
     },
@@ -232,6 +244,26 @@ RIGHT = {
             "mag(bob1.pos - bob2.pos)",
             "((bob1.pos.x - bob2.pos.x)**2 + (bob1.pos.y - bob2.pos.y)**2)**0.5",
         ),
+        "places from the angles": (
+            "mag(bob1.pos - bob2.pos)",
+            "mag(pend1['objects'][0].pos - pend2['objects'][0].pos + "
+            "r_param * vector(sin(pend1['theta']) - sin(pend2['theta']), cos(pend2['theta']) - cos(pend1['theta']), 0))",
+        ),
+        "places from the angles, axles at one height": (
+            "mag(bob1.pos - bob2.pos)",
+            "__import__('math').hypot(pend1['objects'][0].pos.x + r_param * sin(pend1['theta']) - "
+            "pend2['objects'][0].pos.x - r_param * sin(pend2['theta']), "
+            "r_param * (cos(pend1['theta']) - cos(pend2['theta'])))",
+        ),
+        "places from the angles, axles r_param/4 apart": (
+            "mag(bob1.pos - bob2.pos)",
+            "__import__('math').hypot(r_param / 4 + r_param * (sin(pend2['theta']) - sin(pend1['theta'])), "
+            "r_param * (cos(pend2['theta']) - cos(pend1['theta'])))",
+        ),
+        "the ends of the cords": (
+            "mag(bob1.pos - bob2.pos)",
+            "mag(pend1['objects'][2].pos + pend1['objects'][2].axis - pend2['objects'][2].pos - pend2['objects'][2].axis)",
+        ),
         "squares compared": (
             "mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)",
             "(bob1.pos - bob2.pos).mag2 <= (1.05 * (bob1.radius + bob2.radius))**2",
@@ -339,15 +371,6 @@ RIGHT = {
             while page.is_running():
                 if page.wants_cradle():
                     pend_list[:] = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
-                    page.show(pend_list)
-                while page.wants_tick():
-                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
-            """,
-        "made before the loop, too": """\
-            pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
-            while page.is_running():
-                if page.wants_cradle():
-                    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
                     page.show(pend_list)
                 while page.wants_tick():
                     newton_cradle_tick(pend_list, R_PARAM, DT, G)

@@ -112,7 +112,7 @@ def test_of_a_mistake_the_first_message_comes_last(student):
     title = "Use one relevant helper function from pendulum.py in support/ to create t..."
     shown = section(rows, title)
     assert shown[:11] == [*(f"printed     row {i}" for i in range(10)), "printed     ... (25 lines in all)"]
-    assert shown[11] == "called      make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.6)"
+    assert shown[12] == "called      make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.6)"
     assert "".join(shown).endswith(" test_bobs_hang_from_their_axles")  # the command to watch it, above the table
     assert not [row for row in rows if "collision" in row and "printed" in row]
 

@@ -175,6 +175,8 @@ WRONG = {
             return [dict(pend) for pend in cache[relative_filepath]]
             """,
         "only prints": "print(list(pd.read_csv(relative_filepath).to_dict(orient='index').values()))",
+        "row numbers sorted as text": "return [p for _, p in sorted(pd.read_csv(relative_filepath).T.to_dict().items(), key=lambda of: str(of[0]))]",
+        "ten at most": "return pd.read_csv(relative_filepath).head(10).to_dict('records')",
     },
     "uniform_mass_newton_cradle": {
         "changes nothing": "return extract_and_convert(relative_filepath)",
@@ -257,6 +259,23 @@ WRONG = {
             pend_list = [{**pend, 'mass': mass} for pend in extract_and_convert(relative_filepath)]
             write_to_csv(pend_list, relative_filepath)
             return pend_list
+            """,
+        "the first column, whatever its name": """\
+            pend_list = extract_and_convert(relative_filepath)
+            for pend in pend_list:
+                pend[list(pend)[0]] = mass
+            return pend_list
+            """,
+        "counts on a first pendulum": """\
+            pend_list = extract_and_convert(relative_filepath)
+            pend_list[0]['mass'] = mass
+            for pend in pend_list[1:]:
+                pend['mass'] = mass
+            return pend_list
+            """,
+        "the mass of the first call": """\
+            mass = uniform_mass_newton_cradle.__dict__.setdefault('mass', mass)
+            return [{**pend, 'mass': mass} for pend in extract_and_convert(relative_filepath)]
             """,
     },
     "uniform_e_newton_cradle": {
@@ -429,6 +448,34 @@ WRONG = {
         "the last left out": ("range(len(pend_list))", "range(len(pend_list) - 1)"),
         "the first left out": ("range(len(pend_list))", "range(1, len(pend_list))"),
         "five pendula, whatever the file has": ("range(len(pend_list))", "range(5)"),
+        "made twice": (
+            "pend['objects'] = make",
+            "make_pendulum(axle_pos, r_param, pend['theta'], color, texture); pend['objects'] = make",
+        ),
+        "made first with the angles of the file": (
+            "pend_list = extract_and_convert(relative_filepath)",
+            "pend_list = extract_and_convert(relative_filepath)\n        for p in pend_list: "
+            "p['objects'] = make_pendulum(vector(0, 0, 0), r_param, p['theta'], COLOR_MAP[p['color']], None)",
+        ),
+        "axle, bob and cord each from its own pendulum": (
+            "make_pendulum(axle_pos, r_param, pend['theta'], color, texture)",
+            "tuple(make_pendulum(axle_pos, r_param, pend['theta'], color, texture)[part] for part in range(3))",
+        ),
+        "the first known by its mass": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
+        "the first known by its color": ("i == 0", "pend['color'] == pend_list[0]['color']"),
+        "the first known by its row": (
+            "i == 0",
+            "extract_and_convert(relative_filepath)[i] == extract_and_convert(relative_filepath)[0]",
+        ),
+        "counted by its row": (
+            "* i)",
+            "* extract_and_convert(relative_filepath).index(extract_and_convert(relative_filepath)[i]))",
+        ),
+        "at most half a round": ("= theta_init", "= max(-3.1415926, min(3.1415926, theta_init))"),
+        "at most one round": ("= theta_init", "= __import__('math').fmod(theta_init, 6.283185307179586)"),
+        "a small angle is 0": ("= theta_init", "= theta_init if abs(theta_init) > 1e-6 else 0"),
+        "sorted by mass": ("for i in", "pend_list.sort(key=lambda pend: pend['mass'])\n        for i in"),
+        "twenty at most": ("return pend_list", "return pend_list[:20]"),
     },
     "angle_update": {
         "the old omega": ("theta + omega_new", "theta + omega"),
@@ -486,6 +533,13 @@ WRONG = {
         "dt multiplies the old theta, too": ("theta + omega_new * dt", "(theta + omega_new) * dt"),
         "theta divided by r_param": ("sin(theta) / r_param", "sin(theta / r_param)"),
         "rounded down": ("/ r_param", "// r_param"),
+        "very slow is 0": ("(omega_new, theta_new)", "(omega_new if abs(omega_new) > 1e-7 else 0, theta_new)"),
+        "a small angle is 0": ("(omega_new, theta_new)", "(omega_new, theta_new if abs(theta_new) > 1e-7 else 0)"),
+        "one round taken away": ("return (", "theta_new -= (theta_new > 100) * 6.283185307179586; return ("),
+        "counts its calls": (
+            "return (omega_new, theta_new)",
+            "calls = globals().setdefault('_calls', []); calls.append(1); return (omega_new, theta_new + (len(calls) > 3))",
+        ),
     },
     "full_swing_update": {
         "does nothing": "pass",
@@ -539,6 +593,27 @@ WRONG = {
             first['omega'], second['omega'] = second['omega'], first['omega']
             """,
         "sorted by angle": "pend_list.sort(key=lambda pend: pend['theta'])\nfor pend in pend_list: swing_update(pend, r_param, dt, g)",
+        "the slow ones stopped": ("dt, g)", "dt, g); pend['omega'] *= abs(pend['omega']) > 1e-7"),
+        "twenty at most": ("in pend_list", "in pend_list[:20]"),
+        "made again, and left in the scene": (
+            "dt, g)",
+            "dt, g); from support.pendulum import make_pendulum; "
+            "make_pendulum(pend['objects'][0].pos, r_param, pend['theta'], pend['objects'][1].color, None)",
+        ),
+        "an angle of one round at most": (
+            "dt, g)",
+            "dt, g); pend['theta'] = __import__('math').fmod(pend['theta'], 6.283185307179586)",
+        ),
+        "sorted by place": "pend_list.sort(key=lambda pend: pend['objects'][0].pos.x)\nfor pend in pend_list: swing_update(pend, r_param, dt, g)",
+        "sorted by e": "pend_list.sort(key=lambda pend: -pend['e'])\nfor pend in pend_list: swing_update(pend, r_param, dt, g)",
+        "found by its mass": (
+            "swing_update(pend,",
+            "swing_update(next(p for p in pend_list if p['mass'] == pend['mass']),",
+        ),
+        "found by its angle": (
+            "swing_update(pend,",
+            "swing_update(next(p for p in pend_list if p['theta'] == pend['theta']),",
+        ),
     },
     "handle_collision": {
         "elastic always": ("v1 = r_param", "e = 1; v1 = r_param"),
@@ -621,6 +696,13 @@ WRONG = {
         "multiplied by the sum of the masses": ("/ (m1 + m2)", "* (m1 + m2)"),
         "divided by m1 alone": ("/ (m1 + m2)", "/ m1 + m2"),
         "divided by r_param both ways": ("r_param * omega", "1 / r_param * omega"),
+        "1 - e for e": ("v1 = r_param", "e = 1 - e; v1 = r_param"),
+        "e times the first velocity alone": ("e*(v1 - v2)", "e*v1"),
+        "very slow is at rest": ("v1 = r_param", "omega1 = omega1 if abs(omega1) > 1e-7 else 0; v1 = r_param"),
+        "nearly equal is equal": (
+            "v1 = r_param",
+            "if abs(omega1 - omega2) < 1e-7: return omega1, omega2\n        v1 = r_param",
+        ),
     },
     "handle_two_bobs": {
         "does nothing": "pass",
@@ -724,6 +806,38 @@ WRONG = {
             "pend1['omega'], pend2['omega'] = handle_collision(e, new_omega1, new_omega2, m1, m2, r_param)",
         ),
         "sets the second's e": ("e = pend1['e']", "e = pend2['e'] = pend1['e']"),
+        "masses of 1 if elastic": ("omega2, m1, m2, r_param", "omega2, *((1, 1) if e == 1 else (m1, m2)), r_param"),
+        "masses of 1 if inelastic": ("omega2, m1, m2, r_param", "omega2, *((1, 1) if e == 0 else (m1, m2)), r_param"),
+        "masses of 1 between": ("omega2, m1, m2, r_param", "omega2, *((1, 1) if 0.3 < e < 1 else (m1, m2)), r_param"),
+        "between elastic and inelastic, with equal masses": (
+            "handle_collision(e, omega1, omega2, m1, m2, r_param)",
+            "((1 - e)*(omega1 + omega2)/2 + e*omega2, (1 - e)*(omega1 + omega2)/2 + e*omega1)",
+        ),
+        "e in quarters": ("e = pend1['e']", "e = round(4 * pend1['e']) / 4"),
+        "elastic from 0.9 on": ("e = pend1['e']", "e = 1 if pend1['e'] >= 0.9 else pend1['e']"),
+        "a heavy one counts": ("e = pend1['e']", "e = pend1['e'] if m2 < 10 * m1 else pend2['e']"),
+        "distance along the arc": (
+            "mag(bob1.pos - bob2.pos)",
+            "abs(pend2['objects'][0].pos.x - pend1['objects'][0].pos.x + r_param * (pend2['theta'] - pend1['theta']))",
+        ),
+        "distance along the arc, and of the axles": (
+            "mag(bob1.pos - bob2.pos)",
+            "mag(pend2['objects'][0].pos - pend1['objects'][0].pos + "
+            "vector(0, r_param * (pend2['theta'] - pend1['theta']), 0))",
+        ),
+        "the angle between the cords": ("mag(bob1.pos - bob2.pos)", "r_param * abs(pend1['theta'] - pend2['theta'])"),
+        "only below the axles": ("if mag", "if abs(pend1['theta']) < 1.5 and mag"),
+        "only in one round": ("if mag", "if abs(pend1['theta'] - pend2['theta']) < 3.1415926 and mag"),
+        "the slow ones stopped": (
+            "pend2['omega'] = new_omega2",
+            "pend2['omega'] = new_omega2\n            for p in (pend1, pend2): p['omega'] *= abs(p['omega']) > 1e-7",
+        ),
+        "only if they are not very slow": ("if mag", "if abs(omega1 - omega2) > 1e-7 and mag"),
+        "the last pair does not collide again": (
+            "if mag",
+            "last = globals().setdefault('_last', [])\n        if any(pend1 is one for one in last): return\n"
+            "        last[:] = [pend1]\n        if mag",
+        ),
     },
     "newton_cradle_tick": {
         "does nothing": "pass",
@@ -820,6 +934,42 @@ WRONG = {
             "handle_two_bobs(",
             "if pend_list[i]['omega'] > pend_list[i + 1]['omega']: handle_two_bobs(",
         ),
+        **{
+            f"sorted by {what}": ("for i in", f"pend_list = sorted(pend_list, key=lambda p: {key})\n        for i in")
+            for what, key in {
+                "the bobs' places": "p['objects'][1].pos.x",
+                "the axles' places": "p['objects'][0].pos.x",
+                "mass": "p['mass']",
+                "mass, the heavy ones first": "-p['mass']",
+                "e": "p['e']",
+                "angle": "p['theta']",
+                "omega": "p['omega']",
+                "speed, the fast ones first": "-abs(p['omega'])",
+            }.items()
+        },
+        "the list itself sorted": ("full_swing", "pend_list.sort(key=lambda p: p['objects'][0].pos.x); full_swing"),
+        "the odd pairs first": (
+            "range(len(pend_list) - 1)",
+            "sorted(range(len(pend_list) - 1), key=lambda i: (i + 1) % 2)",
+        ),
+        "the fast pairs first": (
+            "range(len(pend_list) - 1)",
+            "sorted(range(len(pend_list) - 1), key=lambda i: -abs(pend_list[i]['omega']))",
+        ),
+        "the slow ones stopped": (
+            "for i in",
+            "for p in pend_list: p['omega'] *= abs(p['omega']) > 1e-7\n        for i in",
+        ),
+        "twenty pairs at most": ("range(len(pend_list) - 1)", "range(min(20, len(pend_list) - 1))"),
+        "the last one known by its values": (
+            "handle_two_bobs(",
+            "if all(pend_list[i][key] == pend_list[-1][key] for key in ('mass', 'omega')): continue\n"
+            "            handle_two_bobs(",
+        ),
+        "the number found by its omega": (
+            "handle_two_bobs(",
+            "i = [p['omega'] for p in pend_list].index(pend_list[i]['omega']); i < len(pend_list) - 1 and handle_two_bobs(",
+        ),
     },
     "main": {
         "does nothing": "pass",
@@ -882,6 +1032,16 @@ WRONG = {
         "a copy ticks": ("newton_cradle_tick(pend_list,", "newton_cradle_tick([dict(pend) for pend in pend_list],"),
         "the tick's result kept": ("newton_cradle_tick(", "pend_list = newton_cradle_tick("),
         "the tick made, not the cradle": ("if page.wants_cradle():", "if not page.wants_cradle():"),
+        "made twice": ("page.show(", "make_newton_cradle(page.csv, R_PARAM, THETA_INIT); page.show("),
+        "made before the loop, too": """\
+            pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+            while page.is_running():
+                if page.wants_cradle():
+                    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+                    page.show(pend_list)
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
+            """,
     },
     "make_double_pendulum": {
         "a single pendulum": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
@@ -910,6 +1070,13 @@ WRONG = {
         ),
         "a lower bob that cannot be seen": ("return (", "bob2.visible = False\n        return ("),
         "degrees": ("theta + phi", "theta + phi * 57.29577951308232"),
+        "the lower axle left in the scene": ("bob2, cord2 = make_bob_and_cord(", "_, bob2, cord2 = make_pendulum("),
+        "the lower one made twice": (
+            "bob2, cord2 =",
+            "make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture); bob2, cord2 =",
+        ),
+        "phi of half a round at most": ("theta + phi", "theta + max(-3.1415926, min(3.1415926, phi))"),
+        "theta of half a round at most": ("theta + phi", "max(-3.1415926, min(3.1415926, theta)) + phi"),
     },
     "double_angle_update": {
         "returns nothing": ("return", "result ="),
@@ -945,5 +1112,17 @@ WRONG = {
         ),
         "small angles": ("(a, b, u, v, g", "(a / 100, b / 100, u, v, 100 * g"),
         "damped": ("(u, v - u, a, b - a)", "(u * 0.999, (v - u) * 0.999, a, b - a)"),
+        "phi of half a round at most": (
+            "(u, v - u, a, b - a)",
+            "(u, v - u, a, max(-3.1415926, min(3.1415926, b - a)))",
+        ),
+        "phi within a round": (
+            "(u, v - u, a, b - a)",
+            "(u, v - u, a, __import__('math').fmod(b - a, 6.283185307179586))",
+        ),
+        "theta of half a round at least": ("(u, v - u, a, b - a)", "(u, v - u, max(-3.1415926, a), b - a)"),
+        "very slow is 0": ("(u, v - u, a, b - a)", "(u * (abs(u) > 1e-7), (v - u) * (abs(v - u) > 1e-7), a, b - a)"),
+        "the upper bob's turning forgotten": ("(a, b, u, v, g", "(a, b, 0, v, g"),
+        "the lower bob's turning forgotten": ("(a, b, u, v, g", "(a, b, u, 0, g"),
     },
 }
