@@ -323,7 +323,7 @@ def test_objects_are_axle_bob_and_cord():
         return all(isinstance(objects, list) for objects in came)
 
     hints = [(are_lists, "You stored lists. You need tuples, as the helper function returns them.")]
-    what = "objects of each pendulum"
+    what = "the tuple objects of each pendulum"
     check_cradle(lambda pend: pend["objects"], what, Wanted("a tuple (axle, bob, cord) for each", is_one), hints=hints)
 
     def strays(pend_list):

@@ -181,8 +181,8 @@ def mistake_in(what, came, wanted, fits) -> str:
         bad = [trio for trio in zip(parts, came, wanted, strict=True) if not fits(*trio[1:])]
         if isinstance(bad[0][2], dict) or (len(bad) == 1 and not isinstance(bad[0][2], (list, tuple))):
             return mistake_in(*bad[0], fits)
-        bad_parts = [part for part, *_ in bad]
-        return wrong(what if len(bad) == len(parts) else ", ".join(bad_parts[:2] + ["..."] * (len(bad) > 2)))
+        are_all = len(bad) == len(parts) or parts[0] == part_of(what, 0) == what
+        return wrong(what if are_all else ", ".join([part for part, *_ in bad][:2] + ["..."] * (len(bad) > 2)))
     if isinstance(wanted, dict):
         return mistake_in_dictionary(what, came, wanted, fits)
     return wrong(what)
@@ -193,7 +193,8 @@ def mistake_in_dictionary(what, came, wanted, fits) -> str:
     for words, keys in (("misses", wanted.keys() - came.keys()), ("must not have", came.keys() - wanted.keys())):
         if keys:
             return f"{what} {words} the key {min(map(shown, keys))}."
-    return wrong(", ".join(f"{key} of {what}" for key in wanted if not fits(came[key], wanted[key])))
+    bad = [str(key) for key in wanted if not fits(came[key], wanted[key])]
+    return wrong(f"{', '.join(bad)} of {what}")
 
 
 def part_of(what, i) -> str:
@@ -201,11 +202,13 @@ def part_of(what, i) -> str:
     for each, one in (("each pendulum", "pend_list"), ("each axle", "axle"), ("each bob", "bob")):
         if each in what:
             return what.replace(each, f"{one}[{i}]")
-    return f"{what} at index {i}" if " " in what else f"{what}[{i}]"
+    return what if " " in what else f"{what}[{i}]"
 
 
 def wrong(what) -> str:
-    """Return a sentence that says what is wrong."""
+    """Return a sentence that says what is wrong: "a is wrong.", "a and b are wrong.", "a, b, c are wrong."."""
+    if what.count(", ") == 1 and " and " not in what:
+        what = what.replace(", ", " and ")
     return f"{what} {'are' if ', ' in what or ' and ' in what else 'is'} wrong."
 
 

@@ -172,7 +172,7 @@ def first_failure(function):
 def test_a_failure_says_it_all_in_order(solve):
     solve("handle_two_bobs", WRONG["handle_two_bobs"]["the second pendulum's e"])
     assert first_failure("handle_two_bobs").message.splitlines() == [
-        "wrong       omega of pend1, omega of pend2 are wrong.",
+        "wrong       omega of pend1 and omega of pend2 are wrong.",
         "called      handle_two_bobs(pend1, pend2, r_param=4)",
         "            pend1: mass 1, e 0.5, omega 4, bob (0, -4, 0), radius 0.5",
         "            pend2: mass 1, e 1, omega 0, bob (1, -4, 0), radius 0.5",
@@ -359,7 +359,7 @@ def test_of_pendula_and_files_only_what_matters_is_told(solve):
     ]
     solve("extract_and_convert", WRONG["extract_and_convert"]["rounded"])
     assert [line.strip() for line in first_failure("extract_and_convert").message.splitlines()] == [
-        "wrong       mass of pend_list[0], theta of pend_list[0] are wrong.",
+        "wrong       mass and theta of pend_list[0] are wrong.",
         "called      extract_and_convert(relative_filepath)",
         "relative_filepath is the path of seven.csv:",
         "mass,e,theta,omega,color,texture",

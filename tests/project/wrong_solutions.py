@@ -476,6 +476,10 @@ WRONG = {
         "a small angle is 0": ("= theta_init", "= theta_init if abs(theta_init) > 1e-6 else 0"),
         "sorted by mass": ("for i in", "pend_list.sort(key=lambda pend: pend['mass'])\n        for i in"),
         "twenty at most": ("return pend_list", "return pend_list[:20]"),
+        "a few colors": (
+            "COLOR_MAP[pend['color']]",
+            "COLOR_MAP[pend['color'] if pend['color'] != 'orange' else 'white']",
+        ),
     },
     "angle_update": {
         "the old omega": ("theta + omega_new", "theta + omega"),
@@ -540,6 +544,8 @@ WRONG = {
             "return (omega_new, theta_new)",
             "calls = globals().setdefault('_calls', []); calls.append(1); return (omega_new, theta_new + (len(calls) > 3))",
         ),
+        "theta itself for small angles": ("sin(theta)", "(sin(theta) if abs(theta) > 0.1 else theta)"),
+        "at most 100 rad/s": ("return (", "omega_new = min(100, omega_new); return ("),
     },
     "full_swing_update": {
         "does nothing": "pass",
@@ -613,6 +619,12 @@ WRONG = {
         "found by its angle": (
             "swing_update(pend,",
             "swing_update(next(p for p in pend_list if p['theta'] == pend['theta']),",
+        ),
+        "one that equals the one before is left out": (
+            "swing_update(pend,",
+            "i = [p is pend for p in pend_list].index(True)\n            "
+            "if i and pend['theta'] == pend_list[i - 1].get('was'): continue\n            "
+            "pend['was'] = pend['theta']; swing_update(pend,",
         ),
     },
     "handle_collision": {
@@ -702,6 +714,14 @@ WRONG = {
         "nearly equal is equal": (
             "v1 = r_param",
             "if abs(omega1 - omega2) < 1e-7: return omega1, omega2\n        v1 = r_param",
+        ),
+        "a very heavy one is not slowed": (
+            "v1 = r_param",
+            "if m1 > 100 * m2: return omega1, (1 + e)*omega1 - e*omega2\n        v1 = r_param",
+        ),
+        "at most 20 rad/s": (
+            "(v1_new / r_param, v2_new / r_param)",
+            "(max(-20, min(20, v1_new / r_param)), max(-20, min(20, v2_new / r_param)))",
         ),
     },
     "handle_two_bobs": {
@@ -1042,6 +1062,11 @@ WRONG = {
                 while page.wants_tick():
                     newton_cradle_tick(pend_list, R_PARAM, DT, G)
             """,
+        "the last one does not tick": ("newton_cradle_tick(pend_list,", "newton_cradle_tick(pend_list[:-1],"),
+        "only two collide": (
+            "newton_cradle_tick(pend_list, R_PARAM, DT, G)",
+            "newton_cradle_tick(pend_list[:2], R_PARAM, DT, G); full_swing_update(pend_list[2:], R_PARAM, DT, G)",
+        ),
     },
     "make_double_pendulum": {
         "a single pendulum": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
