@@ -239,16 +239,10 @@ def test_inelastic():
 
 def check_cradle(see, what, gives, file="mixed.csv", r_param=R, theta_init=0.6, hints=()):
     """Check what see(pend) returns for each pendulum of the cradle from file."""
-    ready = []
 
     def see_all(pend_list):
-        ready[:] = ["objects" in pend for pend in pend_list]
         return [see(pend) for pend in pend_list]
 
-    def is_first_alone(_):
-        return ready[:1] == [True] and len(ready) > 1 and not any(ready[1:])
-
-    hints = hints or [(is_first_alone, "Only the first pendulum has objects. Is your return inside the loop?")]
     with files(file) as folder, working_in(folder):
         expect("make_newton_cradle", file, r_param, theta_init, gives=gives, see=see_all, what=what, hints=hints)
 
@@ -370,29 +364,33 @@ def test_bobs_hang_from_their_axles():
     """
 
     def bobs(thetas, r_param=R):
-        made = [make_pendulum(vector(0, 0, 0), r_param, theta, vector(1, 1, 1), None)[1] for theta in thetas]
-        return [(bob.pos, bob.radius) for bob in made]
+        return [make_pendulum(vector(0, 0, 0), r_param, theta, vector(1, 1, 1), None)[1] for theta in thetas]
 
-    def seen(pend):
+    def places(thetas, r_param=R):
+        return [bob.pos for bob in bobs(thetas, r_param)]
+
+    def place(pend):
         axle, bob, _ = pend["objects"]
-        return bob.pos - axle.pos, bob.radius
+        return bob.pos - axle.pos
 
-    swapped = [make_pendulum(vector(0, 0, 0), theta, R, vector(1, 1, 1), None)[1] for theta in (0.6, 0, 0)]
-    hints: list = [
-        ([(bob.pos, bob.radius) for bob in swapped], "make_pendulum takes r_param first, then theta."),
-        (bobs([0, 0, 0]), "Your first bob hangs straight down. make_pendulum needs its theta."),
-        (bobs([0.6, 0.6, 0.6]), "All your bobs are lifted. Each bob hangs at the theta of its own pendulum."),
-        (bobs([row["theta"] for row in MIXED]), "Your bobs hang at the angles from the file, not at the new ones."),
+    def is_another_length(came):
+        return same(came[1].x, 0) and not same(came[1].mag, R) and came[1].mag > 0
+
+    hints = [
+        (
+            [bob.pos for theta in (0.6, 0, 0) for bob in bobs([R], theta)],
+            "make_pendulum takes r_param first, then theta.",
+        ),
+        (places([0, 0, 0]), "Your first bob hangs straight down. make_pendulum needs its theta."),
+        (places([0.6, 0.6, 0.6]), "All your bobs are lifted. Each hangs at the theta of its pendulum."),
+        (places([row["theta"] for row in MIXED]), "Your bobs hang at the angles from the file, not at the new ones."),
+        (is_another_length, "Do you give r_param to make_pendulum unchanged?"),
     ]
-
-    def is_another_size(came):
-        radius = came[1][1]
-        return isinstance(radius, float) and radius not in (bobs([0])[0][1], swapped[1].radius)
-
-    hints.append((is_another_size, "Do you give r_param to make_pendulum unchanged?"))
-    what = "position (m, from the axle) and radius of each bob"
-    check_cradle(seen, what, bobs([0.6, 0, 0]), hints=hints)
-    check_cradle(seen, what, bobs([-0.3, 0, 0], 1.0), r_param=1.0, theta_init=-0.3)
+    what = "position from the axle (m) of each bob"
+    check_cradle(place, what, places([0.6, 0, 0]), hints=hints)
+    check_cradle(place, what, places([-0.3, 0, 0], 1.0), r_param=1.0, theta_init=-0.3)
+    radii = [bob.radius for bob in bobs([0, 0, 0])]
+    check_cradle(lambda pend: pend["objects"][1].radius, "radius (m) of each bob", radii)
 
 
 @check("make_newton_cradle")

@@ -182,7 +182,8 @@ def mistake_in(what, came, wanted, fits) -> str:
         if isinstance(bad[0][2], dict) or (len(bad) == 1 and not isinstance(bad[0][2], (list, tuple))):
             return mistake_in(*bad[0], fits)
         are_all = len(bad) == len(parts) or parts[0] == part_of(what, 0) == what
-        return wrong(what if are_all else ", ".join([part for part, *_ in bad][:2] + ["..."] * (len(bad) > 2)))
+        told = [part for part, *_ in bad][: 2 if len(bad[0][0]) < WIDTH / 2 - 5 else 1]
+        return wrong(what if are_all else ", ".join(told + ["..."] * (len(bad) > len(told))))
     if isinstance(wanted, dict):
         return mistake_in_dictionary(what, came, wanted, fits)
     return wrong(what)

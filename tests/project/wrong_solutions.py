@@ -542,7 +542,7 @@ WRONG = {
         "one round taken away": ("return (", "theta_new -= (theta_new > 100) * 6.283185307179586; return ("),
         "counts its calls": (
             "return (omega_new, theta_new)",
-            "calls = globals().setdefault('_calls', []); calls.append(1); return (omega_new, theta_new + (len(calls) > 3))",
+            "calls = angle_update.__dict__.setdefault('calls', []); calls.append(1); return (omega_new, theta_new + (len(calls) > 3))",
         ),
         "theta itself for small angles": ("sin(theta)", "(sin(theta) if abs(theta) > 0.1 else theta)"),
         "at most 100 rad/s": ("return (", "omega_new = min(100, omega_new); return ("),
@@ -855,7 +855,7 @@ WRONG = {
         "only if they are not very slow": ("if mag", "if abs(omega1 - omega2) > 1e-7 and mag"),
         "the last pair does not collide again": (
             "if mag",
-            "last = globals().setdefault('_last', [])\n        if any(pend1 is one for one in last): return\n"
+            "last = handle_two_bobs.__dict__.setdefault('last', [])\n        if any(pend1 is one for one in last): return\n"
             "        last[:] = [pend1]\n        if mag",
         ),
     },
