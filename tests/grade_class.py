@@ -28,7 +28,7 @@ from support.start.options import OneLineParser
 from teacher.alike import body_of, fingerprint
 from teacher.report import collect, line_of, mistakes_of, Result, results_in, summary, write_grades, write_gradescope
 from teacher.submissions import read_submission, submissions_in
-from teacher.workers import Worker
+from teacher.workers import compile_starter, Worker
 
 BAR = 30  # characters of the progress bar
 
@@ -82,6 +82,7 @@ def new_starter(folder) -> Path:
     from make_starter import make_starter  # a folder for Gradescope, which is a starter itself, does not have it
 
     make_starter(folder)
+    compile_starter(folder)
     return folder
 
 
