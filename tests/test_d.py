@@ -389,6 +389,13 @@ def test_bobs_hang_from_their_axles():
     what = "position from the axle (m) of each bob"
     check_cradle(place, what, places([0.6, 0, 0]), hints=hints)
     check_cradle(place, what, places([-0.3, 0, 0], 1.0), r_param=1.0, theta_init=-0.3)
+
+    def ends(pend):  # from the axle, the upper one first
+        axle, _, cord = pend["objects"]
+        return sorted([cord.pos - axle.pos, cord.pos + cord.axis - axle.pos], key=lambda end: -end.y)
+
+    gives = [[vector(0, 0, 0), place] for place in places([0.6, 0, 0])]
+    check_cradle(ends, "ends of the cord of each pendulum", gives)
     radii = [bob.radius for bob in bobs([0, 0, 0])]
     check_cradle(lambda pend: pend["objects"][1].radius, "radius (m) of each bob", radii)
 

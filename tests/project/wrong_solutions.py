@@ -480,6 +480,10 @@ WRONG = {
             "COLOR_MAP[pend['color']]",
             "COLOR_MAP[pend['color'] if pend['color'] != 'orange' else 'white']",
         ),
+        "the cord of the first straight down": (
+            "return pend_list",
+            "pend_list[0]['objects'][2].axis = vector(0, -r_param, 0)\n        return pend_list",
+        ),
     },
     "angle_update": {
         "the old omega": ("theta + omega_new", "theta + omega"),
