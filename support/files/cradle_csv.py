@@ -27,7 +27,7 @@ def read_file(filepath) -> bytes:
     Raises an OSError if it cannot be read, is larger than LARGEST, or is no regular file. A pipe may have no writer,
     and a device has no end: this function never waits for them, and reads nothing from them.
     """
-    with open(filepath, "rb", opener=open_at_once) as file:
+    with open(Path(filepath), "rb", opener=open_at_once) as file:  # Path takes no number, which would be an open file
         status = os.fstat(file.fileno())
         if not S_ISREG(status.st_mode):
             raise OSError(errno.EINVAL, "found a pipe or a device, allowed is a file")
