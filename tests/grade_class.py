@@ -25,6 +25,7 @@ from grading.grade import lines
 from grading.grader import checks
 from grading.handout import SUITES
 from support.start.options import OneLineParser
+from support.start.output import in_one_line, is_unread, refuse, while_it_is_read
 from teacher.alike import body_of, fingerprint
 from teacher.report import collect, line_of, mistakes_of, Result, results_in, summary, write_grades, write_gradescope
 from teacher.submissions import read_submission, submissions_in
@@ -33,6 +34,7 @@ from teacher.workers import compile_starter, Worker
 BAR = 30  # characters of the progress bar
 
 
+@while_it_is_read()
 def main() -> None:
     """Grade the class; the status is 2 if an argument is wrong or a file cannot be written, and 130 after Ctrl+C."""
     options, paths, others = read_options()
@@ -44,8 +46,9 @@ def main() -> None:
             results = grade_all(paths, starter, options.out)
             finish(options, results, len(paths), source_files(starter / "src"), others)
     except OSError as error:
-        print(f"{error.filename or options.out}: {error.strerror}", file=sys.stderr)
-        sys.exit(2)
+        if is_unread(error):
+            raise  # while_it_is_read ends the program
+        refuse(f"{error.filename or options.out}: {error.strerror}")
 
 
 def read_options():
@@ -209,10 +212,11 @@ def finish(options, results, count, starters, others) -> None:
         write_gradescope(options.gradescope / result.student, result)
     print("\n".join(summary(results, fingerprint(starters))))
     if others:
-        print(f"\nNo submissions: {', '.join(others)}")
+        print(f"\nNo submissions: {in_one_line(', '.join(others))}")
     if options.collect:
         print(f"\n{collect(options.collect, results)} new functions without a hint are in {options.collect}")
-    print(f"\n{count} solutions are graded: {options.out / 'grades.csv'}, and a text for each student beside it")
+    line = f"{count} solutions are graded: {options.out / 'grades.csv'}, and a text for each student beside it"
+    print(f"\n{in_one_line(line)}")
 
 
 if __name__ == "__main__":

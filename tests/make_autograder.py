@@ -20,6 +20,7 @@ headless_vpython.install()
 from make_starter import make_starter
 
 from support.start.options import OneLineParser
+from support.start.output import in_one_line, while_it_is_read
 
 # Gradescope unpacks the file into source, beside submission, results and run_autograder:
 # https://gradescope-autograders.readthedocs.io/en/latest/specs/
@@ -46,6 +47,7 @@ SCRIPTS = {"setup.sh": SETUP, "run_autograder": RUN}
 GRADER = ["tests/grade_class.py", "tests/teacher"]
 
 
+@while_it_is_read()
 def main() -> None:
     """Make the file; the status is 2 if this fails."""
     parser = OneLineParser(description="Make an autograder for Gradescope.", allow_abbrev=False)
@@ -57,7 +59,7 @@ def main() -> None:
         make_autograder(file)
     except OSError as error:
         parser.error(f"argument FILE.zip: {file} cannot be made: {error.strerror}")
-    print(f"{file} is ready. On Gradescope, upload it under Configure Autograder.")
+    print(in_one_line(f"{file} is ready. On Gradescope, upload it under Configure Autograder."))
 
 
 def make_autograder(file) -> None:

@@ -255,7 +255,7 @@ def test_a_class_that_is_interrupted_and_goes_on(a_class, tmp_path):
     assert [rows["bea"][tier] for tier in SUITES] == ["16", "0", "12", "0", "7"]
     assert "The sign of gravity is wrong." in (out / "bea.txt").read_text(encoding="utf-8")
     assert "Grade: Honor roll." in (out / "eva.txt").read_text(encoding="utf-8")
-    assert "The same but for names and comments (look at them; this proves nothing): bea, cem\n" in done.stdout
+    assert "look at them, this proves nothing\n       ann, eva\n       bea, cem\n" in done.stdout
     assert "    2  The sign of gravity is wrong. Gravity pulls the bob back down. (angle_update)\n" in done.stdout
     assert "    2  test_angle_update (angle_update)\n" in done.stdout
     assert "Honor roll           2\n" in done.stdout

@@ -70,7 +70,9 @@ def solve(folder, key, lost) -> int:
     set_limits()
     tell(pid=os.getpid())
     arguments = ["-p", "no:cacheprovider", "--assert=plain", "--no-header", "-q", "--color=no", "--tb=short"]
-    return int(pytest.main(arguments, plugins=[Reporter(tell, lost, folder)]))
+    status = int(pytest.main(arguments, plugins=[Reporter(tell, lost, folder)]))
+    sys.stdout.flush()  # os._exit does not
+    return status
 
 
 def move_into(folder) -> None:

@@ -122,10 +122,8 @@ def summary(results, starters) -> list[str]:
     lines += table("Checks that most solutions fail", checks)
     lines += table("Hints that most solutions get", hints.most_common(MOST))
     groups = groups_of({result.student: result.fingerprint for result in results}, starters)
-    lines += [""] * bool(groups)
-    lines += [
-        f"The same but for names and comments (look at them; this proves nothing): {', '.join(g)}" for g in groups
-    ]
+    lines += ["", "The same but for names and comments: look at them, this proves nothing"] if groups else []
+    lines += [f"       {', '.join(group)}" for group in groups]
     return lines
 
 

@@ -24,6 +24,7 @@ PROGRAM = Path(__file__).with_name("one_solution.py")
 SILENCE = 20.0  # s for a check; the grader itself stops Python code after grader.PATIENCE
 PATIENCE = 120.0  # s for a solution
 LEFT_OUT = ("PYTHONOPTIMIZE", "PYTHONPATH", "PYTHONSAFEPATH")  # they would change what a solution sees
+SHOWN = 3  # names of the grader that a problem lists
 OUTPUT = 200_000  # bytes that are kept of the output
 
 
@@ -42,6 +43,8 @@ class Attempt:
         self.pid, self.check, self.ended = None, None, None
         self.outcomes: dict[str, Outcome] = {}
         self.changed: list[str] | None = None  # names of the grader, when the checks are complete
+        self.output = ""  # what pytest told
+        self.why = ""  # the process ended
 
     def take(self, message) -> None:
         """Take a message of the process into account; what has been said once stays."""
@@ -57,6 +60,19 @@ class Attempt:
             case {"ended": int(status)}:
                 self.ended = status
 
+    def faults(self) -> list[str]:
+        """Return the names of the checks with a fault of the grader."""
+        return [name for name, outcome in self.outcomes.items() if outcome.state == FAULT]
+
+    def result(self, problems) -> tuple[dict[str, Outcome], str, list[str]]:
+        """Return the fields of Graded, with these problems and more. Who has changed the grader gets no points."""
+        problems = problems + [f"a fault of the grader in {name}" for name in self.faults()]
+        if not self.changed:
+            return self.outcomes, self.output, problems
+        names = ", ".join(self.changed[:SHOWN]) + (" ..." if len(self.changed) > SHOWN else "")
+        words = f"the solution has changed the grader ({names}): no points"
+        return {name: Outcome(FAILED, words) for name in self.outcomes}, self.output, [*problems, words]
+
 
 class Worker:
     """A process that solves one job after the other."""
@@ -71,62 +87,65 @@ class Worker:
         """Return what a solution achieves: its files by their paths below src/.
 
         If it ends its process, or takes too long, it runs again without the function that did so: the other functions
-        keep their points.
+        keep their points. If a check ends with a fault of the grader, it runs once more: a machine with too much to do
+        can stop a check in the grader's own code.
         """
-        begin, lost, problems, faults = time.monotonic(), {}, [], set()
+        latest, has_had_faults = time.monotonic() + PATIENCE, False
+        lost: dict[str, str] = {}  # functions that are not called any more, and why
         while True:
-            with fresh_folder() as folder:
-                problem = copy_starter(self.starter, files, folder)
-                if problem:
-                    return Graded({}, "", [problem])
-                attempt, words = self.attempt(folder, lost, begin + PATIENCE)
-                output = read_output(folder / "output.txt")
-            if attempt.changed is not None:
-                before = faults
-                faults = {name for name, outcome in attempt.outcomes.items() if outcome.state == FAULT}
-                if before or not faults:
+            try:
+                attempt = self.attempt(files, lost, latest)
+            except ValueError as error:
+                return Graded({}, "", [str(error)])
+            if attempt.changed is None:
+                function = CHECKS[attempt.check].function if attempt.check in CHECKS else "the solution"
+                is_new = function not in lost
+                lost[function] = attempt.why
+                if function == "the solution" or not is_new or time.monotonic() > latest:
                     break
-                continue  # a machine with too much to do can stop a check in the grader's own code
-            check = CHECKS.get(attempt.check)
-            problems.append(f"{check.function if check else 'the solution'} {words}")
-            if check is None or check.function in lost or time.monotonic() > begin + PATIENCE:
+            elif attempt.faults() and not has_had_faults:
+                has_had_faults = True
+            else:
                 break
-            lost[check.function] = words
-        problems += [f"a fault of the grader in {name}" for name in sorted(faults)]
-        if attempt.changed:
-            names = ", ".join(attempt.changed[:3]) + (" ..." if len(attempt.changed) > 3 else "")
-            problems.append(f"the solution has changed the grader ({names}): no points")
-            words = f"The solution has changed the grader: {names}."
-            attempt.outcomes = {name: Outcome(FAILED, words) for name in attempt.outcomes}
-        return Graded(attempt.outcomes, output, problems)
+        problems = [f"{function} {why}" for function, why in lost.items()]
+        return Graded(*attempt.result(problems))
 
-    def attempt(self, folder, lost, latest) -> tuple[Attempt, str]:
-        """Run pytest on the starter in this folder, without the lost functions, up to the latest time.
+    def attempt(self, files, lost, latest) -> Attempt:
+        """Run pytest on a solution's files, without the lost functions, up to the latest time; return what came of it.
 
-        Return what came of it, and why it ended before its end.
+        Raises a ValueError if a file cannot be written.
         """
-        key = secrets.token_hex()
-        self.give({"folder": str(folder), "key": key, "lost": lost})
-        attempt, words, self.pid = Attempt(), "", None
+        with fresh_folder() as folder:
+            copy_starter(self.starter, files, folder)
+            key = secrets.token_hex()
+            self.give({"folder": str(folder), "key": key, "lost": lost})
+            attempt = self.listen(key, latest)
+            attempt.output = read_output(folder / "output.txt")
+        return attempt
+
+    def listen(self, key, latest) -> Attempt:
+        """Return what the process tells with this key until it ends; end it if it is silent, and at the latest time."""
+        attempt, self.pid = Attempt(), None
         until = min(time.monotonic() + SILENCE, latest)
         while attempt.ended is None:
             try:
                 line = self.lines.get(timeout=max(0.0, until - time.monotonic()))
             except queue.Empty:
-                words = f"did not end within {SILENCE:g} s"
+                attempt.why = f"did not end within {SILENCE:g} s"
                 self.kill()
                 until = time.monotonic() + SILENCE
                 continue
             if line is None:  # as on Windows, where a process solves one job only
                 attempt.ended = self.process.wait()
             message = message_in(line, key)
-            if message and not words:
+            if message and not attempt.why:
                 until = min(time.monotonic() + SILENCE, latest)
             attempt.take(message)
             self.pid = attempt.pid
         if self.pid is not None:
             self.kill()  # what it may have started
-        return attempt, words or f"ended the process ({status_words(attempt.ended)})"
+        attempt.why = attempt.why or f"ended the process ({status_words(attempt.ended)})"
+        return attempt
 
     def give(self, job) -> None:
         """Send a job to the process, and start the process if there is none."""
@@ -203,8 +222,11 @@ def compile_starter(starter) -> None:
         compileall.compile_dir(starter / folder, quiet=2)
 
 
-def copy_starter(starter, files, folder) -> str:
-    """Copy the starter into the folder, and a solution's files over its src/; return what is wrong with a name."""
+def copy_starter(starter, files, folder) -> None:
+    """Copy the starter into the folder, and a solution's files over its src/.
+
+    Raises a ValueError if the name of a file is wrong, and an OSError if the disk is full.
+    """
     shutil.copytree(starter, folder, dirs_exist_ok=True)
     for name, content in files.items():
         file = folder / "src" / name
@@ -214,8 +236,7 @@ def copy_starter(starter, files, folder) -> str:
         except (OSError, ValueError) as error:
             if getattr(error, "errno", None) in (errno.ENOSPC, errno.EDQUOT):  # no fault of the solution
                 raise
-            return f"src/{name} cannot be written: {getattr(error, 'strerror', error)}"
-    return ""
+            raise ValueError(f"src/{name} cannot be written: {getattr(error, 'strerror', error)}") from error
 
 
 def read_output(file) -> str:
