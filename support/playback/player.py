@@ -35,6 +35,7 @@ class Player:
         self.motion, self.pace = Motion(cradle, impacts), RealTime(cradle.dt)
         self.separating = False
         self.at_once = False  # whether to do many ticks in one call, if the result is certain to be the same
+        self.was_at_once = False  # whether the last ticks were done in one call
         self.step = inf  # ticks from one call of note to the next
         self.csv = ""
         self.is_wanted, self.due = False, 0
@@ -106,7 +107,8 @@ class Player:
         """Do `ticks` ticks, in the loop or in one call; call note at each multiple of step ticks from the start."""
         for part in self.motion.parts(ticks, self.longest_part()):
             with self.cradle.held_still():
-                if not (self.at_once and self.motion.do_at_once(part, self.rule)):
+                self.was_at_once = self.at_once and self.motion.do_at_once(part, self.rule)
+                if not self.was_at_once:
                     with self.cradle.noting_hits():
                         self.due = part
                         yield
@@ -124,7 +126,7 @@ class Player:
         With a thousand pendula, such a call costs as much for one tick as a hundred ticks more. In each frame, a slow
         machine therefore does a whole part: if it took the cost of a call for that of a tick, it would do one tick.
         """
-        least = self.motion.left(self.longest_part()) if self.at_once else 1
+        least = self.motion.left(self.longest_part()) if self.was_at_once else 1
         ticks = min(self.pace.due(least), most)
         if ticks:
             yield from self.advance(ticks)
