@@ -8,7 +8,7 @@ import os
 import sys
 import time
 from concurrent.futures import as_completed, ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from queue import SimpleQueue
 from tempfile import TemporaryDirectory
@@ -24,6 +24,7 @@ headless_vpython.install()
 from grading.grade import lines
 from grading.grader import checks
 from grading.handout import SUITES
+from support.files.atomic_write import whole_file
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, is_unread, refuse, while_it_is_read
 from teacher.alike import body_of, fingerprint
@@ -45,6 +46,9 @@ def main() -> None:
             starter = options.starter or new_starter(Path(work) / "starter")
             results = grade_all(paths, starter, options.out)
             finish(options, results, len(paths), source_files(starter / "src"), others)
+    except KeyboardInterrupt:
+        print("Stopped. The same command goes on from there.")
+        sys.exit(130)
     except OSError as error:
         if is_unread(error):
             raise  # while_it_is_read ends the program
@@ -106,21 +110,22 @@ def grade_all(paths, starter, out) -> list[Result]:
     digests = {student: digest_of(grader, *submission) for student, submission in submissions.items()}
     file = out / "results.jsonl"
     results = {student: result for student, result in results_in(file).items() if result.digest == digests.get(student)}
-    with open(file, "w", encoding="utf-8") as kept:
+    with whole_file(file) as kept:
         kept.writelines(map(line_of, results.values()))
-        kept.flush()
-        to_grade = [submission for student, submission in submissions.items() if student not in results]
-        with graded_side_by_side(to_grade, digests, starter) as graded:
-            try:
-                with progress(len(submissions), len(results)) as advance:
-                    for result, output in graded:
-                        write_text(out, result, output)
-                        kept.write(line_of(result))
-                        kept.flush()
-                        results[result.student] = result
-                        advance()
-            except KeyboardInterrupt:
-                pass
+    to_grade = [submission for student, submission in submissions.items() if student not in results]
+    hidden = {path.parent for path in paths.values()} | {out}
+    with (
+        open(file, "a", encoding="utf-8") as kept,
+        graded_side_by_side(to_grade, digests, starter, hidden) as graded,
+        suppress(KeyboardInterrupt),
+        progress(len(submissions), len(results)) as advance,
+    ):
+        for result, output in graded:
+            write_text(out, result, output)
+            kept.write(line_of(result))
+            kept.flush()
+            results[result.student] = result
+            advance()
     return [results[student] for student in submissions if student in results]
 
 
@@ -130,10 +135,10 @@ def digest_of(*values) -> str:
 
 
 @contextmanager
-def graded_side_by_side(submissions, digests, starter):
+def graded_side_by_side(submissions, digests, starter, hidden):
     """Yield an iterator over the results and pytest's outputs, as they come; a worker for each core grades."""
     count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    workers = [Worker(starter) for _ in range(count)]
+    workers = [Worker(starter, hidden) for _ in range(count)]
     idle: SimpleQueue = SimpleQueue()
     for worker in workers:
         idle.put(worker)
@@ -142,9 +147,10 @@ def graded_side_by_side(submissions, digests, starter):
 
     def one(submission):
         worker = idle.get()
-        result = grade_one(worker, submission, digests[submission.student], given)
-        idle.put(worker)
-        return result
+        try:
+            return grade_one(worker, submission, digests[submission.student], given)
+        finally:
+            idle.put(worker)
 
     with ThreadPoolExecutor(count) as pool:
         try:

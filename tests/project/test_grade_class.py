@@ -75,6 +75,10 @@ ATTACKS = {
     "the grader's process": ("import os; os.kill(os.getppid(), 9)", "the grader refuses signals to other processes"),
     "outside": ("open('../mine.txt', 'w')", "the grader refuses writing outside of the project's folder: ../mine.txt"),
     "outside, removed": ("import os; os.remove('../mine.txt')", "the grader refuses os.remove outside of the project"),
+    "processes by the back door": (
+        "import multiprocessing.util as util; util.spawnv_passfds(b'/bin/true', [b'true'], [])",
+        "the grader refuses new processes",
+    ),
     "the answers": (
         f"open({str(ROOT / 'src' / 'swinging.py')!r})",
         "the grader refuses reading outside of the project",
@@ -104,6 +108,33 @@ def test_an_attack_costs_the_points_of_its_function(worker, solved, name):
         assert words in graded.outcomes["test_angle_update"].message
         assert words in graded.output
     assert graded.outcomes["test_angle_update"].state == FAILED
+
+
+def test_no_file_of_an_open_folder_is_removed(worker, solved):
+    """This is how shutil.rmtree removes files."""
+    graded = worker.grade(swinging(solved, "import os; os.remove('no such file', dir_fd=os.open('/', os.O_RDONLY))"))
+    assert "the grader refuses os.remove outside" in graded.outcomes["test_angle_update"].message
+
+
+def test_who_presses_ctrl_c_keeps_the_points_of_the_other_functions(worker, solved):
+    graded = worker.grade(swinging(solved, "import signal; signal.raise_signal(signal.SIGINT)"))
+    assert points(graded.outcomes) == WITHOUT_ANGLE_UPDATE
+    assert graded.problems == ["angle_update ended the process (status 2)"]
+
+
+GARBAGE = """
+    import os, signal
+    for fd in range(3, 30):
+        try:
+            os.write(fd, b"x")
+        except OSError:
+            pass
+    signal.raise_signal(signal.SIGKILL)
+"""
+
+
+def test_the_end_of_a_process_is_heard_after_half_a_line(worker, solved):
+    assert worker.grade(swinging(solved, GARBAGE)).problems == ["angle_update ended the process (signal 9)"]
 
 
 KILL = "import signal; signal.raise_signal(signal.SIGKILL)"
@@ -162,13 +193,14 @@ PATCHES = {
     "grading.grader.same": "import grading.grader as grader; grader.same = lambda *_: True",
     "grading.grader.Grading.make": "from grading.grader import Grading, Outcome; Grading.make = lambda *_: Outcome('')",
     "grading.grader.fits": "from grading import grader; grader.fits.__code__ = (lambda came, wanted: True).__code__",
+    "os.write": "import os; w = os.write; os.write = lambda fd, t: w(fd, t.replace(b'failed', b'passed'))",
     "builtins.abs": "import builtins; builtins.abs = lambda value: 0",
     "math.isclose": "import math; math.isclose = lambda *_, **__: True",
     "support.headless_vpython.vector": "import vpython; vpython.vector = list",
 }
 
 
-@pytest.mark.parametrize("name", slow_but_for(["grading.grader.same"], PATCHES))
+@pytest.mark.parametrize("name", slow_but_for(["grading.grader.same", "os.write"], PATCHES))
 def test_who_changes_the_grader_gets_no_points(worker, solved, name):
     graded = worker.grade(swinging(solved, imported=PATCHES[name], instead=WRONG))
     assert {outcome.state for outcome in graded.outcomes.values()} == {FAILED}
@@ -318,7 +350,9 @@ def test_solutions_are_alike_but_for_names_comments_and_line_breaks():
     assert fingerprint(of_swinging(ANGLE_UPDATE.format(f="sin").replace("- g", "+ g"))) != fingerprint(one)
 
 
-@pytest.mark.parametrize("text", ["def f(:", "(" * 5000 + ")" * 5000, "x = " + "-" * 50_000 + "1", "\0"])
+@pytest.mark.parametrize(
+    "text", ["x = 0x" + "f" * 4000, "def f(:", "(" * 5000 + ")" * 5000, "x = " + "-" * 50_000 + "1", "\0"]
+)
 def test_what_is_no_python_is_like_nothing(text):
     assert fingerprint(of_swinging(text)) == ""
     assert body_of("angle_update", of_swinging(text), of_swinging("")) is None

@@ -112,6 +112,15 @@ def test_no_zip(tmp_path):
     ]
 
 
+def test_a_damaged_zip(tmp_path):
+    """The names can be read, but not the content."""
+    with zipfile.ZipFile(tmp_path / "ann.zip", "w", zipfile.ZIP_LZMA) as archive:
+        archive.writestr("src/swinging.py", "angle = 1\n" * 100)
+    data = (tmp_path / "ann.zip").read_bytes()
+    (tmp_path / "ann.zip").write_bytes(data[:60] + b"damaged" + data[67:])
+    assert read_submission("ann", tmp_path / "ann.zip").problems[0].startswith("ann.zip is no .zip that can be read: ")
+
+
 def test_a_zip_that_would_fill_the_memory_is_read_up_to_the_limit(tmp_path):
     with zipfile.ZipFile(tmp_path / "ann.zip", "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("src/swinging.py", bytes(200_000_000))

@@ -8,12 +8,14 @@ from grading.handout import FUNCTIONS
 
 FILES = list(dict.fromkeys(PurePosixPath(function.file).name for function in FUNCTIONS.values()))
 
+ODD = (ValueError, RecursionError, MemoryError)  # code that nobody writes by hand: very deep, or with huge numbers
+
 
 def tree_of(source) -> ast.Module | None:
     """Return the syntax tree of a file without docstrings and annotations, or None if it is no Python."""
     try:
         tree = ast.parse(source)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    except (SyntaxError, *ODD):
         return None
     for node in ast.walk(tree):
         body = getattr(node, "body", None)
@@ -38,7 +40,8 @@ def fingerprint(files) -> str:
     """
     trees = [tree for tree in map(tree_of, (files[file] for file in FILES if file in files)) if tree]
     written = [node for tree in trees for node in tree.body if not isinstance(node, (ast.Import, ast.ImportFrom))]
-    return hashlib.sha256(unnamed(ast.Module(body=written, type_ignores=[])).encode()).hexdigest() if written else ""
+    text = unnamed(ast.Module(body=written, type_ignores=[])) if written else ""
+    return hashlib.sha256(text.encode("utf-8", "backslashreplace")).hexdigest() if text else ""
 
 
 def unnamed(tree) -> str:
@@ -52,7 +55,7 @@ def unnamed(tree) -> str:
                 setattr(part, field, numbers.setdefault(name, str(len(numbers))))
     try:
         return ast.dump(tree)
-    except RecursionError:
+    except ODD:
         return ""
 
 
@@ -95,7 +98,7 @@ def body_of(function, files, starters) -> str | None:
             to_see += new
         others = [node for node in tree.body if any(defined[name] is node for name in used[1:])]
         return ast.unparse(ast.Module(body=others + defined[function].body, type_ignores=[]))
-    except RecursionError:
+    except ODD:
         return None
 
 

@@ -5,7 +5,9 @@ https://docs.python.org/3/library/audit_events.html
 """
 
 import os
+import signal
 import sys
+from contextlib import suppress
 
 CHANGES = 1000  # of files, also by the grader, which writes CSVs
 # The beginnings of events.
@@ -23,12 +25,12 @@ WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 class Guard:
     """Refuses what a solution does not need, with a PermissionError."""
 
-    def __init__(self, folder, project):
-        """folder is the solution's folder; project is the folder with the answers."""
+    def __init__(self, folder, hidden):
+        """folder is the solution's folder; it must not read the hidden folders, with the answers for instance."""
         self.folder = within(folder)
-        # Python's own folders may be in the project.
+        # Python's own folders may be in a hidden one.
         self.libraries = tuple(within(path) for path in {sys.prefix, sys.base_prefix, *sys.path[1:]} if path)
-        self.secret = within(project), within(os.path.dirname(folder))  # also the other solutions
+        self.hidden = tuple(map(within, [*hidden, os.path.dirname(folder)]))
         self.left = CHANGES
 
     def hook(self, event, arguments) -> None:
@@ -38,7 +40,10 @@ class Guard:
             if not isinstance(path, int) and path != os.devnull:
                 self.change("writing", path) if flags & WRITING else self.read(path)
         elif event in CHANGING:
-            self.change(event, *(path for path in arguments[:2] if isinstance(path, (str, bytes, os.PathLike))))
+            # The last arguments are the folders of relative paths, as open files; -1 is the working directory.
+            paths = [path for path in arguments if isinstance(path, (str, bytes, os.PathLike))]
+            folders = [number for number in arguments[1:] if isinstance(number, int)][-len(paths) :]
+            self.change(event, *(path_in(*pair) for pair in zip(paths, folders or [-1, -1], strict=False)))
         elif event in ("os.kill", "os.killpg"):
             if arguments[0] != os.getpid():
                 refuse("signals to other processes")
@@ -57,8 +62,24 @@ class Guard:
     def read(self, path) -> None:
         """Take the reading of a file into account."""
         real = within(path)
-        if real.startswith(self.secret) and not real.startswith((self.folder, *self.libraries)):
+        if real.startswith(self.hidden) and not real.startswith((self.folder, *self.libraries)):
             refuse(f"reading outside of the project's folder: {path}")
+
+
+def close_back_doors() -> None:
+    """Refuse two functions of which Python tells nobody."""
+    with suppress(ImportError):  # Windows has neither
+        import _posixsubprocess
+
+        _posixsubprocess.fork_exec = lambda *_: refuse("new processes")
+    signal.pidfd_send_signal = lambda *_: refuse("signals to other processes")
+
+
+def path_in(path, number) -> str:
+    """Return the path of a file in the folder with the number of an open file, or -1."""
+    if number < 0 or sys.platform != "linux":
+        return path
+    return os.path.join(os.readlink(f"/proc/self/fd/{number}"), os.fsdecode(path))
 
 
 def within(path) -> str:

@@ -2,9 +2,11 @@
 
 A job is a line of JSON on the standard input:
 
-    {"folder": a starter with the solution, "key": a text, "lost": {function: why it is not called any more}}
+    {"folder": a starter with the solution, "key": a text, "lost": {function: why it is not called any more},
+     "hidden": [folders that the solution must not read]}
 
-The answer is lines of JSON on the standard output. Each has the key, which the solution does not know:
+The answer is lines with Python's dictionaries on the standard output. Each has the key, which the solution does not
+know, and begins a new line, whatever the solution has written:
 
     {"pid": the process of this solution}
     {"begins": the name of a check}
@@ -22,7 +24,7 @@ import os
 import sys
 import tempfile
 
-from guard import Guard
+from guard import close_back_doors, Guard
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -56,21 +58,21 @@ def main() -> None:
         if not pid:
             os._exit(solve(**job))
         status = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
-        print(json.dumps({"key": job["key"], "ended": status}), flush=True)
+        print("\n" + ascii({"key": job["key"], "ended": status}), flush=True)
 
 
-def solve(folder, key, lost) -> int:
+def solve(folder, key, lost, hidden) -> int:
     """Run pytest on the starter in this folder; return its exit status."""
-    answer = os.dup(1)
+    answer, write, as_text = os.dup(1), os.write, ascii  # a solution can replace os.write
 
     def tell(**what):
-        os.write(answer, json.dumps({"key": key, **what}).encode() + b"\n")
+        write(answer, b"\n%s\n" % as_text({"key": key, **what}).encode())
 
     move_into(folder)
     set_limits()
     tell(pid=os.getpid())
     arguments = ["-p", "no:cacheprovider", "--assert=plain", "--no-header", "-q", "--color=no", "--tb=short"]
-    status = int(pytest.main(arguments, plugins=[Reporter(tell, lost, folder)]))
+    status = int(pytest.main(arguments, plugins=[Reporter(tell, lost, Guard(folder, [PROJECT, *hidden]))]))
     sys.stdout.flush()  # os._exit does not
     return status
 
@@ -123,16 +125,17 @@ def set_limits() -> None:
 class Reporter:
     """A plugin of pytest: it guards the process, and tells the outcomes."""
 
-    def __init__(self, tell, lost, folder):
-        self.tell, self.lost, self.folder = tell, lost, folder
+    def __init__(self, tell, lost, guard):
+        self.tell, self.lost, self.guard = tell, lost, guard
 
     def pytest_collection_finish(self, session):
         """Prepare for the solution: none of its code has run yet."""
         session.config.grading.hung.update({function: (function, words) for function, words in self.lost.items()})
-        modules = [builtins, math, *(module for name, module in sys.modules.items() if is_graders(name))]
+        modules = [builtins, json, math, os, sys, *(module for name, module in sys.modules.items() if is_graders(name))]
         self.state_of_grader = lambda: {name: value for module in modules for name, value in state(module)}
         self.at_first = self.state_of_grader()
-        sys.addaudithook(Guard(self.folder, PROJECT).hook)
+        close_back_doors()
+        sys.addaudithook(self.guard.hook)
 
     def pytest_runtest_logstart(self, nodeid):
         self.tell(begins=nodeid.rpartition("::")[2])
@@ -143,7 +146,9 @@ class Reporter:
         for outcome in [value for key, value in report.user_properties if key == OUTCOME]:
             self.tell(check=report.nodeid.rpartition("::")[2], outcome=outcome)
 
-    def pytest_sessionfinish(self):
+    def pytest_sessionfinish(self, exitstatus):
+        if exitstatus not in (pytest.ExitCode.OK, pytest.ExitCode.TESTS_FAILED):  # it was interrupted
+            return
         now = self.state_of_grader()
         changed = [name for name, value in self.at_first.items() if now.get(name) != value]
         # Of a class that is another one, its name is enough.

@@ -1,6 +1,5 @@
 """What a teacher gets of a graded class: grades.csv, Gradescope's results, a summary, and solutions without a hint."""
 
-import ast
 import csv
 import json
 import re
@@ -12,7 +11,7 @@ from grading.grade import grade
 from grading.grader import CHECKS, FAILED, Outcome, PASSED, WAITING
 from grading.handout import SUITES
 from support.files.atomic_write import whole_file
-from teacher.alike import groups_of, unnamed
+from teacher.alike import groups_of, tree_of, unnamed
 
 MOST = 5  # lines of each list of the summary
 HINT = re.compile(r"^hint +(.+)$", re.MULTILINE)
@@ -40,7 +39,7 @@ class Result(NamedTuple):
 def results_in(file) -> dict[str, Result]:
     """Return the results in results.jsonl by student; a line that is not whole, or of another version, is none."""
     results = {}
-    for line in file.read_text(encoding="utf-8").splitlines() if file.exists() else []:
+    for line in file.read_text(encoding="utf-8", errors="replace").splitlines() if file.exists() else []:
         with suppress(ValueError, TypeError, KeyError, AttributeError):
             fields = json.loads(line)
             fields["outcomes"] = {name: Outcome(*of) for name, of in fields["outcomes"].items() if name in CHECKS}
@@ -140,7 +139,8 @@ def collect(file, results) -> int:
     found: dict[str, list] = {}
     for result in results:
         for function, body in result.unhinted.items():
-            found.setdefault(f"{function}: {unnamed(ast.parse(body))}", []).append((function, body, result))
+            tree = tree_of(body)
+            found.setdefault(f"{function}: {unnamed(tree) if tree else body}", []).append((function, body, result))
     before = file.read_text(encoding="utf-8") if file.exists() else ""
     rows = [row_of(*others[0], len(others)) for others in sorted(found.values(), key=len, reverse=True)]
     new = [row for row in rows if row.partition("\n    #")[0] not in before]
@@ -159,7 +159,8 @@ def row_of(function, body, result, count) -> str:
     told = "".join(f"        # {line}\n" for line in outcome.message.splitlines())
     indented = "".join(f"            {line}\n" for line in body.splitlines())
     text = indented.replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
-    return (
+    row = (
         f'    "{function}": {{\n        "": """\\\n{text}            """,\n    }},\n'
         f"    # of {'one solution' if count == 1 else f'{count} solutions'}; {name} tells:\n{told}\n"
     )
+    return row.encode("utf-8", "backslashreplace").decode()

@@ -1,5 +1,6 @@
 """Grade solutions side by side: each worker gives one solution after the other to a process of one_solution.py."""
 
+import ast
 import compileall
 import errno
 import json
@@ -25,6 +26,7 @@ SILENCE = 20.0  # s for a check; the grader itself stops Python code after grade
 PATIENCE = 120.0  # s for a solution
 LEFT_OUT = ("PYTHONOPTIMIZE", "PYTHONPATH", "PYTHONSAFEPATH")  # they would change what a solution sees
 SHOWN = 3  # names of the grader that a problem lists
+LONGEST_LINE = 1_000_000  # bytes of a message
 OUTPUT = 200_000  # bytes that are kept of the output
 
 
@@ -66,20 +68,21 @@ class Attempt:
 
     def result(self, problems) -> tuple[dict[str, Outcome], str, list[str]]:
         """Return the fields of Graded, with these problems and more. Who has changed the grader gets no points."""
-        problems = problems + [f"a fault of the grader in {name}" for name in self.faults()]
         if not self.changed:
-            return self.outcomes, self.output, problems
+            faults = [f"a fault of the grader in {name}" for name in self.faults()]
+            return self.outcomes, self.output, problems + faults
         names = ", ".join(self.changed[:SHOWN]) + (" ..." if len(self.changed) > SHOWN else "")
         words = f"the solution has changed the grader ({names}): no points"
-        return {name: Outcome(FAILED, words) for name in self.outcomes}, self.output, [*problems, words]
+        return {name: Outcome(FAILED, words) for name in self.outcomes}, "", [*problems, words]
 
 
 class Worker:
     """A process that solves one job after the other."""
 
-    def __init__(self, starter):
-        """starter is the folder of a fresh starter."""
-        self.starter = starter
+    def __init__(self, starter, hidden=()):
+        """starter is the folder of a fresh starter; solutions must not read the hidden folders."""
+        self.starter, self.hidden = starter, [str(folder) for folder in hidden]
+        self.is_closed = False
         self.process = None
         self.pid = None  # of the present solution's process
 
@@ -101,7 +104,7 @@ class Worker:
                 function = CHECKS[attempt.check].function if attempt.check in CHECKS else "the solution"
                 is_new = function not in lost
                 lost[function] = attempt.why
-                if function == "the solution" or not is_new or time.monotonic() > latest:
+                if function == "the solution" or not is_new or time.monotonic() > latest or self.is_closed:
                     break
             elif attempt.faults() and not has_had_faults:
                 has_had_faults = True
@@ -118,7 +121,7 @@ class Worker:
         with fresh_folder() as folder:
             copy_starter(self.starter, files, folder)
             key = secrets.token_hex()
-            self.give({"folder": str(folder), "key": key, "lost": lost})
+            self.give({"folder": str(folder), "key": key, "lost": lost, "hidden": self.hidden})
             attempt = self.listen(key, latest)
             attempt.output = read_output(folder / "output.txt")
         return attempt
@@ -131,7 +134,10 @@ class Worker:
             try:
                 line = self.lines.get(timeout=max(0.0, until - time.monotonic()))
             except queue.Empty:
-                attempt.why = f"did not end within {SILENCE:g} s"
+                if attempt.why:  # the end of the process was not told
+                    self.process.kill()
+                seconds = SILENCE if until < latest else PATIENCE
+                attempt.why = attempt.why or f"did not end within {seconds:g} s"
                 self.kill()
                 until = time.monotonic() + SILENCE
                 continue
@@ -149,6 +155,8 @@ class Worker:
 
     def give(self, job) -> None:
         """Send a job to the process, and start the process if there is none."""
+        if self.is_closed:
+            raise ValueError("the worker is closed")
         if self.process is None or self.process.poll() is not None:
             environment = {name: value for name, value in os.environ.items() if name not in LEFT_OUT}
             environment["OPENBLAS_NUM_THREADS"] = "1"  # a copy of a process has only one of the threads
@@ -172,6 +180,7 @@ class Worker:
 
     def close(self) -> None:
         """End all processes."""
+        self.is_closed = True
         if self.process is not None:
             self.kill()
             self.process.kill()
@@ -180,7 +189,7 @@ class Worker:
 
 def read_lines(stream, lines) -> None:
     """Put all lines of a stream into a queue, and None when it ends."""
-    for line in stream:
+    for line in iter(lambda: stream.readline(LONGEST_LINE), b""):
         lines.put(line)
     lines.put(None)
 
@@ -188,8 +197,8 @@ def read_lines(stream, lines) -> None:
 def message_in(line, key) -> dict | None:
     """Return the message in a line, or None if the line is not one with this key."""
     try:
-        message = json.loads(line or b"null")
-    except ValueError:
+        message = ast.literal_eval(line.decode("ascii")) if line else None
+    except (ValueError, SyntaxError, RecursionError, MemoryError):
         return None
     return message if isinstance(message, dict) and message.get("key") == key else None
 
