@@ -8,7 +8,7 @@ from contextlib import contextmanager, suppress
 
 @contextmanager
 def while_it_is_read():
-    """Run a program, the body of the with statement or the decorated function, whatever its output is.
+    """Run a program: the body of the with statement, or the decorated function. Its output may be closed or full.
 
     If the reader of the output stops, as in `| head`, end the program quietly. If an OSError reaches this place, for
     instance because the output is full, name its cause in one line, and exit with status 2.

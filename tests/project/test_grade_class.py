@@ -116,6 +116,12 @@ def test_no_file_of_an_open_folder_is_removed(worker, solved):
     assert "the grader refuses os.remove outside" in graded.outcomes["test_angle_update"].message
 
 
+def test_a_solution_can_change_its_own_files(worker, solved):
+    code = "import os; open('a', 'w').close(); os.truncate('a', 0); os.rename('a', 'b'); os.remove('b')"
+    graded = worker.grade(swinging(solved, code))  # for A, there are more than 1000 changes
+    assert points(graded.outcomes)["C"] == COMPLETE["C"]
+
+
 def test_who_presses_ctrl_c_keeps_the_points_of_the_other_functions(worker, solved):
     graded = worker.grade(swinging(solved, "import signal; signal.raise_signal(signal.SIGINT)"))
     assert points(graded.outcomes) == WITHOUT_ANGLE_UPDATE

@@ -182,7 +182,7 @@ WRONG_KEYS = ["", "?", "?key", "?key=", "?key=wrong", "?KEY={key}", "?key={key}0
 @pytest.mark.parametrize("path", ["/", "/no-webgl", "/cradle_data.csv"])
 @pytest.mark.parametrize("query", WRONG_KEYS)
 def test_who_does_not_know_the_key_gets_words_and_nothing_else(address, port, path, query):
-    """Whatever the request says of itself: another program on this machine can say all that a browser says."""
+    """A request can say all that a browser says: another program on this machine can send it."""
     lines = [f"GET {path}{query.format(key=key_in(address))} HTTP/1.0", f"Host: localhost:{port}"]
     lines += [f"Origin: http://localhost:{port}", f"Referer: http://localhost:{port}/", "Sec-Fetch-Site: same-origin"]
     reply = answer(port, "".join(f"{line}\r\n" for line in [*lines, ""]).encode())

@@ -42,8 +42,8 @@ class Guard:
         elif event in CHANGING:
             # The last arguments are the folders of relative paths, as open files; -1 is the working directory.
             paths = [path for path in arguments if isinstance(path, (str, bytes, os.PathLike))]
-            folders = [number for number in arguments[1:] if isinstance(number, int)][-len(paths) :]
-            self.change(event, *(path_in(*pair) for pair in zip(paths, folders or [-1, -1], strict=False)))
+            numbers = [number for number in arguments[1:] if isinstance(number, int)] if event != "os.truncate" else []
+            self.change(event, *(path_in(*pair) for pair in zip(paths, numbers[-len(paths) :] or [-1], strict=False)))
         elif event in ("os.kill", "os.killpg"):
             if arguments[0] != os.getpid():
                 refuse("signals to other processes")
@@ -67,7 +67,7 @@ class Guard:
 
 
 def close_back_doors() -> None:
-    """Refuse two functions of which Python tells nobody."""
+    """Refuse two functions that tell the audit hook nothing."""
     with suppress(ImportError):  # Windows has neither
         import _posixsubprocess
 

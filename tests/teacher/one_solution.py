@@ -6,7 +6,7 @@ A job is a line of JSON on the standard input:
      "hidden": [folders that the solution must not read]}
 
 The answer is lines with Python's dictionaries on the standard output. Each has the key, which the solution does not
-know, and begins a new line, whatever the solution has written:
+know. Each begins a new line, because the solution may have written half a line:
 
     {"pid": the process of this solution}
     {"begins": the name of a check}

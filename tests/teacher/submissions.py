@@ -64,7 +64,7 @@ def read_submission(student, path) -> Submission:
         read = select(student, entries_of(path))
     except OSError as error:
         read = Submission(student, {}, [f"cannot be read: {error.strerror or error}"])
-    except Exception as error:  # whatever is wrong with a .zip: the class goes on
+    except Exception as error:  # a .zip can be damaged in many ways; the class goes on
         read = Submission(student, {}, [f"{path.name} is no .zip that can be read: {error}"])
     return read._replace(problems=[*map(printable, read.problems)])
 

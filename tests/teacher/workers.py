@@ -49,7 +49,7 @@ class Attempt:
         self.why = ""  # the process ended
 
     def take(self, message) -> None:
-        """Take a message of the process into account; what has been said once stays."""
+        """Take a message of the process into account. A later message changes neither the pid nor an outcome."""
         match message:
             case {"pid": int(pid)}:
                 self.pid = self.pid or pid
@@ -66,14 +66,17 @@ class Attempt:
         """Return the names of the checks with a fault of the grader."""
         return [name for name, outcome in self.outcomes.items() if outcome.state == FAULT]
 
-    def result(self, problems) -> tuple[dict[str, Outcome], str, list[str]]:
-        """Return the fields of Graded, with these problems and more. Who has changed the grader gets no points."""
+    def result(self, problems) -> Graded:
+        """Return what the solution has achieved, with these problems and more.
+
+        Who has changed the grader gets no points.
+        """
         if not self.changed:
             faults = [f"a fault of the grader in {name}" for name in self.faults()]
-            return self.outcomes, self.output, problems + faults
+            return Graded(self.outcomes, self.output, problems + faults)
         names = ", ".join(self.changed[:SHOWN]) + (" ..." if len(self.changed) > SHOWN else "")
         words = f"the solution has changed the grader ({names}): no points"
-        return {name: Outcome(FAILED, words) for name in self.outcomes}, "", [*problems, words]
+        return Graded({name: Outcome(FAILED, words) for name in self.outcomes}, "", [*problems, words])
 
 
 class Worker:
@@ -110,13 +113,12 @@ class Worker:
                 has_had_faults = True
             else:
                 break
-        problems = [f"{function} {why}" for function, why in lost.items()]
-        return Graded(*attempt.result(problems))
+        return attempt.result([f"{function} {why}" for function, why in lost.items()])
 
     def attempt(self, files, lost, latest) -> Attempt:
-        """Run pytest on a solution's files, without the lost functions, up to the latest time; return what came of it.
+        """Run pytest on a solution's files, but for the lost functions, and return the Attempt.
 
-        Raises a ValueError if a file cannot be written.
+        It ends at the latest time. Raises a ValueError if a file cannot be written.
         """
         with fresh_folder() as folder:
             copy_starter(self.starter, files, folder)
@@ -209,7 +211,7 @@ def status_words(status) -> str:
 
 
 class fresh_folder(tempfile.TemporaryDirectory):
-    """A temporary folder as a Path; it goes away, whatever a solution has done to its permissions."""
+    """A temporary folder as a Path. It is removed also if a solution has changed its permissions."""
 
     def __init__(self):
         super().__init__(prefix="cradle_", ignore_cleanup_errors=True)
