@@ -28,8 +28,8 @@ from typing import NamedTuple
 
 from support.constants import BUFFER
 
-# Distances, as fractions of the largest distance at which bobs touch. keep_apart moves bobs that rest on each other out
-# to CLOSEST. It ignores bobs closer than PUT_THERE: the start of the cradle has put them there.
+# Distances, as fractions of the largest distance at which bobs touch. keep_apart moves bobs that rest on each other
+# apart, to CLOSEST. It ignores bobs closer than PUT_THERE: they were that close at the start of the cradle.
 CLOSEST, PUT_THERE = 0.98, 0.95
 
 ROUNDING = 1e-9  # m/s: a slower approach or separation is a rounding error
@@ -116,13 +116,13 @@ def handle_two_double_bobs(pend1, pend2, r_param, approaching_only=True) -> bool
 
 
 def keep_apart(pend1, pend2, r_param) -> bool:
-    """Move bobs of two double pendula that rest on each other out to CLOSEST; return whether any bobs were moved.
+    """Move bobs of two double pendula that rest on each other apart, to CLOSEST; return whether any bobs were moved.
 
-    e is pend1's; with e = 1, nothing moves. Bobs with e below 1 can come to rest on each other. Each tick then presses
-    them a little way in. The impulse at its end stops them, but does not move them out, and in time they would pass
-    through each other. The cords turn in the ratio in which an impulse between the two bobs turns them. No force does
-    this work: it can add about 1e-5 of the energy at DOUBLE_DT, and 1e-3 with ticks of 1 ms, because the bobs then get
-    closer than CLOSEST in hits, too.
+    e is pend1's; with e = 1, nothing moves. Bobs with e below 1 can come to rest on each other. Then each tick presses
+    them a little further into each other. The impulse at its end stops them, but does not move them apart: after some
+    time, they would pass through each other. The cords turn in the ratio in which an impulse between the two bobs turns
+    them. This adds energy: about 1e-5 of it at DOUBLE_DT, and 1e-3 with ticks of 1 ms, in which hits bring bobs closer
+    than CLOSEST, too.
     """
     if pend1["e"] >= 1:
         return False
@@ -142,9 +142,9 @@ def keep_apart(pend1, pend2, r_param) -> bool:
 def collide_pairs(pend_list, r_param, approaching_only) -> list[tuple[int, int]]:
     """Let touching double pendula collide, pair by pair from left to right.
 
-    Pendula need not be neighbours to touch: a lower bob swings past its neighbour's cord to the bobs behind it. With
-    approaching_only, the pairs collide again as long as there are hits, up to SWEEPS times. Return the pairs that
-    collided, in order of time, as (left, right), indices into pend_list.
+    Not only neighbours touch: a lower bob swings past its neighbour's cord to the bobs behind it. With
+    approaching_only, the pairs collide again while there are hits, up to SWEEPS times. Return the pairs that collided,
+    in the order of their hits, as (left, right), indices into pend_list.
     """
     pairs = touching_pairs(pend_list, r_param)
     hits: list[tuple[int, int]] = []
@@ -163,8 +163,8 @@ def collide_pairs(pend_list, r_param, approaching_only) -> list[tuple[int, int]]
 def touching_pairs(pend_list, r_param) -> list[tuple[int, int]]:
     """Return the indices (left, right) of each pair of touching double pendula, from left to right.
 
-    The bobs are sorted by x, to compare only near ones: touching bobs are at most BUFFER times two of the largest radii
-    apart along x.
+    The bobs are sorted by x, to compare only near ones: along x, the distance of touching bobs is at most BUFFER times
+    two of the largest radii.
     """
     bobs = sorted(
         (x, y, i, bob.radius)

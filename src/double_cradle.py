@@ -22,12 +22,12 @@ Swing
     double_accelerations solves these two linear equations for alpha'' and beta''. Source of L: Landau and Lifshitz,
     Mechanics, section 5, problem 1, with both lengths R.
 
-    The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the energy to 1e-6. A tick is
-    therefore a step of the classical Runge-Kutta method, which has an error of order dt^4. It computes four
-    accelerations instead of one. It needs no results of earlier ticks (a hit may lie between), and solves no equation.
+    The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the energy to 1e-6. So a tick
+    is a step of the classical Runge-Kutta method, which has an error of order dt^4. It computes four accelerations
+    instead of one. It solves no equation, and needs no results of earlier ticks, which a hit would make useless.
 
-    A step adds energy from nowhere if a cord turns far in it. This happens to light bobs: a squeeze between bobs of a
-    million times the mass can make them a thousand times as fast. double_swing_update divides such a tick.
+    If a cord turns far in a step, the step adds energy. This happens to light bobs: between two bobs of a million times
+    the mass, a bob can become a thousand times as fast. double_swing_update divides such a tick.
 """
 
 from math import ceil, cos, hypot, sin
@@ -36,12 +36,12 @@ from vpython import box, cylinder, sphere
 
 from src.double_collisions import collide_pairs, keep_apart
 from src.special_cradles import make_newton_cradle
-from support.pendulum import arm, DoublePendulumEntry, make_bob_and_cord, make_pendulum
+from support.pendulum import DoublePendulumEntry, make_bob_and_cord, make_pendulum, show_double_pendulum
 from support.shapes import discard
 
-# The cords of a pendulum turn at most about this far in one step (rad). Equal masses never get near it in a tick.
+# The cords of a pendulum turn at most about this far in one step (rad). With equal masses, they turn much less.
 MOST_TURN = 0.05
-MOST_STEPS = 1e6  # in one tick; a pendulum that needs more is the result of a mistake
+MOST_STEPS = 1e6  # in one tick; if a pendulum needs more, someone made a mistake
 
 
 def make_double_pendulum(
@@ -60,8 +60,9 @@ def make_double_pendulum(
 def make_double_newton_cradle(relative_filepath, r_param, theta_init, phi_init) -> list[DoublePendulumEntry]:
     """Return the pend_list of a CSV as double pendula: with theta, omega, phi, phi_omega and their five objects.
 
-    It is the cradle of make_newton_cradle with a second pendulum below each bob. phi_init (rad) bends the first double
-    pendulum; the others are straight. Both bobs have the mass of the row. r_param (m) is the length of each cord.
+    It is the cradle of make_newton_cradle, with a second pendulum that hangs from each bob. phi_init (rad) bends the
+    first double pendulum; the others are straight. Both bobs have the mass of the row. r_param (m) is the length of
+    each cord.
     Raises a ValueError with a one-line message if the CSV describes no cradle.
     """
     pend_list: list = make_newton_cradle(relative_filepath, r_param, theta_init)
@@ -123,15 +124,6 @@ def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1
     six_rates = map(six_times_average, k1, k2, k3, k4)
     alpha, beta, alpha_rate, beta_rate = moved(state, six_rates, dt / 6)
     return alpha_rate, beta_rate - alpha_rate, alpha, beta - alpha
-
-
-def show_double_pendulum(pend_dict, r_param) -> None:
-    """Move the bobs and cords of a double pendulum to its theta and phi."""
-    alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
-    axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
-    cord1.axis, cord2.axis = arm(alpha, r_param), arm(beta, r_param)
-    bob1.pos = cord2.pos = axle.pos + cord1.axis
-    bob2.pos = bob1.pos + cord2.axis
 
 
 def double_swing_update(pend_dict, r_param, dt, g) -> None:

@@ -5,11 +5,11 @@ from importlib.metadata import version
 import pandas as pd
 
 from support.constants import NC_FP
-from support.files.atomic_write import whole_file
 from support.files.cradle_csv import cleaned
+from support.files.data_file import whole_file
 from support.pendulum import PendulumEntry
 
-# pandas reads floats exactly from 3.1 on, and warns if asked to; older versions do it only if asked.
+# pandas reads floats exactly from 3.1 on, and then warns about this option; older versions need it.
 EXACT_FLOATS = {} if tuple(map(int, version("pandas").split(".")[:2])) >= (3, 1) else {"float_precision": "round_trip"}
 
 

@@ -5,7 +5,7 @@ import sys
 
 if __name__ == "__main__":
     sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))  # finds the project, also with -P
-    from support.start.interrupt import end_on_interrupt
+    from support.start.early import end_on_interrupt
 
     # The imports below take a moment; without this, Ctrl+C would print a traceback.
     end_on_interrupt(status=1 if "--record" in " ".join(sys.argv) else 0)
@@ -14,19 +14,19 @@ from support import headless_vpython
 
 headless_vpython.install()  # this program opens no page, so it does not need VPython itself
 
-from src.beyond.live_cradle import LiveCradle
-from src.beyond.many_ticks import many_ticks
-from src.beyond.preview import what_there_is
+from src import pds_helper, special_cradles
 from src.visualize_cradle_run import main as cradle_main
+from support.cradle.cradle import Cradle
+from support.cradle.many_ticks import many_ticks
+from support.cradle.player import run
 from support.files.cradle_csv import check_cradle, Snapshot
-from support.files.recording import check_record
-from support.playback.mistake import own_frames, tell_mistake
-from support.playback.player import run
-from support.start.interrupt import stop_on_signals
+from support.files.data_file import check_record
+from support.start.early import stop_on_signals
+from support.start.mistake import own_frames, tell_mistake
 from support.start.options import check_lift, read_text_options
 from support.start.output import complain, is_unread, refuse, while_it_is_read
-from support.terminal.players import has_terminal, Lines, Pictures, show_pictures
-from support.terminal.recorder import record
+from support.start.preview import what_there_is
+from support.terminal.players import has_terminal, Lines, Pictures, record, show_pictures
 
 
 @while_it_is_read()
@@ -47,7 +47,7 @@ def main() -> None:
             check_record(options.record)
     except ValueError as error:
         refuse(error)
-    cradle = LiveCradle(cradle_main.__globals__, options, many_ticks)
+    cradle = Cradle(cradle_main.__globals__, options, pds_helper, special_cradles, many_ticks)
 
     try:
         stop_on_signals()

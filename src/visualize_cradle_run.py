@@ -5,8 +5,7 @@ if __name__ == "__main__":
     import sys
 
     sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))  # finds the project, also with -P
-    from support.start.interrupt import end_on_interrupt
-    from support.start.later import import_later
+    from support.start.early import end_on_interrupt, import_later
 
     end_on_interrupt()  # the imports below take a moment; without this, Ctrl+C would print a traceback
     import_later("pandas")  # it takes longest: the page imports it while the browser loads
@@ -67,7 +66,7 @@ def main(page) -> None:
     """Make the cradle, and let it tick as long as the simulation runs.
 
     page is the cradle's page in the browser, or its picture in the terminal.
-    It says when a cradle or a tick is due (support/playback/player.py).
+    It says when a cradle or a tick is due (support/cradle/player.py).
     page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command.
     page.rule has the value of approaching_only, if the functions have this parameter.
     """
@@ -80,7 +79,8 @@ def main(page) -> None:
 
 
 if __name__ == "__main__":
-    from src.beyond.in_browser import show_cradle
-    from src.beyond.many_ticks import many_ticks
+    from src import pds_helper, special_cradles
+    from support.cradle.many_ticks import many_ticks
+    from support.page.page import show_cradle
 
-    show_cradle(main, many_ticks)
+    show_cradle(main, pds_helper, special_cradles, many_ticks)

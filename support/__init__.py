@@ -1,4 +1,4 @@
-"""The functions that the handout provides. The folders below are for files, time, options, page and terminal."""
+"""The functions that the handout provides. The folders below are for the cradle, files, start, page and terminal."""
 
 import os
 import sys
@@ -7,7 +7,7 @@ import sys
 if sys.version_info < (3, 10):  # noqa: UP036
     sys.exit(f"Newton's cradle needs Python 3.10 or later; {sys.executable} is {sys.version.split()[0]}.")
 
-NEEDED = {*sys.stdlib_module_names, "numpy", "pandas", "pytest", "vpython"} - {"test"}  # nobody imports Python's test
+NEEDED = {*sys.stdlib_module_names, "numpy", "pandas", "pytest", "vpython"}
 
 
 def refuse_hiding_files() -> None:

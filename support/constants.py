@@ -22,44 +22,24 @@ DT = 0.0001
 THETA_INIT = -pi / 4
 
 # Double cradle: angle (rad) of the first pendulum's lower cord from the direction of its upper cord, 20 degrees further
-# outwards. This is near the slow one of the two normal modes of a double pendulum (phi = 0.41 theta), so the first hits
-# go through the row as in a single cradle.
+# outwards. A double pendulum has two normal modes. This angle is near the slow one (phi = 0.41 theta), so the first
+# hits go through the row as in a single cradle.
 PHI_INIT = -pi / 9
 
-# One tick of the double cradle (s). Its steps are more exact, so the energy would allow a longer tick. But its bobs are
-# faster: even in this tick, equal bobs move hardly more than 2 % of their touching distance into each other.
+# One tick of the double cradle (s). Its steps are more exact: for the energy, a longer tick would do. But its bobs are
+# faster. In this tick, equal bobs hardly come closer than 98 % of the distance at which they touch.
 DOUBLE_DT = 0.00025
 
 # Two bobs collide if their centres are at most BUFFER times the sum of their radii apart: the handout's little buffer.
 BUFFER = 1.05
 
 # The names allowed in the CSV's color column: all colors of VPython, as VPython's vectors of red, green and blue.
-COLOR_MAP = {
-    "black": color.black,
-    "white": color.white,
-    "red": color.red,
-    "green": color.green,
-    "blue": color.blue,
-    "yellow": color.yellow,
-    "cyan": color.cyan,
-    "magenta": color.magenta,
-    "orange": color.orange,
-    "purple": color.purple,
-}
+COLORS = ("black", "white", "red", "green", "blue", "yellow", "cyan", "magenta", "orange", "purple")
+COLOR_MAP = {name: getattr(color, name) for name in COLORS}
 
 # The names allowed in the CSV's texture column: all textures of VPython, and "none" for a plain bob.
-TEXTURE_MAP = {
-    "none": None,
-    "flower": textures.flower,
-    "granite": textures.granite,
-    "gravel": textures.gravel,
-    "earth": textures.earth,
-    "metal": textures.metal,
-    "rock": textures.rock,
-    "rough": textures.rough,
-    "rug": textures.rug,
-    "stones": textures.stones,
-    "stucco": textures.stucco,
-    "wood": textures.wood,
-    "wood_old": textures.wood_old,
-}
+TEXTURES = (
+    *("flower", "granite", "gravel", "earth", "metal", "rock"),
+    *("rough", "rug", "stones", "stucco", "wood", "wood_old"),
+)
+TEXTURE_MAP = {"none": None, **{name: getattr(textures, name) for name in TEXTURES}}

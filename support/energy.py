@@ -1,6 +1,6 @@
-"""The energy and the momentum of a cradle, and exact results to compare its ticks with."""
+"""The energy and the momentum of a cradle."""
 
-from math import cos, pi, sqrt
+from math import cos
 
 
 def kinetic_energy(pend_list, r_param) -> float:
@@ -51,25 +51,3 @@ def double_momentum(pend_list, r_param) -> float:
         alpha, beta, b = pend["theta"], pend["theta"] + pend["phi"], pend["omega"] + pend["phi_omega"]
         total += pend["mass"] * r_param * (2 * pend["omega"] * cos(alpha) + b * cos(beta))
     return total
-
-
-def exact_period(theta_max, r_param, g) -> float:
-    """Return the period (s) of a pendulum with the amplitude theta_max (rad), for any theta_max below pi.
-
-    It is 4 sqrt(R / g) K(sin(theta_max / 2)), with the complete elliptic integral of the first kind,
-    K(k) = pi / (2 M(1, sqrt(1 - k^2))). M is the arithmetic-geometric mean (https://dlmf.nist.gov/19.8.E5).
-    r_param (m) is the cord length R, g (m/s^2) the gravitational acceleration.
-    """
-    arithmetic, geometric = 1.0, cos(theta_max / 2)
-    while arithmetic - geometric > 1e-15:
-        arithmetic, geometric = (arithmetic + geometric) / 2, sqrt(arithmetic * geometric)
-    return 2 * pi * sqrt(r_param / g) / arithmetic
-
-
-def energy_left(e, hits) -> float:
-    """Return the part of the energy that two equal bobs keep after `hits` hits; one of them hangs at rest first.
-
-    Half of the energy is in their common motion, which a hit does not change. The other half is in their relative
-    motion. A hit multiplies the relative speed by e, and so this half by e^2: the result is 1/2 + e^(2 hits) / 2.
-    """
-    return 1 / 2 + e ** (2 * hits) / 2

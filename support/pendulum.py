@@ -1,6 +1,6 @@
 """A pendulum: its dictionary, and the VPython objects that show it."""
 
-from math import copysign, cos, degrees, inf, nextafter, radians, sin
+from math import copysign, cos, degrees, radians, sin
 from typing import TypedDict
 
 from vpython import box, cylinder, sphere, vector
@@ -20,13 +20,6 @@ def from_lift(lift) -> float:
 def to_lift(angle) -> float:
     """Return the lift outwards (degrees) of a cord at this angle (rad, positive to the right)."""
     return round(degrees(OUTWARDS * angle), 9)  # 45, not 45.00000000000001
-
-
-def exact_lift(angle) -> float:
-    """Return a lift (degrees) of which from_lift makes exactly this angle (rad); 45 rather than 45.00000000000001."""
-    lift = degrees(OUTWARDS * angle)
-    lifts = to_lift(angle), lift, nextafter(lift, inf), nextafter(lift, -inf)
-    return next((each for each in lifts if from_lift(each) == angle), lift)
 
 
 class PendulumEntry(TypedDict, total=False):
@@ -61,6 +54,15 @@ def show_pendulum(pend_dict, r_param) -> None:
     bob.pos, cord.axis = axle.pos + axis, axis
 
 
+def show_double_pendulum(pend_dict, r_param) -> None:
+    """Move the bobs and cords of a double pendulum to its theta and phi; r_param (m) is the length of a cord."""
+    alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
+    axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
+    cord1.axis, cord2.axis = arm(alpha, r_param), arm(beta, r_param)
+    bob1.pos = cord2.pos = axle.pos + cord1.axis
+    bob2.pos = bob1.pos + cord2.axis
+
+
 def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere, cylinder]:
     """Return the VPython objects (axle, bob, cord) of a pendulum that hangs from axle_pos at the angle theta.
 
@@ -77,12 +79,12 @@ def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cy
 
     r_param is the cord length (m), color a VPython color (a vector), and texture a VPython texture or None.
     """
-    # Bobs hit within BUFFER x the sum of their radii, and axles are r_param/4 apart. With this radius, bobs at rest are
-    # just outside this distance. Inside it, every tick would exchange their velocities.
+    # Bobs hit if they are at most BUFFER x the sum of their radii apart. Axles are r_param/4 apart. With this radius,
+    # bobs at rest are a little further apart than that. Otherwise, every tick would exchange their velocities.
     radius = 0.9995 * r_param / 8 / BUFFER
     axis = arm(theta, r_param)
     bob = make_shape(sphere, pos=place + axis, radius=radius, color=color, texture=texture, shininess=1)
-    # up is at right angles to the plane of swing: VPython turns any other up when the axis changes, which is slow.
-    up, grey = vector(0, 0, 1), vector(0.45, 0.45, 0.47)  # grey is seen on a pale and on a dark page
+    # up is at right angles to the plane of swing. VPython would turn any other up with each axis, which is slow.
+    up, grey = vector(0, 0, 1), vector(0.45, 0.45, 0.47)  # a grey that you see on a pale page and on a dark one
     cord = make_shape(cylinder, pos=place, axis=axis, up=up, radius=r_param / 200, color=grey)
     return bob, cord

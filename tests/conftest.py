@@ -24,24 +24,13 @@ def pytest_cmdline_main(config):
     is_first = "PYTEST_XDIST_WORKER" not in os.environ  # and not one of the two
     if takes_all and is_first and not option.usepdb and getattr(option, "numprocesses", 0) is None:  # 0 without xdist
         option.numprocesses = 2
-
-
-@pytest.hookimpl(trylast=True)  # after -k and -m have chosen
-def pytest_collection_modifyitems(config, items):
-    marked = [item for item in items if any(map(item.get_closest_marker, LEFT_OUT))]
-    if marked and not config.option.markexpr:
-        items[:] = [item for item in items if item not in marked]
-        config.hook.pytest_deselected(items=marked)
-        config.left_out = getattr(config, "workeroutput", {})["left_out"] = len(marked)
-
-
-@pytest.hookimpl(optionalhook=True)
-def pytest_testnodedown(node):
-    """Take over how many tests a process of pytest-xdist has left out: each leaves out the same."""
-    node.config.left_out = getattr(node, "workeroutput", {}).get("left_out", 0)
+    if not option.markexpr:
+        option.markexpr = " and ".join(f"not {mark}" for mark in LEFT_OUT)
+        config.left_out = f'Left out: {", ".join(LEFT_OUT)}. To run them: .venv/bin/pytest -m "{" or ".join(LEFT_OUT)}"'
 
 
 def pytest_terminal_summary(terminalreporter, config):
-    if getattr(config, "left_out", 0):
-        command = f'.venv/bin/pytest -m "{" or ".join(LEFT_OUT)}"'
-        terminalreporter.write_line(f"Left out ({', '.join(LEFT_OUT)}): {config.left_out}. To run them: {command}")
+    # The stats of pytest-xdist do not have them.
+    some = "deselected" in terminalreporter.stats or getattr(config.option, "numprocesses", 0)
+    if some and hasattr(config, "left_out"):
+        terminalreporter.write_line(config.left_out)

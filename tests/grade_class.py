@@ -24,15 +24,13 @@ headless_vpython.install()
 from grading.grade import lines
 from grading.grader import checks
 from grading.handout import SUITES
-from support.files.atomic_write import whole_file
+from support.files.data_file import whole_file
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, is_unread, refuse, while_it_is_read
-from teacher.alike import body_of, fingerprint
-from teacher.report import collect, line_of, mistakes_of, Result, results_in, summary, write_grades, write_gradescope
+from support.terminal.screen import progress_bar
+from teacher.report import line_of, Result, results_in, summary, write_grades, write_gradescope
 from teacher.submissions import read_submission, submissions_in
 from teacher.workers import compile_starter, Worker
-
-BAR = 30  # characters of the progress bar
 
 
 @while_it_is_read()
@@ -45,7 +43,7 @@ def main() -> None:
         with TemporaryDirectory() as work:
             starter = options.starter or new_starter(Path(work) / "starter")
             results = grade_all(paths, starter, options.out)
-            finish(options, results, len(paths), source_files(starter / "src"), others)
+        finish(options, results, len(paths), others)
     except KeyboardInterrupt:
         print("Stopped. The same command goes on from there.")
         sys.exit(130)
@@ -64,8 +62,6 @@ def read_options():
     add("--out", metavar="FOLDER", type=Path, help=text)
     text = "write DIR/STUDENT/results.json for each student, as Gradescope reads it"
     add("--gradescope", metavar="DIR", type=Path, help=text)
-    text = "add the functions that fail without a hint to FILE, once each, without names"
-    add("--collect", metavar="FILE", type=Path, help=text)
     add("--starter", metavar="FOLDER", type=Path, help="a starter that is already made (default: a new one)")
     options = parser.parse_args()
     folder = options.submissions.resolve()
@@ -118,19 +114,19 @@ def grade_all(paths, starter, out) -> list[Result]:
         open(file, "a", encoding="utf-8") as kept,
         graded_side_by_side(to_grade, digests, starter, hidden) as graded,
         suppress(KeyboardInterrupt),
-        progress(len(submissions), len(results)) as advance,
+        progress_bar() as progress,
     ):
-        for result, output in graded:
+        for number, (result, output) in enumerate(graded, start=1):
             write_text(out, result, output)
             kept.write(line_of(result))
             kept.flush()
             results[result.student] = result
-            advance()
+            progress(number / len(to_grade))
     return [results[student] for student in submissions if student in results]
 
 
 def digest_of(*values) -> str:
-    """Return a text that is another one if the values are others."""
+    """Return a hash of the values."""
     return hashlib.sha256(repr(values).encode()).hexdigest()
 
 
@@ -143,72 +139,33 @@ def graded_side_by_side(submissions, digests, starter, hidden):
     for worker in workers:
         idle.put(worker)
 
-    given = source_files(starter / "src")
-
-    def one(submission):
-        worker = idle.get()
+    def grade_one(submission):
+        worker, start = idle.get(), time.monotonic()
         try:
-            return grade_one(worker, submission, digests[submission.student], given)
+            graded = worker.grade(submission.files)
         finally:
             idle.put(worker)
+        seconds, problems = time.monotonic() - start, submission.problems + graded.problems
+        digest = digests[submission.student]
+        return Result(submission.student, digest, graded.outcomes, seconds, problems), graded.output
 
     with ThreadPoolExecutor(count) as pool:
         try:
-            yield (future.result() for future in as_completed([pool.submit(one, each) for each in submissions]))
+            yield (future.result() for future in as_completed([pool.submit(grade_one, each) for each in submissions]))
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
             for worker in workers:
                 worker.close()
 
 
-def grade_one(worker, submission, digest, starters) -> tuple[Result, str]:
-    """Return the result of a submission, and what pytest told; starters are the files of the starter's src/."""
-    start = time.monotonic()
-    graded = worker.grade(submission.files)
-    unhinted = {}
-    for function, hints in mistakes_of(graded.outcomes).items():
-        body = None if hints else body_of(function, submission.files, starters)
-        if body:
-            unhinted[function] = body
-    seconds, problems = time.monotonic() - start, submission.problems + graded.problems
-    mark = fingerprint(submission.files)
-    result = Result(submission.student, digest, graded.outcomes, seconds, problems, mark, unhinted)
-    return result, graded.output
-
-
 def write_text(folder, result, output) -> None:
-    """Write the student's text: the problems, and what pytest told, or the table if it did not get so far."""
-    told = output if "Next:  " in output else "\n".join(line for line, _ in lines(result.outcomes))
+    """Write the student's text: the problems, and what pytest printed, or the table if it did not get so far."""
+    printed = output if "Next:  " in output else "\n".join(line for line, _ in lines(result.outcomes))
     text = "".join(f"{problem}\n" for problem in [result.student, *result.problems])
-    (folder / f"{result.student}.txt").write_text(f"{text}\n{told.strip()}\n", encoding="utf-8")
+    (folder / f"{result.student}.txt").write_text(f"{text}\n{printed.strip()}\n", encoding="utf-8")
 
 
-@contextmanager
-def progress(count, done):
-    """Show a progress bar in a terminal; yield a function that moves it on by one."""
-    start, first = time.monotonic(), done
-
-    def show():
-        if sys.stdout.isatty() and count:
-            left = (time.monotonic() - start) / max(1, done - first) * (count - done)
-            when = f", about {left:.0f} s left" if done > first else ""
-            bar = "#" * (BAR * done // count)
-            print(f"\r[{bar:.<{BAR}}] {done} of {count}{when}\x1b[K", end="", flush=True)
-
-    def advance():
-        nonlocal done
-        done += 1
-        show()
-
-    show()
-    try:
-        yield advance
-    finally:
-        if sys.stdout.isatty():
-            print("\r\x1b[K", end="")
-
-
-def finish(options, results, count, starters, others) -> None:
+def finish(options, results, count, others) -> None:
     """Write grades.csv and what the options ask for, and print the summary; exit if solutions are not graded yet."""
     write_grades(options.out / "grades.csv", results)
     if len(results) < count:
@@ -216,11 +173,9 @@ def finish(options, results, count, starters, others) -> None:
         sys.exit(130)
     for result in results if options.gradescope else []:
         write_gradescope(options.gradescope / result.student, result)
-    print("\n".join(summary(results, fingerprint(starters))))
+    print("\n".join(summary(results)))
     if others:
         print(f"\nNo submissions: {in_one_line(', '.join(others))}")
-    if options.collect:
-        print(f"\n{collect(options.collect, results)} new functions without a hint are in {options.collect}")
     line = f"{count} solutions are graded: {options.out / 'grades.csv'}, and a text for each student beside it"
     print(f"\n{in_one_line(line)}")
 

@@ -6,19 +6,14 @@ It is a starter with grade_class.py, and with the two scripts that Gradescope ru
 import shutil
 import sys
 import tempfile
-import zipfile
 from pathlib import Path
 
 if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
 
-from grading.project_path import ROOT
-from support import headless_vpython
-
-headless_vpython.install()
-
 from make_starter import make_starter
 
+from grading.project_path import ROOT
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 
@@ -44,7 +39,6 @@ venv/bin/python source/tests/grade_class.py class --out grades --gradescope grad
 cp gradescope/submission/results.json results/results.json
 """
 SCRIPTS = {"setup.sh": SETUP, "run_autograder": RUN}
-GRADER = ["tests/grade_class.py", "tests/teacher"]
 
 
 @while_it_is_read()
@@ -67,18 +61,14 @@ def make_autograder(file) -> None:
     with tempfile.TemporaryDirectory() as work:
         folder = Path(work, "autograder")
         make_starter(folder)
-        for name in GRADER:
-            copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
-            copy(ROOT / name, folder / name)
+        shutil.copy(ROOT / "tests" / "grade_class.py", folder / "tests")
+        shutil.copytree(
+            ROOT / "tests" / "teacher", folder / "tests" / "teacher", ignore=shutil.ignore_patterns("__*__")
+        )
         for name, text in SCRIPTS.items():
             (folder / name).write_text(text, encoding="utf-8", newline="\n")
             (folder / name).chmod(0o755)
-        made = Path(work, "autograder.zip")
-        with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
-            for path in sorted(folder.rglob("*")):
-                if "__pycache__" not in path.parts:
-                    archive.write(path, path.relative_to(folder))
-        shutil.copy(made, file)
+        shutil.copy(shutil.make_archive(f"{folder}", "zip", folder), file)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,6 @@ import ast
 import re
 import shutil
 import sys
-from contextlib import suppress
 from pathlib import Path
 
 if __name__ == "__main__":
@@ -33,44 +32,28 @@ UNUSED = {
     *("__pycache__", "README.md", "double.png", "experiment.png", "swing.png"),
     *("many_ticks.py", "double_collisions.py"),
 }
+DOUBLE_RUN = "src/visualize_double_cradle_run.py"
+# Files whose functions lose their bodies, and these functions: also two of the honor roll without a check.
+STUDENTS_FILES = {*(function.file for function in FUNCTIONS.values()), DOUBLE_RUN}
+STUDENTS_FUNCTIONS = {*FUNCTIONS, "double_cradle_tick"}
 PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
 
-RUN, DOUBLE_RUN = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"
-# Functions of the honor roll without a check, by their file.
-UNGRADED = {"src/double_cradle.py": ["double_cradle_tick"], DOUBLE_RUN: ["main"]}
-# Names that the bodies need, as the handout says: the files still import them.
-OFFERED = {
-    *("COLOR_MAP", "DOUBLE_DT", "DT", "G", "PHI_INIT", "R_PARAM", "TEXTURE_MAP", "THETA_INIT", "cos", "mag", "sin"),
-    *(
-        "double_cradle_tick",
-        "extract_and_convert",
-        "full_swing_update",
-        "make_bob_and_cord",
-        "make_double_newton_cradle",
-    ),
-    *("make_newton_cradle", "make_pendulum", "vector"),
-}
-RULE = "    page.rule has the value of approaching_only, if the functions have this parameter.\n"
-# Changes in the students' files: they have the lines of the handout, and nothing beyond it.
+# Names that go beyond the handout, and the first words of what a docstring says about them, at its end.
+BEYOND = (
+    "(?:BUFFER|EXACT_FLOATS|approaching_only|check_cradle|cleaned|collide_pairs|keep_apart|many_ticks|pairwise|version)"
+)
+ABOUT = "(?:Spaces around|Raises a ValueError|With approaching_only|page.rule)"
+# Changes of all files of src/: they have the lines of the handout, and nothing beyond it.
 CHANGES = [
-    ("pyproject.toml", re.compile(r"\n\[tool\.ruff\].*", re.DOTALL), ""),
-    ("src/pds_helper.py", "pd.read_csv(cleaned(relative_filepath), **EXACT_FLOATS)", "pd.read_csv(relative_filepath)"),
-    ("src/pds_helper.py", re.compile(r"# pandas reads floats .*?\n\n\n", re.DOTALL), "\n"),
-    ("src/pds_helper.py", re.compile(r"\n\n    Spaces around names .*?\n    (?=\"\"\")", re.DOTALL), ""),
-    ("src/special_cradles.py", re.compile(r"    Raises a ValueError .*?\n"), ""),
-    ("src/swinging.py", "from math import sin\n", "from math import cos, sin\n\nfrom vpython import vector\n"),
-    (RUN, re.compile(r"# Python 3.9 has no pairwise.*?\n"), ""),
-    (RUN, re.compile(r", approaching_only=False(?=\))"), ""),
-    (RUN, re.compile(r"    With approaching_only.*?\n"), ""),
-    (RUN, RULE, ""),
-    (RUN, re.compile(r" *from src.beyond.many_ticks import many_ticks\n"), ""),
-    (RUN, "show_cradle(main, many_ticks)", "show_cradle(main)"),
-    ("src/text_cradle_run.py", "from src.beyond.many_ticks import many_ticks\n", ""),
-    ("src/text_cradle_run.py", ", many_ticks)", ")"),
-    ("src/double_cradle.py", "import box, cylinder, sphere\n", "import box, cylinder, sphere, vector\n"),
-    ("src/double_cradle.py", ", approaching_only=True)", ")"),
-    ("src/double_cradle.py", re.compile(r"\n\n    With approaching_only.*?\n    (?=\"\"\")"), ""),
-    (DOUBLE_RUN, RULE, ""),
+    (r"\bcleaned\((\w+)\)", r"\1"),
+    (rf"(?:# .*\n)* *from \S+ import (?:{BEYOND}|, )+\n", ""),
+    ("import BUFFER, ", "import "),
+    (rf"(?:# .*\n)*{BEYOND} = .*\n\n\n", "\n"),
+    (rf", (?:\*\*)?{BEYOND}(?:=\w+)?(?=\))", ""),
+    (rf'\n\n    {ABOUT}[^"]*(?=""")', ""),
+    (rf'\n    {ABOUT}[^"]*(?=\n    """)', ""),
+    ("from math import sin\n", "from math import cos, sin\n\nfrom vpython import vector\n"),
+    ("import box, cylinder, sphere\n", "import box, cylinder, sphere, vector\n"),
 ]
 
 README = """\
@@ -150,11 +133,8 @@ def make_starter(folder) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         fill(folder)
     except BaseException:
-        for path in folder.iterdir() if folder.is_dir() else ():
-            shutil.rmtree(path) if path.is_dir() else path.unlink()
-        for path in new:
-            with suppress(OSError):  # it was not made yet
-                path.rmdir()
+        for path in new[-1:] or folder.iterdir():
+            shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
         raise
 
 
@@ -164,72 +144,52 @@ def fill(folder) -> None:
     for path in [*map(Path, FILES), *(path for path in found if not UNUSED.intersection(path.parts))]:
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / path, folder / path)
-    for file in sorted({change[0] for change in CHANGES} | {function.file for function in FUNCTIONS.values()}):
-        path = folder / file
-        path.write_text(for_students(file, path.read_text(encoding="utf-8")), encoding="utf-8", newline="\n")
-    rows = (f"| {of.tier} | `{name}` | `{of.file}` |" for name, of in FUNCTIONS.items())
-    readme = README.format(rows="\n".join(rows))
-    (folder / "README.md").write_text(readme, encoding="utf-8", newline="\n")
+    rows = (f"| {function.tier} | `{name}` | `{function.file}` |" for name, function in FUNCTIONS.items())
+    texts = {
+        "README.md": README.format(rows="\n".join(rows)),
+        "pyproject.toml": (ROOT / "pyproject.toml").read_text(encoding="utf-8").partition("\n[tool.ruff]")[0],
+        **{f"src/{path.name}": for_students(path) for path in (ROOT / "src").glob("*.py") if path.name not in UNUSED},
+    }
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8", newline="\n")
 
 
-def for_students(file, source) -> str:
-    """Return the source of a file in the form for students."""
-    for of, before, after in CHANGES:
-        if of == file:
-            source, count = re.subn(before if isinstance(before, re.Pattern) else re.escape(before), after, source)
-            assert count, f"{file} has no {before}"
-    if not file.endswith(".py"):
-        return source
-    graded = [name for name, function in FUNCTIONS.items() if function.file == file]
-    return without_imports(emptied(source, graded + UNGRADED.get(file, [])))
+def for_students(path) -> str:
+    """Return the source of a file of src/ in the form for students."""
+    source = path.read_text(encoding="utf-8")
+    for before, after in CHANGES:
+        source = re.sub(before, after, source)
+    return emptied(source) if f"src/{path.name}" in STUDENTS_FILES else source
 
 
-def emptied(source, names) -> str:
-    """Return the source of a module without the bodies of these functions, but with their docstrings.
-
-    main loses only its two calls of the student's own functions.
-    """
+def emptied(source) -> str:
+    """Return the source of a module without what students write; the docstrings of their functions stay."""
     lines = source.splitlines()
-    for node in reversed(ast.parse(source).body):
-        if isinstance(node, ast.FunctionDef) and node.name in names:
-            first = node.body[PROVIDED.get(node.name, 0)].end_lineno  # the docstring is the first statement
-            taken = own_calls(node) if node.name == "main" else [(first, node.end_lineno, 4, "")]
-            for start, end, indent, what in reversed(taken):
-                lines[start:end] = [
-                    " " * indent + f"# Write your code here, in place of the next line{what}.",
-                    " " * indent + f'raise NotImplementedError("{node.name} is not written yet")',
+    for function in reversed(ast.parse(source).body):
+        if isinstance(function, ast.FunctionDef) and function.name in STUDENTS_FUNCTIONS:
+            for before, last, indent, words in reversed(places(function)):
+                lines[before:last] = [
+                    " " * indent + f"# Write your code here, in place of the next line{words}.",
+                    " " * indent + f'raise NotImplementedError("{function.name} is not written yet")',
                 ]
     return "\n".join(lines) + "\n"
 
 
-def own_calls(main) -> list[tuple[int, int, int, str]]:
-    """Return the statements of main that call the student's own functions.
+def places(function) -> list[tuple[int, int, int, str]]:
+    """Return what students write of a function: its body or, of main, the two calls of their own functions.
 
     Each is (line before, last line, indentation, words that describe it).
     """
-    return [
-        (
-            node.lineno - 1,
-            node.end_lineno,
-            node.col_offset,
-            ": make pend_list" if isinstance(node, ast.Assign) else ": one tick",
-        )
-        for node in ast.walk(main)
-        if isinstance(node, (ast.Assign, ast.Expr)) and isinstance(node.value, ast.Call)
-        if isinstance(node.value.func, ast.Name)
+    if function.name != "main":
+        given = function.body[PROVIDED.get(function.name, 0)]  # the docstring is the first statement
+        return [(given.end_lineno, function.end_lineno, 4, "")]
+    calls = [
+        node
+        for node in ast.walk(function)
+        if isinstance(node, (ast.Assign, ast.Expr)) and isinstance(getattr(node.value, "func", None), ast.Name)
     ]
-
-
-def without_imports(source) -> str:
-    """Return the source of a module without the imports that neither the code nor the student needs."""
-    tree = ast.parse(source)
-    used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} | OFFERED
-    lines = source.splitlines()
-    for node in reversed([node for node in tree.body if isinstance(node, ast.ImportFrom)]):
-        names = [alias.name for alias in node.names if alias.name in used]
-        if len(names) < len(node.names):
-            lines[node.lineno - 1 : node.end_lineno] = [f"from {node.module} import {', '.join(names)}"] * bool(names)
-    return "\n".join(lines) + "\n"
+    words = {ast.Assign: ": make pend_list", ast.Expr: ": one tick"}
+    return [(node.lineno - 1, node.end_lineno, node.col_offset, words[type(node)]) for node in calls]
 
 
 if __name__ == "__main__":

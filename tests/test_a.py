@@ -3,34 +3,23 @@
 from itertools import permutations
 from math import degrees, pi, sin
 
-from grading.cradles import hang, LEFT_OVER, left_over, R, row, shapes_made
-from grading.grader import check, expect, find, same
-from grading.telling import Wanted
+from grading.comparing import same
+from grading.cradles import each, hang, LEFT_OVER, left_over, R, row, shapes_made, touching
+from grading.grader import check, expect, find
+from grading.messages import Wanted
 from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
 from support.files.cradle_csv import read_cells
 
 SHORT = 1e-9  # s: a tick without visible motion
 
 
-def check_tick(pend_list, gives, *, dt=SHORT, g=9.81, hints=()):
+def check_tick(pend_list, wanted, *, dt=SHORT, g=9.81, hints=()):
     """Check omega of each pendulum after a tick."""
-
-    def see(_):
-        return [pend["omega"] for pend in pend_list]
 
     before = [pend["omega"] for pend in pend_list]
     if all(mistaken != before for mistaken, _ in hints):
         hints = [*hints, (before, "The velocities have not changed. Do you handle each pair exactly once?")]
-    what = "omega of each pendulum"
-    expect("newton_cradle_tick", pend_list, R, dt, g, gives=gives, see=see, what=what, hints=hints)
-
-
-def touching(*omegas, radius=R / 8):
-    """Return pendula that hang straight down and touch, with these omegas (rad/s)."""
-    pend_list = row(len(omegas), radius=radius)
-    for pend, omega in zip(pend_list, omegas, strict=True):
-        pend["omega"] = omega
-    return pend_list
+    expect("newton_cradle_tick", pend_list, R, dt, g, wanted=wanted, hints=hints, **each(pend_list, "omega"))
 
 
 @check("newton_cradle_tick", watched=True)
@@ -47,16 +36,12 @@ def test_a_tick_swings_all_pendula():
         ([once, once, before], "The last pendulum has not swung. It has no pair, but it must swing too."),
     ]
 
-    def is_another_swing(came):
-        return same(came, came[:1] * 3) and not any(same(came, mistaken) for mistaken, _ in known)
+    def is_another_swing(found):
+        return same(found, found[:1] * 3) and not any(same(found, mistaken) for mistaken, _ in known)
 
     hints = [*known, (is_another_swing, "Do you pass on r_param, dt and g, in this order?")]
-
-    def see(_):
-        return [(pend["omega"], pend["theta"]) for pend in pend_list]
-
-    what = "omega and theta of each pendulum"
-    expect("newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, gives=[once] * 3, see=see, what=what, hints=hints)
+    states = each(pend_list, "omega", "theta")
+    expect("newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, wanted=[once] * 3, hints=hints, **states)
 
 
 @check("newton_cradle_tick", watched=True)
@@ -142,18 +127,14 @@ def test_a_cradle_passes_the_swing_on():
     cord, lift = 0.2, pi / 4
     pend_list = [hang(theta=-lift if i == 0 else 0.0, axle=(i * cord / 4, 0, 0), r_param=cord) for i in range(5)]
 
-    def see(_):
-        return [pend["theta"] for pend in pend_list]
-
     def is_passed_on(thetas):
         return abs(thetas[-1] / lift - 1) < 0.02 and all(abs(theta) < 0.1 for theta in thetas[:-1])
 
     half_a_period = 234  # ticks; 0.467 s, a bit more than pi sqrt(R / g), as the swing is large
     words = "the last one at about 0.785, as high as the first one was; the others at about 0"
-    gives = Wanted(words, is_passed_on, like=[0.0] * 5)
-    what = "theta of each pendulum"
-    arguments = {"gives": gives, "see": see, "what": what, "times": half_a_period}
-    expect("newton_cradle_tick", pend_list, cord, 0.002, 9.81, **arguments)
+    wanted = Wanted(words, is_passed_on, like=[0.0] * 5)
+    thetas = each(pend_list, "theta")
+    expect("newton_cradle_tick", pend_list, cord, 0.002, 9.81, wanted=wanted, times=half_a_period, **thetas)
 
 
 # --- main ------------------------------------------------------------------------------------------------------------
@@ -238,12 +219,12 @@ def test_the_cradle_is_made_and_shown():
     hints = [
         ([], "You showed no cradle. Give your pend_list to page.show."),
         ([[]], "You gave page.show no pend_list, or an empty one."),
-        (lambda came: came[0][0][1] is None, "Your pendula have no objects. make_newton_cradle makes them."),
+        (lambda found: found[0][0][1] is None, "Your pendula have no objects. make_newton_cradle makes them."),
         (made(R_PARAM, THETA_INIT), "make_newton_cradle takes R_PARAM first, then THETA_INIT."),
         (made(degrees(THETA_INIT)), "THETA_INIT is in radians already. Do not convert it."),
     ]
     what = "theta and cord length of each pendulum on the page"
-    expect("main", page, gives=made(THETA_INIT), see=see, what=what, hints=hints)
+    expect("main", page, wanted=made(THETA_INIT), see=see, what=what, hints=hints)
 
 
 @check("main")
@@ -254,22 +235,22 @@ def test_the_cradle_ticks():
     page = Page((True, 2), (False, 1))
     start, first, second, third = swings(3)
 
-    def is_other_order(came):
+    def is_other_order(found):
         orders = list(permutations((R_PARAM, DT, G)))[1:]
-        return any(same(came[:2], swings(1, *order)) for order in orders)
+        return any(same(found[:2], swings(1, *order)) for order in orders)
 
     hints = [
         ([], "You never called page.wants_tick, or you showed no cradle."),
         ([start] * 5, "The cradle that you showed does not tick."),
         ([start, first], "Tick as long as page.wants_tick() is True: while, not if."),
         ([start, first, second, start, first], "You made the cradle again, but the page did not want one."),
-        (lambda came: same(came[0], first), "Your cradle ticks before the page wants a tick."),
-        (lambda came: same(came[:2], [start, second]), "Your cradle ticks twice when the page wants one tick."),
+        (lambda found: same(found[0], first), "Your cradle ticks before the page wants a tick."),
+        (lambda found: same(found[:2], [start, second]), "Your cradle ticks twice when the page wants one tick."),
         (is_other_order, "Check the order of the arguments of newton_cradle_tick: pend_list, R_PARAM, DT, G."),
     ]
     what = "omega and theta of the first pendulum at each call of page.wants_tick"
-    gives = [start, first, second, second, third]
-    expect("main", page, gives=gives, see=lambda _: page.states, what=what, hints=hints)
+    wanted = [start, first, second, second, third]
+    expect("main", page, wanted=wanted, see=lambda _: page.states, what=what, hints=hints)
 
 
 @check("main")
@@ -284,7 +265,7 @@ def test_each_cradle_that_is_wanted_is_a_new_one():
         (swings(1)[:1] * 2, "Your second cradle does not tick."),
     ]
     what = "omega and theta before the last tick, omega and theta after the last tick"
-    expect("main", page, gives=swings(1), see=lambda _: page.states[-2:], what=what, hints=hints)
+    expect("main", page, wanted=swings(1), see=lambda _: page.states[-2:], what=what, hints=hints)
     page = Page((True, 1), (True, 0))
     with shapes_made() as made:
         expect("main", page, see=lambda _: left_over(made, page.parts), **LEFT_OVER)
@@ -303,4 +284,4 @@ def test_in_the_cradle_bobs_collide():
     if pendula() > 1:
         hints = [(omegas, "Your bobs do not collide. full_swing_update only swings them.")]
         see = {"see": lambda _: [pend["omega"] for pend in page.shown[0]], "what": "omega of each pendulum"}
-        expect("main", page, gives=omegas[::-1], **see, hints=hints)
+        expect("main", page, wanted=omegas[::-1], **see, hints=hints)

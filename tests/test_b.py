@@ -3,8 +3,9 @@
 from itertools import permutations, product
 from math import pi
 
+from grading.comparing import same
 from grading.cradles import hang
-from grading.grader import check, expect, find, same
+from grading.grader import check, expect, find
 
 # The arguments e, omega1, omega2, m1, m2, and the result; by hand from the two formulas of the appendix.
 HIT, AFTER = (0.7, 3.0, -4.0, 2.0, 8.0), (-6.52, -1.62)
@@ -76,7 +77,7 @@ def test_handle_collision():
     their masses (m1 and m2), and the cord length r_param and returns a tuple of the new angular velocities of both bobs
     (new_omega1, new_omega2).
     """
-    expect("handle_collision", *HIT, 0.4, gives=AFTER, hints=MISTAKES)
+    expect("handle_collision", *HIT, 0.4, wanted=AFTER, hints=MISTAKES)
 
 
 @check("handle_collision", watched=True)
@@ -84,9 +85,9 @@ def test_collisions_from_elastic_to_inelastic():
     """If e = 0, it is a perfectly inelastic collision (kinetic energy not conserved), and if e = 1, it is a perfectly
     elastic collision (kinetic energy is conserved).
     """
-    for arguments, gives in COLLISIONS:
+    for arguments, wanted in COLLISIONS:
         hints = [(arguments[1:3], "These are the old velocities.")]
-        expect("handle_collision", *arguments, 0.4, gives=gives, hints=hints)
+        expect("handle_collision", *arguments, 0.4, wanted=wanted, hints=hints)
 
 
 @check("handle_collision", watched=True)
@@ -95,7 +96,7 @@ def test_the_cord_length_does_not_matter():
     equation, and the new calculated velocities can be converted back to angular velocities with the same equation.
     """
     for r_param in (0.2, 1.0, 3.0):
-        expect("handle_collision", *HIT, r_param, gives=AFTER)
+        expect("handle_collision", *HIT, r_param, wanted=AFTER)
 
 
 @check("handle_collision", watched=True)
@@ -106,20 +107,14 @@ def test_laws_of_the_collision():
     omega1, omega2 = 2.5, -1.5
     for m1, m2 in [(1.0, 1.0), (0.2, 5.0), (7.0, 0.1)]:
         momentum, energy = m1 * omega1 + m2 * omega2, m1 * omega1**2 + m2 * omega2**2
-        for e in (0, 0.3, 1):
+        laws = [("momentum m1 new_omega1 + m2 new_omega2", 1, momentum)] * 3
+        energy_law = ("energy m1 new_omega1^2 + m2 new_omega2^2", 2, energy)
+        for e, (what, power, wanted) in zip((0, 0.3, 1, 1), [*laws, energy_law], strict=True):
 
-            def momentum_after(new, m1=m1, m2=m2):
-                return m1 * new[0] + m2 * new[1]
+            def see(new, m1=m1, m2=m2, power=power):
+                return m1 * new[0] ** power + m2 * new[1] ** power
 
-            def energy_after(new, m1=m1, m2=m2):
-                return m1 * new[0] ** 2 + m2 * new[1] ** 2
-
-            arguments = e, omega1, omega2, m1, m2, 0.4
-            what = "momentum m1 new_omega1 + m2 new_omega2"
-            expect("handle_collision", *arguments, gives=momentum, see=momentum_after, what=what)
-            if e == 1:
-                what = "energy m1 new_omega1^2 + m2 new_omega2^2"
-                expect("handle_collision", *arguments, gives=energy, see=energy_after, what=what)
+            expect("handle_collision", e, omega1, omega2, m1, m2, 0.4, wanted=wanted, see=see, what=what)
 
 
 # --- handle_two_bobs -------------------------------------------------------------------------------------------------
@@ -135,29 +130,29 @@ def pair(apart=1.0, radius1=0.5, radius2=0.5, values1=None, values2=None):
     return pend1, pend2
 
 
-def check_pair(gives, apart=1.0, *radii, hints=(), **values):
+def check_pair(wanted, apart=1.0, *radii, hints=(), **values):
     """Check the omegas of two such pendula after the call."""
     pend1, pend2 = pair(apart, *radii, **values)
-
-    def see(_):
-        return pend1["omega"], pend2["omega"]
-
-    what = "omega of pend1, omega of pend2"
     before = pend1["omega"], pend2["omega"]
-    if gives != before:
+    if wanted != before:
         unchanged = {
             before: "The bobs touch, but no omega has changed.",
-            (before[0], gives[1]): "omega of pend1 has not changed.",
-            (gives[0], before[1]): "omega of pend2 has not changed.",
+            (before[0], wanted[1]): "omega of pend1 has not changed.",
+            (wanted[0], before[1]): "omega of pend2 has not changed.",
         }
         hints = [*{**unchanged, **dict(hints)}.items()]
-    expect("handle_two_bobs", pend1, pend2, 4 * apart, gives=gives, see=see, what=what, hints=hints)
+    expect("handle_two_bobs", pend1, pend2, 4 * apart, wanted=wanted, hints=hints, **omegas(pend1, pend2))
 
 
-def check_places(gives, theta1, theta2, fact, apart=1.0):
+def omegas(pend1, pend2):
+    """Return options of expect to compare both omegas after the call."""
+    return {"see": lambda _: (pend1["omega"], pend2["omega"]), "what": "omega of pend1, omega of pend2"}
+
+
+def check_places(wanted, theta1, theta2, fact, apart=1.0):
     """Check whether two bobs at these angles collide. If not, the hint is a fact: many mistakes have this effect."""
-    hints = [(MISSES if gives == HITS else HITS, fact)]
-    check_pair(gives, apart, values1={"theta": theta1}, values2={"theta": theta2}, hints=hints)
+    hints = [(MISSES if wanted == HITS else HITS, fact)]
+    check_pair(wanted, apart, values1={"theta": theta1}, values2={"theta": theta2}, hints=hints)
 
 
 # Two bobs with different values, their omegas after the hit, and the results of common mistakes; by hand.
@@ -176,14 +171,14 @@ MET, MEETING_HINTS = (
 )
 
 
-def is_other_order(came):
+def is_other_order(found):
     """Return whether handle_collision gives this for MEETING with its arguments in a wrong order.
 
     It is the student's own function. It is correct: handle_two_bobs waits for it.
     """
     collide = find("handle_collision")
-    is_named = any(same(came, mistaken) for mistaken, _ in MEETING_HINTS)
-    return not is_named and any(same(came, collide(*order)) for order in permutations((0.25, 3.0, 1.0, 2.0, 6.0, 4.0)))
+    is_named = any(same(found, mistaken) for mistaken, _ in MEETING_HINTS)
+    return not is_named and any(same(found, collide(*order)) for order in permutations((0.25, 3.0, 1.0, 2.0, 6.0, 4.0)))
 
 
 @check("handle_two_bobs", watched=True)
@@ -243,7 +238,7 @@ def test_bobs_that_do_not_touch_go_on():
 def test_both_radii_count():
     """You can access positions and radii of VPython objects with bob.pos and bob.radius."""
     check_pair(HITS)
-    for gives, apart, radius1, radius2 in (
+    for wanted, apart, radius1, radius2 in (
         (HITS, 1.0, 0.9, 0.2),
         (HITS, 1.0, 0.2, 0.9),
         (MISSES, 1.0, 0.2, 0.7),
@@ -252,7 +247,7 @@ def test_both_radii_count():
         (HITS, 3.1, 2.0, 1.0),
     ):
         fact = f"The sum of the radii is {radius1 + radius2:g}, and the bobs are {apart:g} apart."
-        check_pair(gives, apart, radius1, radius2, hints=[(MISSES if gives == HITS else HITS, fact)])
+        check_pair(wanted, apart, radius1, radius2, hints=[(MISSES if wanted == HITS else HITS, fact)])
 
 
 @check("handle_two_bobs", watched=True)
@@ -288,8 +283,8 @@ def test_bobs_that_touch_collide_whatever_their_velocities_are():
     # The student's own function, which is correct: handle_two_bobs waits for it.
     collide = find("handle_collision")
     for e, mass, omega in product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0), (-5.0, 0.0, 3.0, 6.0)):
-        gives = collide(e, LEFT, omega, 1.0, mass, 4.0)
-        check_pair(gives, values1={"e": e}, values2={"e": 0.25, "mass": mass, "omega": omega})
+        wanted = collide(e, LEFT, omega, 1.0, mass, 4.0)
+        check_pair(wanted, values1={"e": e}, values2={"e": 0.25, "mass": mass, "omega": omega})
 
 
 def all_but_omega(pend1, pend2):
@@ -315,19 +310,14 @@ def test_omegas_are_updated_and_nothing_else():
             return {key: now.get(key) for key in before | now if not same(now.get(key), before.get(key))}
 
         what = "changed values (besides omega)"
-        expect("handle_two_bobs", *pends, 4 * apart, gives={}, see=changed, what=what)
+        expect("handle_two_bobs", *pends, 4 * apart, wanted={}, see=changed, what=what)
 
 
 @check("handle_two_bobs")
-def test_what_was_before_does_not_matter():
+def test_earlier_calls_do_not_matter():
     """Handles the pairwise interactions between two bobs in the Newton's cradle, including checking for and handling
     collisions.
     """
     pend1, pend2 = pair()
-    for gives in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
-
-        def omegas(_):
-            return pend1["omega"], pend2["omega"]
-
-        what = "omega of pend1, omega of pend2"
-        expect("handle_two_bobs", pend1, pend2, 4.0, gives=gives, see=omegas, what=what)
+    for wanted in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
+        expect("handle_two_bobs", pend1, pend2, 4.0, wanted=wanted, **omegas(pend1, pend2))

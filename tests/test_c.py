@@ -4,9 +4,10 @@ from math import cos, pi, sin
 
 from vpython import vector
 
-from grading.cradles import hang, LEFT_OVER, left_over, R, row, shapes_made
-from grading.grader import check, expect, same
-from grading.telling import Wanted
+from grading.comparing import same
+from grading.cradles import each, hang, LEFT_OVER, left_over, R, shapes_made, touching
+from grading.grader import check, expect
+from grading.messages import Wanted
 
 # The arguments omega, theta, r_param, dt, g, and the result; by hand from the two formulas of the appendix.
 STEP, AFTER = (3.0, 5 * pi / 6, 0.4, 0.1, 8.0), (2.0, 5 * pi / 6 + 0.2)  # omega falls by 1
@@ -59,8 +60,8 @@ ROUNDED = [(2.9, -pi / 6 + 0.29), (-0.05, pi / 2 - 0.0005), (-0.04, pi / 2 - 0.0
 def nearly(mistaken):
     """Return a test for this result, with the digits that MISTAKES has."""
 
-    def is_it(came):
-        return isinstance(came, tuple) and all(abs(a - b) < 1e-5 for a, b in zip(came, mistaken, strict=True))
+    def is_it(found):
+        return isinstance(found, tuple) and all(abs(a - b) < 1e-5 for a, b in zip(found, mistaken, strict=True))
 
     return is_it
 
@@ -71,7 +72,7 @@ def test_angle_update():
     and gravitational acceleration g.
     """
     hints = [(nearly(mistaken), sentence) for mistaken, sentence in MISTAKES]
-    expect("angle_update", *STEP, gives=AFTER, hints=hints)
+    expect("angle_update", *STEP, wanted=AFTER, hints=hints)
 
 
 @check("angle_update", watched=True)
@@ -80,8 +81,8 @@ def test_angle_update_of_other_swings():
     normal to the axle.
     """
     hints = [(nearly(mistaken), "This is the result with //, which rounds down. Use /.") for mistaken in ROUNDED]
-    for arguments, gives in STEPS:
-        expect("angle_update", *arguments, gives=gives, hints=hints)
+    for arguments, wanted in STEPS:
+        expect("angle_update", *arguments, wanted=wanted, hints=hints)
 
 
 # theta, omega, mass and e of pendula, and their omega and theta after 0.1 s with g = 10 m/s^2 and cords of 0.5 m. The
@@ -122,11 +123,11 @@ def swing_hints(pend_list, omegas, thetas):
     before = [(pend["omega"], pend["theta"]) for pend in pend_list]
     after = list(zip(omegas, thetas, strict=True))
 
-    def is_other_order(came):
-        return any(same(came[0], state) for state in OTHER_ORDERS)
+    def is_other_order(found):
+        return any(same(found[0], state) for state in OTHER_ORDERS)
 
-    def is_angle_update(came):
-        return isinstance(came, TypeError) and "angle_update()" in str(came)
+    def is_angle_update(found):
+        return isinstance(found, TypeError) and "angle_update()" in str(found)
 
     return [
         (is_angle_update, "angle_update takes no pendulum. swing_update takes one."),
@@ -144,18 +145,13 @@ def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
     for count in (3, 10, 40):
         pend_list, omegas, thetas = swinging_row(count)
-
-        def see(_, pend_list=pend_list):
-            return [(pend["omega"], pend["theta"]) for pend in pend_list]
-
         after, hints = list(zip(omegas, thetas, strict=True)), swing_hints(pend_list, omegas, thetas)
-        what = "omega and theta of each pendulum"
-        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=after, see=see, what=what, hints=hints)
+        states = each(pend_list, "omega", "theta")
+        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=after, hints=hints, **states)
     other = [hang(theta=-pi / 6, omega=2.0, r_param=0.25)]
-    what = "omega of one pendulum"
-    gives = {"gives": 4.0, "see": lambda _: other[0]["omega"], "what": what}
-    expect("full_swing_update", other, 0.25, 0.2, 5.0, **gives)
-    expect("full_swing_update", [], 0.5, 0.1, 10.0, gives=Wanted("no error for an empty pend_list", lambda _: True))
+    omega = {"see": lambda _: other[0]["omega"], "what": "omega of one pendulum"}
+    expect("full_swing_update", other, 0.25, 0.2, 5.0, wanted=4.0, **omega)
+    expect("full_swing_update", [], 0.5, 0.1, 10.0, wanted=Wanted("no error for an empty pend_list", lambda _: True))
 
 
 @check("full_swing_update", watched=True)
@@ -172,10 +168,10 @@ def test_bobs_and_cords_move():
 
     axles = [vector(axle.pos) for axle, _, _ in shapes]
     bobs = [axle + vector(0.5 * sin(theta), -0.5 * cos(theta), 0) for axle, theta in zip(axles, thetas, strict=True)]
-    gives = [(axle, bob, [bob, axle]) for axle, bob in zip(axles, bobs, strict=True)]
+    wanted = [(axle, bob, [bob, axle]) for axle, bob in zip(axles, bobs, strict=True)]
     what = "axle, bob and ends of the cord of each pendulum"
     with shapes_made() as made:
-        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, gives=gives, see=see, what=what)
+        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=wanted, see=see, what=what)
         parts = [part for objects in shapes for part in objects]
         expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, see=lambda _: left_over(made, parts), **LEFT_OVER)
 
@@ -195,14 +191,15 @@ def test_a_swing_changes_nothing_else():
     def are_same(now, old):
         return len(now) == len(old) and all(one is other for one, other in zip(now, old, strict=True))
 
-    before, row = values(), (pend_list, 0.5, 0.1, 10.0)
-    what = "each pendulum"
-    expect("full_swing_update", *row, gives=before, see=lambda _: values(), what=what)
-    what = "that the list has the same pendula in the same order"
-    expect("full_swing_update", *row, gives=True, see=lambda _: are_same(pend_list, pendula), what=what)
-    what = "that all pendula have the same objects"
-    same_objects = {"see": lambda _: all(map(are_same, (pend["objects"] for pend in pend_list), objects))}
-    expect("full_swing_update", *row, gives=True, **same_objects, what=what)
+    def have_objects():
+        return all(map(are_same, (pend["objects"] for pend in pend_list), objects))
+
+    for what, wanted, see in (
+        ("each pendulum", values(), values),
+        ("that the list has the same pendula in the same order", True, lambda: are_same(pend_list, pendula)),
+        ("that all pendula have the same objects", True, have_objects),
+    ):
+        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=wanted, see=lambda _, see=see: see(), what=what)
 
 
 @check("full_swing_update", watched=True)
@@ -211,22 +208,7 @@ def test_a_swing_is_no_collision():
     how each pendulum swings.
     """
     omegas = [1.0, -1.0, 0.5]
-    pend_list = row(3, radius=R / 8)
-    for pend, omega in zip(pend_list, omegas, strict=True):
-        pend["omega"] = omega
-    exchanged = (lambda came: sorted(came) == sorted(omegas), "Your bobs collided. full_swing_update only swings them.")
-
-    def see(_):
-        return [pend["omega"] for pend in pend_list]
-
-    expect(
-        "full_swing_update",
-        pend_list,
-        R,
-        1e-9,
-        9.81,
-        gives=omegas,
-        see=see,
-        what="omega of each pendulum",
-        hints=[exchanged],
-    )
+    pend_list = touching(*omegas)
+    collided = "Your bobs collided. full_swing_update only swings them."
+    hints = [(lambda found: sorted(found) == sorted(omegas), collided)]
+    expect("full_swing_update", pend_list, R, 1e-9, 9.81, wanted=omegas, hints=hints, **each(pend_list, "omega"))

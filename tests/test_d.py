@@ -9,24 +9,15 @@ from tempfile import TemporaryDirectory
 
 from vpython import box, color, cylinder, sphere, textures, vector
 
-from grading.cradles import LEFT_OVER, left_over, MIXED, MIXED_CSV, R, shapes_made
-from grading.grader import check, expect, same, working_in
-from grading.telling import Wanted
+from grading.comparing import same
+from grading.cradles import csv_of, LEFT_OVER, left_over, MIXED, MIXED_CSV, R, shapes_made
+from grading.grader import check, expect, working_in
+from grading.messages import Wanted
 from support.constants import COLOR_MAP, NC_FP, TEXTURE_MAP
 from support.files.cradle_csv import read_cells
 from support.pendulum import make_pendulum
 
-# It has equal rows, also the first and the last one, zeros, e = 0 and e = 1, many digits, more rows than columns, and
-# no line break at the end.
-SEVEN_CSV = """\
-mass,e,theta,omega,color,texture
-12.625,1.0,0.4375,0.0,white,none
-0.25,0.0,0.0,0.0,red,rug
-0.25,0.0,0.0,0.0,red,rug
-2.0,0.5,-0.125,3.5,green,none
-7.0,0.0625,0.0,0.0,blue,stucco
-1.0,1.0,0.0,-0.5,purple,wood_old
-12.625,1.0,0.4375,0.0,white,none"""
+# Equal rows, also the first and the last one, zeros, e = 0 and e = 1, many digits, and more rows than columns.
 SEVEN = [
     {"mass": 12.625, "e": 1.0, "theta": 0.4375, "omega": 0.0, "color": "white", "texture": "none"},
     {"mass": 0.25, "e": 0.0, "theta": 0.0, "omega": 0.0, "color": "red", "texture": "rug"},
@@ -36,24 +27,23 @@ SEVEN = [
     {"mass": 1.0, "e": 1.0, "theta": 0.0, "omega": -0.5, "color": "purple", "texture": "wood_old"},
     {"mass": 12.625, "e": 1.0, "theta": 0.4375, "omega": 0.0, "color": "white", "texture": "none"},
 ]
-
-FILES = {
-    "mixed.csv": MIXED_CSV,
-    "seven.csv": SEVEN_CSV,
-    "one.csv": "mass,e,theta,omega,color,texture\n3.0,0.5,0.1,0.2,green,rug\n",
-    "two.csv": "mass,e,theta,omega,color,texture\n3.0,0.5,0.1,0.2,green,rug\n4.0,0.5,0.1,0.2,green,rug\n",
-    "none.csv": "mass,e,theta,omega,color,texture\n",
-    "assistants.csv": "name,year,house\nAda,2,Page\nGrace,4,Lloyd\n",
-}
+ONE = {"mass": 3.0, "e": 0.5, "theta": 0.1, "omega": 0.2, "color": "green", "texture": "rug"}
+ASSISTANTS = [{"name": "Ada", "year": 2, "house": "Page"}, {"name": "Grace", "year": 4, "house": "Lloyd"}]
 # All names and values of COLOR_MAP and TEXTURE_MAP, and the rows of many.csv, whose columns are in another order.
 LOOKS = list(islice(zip(cycle(COLOR_MAP.items()), cycle(TEXTURE_MAP.items())), 40))
 MANY = [
     {"e": 0.5, "color": name, "omega": 0.0, "mass": 0.5 + i, "texture": image, "theta": 0.0}
     for i, ((name, _), (image, _)) in enumerate(LOOKS)
 ]
-FILES["many.csv"] = "\n".join([",".join(MANY[0]), *(",".join(map(str, pend.values())) for pend in MANY)])
-ONE = {"mass": 3.0, "e": 0.5, "theta": 0.1, "omega": 0.2, "color": "green", "texture": "rug"}
-ASSISTANTS = [{"name": "Ada", "year": 2, "house": "Page"}, {"name": "Grace", "year": 4, "house": "Lloyd"}]
+FILES = {
+    "mixed.csv": MIXED_CSV,
+    "seven.csv": csv_of(SEVEN),  # no line break at the end
+    "one.csv": csv_of([ONE]),
+    "two.csv": csv_of([ONE, {**ONE, "mass": 4.0}]),
+    "none.csv": f"{','.join(ONE)}\n",
+    "assistants.csv": csv_of(ASSISTANTS),
+    "many.csv": csv_of(MANY),
+}
 
 
 @contextmanager
@@ -65,9 +55,9 @@ def files(*names) -> Iterator[Path]:
         yield Path(folder)
 
 
-def is_shipped(came):
+def is_shipped(found):
     """Return whether a result from FILES has as many pendula as newton_cradle_pends.csv."""
-    return isinstance(came, list) and len(came) == len(read_cells(NC_FP)) - 1 not in (1, 3)
+    return isinstance(found, list) and len(found) == len(read_cells(NC_FP)) - 1 not in (1, 3)
 
 
 def values_of(first, key):
@@ -107,17 +97,17 @@ def test_pend_list_is_a_list_of_dictionaries():
     """
     kind = Wanted(
         "a list with 3 dictionaries",
-        lambda came: isinstance(came, list) and len(came) == 3 and all(isinstance(pend, dict) for pend in came),
+        lambda found: isinstance(found, list) and len(found) == 3 and all(isinstance(pend, dict) for pend in found),
         like=[{}] * 3,
     )
     hints = [
         (dict(enumerate(MIXED)), "You returned bad_rep. You need a list, without the keys 0, 1, 2."),
         (tuple(MIXED), "You returned a tuple. You need a list."),
-        (lambda came: type(came).__name__ == "dict_values", "These are the values of bad_rep, but not yet a list."),
-        (lambda came: type(came).__name__ == "DataFrame", "You returned the dataframe df."),
+        (lambda found: type(found).__name__ == "dict_values", "These are the values of bad_rep, but not yet a list."),
+        (lambda found: type(found).__name__ == "DataFrame", "You returned the dataframe df."),
     ]
     with files("mixed.csv") as folder:
-        expect("extract_and_convert", str(folder / "mixed.csv"), gives=kind, hints=[*hints, *ROWS])
+        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=kind, hints=[*hints, *ROWS])
 
 
 @check("extract_and_convert")
@@ -126,10 +116,10 @@ def test_a_row_is_a_pendulum():
     attribute.
     """
     with files("mixed.csv", "seven.csv", "many.csv", "none.csv") as folder:
-        expect("extract_and_convert", str(folder / "mixed.csv"), gives=MIXED, hints=ROWS)
-        expect("extract_and_convert", str(folder / "seven.csv"), gives=SEVEN)
-        expect("extract_and_convert", str(folder / "many.csv"), gives=MANY)
-        expect("extract_and_convert", str(folder / "none.csv"), gives=[])
+        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=MIXED, hints=ROWS)
+        expect("extract_and_convert", str(folder / "seven.csv"), wanted=SEVEN)
+        expect("extract_and_convert", str(folder / "many.csv"), wanted=MANY)
+        expect("extract_and_convert", str(folder / "none.csv"), wanted=[])
 
 
 @check("extract_and_convert")
@@ -138,7 +128,7 @@ def test_the_file_given_is_read():
     representing a Newton's Cradle.
     """
     with files("one.csv") as folder, working_in(folder):
-        first = expect("extract_and_convert", "one.csv", gives=[ONE], hints=[OTHER_FILE])
+        first = expect("extract_and_convert", "one.csv", wanted=[ONE], hints=[OTHER_FILE])
         (folder / "one.csv").write_text(FILES["two.csv"])
         what = "each mass from the first call, each mass from this call with a new file"
         hints = [
@@ -146,14 +136,14 @@ def test_the_file_given_is_read():
             (([3.0, 4.0], [3.0, 4.0]), "Your second call has changed the list from the first one. Make a new list."),
         ]
         both = {"see": values_of(first, "mass"), "what": what, "hints": hints}
-        expect("extract_and_convert", "one.csv", gives=([3.0], [3.0, 4.0]), **both)
+        expect("extract_and_convert", "one.csv", wanted=([3.0], [3.0, 4.0]), **both)
 
 
 @check("extract_and_convert")
 def test_any_csv_is_converted():
     """The very first line in a CSV file contains the names of each attribute."""
     with files("assistants.csv") as folder:
-        expect("extract_and_convert", str(folder / "assistants.csv"), gives=ASSISTANTS)
+        expect("extract_and_convert", str(folder / "assistants.csv"), wanted=ASSISTANTS)
 
 
 # --- uniform_mass, uniform_e, elastic and inelastic ------------------------------------------------------------------
@@ -180,13 +170,13 @@ def check_uniform(function, *arguments, also=(), **changed):
         OTHER_FILE,
     ]
     with files(*FILES) as folder, working_in(folder):
-        first = expect(function, "mixed.csv", *arguments, gives=right, hints=hints)
-        expect(function, "seven.csv", *arguments, gives=uniform(SEVEN, **changed))
-        expect(function, "many.csv", *arguments, gives=uniform(MANY, **changed))
-        expect(function, "none.csv", *arguments, gives=[])
+        first = expect(function, "mixed.csv", *arguments, wanted=right, hints=hints)
+        expect(function, "seven.csv", *arguments, wanted=uniform(SEVEN, **changed))
+        expect(function, "many.csv", *arguments, wanted=uniform(MANY, **changed))
+        expect(function, "none.csv", *arguments, wanted=[])
         what = f"each {key} from the first call, each {key} from this call"
-        both = {"see": values_of(first, key), "what": what, "gives": ([value] * 3, [value])}
-        hints = [(lambda came: OTHER_FILE[0](came[1]), OTHER_FILE[1])]
+        both = {"see": values_of(first, key), "what": what, "wanted": ([value] * 3, [value])}
+        hints = [(lambda found: OTHER_FILE[0](found[1]), OTHER_FILE[1])]
         expect(function, "one.csv", *arguments, **both, hints=hints)
 
 
@@ -212,9 +202,9 @@ def test_uniform_e():
     check_uniform("uniform_e_newton_cradle", 1, e=1)
 
 
-def is_number_for_a_file(came):
+def is_number_for_a_file(found):
     """Return whether this is an error about a number in place of a path."""
-    return isinstance(came, Exception) and re.search(r"\b(int|float)\b", str(came))
+    return isinstance(found, Exception) and re.search(r"\b(int|float)\b", str(found))
 
 
 NUMBER_FOR_A_FILE = (is_number_for_a_file, "uniform_e_newton_cradle takes relative_filepath first, then e_val.")
@@ -237,14 +227,11 @@ def test_inelastic():
 # --- make_newton_cradle ----------------------------------------------------------------------------------------------
 
 
-def check_cradle(see, what, gives, file="mixed.csv", r_param=R, theta_init=0.6, hints=()):
+def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6, hints=()):
     """Check what see(pend) returns for each pendulum of the cradle from file."""
-
-    def see_all(pend_list):
-        return [see(pend) for pend in pend_list]
-
+    options = {"wanted": wanted, "see": lambda pend_list: [*map(see, pend_list)], "what": what, "hints": hints}
     with files(file) as folder, working_in(folder):
-        expect("make_newton_cradle", file, r_param, theta_init, gives=gives, see=see_all, what=what, hints=hints)
+        expect("make_newton_cradle", file, r_param, theta_init, **options)
 
 
 @check("make_newton_cradle")
@@ -257,10 +244,10 @@ def test_a_cradle_keeps_the_files_values():
         return {key: pend[key] for key in ("mass", "e", "color", "texture")}
 
     what = "each pendulum"
-    check_cradle(kept, what, [kept(row) for row in MIXED])
-    check_cradle(kept, what, [kept(ONE)], file="one.csv", hints=[OTHER_FILE])
-    check_cradle(kept, what, [kept(row) for row in SEVEN], file="seven.csv")
-    check_cradle(kept, what, [kept(row) for row in MANY], file="many.csv")
+    expect_cradle(kept, what, [kept(row) for row in MIXED])
+    expect_cradle(kept, what, [kept(ONE)], file="one.csv", hints=[OTHER_FILE])
+    expect_cradle(kept, what, [kept(row) for row in SEVEN], file="seven.csv")
+    expect_cradle(kept, what, [kept(row) for row in MANY], file="many.csv")
 
 
 @check("make_newton_cradle")
@@ -277,7 +264,7 @@ def test_the_first_pendulum_is_lifted():
         ([0, 0.6, 0], "You lifted the second pendulum. A list counts from 0."),
         ([0, 0, 0], "You did not lift the first pendulum."),
     ]
-    check_cradle(lambda pend: pend["theta"], "theta of each pendulum", [0.6, 0, 0], hints=hints)
+    expect_cradle(lambda pend: pend["theta"], "theta of each pendulum", [0.6, 0, 0], hints=hints)
     for file, count, theta_init in [
         ("one.csv", 1, -0.3),
         ("mixed.csv", 3, 2.0),
@@ -286,8 +273,8 @@ def test_the_first_pendulum_is_lifted():
         ("many.csv", 40, 8.0),
         ("many.csv", 40, 4e-8),
     ]:
-        gives = [theta_init, *[0] * (count - 1)]
-        check_cradle(lambda pend: pend["theta"], "theta of each pendulum", gives, file=file, theta_init=theta_init)
+        wanted = [theta_init, *[0] * (count - 1)]
+        expect_cradle(lambda pend: pend["theta"], "theta of each pendulum", wanted, file=file, theta_init=theta_init)
 
 
 @check("make_newton_cradle")
@@ -297,28 +284,28 @@ def test_all_pendula_start_at_rest():
         ([row["omega"] for row in MIXED], "These are the angular velocities from the file."),
         ([0.6, 0, 0], "omega has the values of theta. Did you mix them up?"),
     ]
-    check_cradle(lambda pend: pend["omega"], "omega of each pendulum", [0, 0, 0], hints=hints)
+    expect_cradle(lambda pend: pend["omega"], "omega of each pendulum", [0, 0, 0], hints=hints)
 
 
 @check("make_newton_cradle")
 def test_objects_are_axle_bob_and_cord():
     """objects: a tuple of (axle, bob, and cord) VPython object that are the parts of the pendulum."""
 
-    def is_one(came):
+    def is_one(found):
         return all(
             isinstance(objects, tuple)
             and len(objects) == 3
             and all(map(isinstance, objects, (box, sphere, cylinder)))
             and all(part.visible for part in objects)
-            for objects in came
+            for objects in found
         )
 
-    def are_lists(came):
-        return all(isinstance(objects, list) for objects in came)
+    def are_lists(found):
+        return all(isinstance(objects, list) for objects in found)
 
     hints = [(are_lists, "You stored lists. You need tuples, as the helper function returns them.")]
     what = "the tuple objects of each pendulum"
-    check_cradle(lambda pend: pend["objects"], what, Wanted("a tuple (axle, bob, cord) for each", is_one), hints=hints)
+    expect_cradle(lambda pend: pend["objects"], what, Wanted("a tuple (axle, bob, cord) for each", is_one), hints=hints)
 
     def strays(pend_list):
         return left_over(made, [part for pend in pend_list for part in pend["objects"]])
@@ -339,7 +326,7 @@ def test_axle_positions():
         right = -0.1, apart, height
         hints = [
             (
-                lambda came: same(came, [came[0]] * 3),
+                lambda found: same(found, [found[0]] * 3),
                 "All axles are in one place. Does i count the pendula? Do you round r_param/4?",
             ),
             (places(-0.1 + apart, *right[1:]), "You counted the pendula from 1. Let i start at 0."),
@@ -352,9 +339,9 @@ def test_axle_positions():
             (places(-0.1, -apart, height), "Your row goes to the left. It must go to the right."),
         ]
         what = "position of each axle"
-        check_cradle(lambda pend: pend["objects"][0].pos, what, places(*right), r_param=r_param, hints=hints)
+        expect_cradle(lambda pend: pend["objects"][0].pos, what, places(*right), r_param=r_param, hints=hints)
     seven = [vector(x, 0.08, 0) for x in (-0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]  # R is 0.4 m
-    check_cradle(lambda pend: pend["objects"][0].pos, "position of each axle", seven, file="seven.csv")
+    expect_cradle(lambda pend: pend["objects"][0].pos, "position of each axle", seven, file="seven.csv")
 
 
 @check("make_newton_cradle", watched=True)
@@ -373,31 +360,29 @@ def test_bobs_hang_from_their_axles():
         axle, bob, _ = pend["objects"]
         return bob.pos - axle.pos
 
-    def is_another_length(came):
-        return same(came[1].x, 0) and not same(came[1].mag, R) and came[1].mag > 0
+    def is_another_length(found):
+        return same(found[1].x, 0) and not same(found[1].mag, R) and found[1].mag > 0
 
+    exchanged = [bob.pos for theta in (0.6, 0, 0) for bob in bobs([R], theta)]
     hints = [
-        (
-            [bob.pos for theta in (0.6, 0, 0) for bob in bobs([R], theta)],
-            "make_pendulum takes r_param first, then theta.",
-        ),
+        (exchanged, "make_pendulum takes r_param first, then theta."),
         (places([0, 0, 0]), "Your first bob hangs straight down. make_pendulum needs its theta."),
         (places([0.6, 0.6, 0.6]), "All your bobs are lifted. Each hangs at the theta of its pendulum."),
         (places([row["theta"] for row in MIXED]), "Your bobs hang at the angles from the file, not at the new ones."),
         (is_another_length, "Do you give r_param to make_pendulum unchanged?"),
     ]
     what = "position from the axle (m) of each bob"
-    check_cradle(place, what, places([0.6, 0, 0]), hints=hints)
-    check_cradle(place, what, places([-0.3, 0, 0], 1.0), r_param=1.0, theta_init=-0.3)
+    expect_cradle(place, what, places([0.6, 0, 0]), hints=hints)
+    expect_cradle(place, what, places([-0.3, 0, 0], 1.0), r_param=1.0, theta_init=-0.3)
 
     def ends(pend):  # from the axle, the upper one first
         axle, _, cord = pend["objects"]
         return sorted([cord.pos - axle.pos, cord.pos + cord.axis - axle.pos], key=lambda end: -end.y)
 
-    gives = [[vector(0, 0, 0), place] for place in places([0.6, 0, 0])]
-    check_cradle(ends, "ends of the cord of each pendulum", gives)
+    wanted = [[vector(0, 0, 0), place] for place in places([0.6, 0, 0])]
+    expect_cradle(ends, "ends of the cord of each pendulum", wanted)
     radii = [bob.radius for bob in bobs([0, 0, 0])]
-    check_cradle(lambda pend: pend["objects"][1].radius, "radius (m) of each bob", radii)
+    expect_cradle(lambda pend: pend["objects"][1].radius, "radius (m) of each bob", radii)
 
 
 @check("make_newton_cradle")
@@ -413,25 +398,25 @@ def test_bobs_have_the_color_and_texture_of_their_row():
     hints = [
         ([first] * 3, "All your bobs have the color and texture of the first row."),
         ([last] * 3, "All your bobs have the color and texture of the last row."),
-        ([(of, None) for of, _ in mixed], "Your bobs have no textures."),
-        (lambda came: came[0][1] == "metal", "You used the name of a texture. TEXTURE_MAP has the texture itself."),
+        ([(color, None) for color, _ in mixed], "Your bobs have no textures."),
+        (lambda found: found[0][1] == "metal", "You used the name of a texture. TEXTURE_MAP has the texture itself."),
     ]
-    check_cradle(seen, "color and texture of each bob", mixed, hints=hints)
+    expect_cradle(seen, "color and texture of each bob", mixed, hints=hints)
     seven = [white, red, red, *others, white]
-    check_cradle(seen, "color and texture of each bob", seven, file="seven.csv")
+    expect_cradle(seen, "color and texture of each bob", seven, file="seven.csv")
     many = [(value, image) for (_, value), (_, image) in LOOKS]
-    check_cradle(seen, "color and texture of each bob", many, file="many.csv")
+    expect_cradle(seen, "color and texture of each bob", many, file="many.csv")
 
 
 @check("make_newton_cradle")
 def test_the_pend_list_is_returned():
     """Return the updated pend_list."""
     words = "a list with 3 dictionaries"
-    is_list = Wanted(words, lambda came: isinstance(came, list) and len(came) == 3, like=[{}] * 3)
-    hints = [(lambda came: isinstance(came, dict), "You returned one pendulum. You need the whole pend_list.")]
+    is_list = Wanted(words, lambda found: isinstance(found, list) and len(found) == 3, like=[{}] * 3)
+    hints = [(lambda found: isinstance(found, dict), "You returned one pendulum. You need the whole pend_list.")]
     with files("mixed.csv") as folder, working_in(folder):
-        first = expect("make_newton_cradle", "mixed.csv", R, 0.6, gives=is_list, hints=hints)
+        first = expect("make_newton_cradle", "mixed.csv", R, 0.6, wanted=is_list, hints=hints)
         what = "first theta from the first call, first theta from this call"
-        thetas = {"see": lambda second: (first[0]["theta"], second[0]["theta"]), "what": what, "gives": (0.6, -0.3)}
+        thetas = {"see": lambda second: (first[0]["theta"], second[0]["theta"]), "what": what, "wanted": (0.6, -0.3)}
         one_list = ((-0.3, -0.3), "Your second call has changed the list from the first one. Make a new list.")
         expect("make_newton_cradle", "mixed.csv", R, -0.3, **thetas, hints=[one_list])

@@ -7,7 +7,7 @@ from vpython import box, cylinder, sphere, textures, vector
 
 from grading.cradles import LEFT_OVER, left_over, shapes_made
 from grading.grader import check, expect
-from grading.telling import Wanted
+from grading.messages import Wanted
 from support.pendulum import make_pendulum
 
 AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
@@ -15,10 +15,10 @@ AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
 # --- make_double_pendulum --------------------------------------------------------------------------------------------
 
 
-def check_double_pendulum(see, what, theta, phi, gives, hints=(), cord=CORD, texture=textures.wood):
+def check_double_pendulum(see, what, theta, phi, wanted, hints=(), cord=CORD, texture=textures.wood):
     """Check what see(objects) returns for a double pendulum."""
     arguments = AXLE, cord, theta, phi, RED, texture
-    expect("make_double_pendulum", *arguments, gives=gives, see=see, what=what, hints=hints)
+    expect("make_double_pendulum", *arguments, wanted=wanted, see=see, what=what, hints=hints)
 
 
 def arm(angle):
@@ -31,19 +31,19 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
     """Define a make_double_pendulum() that makes the double-pendulum structure."""
     kinds = box, sphere, cylinder, sphere, cylinder
 
-    def is_one(came):
-        return isinstance(came, tuple) and len(came) == 5 and all(map(isinstance, came, kinds))
+    def is_one(found):
+        return isinstance(found, tuple) and len(found) == 5 and all(map(isinstance, found, kinds))
 
-    def is_single(came):
-        return isinstance(came, tuple) and len(came) == 3
+    def is_single(found):
+        return isinstance(found, tuple) and len(found) == 3
 
-    gives = Wanted("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one, like=(None,) * 5)
+    wanted = Wanted("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one, like=(None,) * 5)
     hints = [
         (is_single, "You returned a single pendulum."),
-        (lambda came: isinstance(came, list), "You returned a list. You need a tuple."),
-        (lambda came: isinstance(came, tuple) and len(came) == 5, "Check the order and kinds of your objects."),
+        (lambda found: isinstance(found, list), "You returned a list. You need a tuple."),
+        (lambda found: isinstance(found, tuple) and len(found) == 5, "Check the order and kinds of your objects."),
     ]
-    check_double_pendulum(None, "", 0.7, 0.4, gives, hints)
+    check_double_pendulum(None, "", 0.7, 0.4, wanted, hints)
     with shapes_made() as made:
         check_double_pendulum(lambda objects: left_over(made, objects), theta=0.7, phi=0.4, **LEFT_OVER)
 
@@ -60,32 +60,23 @@ def test_bobs_are_where_the_angles_say():
 
     what = "position of axle, position of bob1, position of bob2"
     angles = [(0.7, 0.4), (0, 0), (0.7, 0), (0, 0.7), (0.6, -0.4), (-2.0, 3.0), (3.5, 1.0), (0.5, 4.0), (-7.0, -9.0)]
+
+    def places(upper, lower):
+        return AXLE, AXLE + upper, AXLE + lower
+
     for theta, phi in angles:
-
-        def places(upper, lower, theta=theta):
-            return AXLE, AXLE + upper, AXLE + lower
-
-        right = places(arm(theta), arm(theta) + arm(theta + phi))
+        upper, right = arm(theta), places(arm(theta), arm(theta) + arm(theta + phi))
         hints = [
-            (places(arm(theta), arm(theta) + arm(phi)), "The lower cord's angle from straight down is theta + phi."),
-            (
-                places(arm(theta), arm(theta) + arm(phi - theta)),
-                "The lower cord's angle is theta + phi, not phi - theta.",
-            ),
-            (
-                places(arm(theta), arm(theta) + arm(theta - phi)),
-                "The lower cord's angle is theta + phi, not theta - phi.",
-            ),
-            (
-                places(arm(theta), arm(theta + phi)),
-                "Your lower bob hangs from the axle. It must hang from the upper bob.",
-            ),
-            (places(arm(theta), arm(theta) + arm(theta)), "You ignored phi."),
+            (places(upper, upper + arm(phi)), "The lower cord's angle from straight down is theta + phi."),
+            (places(upper, upper + arm(phi - theta)), "The lower cord's angle is theta + phi, not phi - theta."),
+            (places(upper, upper + arm(theta - phi)), "The lower cord's angle is theta + phi, not theta - phi."),
+            (places(upper, arm(theta + phi)), "Your lower bob hangs from the axle. It must hang from the upper bob."),
+            (places(upper, upper + arm(theta)), "You ignored phi."),
             (places(arm(phi), arm(phi) + arm(theta + phi)), "You exchanged theta and phi."),
             (places(arm(0), arm(0) + arm(phi)), "You ignored theta."),
         ]
         check_double_pendulum(see, what, theta, phi, right, hints)
-    longer = AXLE, AXLE + 3 * arm(0.7), AXLE + 3 * arm(0.7) + 3 * arm(1.1)
+    longer = places(3 * arm(0.7), 3 * arm(0.7) + 3 * arm(1.1))
     check_double_pendulum(see, what, 0.7, 0.4, longer, cord=3 * CORD)
 
 
@@ -100,8 +91,8 @@ def test_cords_hold_the_bobs():
         return [sorted([cord.pos, cord.pos + cord.axis], key=lambda end: -end.y) for cord in (cord1, cord2)]
 
     joint = AXLE + arm(0.7)
-    gives = [[AXLE, joint], [joint, joint + arm(1.1)]]
-    check_double_pendulum(see, "ends of cord1, ends of cord2", 0.7, 0.4, gives)
+    wanted = [[AXLE, joint], [joint, joint + arm(1.1)]]
+    check_double_pendulum(see, "ends of cord1, ends of cord2", 0.7, 0.4, wanted)
 
 
 @check("make_double_pendulum")
@@ -113,9 +104,9 @@ def test_both_bobs_have_the_looks_that_are_given():
 
     radius = make_pendulum(AXLE, CORD, 0, RED, None)[1].radius
     for texture in (textures.wood, None):
-        gives = [(RED, texture, radius, True)] * 2
+        wanted = [(RED, texture, radius, True)] * 2
         what = "color/texture/radius/visible of bob1, color/texture/radius/visible of bob2"
-        check_double_pendulum(see, what, 0.7, 0.4, gives, texture=texture)
+        check_double_pendulum(see, what, 0.7, 0.4, wanted, texture=texture)
 
 
 # --- double_angle_update ---------------------------------------------------------------------------------------------
@@ -142,41 +133,35 @@ def test_both_angles_are_updated():
         ((0.6, 3.0, -0.4, -2.0), "Return omega_theta, omega_phi, theta, phi, in this order."),
     ]
     state = 3.0, -2.0, 0.6, -0.4
-    expect("double_angle_update", *state, LENGTH, 0.0, G, gives=state, hints=hints)  # with dt = 0, nothing moves
+    expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state, hints=hints)  # with dt = 0, nothing moves
     slow = 4e-8, -4e-8, 0.6, -0.4
-    expect("double_angle_update", *slow, LENGTH, 0.0, G, gives=slow)
-    hints = [
-        ((3.0, 0.0, 0.6, 0.0), "Your angles have not changed."),
-    ]
+    expect("double_angle_update", *slow, LENGTH, 0.0, G, wanted=slow)
+    hints = [((3.0, 0.0, 0.6, 0.0), "Your angles have not changed.")]
     straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity, it turns evenly
-    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, gives=(3.0, 0.0, 0.9, 0.0), hints=hints)
-    for turns in (2 * pi, 4 * pi, -6 * pi):
-        turned, after = (20.0, 0.0, 11.0, turns), (20.0, 0.0, 13.0, turns)
-        expect("double_angle_update", *turned, LENGTH, 0.1, 0.0, gives=after)
-    turned, after = (-20.0, 0.0, -11.0, 0.0), (-20.0, 0.0, -13.0, 0.0)
-    expect("double_angle_update", *turned, LENGTH, 0.1, 0.0, gives=after)
+    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 0.9, 0.0), hints=hints)
+    for omega, before, after, phi in [*((20.0, 11.0, 13.0, i * pi) for i in (2, 4, -6)), (-20.0, -11.0, -13.0, 0.0)]:
+        turned = omega, 0.0, after, phi
+        expect("double_angle_update", omega, 0.0, before, phi, LENGTH, 0.1, 0.0, wanted=turned)
 
 
 @check("double_angle_update", watched=True)
 def test_the_accelerations_are_those_of_the_laws_of_motion():
     """Here, it is important to choose a valid reference frame (the function's docstring names it)."""
-    for (state, gives), (length, g) in product(ACCELERATIONS, [(LENGTH, G), (2.0, 40.0)]):
+    for (state, wanted), (length, g) in product(ACCELERATIONS, [(LENGTH, G), (2.0, 40.0)]):
 
-        def see(came, state=state):
-            return tuple(round((new - old) / DT, 2) + 0 for new, old in zip(came[:2], state[:2], strict=True))
+        def see(found, state=state):
+            return tuple(round((new - old) / DT, 2) + 0 for new, old in zip(found[:2], state[:2], strict=True))
 
-        theta, phi = gives
+        theta, phi = wanted
+        other_angle = "The second value is wrong: phi counts from the upper cord, not from straight down."
         known = [
             ((-theta, -phi), "Both accelerations have the wrong sign."),
-            (
-                (theta, theta + phi),
-                "The second value is wrong: phi counts from the upper cord, not from straight down.",
-            ),
+            ((theta, theta + phi), other_angle),
         ]
         # In the other states, a missing term gives the same numbers.
         hints = known if state == ACCELERATIONS[0][0] else []
         what = "change of omega_theta / dt, change of omega_phi / dt"
-        expect("double_angle_update", *state, length, DT, g, gives=gives, see=see, what=what, hints=hints)
+        expect("double_angle_update", *state, length, DT, g, wanted=wanted, see=see, what=what, hints=hints)
 
 
 # theta, phi, m1, m2, and the state 0.1 s after release, with g = 9.81 m/s^2, from the exact equations.
@@ -198,11 +183,11 @@ def test_a_tenth_of_a_second_of_swinging():
     """
     for (theta, phi, *masses), end in SWINGS:
 
-        def is_near(came, end=end):
-            return len(came) == 4 and all(abs(value - right) < 0.005 for value, right in zip(came, end, strict=True))
+        def is_near(found, end=end):
+            return len(found) == 4 and all(abs(value - right) < 0.005 for value, right in zip(found, end, strict=True))
 
-        gives = Wanted(f"within 0.005 of ({', '.join(f'{value:.3f}' for value in end)})", is_near, like=end)
+        wanted = Wanted(f"within 0.005 of ({', '.join(f'{value:.3f}' for value in end)})", is_near, like=end)
         what = "omega_theta, omega_phi, theta, phi"
         # The steps are short enough for every method of the first order.
         arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, *masses
-        expect("double_angle_update", *arguments, gives=gives, what=what, times=200, feeds=True)
+        expect("double_angle_update", *arguments, wanted=wanted, what=what, times=200)

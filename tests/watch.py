@@ -5,11 +5,11 @@ it makes pendula, the picture shows them.
 """
 
 import sys
+from functools import partial
 from math import cos, pi, sin, sqrt
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import SimpleNamespace
-from unittest.mock import patch
 
 if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
@@ -22,20 +22,22 @@ headless_vpython.install()
 from vpython import color, mag, vector
 
 from grading.cradles import hang
-from grading.grader import checks, find, Grading, PASSED
+from grading.grader import checks, find, Grading, module_of, PASSED
 from grading.handout import FUNCTIONS, SUITES
-from grading.telling import own_places, raised
+from grading.messages import own_places, raised
 from support.constants import DT, G
+from support.cradle.cradle import Cradle
+from support.cradle.dragging import Hand
+from support.cradle.impacts import Hits
+from support.cradle.player import run
 from support.energy import double_kinetic_energy, double_potential_energy, kinetic_energy, potential_energy
 from support.files.cradle_csv import to_number
 from support.pendulum import show_pendulum
-from support.playback.cradle import Cradle
-from support.playback.player import run
-from support.start.interrupt import stop_on_signals
+from support.start.early import stop_on_signals
 from support.start.options import allowed, OneLineParser
 from support.start.output import is_unread, while_it_is_read
-from support.terminal.picture import TextPicture
 from support.terminal.players import has_terminal, Lines, Pictures, show_pictures
+from support.terminal.screen import TextPicture
 
 COLUMNS, ROWS = 80, 20  # of a still picture
 
@@ -43,62 +45,72 @@ COLUMNS, ROWS = 80, 20  # of a still picture
 class Scene(Cradle):
     """The pendula of a call of a student's function.
 
-    It has only the parts of a cradle (support/playback/cradle.py) that the terminal needs.
+    It has only the parts of a cradle (support/cradle/cradle.py) that the terminal needs.
     """
 
     dt = DT
-    held, takes_rule = None, False
+    takes_rule, many_ticks = False, None
 
     def __init__(self, pend_list, r_param, g, tick=None):
-        """tick() moves the pendula by DT, and may return hits as (left, right) indices. Without tick, they stand."""
+        """tick() moves the pendula by DT. Without tick, they stand."""
         if not pend_list:
             raise ValueError("the cradle has no pendulum")
-        self.pend_list, self.hits = pend_list, []
+        self.pend_list, self.hand, self.hits = pend_list, Hand(self), Hits(self)
+        self.numbers = {id(pend): number for number, pend in enumerate(pend_list)}
         self.r_param, self.g, self.tick = r_param, g, tick
         lengths = [mag(bob.pos - pend["objects"][0].pos) for pend in pend_list for bob in pend["objects"][1::2]]
         # All pendula are in the picture, even with cords of a wrong length.
         self.reach = max(len(pend_list[0]["objects"]) // 2 * r_param, *lengths)
 
-    def axles(self):
-        return [pend["objects"][0] for pend in self.pend_list]
+    def check(self):
+        """A scene shows the pendula also if a solution makes a mistake with them."""
 
-    def bobs(self):
-        return [bob for pend in self.pend_list for bob in pend["objects"][1::2]]
-
-    def cords(self):
-        return [cord for pend in self.pend_list for cord in pend["objects"][2::2]]
-
-    def thetas(self):
-        return [pend["theta"] for pend in self.pend_list]
+    def approach(self, left, right):
+        return (self.velocity(*left) - self.velocity(*right)) * self.r_param
 
     def energies(self):
         return kinetic_energy(self.pend_list, self.r_param), potential_energy(self.pend_list, self.r_param, self.g)
 
 
+def play(scene, seconds) -> None:
+    """Play a scene for seconds, or show one picture if nothing moves in it."""
+
+    class WatchedPictures(Pictures):
+        make = Pictures.made  # the cradle exists already
+
+    class WatchedLines(Lines):
+        make = Lines.made
+
+    def loop(player):
+        while player.is_running():
+            while player.wants_tick():
+                scene.tick()
+
+    options = SimpleNamespace(angle=None, lift=None, seconds=seconds)
+    if scene.tick is None:
+        print("", *TextPicture().lines(scene, COLUMNS, ROWS), sep="\n")
+    elif has_terminal():
+        show_pictures(loop, WatchedPictures(scene, None, options))
+    else:
+        run(loop, WatchedLines(scene, None, options))
+
+
 class SmallSwings(Scene):
     """Two pendula with the swing of small angles, theta'' = -w^2 theta with w = sqrt(G / R), at all angles.
 
-    It needs no function of the student. At the time t after theta0 and omega0, theta is
-    theta0 cos(w t) + omega0 / w sin(w t), and omega is omega0 cos(w t) - theta0 w sin(w t).
+    It needs no function of the student.
     """
 
-    def __init__(self, pend_list, r_param):
-        super().__init__(pend_list, r_param, G)
+    def __init__(self, pend_list, r_param, tick):
+        super().__init__(pend_list, r_param, G, tick)
         self.w = sqrt(G / r_param)
-        self.begin([(pend["theta"], pend["omega"]) for pend in pend_list])
 
-    def begin(self, states):
-        """Start again now, with (theta0, omega0) in rad and rad/s for each pendulum."""
-        self.states = states
-        self.move_to(0.0)
-
-    def move_to(self, time):
-        """Move the pendula to this time (s) after begin."""
-        self.time = time
-        c, s = cos(self.w * time), sin(self.w * time)
-        for pend, (theta0, omega0) in zip(self.pend_list, self.states, strict=True):
-            pend["theta"] = theta0 * c + omega0 / self.w * s
-            pend["omega"] = omega0 * c - theta0 * self.w * s
+    def swing(self):
+        """Move the pendula on by DT: theta becomes theta cos(w DT) + omega / w sin(w DT), and omega its derivative."""
+        c, s = cos(self.w * DT), sin(self.w * DT)
+        for pend in self.pend_list:
+            theta, omega = pend["theta"], pend["omega"]
+            pend["theta"], pend["omega"] = theta * c + omega / self.w * s, omega * c - theta * self.w * s
             show_pendulum(pend, self.r_param)
 
     def energies(self):
@@ -120,8 +132,11 @@ class DoubleScene(Scene):
 
 def scene_of(call) -> Scene:
     """Return the scene of a call, with the function that was called."""
-    given = dict(zip(FUNCTIONS[call.function].parameters.split(", "), call.arguments, strict=False))
-    return SCENES[call.function](find(call.function), given)
+    function = FUNCTIONS[call.function]
+    given = dict(zip(function.parameters.split(", "), call.arguments, strict=False))
+    scene = SCENES[call.function](find(call.function), given)
+    scene.scope = vars(sys.modules[module_of(function.file)])  # whose handle_two_bobs makes the hits
+    return scene
 
 
 # Each function takes a student's solution and the arguments of the call by name, and returns a scene.
@@ -135,99 +150,63 @@ def made_cradle(solution, given):
 
 
 def made_double_pendulum(solution, given):
-    objects = solution(*given.values())
-    return Scene([{"objects": objects}], given["r_param"], G)
+    return Scene([{"objects": solution(*given.values())}], given["r_param"], G)
 
 
 def one_pendulum(_, given):
     from src.swinging import swing_update  # it uses angle_update
 
     pend = hang(given["theta"], given["omega"], r_param=given["r_param"])
-
-    def tick():
-        swing_update(pend, given["r_param"], DT, given["g"])
-
-    return Scene([pend], given["r_param"], given["g"], tick)
+    return moved_by(partial(swing_update, pend), [pend], given)
 
 
-def row_that_swings(solution, given):
+def row_of_pendula(solution, given):
     pend_list = [pendulum(given["r_param"], **values) for values in given["pend_list"]]
-
-    def tick():
-        solution(pend_list, given["r_param"], DT, given["g"])
-
-    return Scene(pend_list, given["r_param"], given["g"], tick)
+    return moved_by(partial(solution, pend_list), pend_list, given)
 
 
 def two_that_meet(solution, given):
     """Both start at their highest points, meet at the bottom, and meet there again after each half period."""
     r_param, e, m1, m2 = (given[name] for name in ("r_param", "e", "m1", "m2"))
-    pend_list = [hang(mass=m1, r_param=r_param), hang(mass=m2, axle=(r_param / 4, 0, 0), r_param=r_param)]
-    scene = SmallSwings(pend_list, r_param)
     omegas = given["omega1"], given["omega2"]  # at the moment when they meet
-    scene.begin([(-omega / scene.w, 0.0) for omega in omegas])
-    meet = pi / scene.w / 2  # s after begin
+    time, meet = 0.0, pi / sqrt(G / r_param) / 2  # s
 
     def tick():
-        nonlocal omegas, meet
-        scene.move_to(scene.time + DT)
-        if scene.time < meet:
-            return []
-        before, after = omegas, tuple(solution(e, *omegas, m1, m2, r_param))
-        scene.begin([(0.0, omega) for omega in after])
-        omegas, meet = tuple(-omega for omega in after), pi / scene.w
-        return [(0, 1)] if after != before else []
+        nonlocal omegas, time, meet
+        scene.swing()
+        time += DT
+        if time >= meet:
+            before = [(pend, (omega,)) for pend, omega in zip(scene.pend_list, omegas, strict=True)]
+            after = tuple(solution(e, *omegas, m1, m2, r_param))
+            for pend, omega in zip(scene.pend_list, after, strict=True):
+                pend["theta"], pend["omega"] = 0.0, omega
+            if after != omegas:
+                scene.hits.add(*before)
+            omegas, meet = tuple(-omega for omega in after), time + pi / scene.w
 
-    scene.tick = tick
+    axles = (0, 0, 0), (r_param / 4, 0, 0)
+    thetas = [-omega / sqrt(G / r_param) for omega in omegas]
+    values = zip(thetas, (m1, m2), axles, strict=True)
+    pend_list = [hang(theta, 0.0, m, 1.0, axle, r_param) for theta, m, axle in values]
+    scene = SmallSwings(pend_list, r_param, tick)
     return scene
 
 
-def two_bobs(solution, given):
+def two_bobs(_, given):
     r_param = given["r_param"]
-    scene = SmallSwings([pendulum(r_param, **given[name]) for name in ("pend1", "pend2")], r_param)
-
-    def states():
-        return [(pend["theta"], pend["omega"]) for pend in scene.pend_list]
 
     def tick():
-        before = states()
-        solution(*scene.pend_list, r_param)  # the first call has the same values as in the check
-        hits = [(0, 1)] if states() != before else []
-        if hits:
-            scene.begin(states())
-        scene.move_to(scene.time + DT)
-        return hits
+        scene.scope["handle_two_bobs"](*pend_list, r_param)  # the first call has the same values as in the check
+        scene.swing()
 
-    scene.tick = tick
+    pend_list = [pendulum(r_param, **given[name]) for name in ("pend1", "pend2")]
+    scene = SmallSwings(pend_list, r_param, tick)
     return scene
-
-
-def row_that_ticks(solution, given):
-    from src import visualize_cradle_run
-
-    pend_list = [pendulum(given["r_param"], **values) for values in given["pend_list"]]
-    meet, hits = visualize_cradle_run.handle_two_bobs, []
-
-    def noting_hits(*arguments, **named):
-        before = [pend["omega"] for pend in pend_list]
-        result = meet(*arguments, **named)
-        if before != [pend["omega"] for pend in pend_list]:
-            taken = [*arguments, *named.values()]
-            pair = [i for i, pend in enumerate(pend_list) if any(pend is one for one in taken)]
-            hits.append((pair[0], pair[-1]))
-        return result
-
-    def tick():
-        hits.clear()
-        with patch.object(visualize_cradle_run, "handle_two_bobs", noting_hits):
-            solution(pend_list, given["r_param"], DT, given["g"])
-        return hits
-
-    return Scene(pend_list, given["r_param"], given["g"], tick)
 
 
 def one_double_pendulum(solution, given):
-    from src.double_cradle import make_double_pendulum, show_double_pendulum
+    from src.double_cradle import make_double_pendulum
+    from support.pendulum import show_double_pendulum
 
     r_param = given["r_param"]
     objects = make_double_pendulum(vector(0, 0, 0), r_param, given["theta"], given["phi"], color.white, None)
@@ -243,6 +222,12 @@ def one_double_pendulum(solution, given):
     return DoubleScene([pend], r_param, given["g"], tick)
 
 
+def moved_by(move, pend_list, given):
+    """Return the scene of pendula that move(r_param, dt, g) moves by dt."""
+    r_param, g = given["r_param"], given["g"]
+    return Scene(pend_list, r_param, g, lambda: move(r_param, DT, g))
+
+
 def pendulum(r_param, mass, e, theta, omega, axle, radius, **_):
     """Return a pendulum with these plain values."""
     return hang(theta, omega, mass, e, axle, r_param, radius)
@@ -251,10 +236,10 @@ def pendulum(r_param, mass, e, theta, omega, axle, radius, **_):
 SCENES = {
     "make_newton_cradle": made_cradle,
     "angle_update": one_pendulum,
-    "full_swing_update": row_that_swings,
+    "full_swing_update": row_of_pendula,
     "handle_collision": two_that_meet,
     "handle_two_bobs": two_bobs,
-    "newton_cradle_tick": row_that_ticks,
+    "newton_cradle_tick": row_of_pendula,
     "make_double_pendulum": made_double_pendulum,
     "double_angle_update": one_double_pendulum,
 }
@@ -290,33 +275,6 @@ def main() -> None:
         if is_unread(error) or isinstance(error, OSError) and not own_places(error):
             raise  # while_it_is_read ends the program
         sys.exit(f"It cannot be played: {raised(error)[0]}")
-
-
-def play(scene, seconds) -> None:
-    """Play a scene for seconds, or show one picture if nothing moves in it."""
-
-    class WatchedPictures(Pictures):
-        script = Pictures.play  # the cradle exists already
-
-    class WatchedLines(Lines):
-        script = Lines.play
-
-    def loop(player):
-        while player.is_running():
-            while player.wants_tick():
-                omegas = [pend["omega"] for pend in scene.pend_list]
-                pairs = scene.tick() or []
-                for left, right in pairs:
-                    speed = (omegas[left] - omegas[right]) * scene.r_param
-                    scene.hits.append((left, right, omegas[left] + omegas[right] > 0, speed))
-
-    options = SimpleNamespace(angle=None, lift=None, seconds=seconds)
-    if scene.tick is None:
-        print("", *TextPicture().lines(scene, COLUMNS, ROWS), sep="\n")
-    elif has_terminal():
-        show_pictures(loop, WatchedPictures(scene, None, options))
-    else:
-        run(loop, WatchedLines(scene, None, options))
 
 
 if __name__ == "__main__":

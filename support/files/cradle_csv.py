@@ -4,6 +4,7 @@ import csv
 import errno
 import io
 import os
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
@@ -17,6 +18,7 @@ from support.constants import COLOR_MAP, TEXTURE_MAP
 
 LARGEST = 10_000_000  # bytes of a file
 MOST_PENDULA = 1000  # of a cradle
+POLL = 0.2  # s between two looks at a file while you edit it
 LONGEST_FOUND = 300  # letters of a file in a message
 WHY_NOT_MORE = f"allowed are at most {MOST_PENDULA}, which already move in slow motion on the page"
 
@@ -27,20 +29,15 @@ def read_file(filepath) -> bytes:
     Raises an OSError if it cannot be read, is larger than LARGEST, or is no regular file. A pipe may have no writer,
     and a device has no end: this function never waits for them, and reads nothing from them.
     """
-    with open(Path(filepath), "rb", opener=open_at_once) as file:  # Path takes no number, which would be an open file
-        status = os.fstat(file.fileno())
-        if not S_ISREG(status.st_mode):
+    at_once = getattr(os, "O_NONBLOCK", 0)  # without it, which Windows does not have, a pipe would wait for its writer
+    path = Path(filepath)  # it takes no number, which would be an open file
+    with open(path, "rb", opener=lambda path, flags: os.open(path, flags | at_once)) as file:
+        if not S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(errno.EINVAL, "found a pipe or a device, allowed is a file")
-        # The system gives some files the size 0 although they have content, and a file may grow.
-        data = file.read(LARGEST + 1) if status.st_size <= LARGEST else b""
-    if max(status.st_size, len(data)) > LARGEST:
+        data = file.read(LARGEST + 1)
+    if len(data) > LARGEST:
         raise OSError(errno.EFBIG, f"found more than {LARGEST // 10**6} MB, allowed are at most {LARGEST // 10**6} MB")
     return data
-
-
-def open_at_once(path, flags) -> int:
-    """Open a file for open(); without O_NONBLOCK, which Windows does not have, a pipe would wait for its writer."""
-    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
 
 
 class Snapshot:
@@ -63,75 +60,87 @@ class Snapshot:
 
     @cached_property
     def rows(self) -> list[tuple[int, list[str]]]:
-        """The rows of the file as read_cells returns them; raises the same ValueErrors as read_cells."""
-        return rows_in(text_of(self), self)
+        """The rows of read_cells."""
+        rows = list(self.each_row())
+        if not rows:
+            raise ValueError(f"{self}: is empty, the first line must name the columns")
+        width = len(rows[0][1])
+        comma_hint = "; a comma starts a new cell, also inside a number"
+        for line, cells in rows:
+            if len(cells) > width:
+                found = f"found {len(cells)} cells, allowed are at most {width}, as in line {rows[0][0]}"
+                raise ValueError(f"{self}, line {line}: {found}{separator_hint(rows) or comma_hint}")
+        return rows
+
+    def each_row(self) -> Iterator[tuple[int, list[str]]]:
+        """Yield the rows of read_cells one by one, of any width."""
+        reader = csv.reader(io.StringIO(self.text(), newline=""), skipinitialspace=True)
+        line = 1
+        try:
+            for cells in reader:
+                cells = [cell.strip() for cell in cells]
+                if cells not in ([], [""]):
+                    yield line, cells
+                line = reader.line_num + 1
+        except csv.Error as error:
+            raise ValueError(f"{self}, line {line}: {error}") from error
+
+    def text(self) -> str:
+        """Return the text, without byte-order marks: pandas leaves out only one."""
+        if self.error:
+            raise ValueError(f"{self}: cannot be read as a CSV file: {self.error.strerror}") from self.error
+        place, found = self.data.find(b"\0"), "a zero byte"
+        try:
+            text = self.data.decode("utf-8")
+        except UnicodeDecodeError as error:
+            place, found = error.start, f"byte 0x{self.data[error.start]:02x}"
+        if place >= 0:
+            line = self.data.count(b"\n", 0, place) + 1
+            raise ValueError(f"{self}, line {line}: found {found}, allowed is text only, saved as UTF-8")
+        return text.replace("\ufeff", "")
 
 
-class CleanCopy(str):
-    """The path of a clean copy of a file; original has the rows of the file."""
+class LiveFile:
+    """Notices when a file has changed, in place or because an editor has replaced it."""
 
-    original: Snapshot
+    def __init__(self, filepath, clock=time.monotonic):
+        """Watch this file from now on. A test can replace clock()."""
+        self.filepath, self.clock = filepath, clock
+        self.current = self.candidate = Snapshot(filepath)
+        self.next_look = clock() + POLL
+
+    def changed(self) -> bool:
+        """Return whether the file has changed since this last returned True; current then has the new content.
+
+        A change counts when two looks in a row find the same new content: an editor may be in the middle of saving.
+        """
+        if self.clock() < self.next_look:
+            return False
+        self.next_look = self.clock() + POLL
+        previous, self.candidate = self.candidate, Snapshot(self.filepath)
+        if self.candidate != previous or self.candidate == self.current:
+            return False
+        self.current = self.candidate
+        return True
+
+    def look_now(self) -> None:
+        """Take the present content of the file as current: a program that has just written it need not wait."""
+        self.current = self.candidate = Snapshot(self.filepath)
 
 
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV, the header first, each row as (line number in the file, cells as text).
 
-    Blank lines, spaces around a cell and byte-order marks are left out. A Snapshot and its clean copies are read only
-    once. Raises a ValueError that names the mistake and its place if the file cannot be read, is not UTF-8 text, is
-    empty, or has a row with more cells than the header.
+    Blank lines, spaces around a cell and byte-order marks are left out. A Snapshot is read only once. Raises a
+    ValueError that names the mistake and its place if the file cannot be read, is not UTF-8 text, is empty, or has a
+    row with more cells than the header.
     """
     return snapshot_of(filepath).rows
 
 
 def snapshot_of(filepath) -> Snapshot:
-    """Return the Snapshot of a file; filepath may also be a Snapshot or a CleanCopy."""
-    if isinstance(filepath, CleanCopy):
-        return filepath.original
+    """Return the Snapshot of a file; filepath may also be a Snapshot."""
     return filepath if isinstance(filepath, Snapshot) else Snapshot(filepath)
-
-
-def text_of(file) -> str:
-    """Return the text in a Snapshot, or raise the ValueError of read_cells."""
-    if file.error:
-        raise ValueError(f"{file}: cannot be read as a CSV file: {file.error.strerror}") from file.error
-    try:
-        text = file.data.decode("utf-8").replace("\ufeff", "")  # byte-order marks: pandas leaves out only one
-    except UnicodeDecodeError as error:
-        line = error.object.count(b"\n", 0, error.start) + 1
-        found = f"found byte 0x{error.object[error.start]:02x}"
-        raise ValueError(f"{file}, line {line}: {found}, allowed is text only, saved as UTF-8") from error
-    if "\0" in text:
-        line = text.count("\n", 0, text.index("\0")) + 1
-        raise ValueError(f"{file}, line {line}: found a zero byte, allowed is text only, saved as UTF-8")
-    return text
-
-
-def rows_in(text, filepath) -> list[tuple[int, list[str]]]:
-    """Return the rows of a CSV's text, or raise the ValueError of read_cells; filepath is for its message."""
-    rows = list(each_row_in(text, filepath))
-    if not rows:
-        raise ValueError(f"{filepath}: is empty, the first line must name the columns")
-    width = len(rows[0][1])
-    comma_hint = "; a comma starts a new cell, also inside a number"
-    for line, cells in rows:
-        if len(cells) > width:
-            found = f"found {len(cells)} cells, allowed are at most {width}, as in line {rows[0][0]}"
-            raise ValueError(f"{filepath}, line {line}: {found}{separator_hint(rows) or comma_hint}")
-    return rows
-
-
-def each_row_in(text, filepath) -> Iterator[tuple[int, list[str]]]:
-    """Yield the rows of rows_in one by one, of any width; raises a ValueError for a row that is no CSV."""
-    reader = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
-    line = 1
-    try:
-        for cells in reader:
-            cells = [cell.strip() for cell in cells]
-            if cells not in ([], [""]):
-                yield line, cells
-            line = reader.line_num + 1
-    except csv.Error as error:
-        raise ValueError(f"{filepath}, line {line}: {error}") from error
 
 
 def cleaned(filepath) -> io.StringIO:
@@ -143,17 +152,16 @@ def cleaned(filepath) -> io.StringIO:
 
 
 @contextmanager
-def clean_copy(original):
-    """Yield the CleanCopy of a Snapshot for the body of the with statement; its file has the text of cleaned.
+def clean_copy(snapshot):
+    """Yield the path (str) of a file with the text of cleaned, for the body of the with statement.
 
-    Raises the same ValueErrors as read_cells.
+    The handout's functions read this copy: a plain pd.read_csv takes a space for a part of a cell, and another program
+    can write the file at any time. Raises the same ValueErrors as read_cells.
     """
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        copy = Path(folder) / Path(str(original)).name
-        copy.write_text(cleaned(original).getvalue(), encoding="utf-8", newline="")
-        path = CleanCopy(copy)
-        path.original = original
-        yield path
+        copy = Path(folder) / Path(str(snapshot)).name
+        copy.write_text(cleaned(snapshot).getvalue(), encoding="utf-8", newline="")
+        yield str(copy)
 
 
 def separator_hint(rows) -> str:
@@ -185,17 +193,6 @@ RULES = {
 }
 
 
-def check_number(snapshot) -> None:
-    """Raise a ValueError if a Snapshot has rows for more than MOST_PENDULA pendula.
-
-    This looks at no later row: the rows of a file of 10 MB would take a gigabyte of memory.
-    """
-    rows = each_row_in(text_of(snapshot), snapshot)
-    line, _ = next(islice(rows, 1 + MOST_PENDULA, None), (None, []))  # the first row has the names of the columns
-    if line:
-        raise ValueError(f"{snapshot}, line {line}: found pendulum {MOST_PENDULA + 1}, {WHY_NOT_MORE}")
-
-
 # In a double cradle, a light bob between two heavy ones can get so fast that a tick has to be done in many small steps
 # (src/double_cradle.py). With these masses, no trial needed more than about two hundred.
 MOST_TIMES = 1e6
@@ -214,32 +211,33 @@ def check_cradle(filepath, cords=1) -> None:
     pendulum: 1, or 2 for the double cradle, which needs masses in the range of MOST_TIMES, too.
     """
     snapshot = snapshot_of(filepath)
-    check_number(snapshot)
-    rows = snapshot.rows
-    header_line, header = rows[0]
+    # This looks at no later row: the rows of a file of 10 MB would take a gigabyte of memory.
+    line, _ = next(islice(snapshot.each_row(), 1 + MOST_PENDULA, None), (0, []))  # the first row names the columns
+    if line:
+        raise ValueError(f"{snapshot}, line {line}: found pendulum {MOST_PENDULA + 1}, {WHY_NOT_MORE}")
+    (header_line, header), *rows = snapshot.rows
     for column in RULES:
         if header.count(column) != 1:
             found = f"found {in_short(', '.join(map(repr, header)))}"
             allowed = f"a cradle needs one column of each of {', '.join(RULES)}"
-            hint = separator_hint(rows)
-            raise ValueError(f"{filepath}, line {header_line}, column {column}: {found}; {allowed}{hint}")
-    if len(rows) == 1:
-        raise ValueError(f"{filepath}: names columns but has no pendulum, a cradle needs at least one row below them")
-    for line, cells in rows[1:]:
+            hint = separator_hint(snapshot.rows)
+            raise ValueError(f"{snapshot}, line {header_line}, column {column}: {found}; {allowed}{hint}")
+    if not rows:
+        raise ValueError(f"{snapshot}: names columns but has no pendulum, a cradle needs at least one row below them")
+    for line, cells in rows:
         pendulum = dict(zip(header, cells, strict=False))  # a short row lacks its last cells
         for column, (is_allowed, allowed) in RULES.items():
             text = pendulum.get(column, "")
             if not is_allowed(text):
                 found = f"found {in_short(repr(text))}" if text else "found nothing"
-                raise ValueError(f"{filepath}, line {line}, column {column}: {found}, allowed is {allowed}")
+                raise ValueError(f"{snapshot}, line {line}, column {column}: {found}, allowed is {allowed}")
     if cords == 2:
-        check_range(filepath, [(line, cells[header.index("mass")]) for line, cells in rows[1:]])
+        check_range(snapshot, [(cells[header.index("mass")], line) for line, cells in rows])
 
 
-def check_range(filepath, cells) -> None:
-    """Raise the ValueError of check_cradle if masses are not in range; cells has (line, text) of each mass."""
-    masses = [to_number(text) for _, text in cells]
-    if not are_in_range(masses):
-        (line, most), (least_line, least) = (cells[masses.index(pick(masses))] for pick in (max, min))
+def check_range(filepath, masses) -> None:
+    """Raise the ValueError of check_cradle if masses are not in range; masses has (text, line) of each."""
+    (least, least_line), (most, line) = (pick(masses, key=lambda mass: to_number(mass[0])) for pick in (min, max))
+    if not are_in_range([to_number(least), to_number(most)]):
         found = f"found {most!r}, and {least!r} in line {least_line}"
         raise ValueError(f"{filepath}, line {line}, column mass: {found}, allowed is {IN_RANGE}")

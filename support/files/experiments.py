@@ -15,6 +15,7 @@ EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 LONGEST = 60.0  # s from the release to the measurement
 MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
 YOUR_CSV = "your CSV"  # the name in the menu that no experiment can have
+NAME = re.compile(rf"(?!{YOUR_CSV}$)[^&<>]+")  # VPython's menu would change the letters & < >
 
 
 class Answer(NamedTuple):
@@ -50,9 +51,8 @@ def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
         try:
             experiment = read_experiment(path, cords)
             if experiment.name in [other.name for other in experiments]:
-                raise ValueError(
-                    f"{path.with_suffix('.txt')}, name: {experiment.name!r} is the name of another experiment"
-                )
+                file = path.with_suffix(".txt")
+                raise ValueError(f"{file}, name: {experiment.name!r} is the name of another experiment")
             experiments.append(experiment)
         except ValueError as error:
             mistakes.append(str(error))
@@ -62,14 +62,11 @@ def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
 def find_experiment(key, folder, cords) -> Experiment:
     """Return the experiment of this folder with this key; raises a ValueError with a one-line message if it is bad."""
     experiments, mistakes = read_experiments(folder, cords)
-    for experiment in experiments:
-        if experiment.key == key:
-            return experiment
-    for mistake in mistakes:
-        if mistake.startswith(f"{Path(folder, key)}."):
-            raise ValueError(mistake)
-    allowed = ", ".join(experiment.key for experiment in experiments)
-    raise ValueError(f"--experiment: found {key!r}, allowed is one of {allowed}")
+    found = {experiment.key: experiment for experiment in experiments}
+    if key in found:
+        return found[key]
+    unknown = f"--experiment: found {key!r}, allowed is one of {', '.join(found)}"
+    raise ValueError(next((line for line in mistakes if line.startswith(f"{Path(folder, key)}.")), unknown))
 
 
 def read_experiment(path, cords) -> Experiment:
@@ -78,36 +75,40 @@ def read_experiment(path, cords) -> Experiment:
     check_cradle(csv, cords)
     count = len(read_cells(csv)) - 1  # without the header
     file = path.with_suffix(".txt")
-    lines = Lines(file)
-    if cords == 1 and lines.has("phi"):
+    lines = ExperimentText(file)
+    if cords == 1 and lines.parser.has_option("experiment", "phi"):
         raise ValueError(f"{file}, phi: is allowed only for the double cradle")
     angles = [map(radians, lines.angles(name, count)) for name in ("theta", "phi")[:cords]]
-    answers = [Answer(text.lstrip("* "), lines.angles(text, count, "answers")) for text in lines.answers()]
-    explained = [number for number, text in enumerate(lines.answers()) if text.startswith("*")]
+    texts = lines.parser.options("answers")  # with their asterisks
+    answers = [Answer(text.lstrip("* "), lines.angles(text, count, "answers")) for text in texts]
+    explained = [number for number, text in enumerate(texts) if text.startswith("*")]
     if len({answer.text for answer in answers}) < len(answers):
         raise ValueError(f"{file}, [answers]: found an answer twice")
     if not (2 <= len(answers) <= 5 and len(explained) == 1):
         found = f"found {len(answers)} answers, {len(explained)} of them with an asterisk"
         raise ValueError(f"{file}, [answers]: {found}, allowed are 2 to 5, one of them with an asterisk")
+    allowed = f"a number above 0 and up to {LONGEST:g}"
+    seconds = lines.text("seconds", lambda text: 0 < to_number(text) <= LONGEST, allowed)
     return Experiment(
         key=path.stem,
         csv=csv,
-        name=lines.name(),
+        name=lines.text("name", NAME.fullmatch, f"a text without & < >, but not {YOUR_CSV!r}"),
         question=lines.text("question"),
         answers=answers,
         explained=explained[0],
         why=lines.measured("why", count),
         angles=[[*accumulate(of_pendulum)] for of_pendulum in zip(*angles, strict=True)],
-        seconds=lines.seconds(),
+        seconds=to_number(seconds),
     )
 
 
-class Lines:
+class ExperimentText:
     """The lines of an experiment's text file; the methods raise a ValueError with a one-line message."""
 
     def __init__(self, file):
         """Read the file."""
         self.file, self.parser = file, ConfigParser(delimiters=("=",), comment_prefixes=("#",), interpolation=None)
+        self.parser.add_section("answers")  # empty, if the file has none
         self.parser.optionxform = str  # type: ignore[assignment, method-assign]  # capitals stay
         try:
             with io.TextIOWrapper(io.BytesIO(read_file(file)), encoding="utf-8-sig") as text:
@@ -119,45 +120,21 @@ class Lines:
         except Error as error:
             raise ValueError(f"{file}: {' '.join(error.message.split())}") from error
 
-    def has(self, name) -> bool:
-        """Return whether there is a line with this name."""
-        return self.parser.has_option("experiment", name)
-
-    def answers(self) -> list[str]:
-        """Return the texts of the answers, with their asterisks."""
-        return self.parser.options("answers") if self.parser.has_section("answers") else []
-
-    def text(self, name, section="experiment") -> str:
-        """Return the text of a line."""
+    def text(self, name, is_allowed=bool, allowed="a text", section="experiment") -> str:
+        """Return the text of a line, for which is_allowed(text) must be true; allowed names the allowed texts."""
         text = " ".join(self.parser.get(section, name, fallback="").split())
-        if not text:
-            raise ValueError(f"{self.file}, {name}: found nothing, allowed is a text")
+        if not (text and is_allowed(text)):
+            raise ValueError(f"{self.file}, {name}: found {repr(text) if text else 'nothing'}, allowed is {allowed}")
         return text
-
-    def name(self) -> str:
-        """Return the name of the experiment; VPython's menu would change the letters & < >."""
-        name = self.text("name")
-        if re.search("[&<>]", name) or name == YOUR_CSV:
-            raise ValueError(
-                f"{self.file}, name: found {name!r}, allowed is a text without & < >, but not {YOUR_CSV!r}"
-            )
-        return name
 
     def angles(self, name, count, section="experiment") -> list[float]:
         """Return the angles (degrees) of a line, one for each of count pendula."""
-        text = self.text(name, section)
+        text = self.text(name, section=section)
         angles = [to_number(word) for word in text.split()]
         if len(angles) != count or not all(-180 <= angle <= 180 for angle in angles):
             allowed = f"{count} angles from -180 to 180 (degrees), one for each pendulum"
             raise ValueError(f"{self.file}, {name}: found {text!r}, allowed are {allowed}")
         return angles
-
-    def seconds(self) -> float:
-        """Return the time of the measurement."""
-        text = self.text("seconds")
-        if not 0 < to_number(text) <= LONGEST:
-            raise ValueError(f"{self.file}, seconds: found {text!r}, allowed is a number above 0 and up to {LONGEST:g}")
-        return to_number(text)
 
     def measured(self, name, count) -> str:
         """Return the text of a line that can have measured numbers of count pendula in braces."""

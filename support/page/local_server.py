@@ -7,18 +7,19 @@ any client disconnects from the websocket, and show a page that is loaded again 
 - Both servers listen only on 127.0.0.1, at the ports page and page + 1, so that two `ssh -L` options reach them from
   another machine. The program takes both ports before anything else starts, and keeps them: no other program can take
   one in between.
-- The address that the program prints and opens has a key, a new one at each start. Only who knows it gets the page. The
-  page gives it, too, when it downloads the data at /cradle_data.csv, or reports at /no-webgl that its browser cannot
-  draw; the program then says so in the terminal.
-- Anyone gets the files in VPython's own two folders. The server looks a path up in a list of these files, and never
-  joins it to a folder, so no spelling of a path leads elsewhere.
-- Only the page can use the websocket: for each connection, it gives the key, and the browser names the page of the
-  script, its Origin. A script cannot change the Origin, but another program can; it does not know the key.
-- Only one tab shows the cradle: VPython sends each change once. Each tab has a name (page_head.html). A second tab is
-  closed with the code ELSEWHERE, unless it asks to take the cradle over: then, the first one is closed with this code.
-- If the tab comes back, because you reloaded it or opened it again, it gets all that VPython has sent so far, and the
-  cradle restarts. If it does not begin to load within RETURN seconds, the program ends.
-- The program never prints text from other clients, and ignores what VPython's page would not send (events.py).
+- The address that the program prints and opens has a key, a new one at each start. A request for the page must have the
+  key. So must the page's request for the data at /cradle_data.csv, and its report at /no-webgl that the browser cannot
+  draw; the program prints this report in the terminal.
+- Requests for the files in VPython's own two folders need no key. The server looks a path up in a list of these files.
+  It never joins a path to a folder, so no spelling of a path leads elsewhere.
+- Only the page can use the websocket. For each connection, the page sends the key, and the browser sends the Origin,
+  the address of the page. A script cannot change the Origin. Another program can, but it does not know the key.
+- Only one tab shows the cradle, because VPython sends each change once. Each tab has a name (page_head.html). The
+  server closes a second tab with the code ELSEWHERE. If the second tab asks to take the cradle over, the server closes
+  the first one in this way.
+- If you reload the tab, or open it again, it gets all that VPython has sent so far, and the cradle restarts. If it does
+  not begin to load within RETURN seconds, the program ends.
+- The program never prints text from other clients.
 """
 
 import asyncio
@@ -37,7 +38,6 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qs, unquote
 
-from support.page.events import known_events
 from support.page.replay import Replay
 from support.start.output import say
 
@@ -95,23 +95,26 @@ def port_of(listener) -> int:
     return listener.getsockname()[1]
 
 
-class Place:
-    """The place of the one tab that shows the cradle, and the key to it. Each tab here is a websocket's connection."""
+class Access:
+    """Decides which requests may see the page, those with the key, and which tab shows the cradle, only one.
+
+    A tab here is the connection of its websocket.
+    """
 
     def __init__(self, show_again) -> None:
-        """Begin without a tab; call show_again() for each tab that gets the place."""
+        """Begin without a tab; call show_again() for each tab that begins to show the cradle."""
         self.show_again = show_again
         self.tab: Any = None
         self.key = secrets.token_hex(12)  # short, and without signs that end an address in some terminals
-        self.expect_tab()
+        self.wait_for_tab()
 
-    def is_open_to(self, parameters) -> bool:
+    def has_key(self, parameters) -> bool:
         """Return whether a request with these parameters, a list of texts for each name, has the key."""
         given = parameters.get("key", [""])[0]
-        return secrets.compare_digest(given.encode(), self.key.encode())  # the time does not tell how much is right
+        return secrets.compare_digest(given.encode(), self.key.encode())  # takes equally long for every wrong key
 
-    def take(self, tab) -> bool:
-        """Give the place to this tab, and return True, unless another tab has it and need not give it up."""
+    def admit(self, tab) -> bool:
+        """Return whether this tab may show the cradle, and close the other one: the new tab, or the one before it."""
         if self.tab and self.tab.name != tab.name and not tab.takes_over:
             tab.sendClose(ELSEWHERE)
             return False
@@ -121,29 +124,29 @@ class Place:
         self.show_again()
         return True
 
-    def leave(self, tab) -> None:
-        """If the tab of this place was closed, end the program soon, unless a tab comes."""
+    def tab_closed(self, tab) -> None:
+        """If this tab showed the cradle, end the program soon, unless a tab opens."""
         if tab is self.tab:
             self.tab = None
-            self.expect_tab()
-            self.end_if_left()
+            self.wait_for_tab()
+            self.end_without_tab()
 
-    def expect_tab(self) -> None:
-        """Wait RETURN seconds for a tab, from now on, because one has just left or loads; any thread can call this."""
+    def wait_for_tab(self) -> None:
+        """Wait RETURN seconds from now on: a tab was closed, or a tab loads. Any thread can call this."""
         self.until = time.monotonic() + RETURN
 
-    def end_if_left(self) -> None:
-        """End the program if no tab has come in time; otherwise, look again when the time is over."""
+    def end_without_tab(self) -> None:
+        """End the program if the time is over and there is no tab; before that, look again at the end of the time."""
         rest = self.until - time.monotonic()
         if not self.tab and rest <= 0:
             os._exit(0)
         elif not self.tab:
-            asyncio.get_running_loop().call_later(rest, self.end_if_left)
+            asyncio.get_running_loop().call_later(rest, self.end_without_tab)
 
 
-def page_address(sockets, place) -> str:
-    """Return the address of the page at sockets, made by page_sockets, with the key to this place."""
-    return f"http://localhost:{port_of(sockets[0])}/?key={place.key}"
+def page_address(sockets, access) -> str:
+    """Return the address, with the key, of the page at sockets, made by page_sockets."""
+    return f"http://localhost:{port_of(sockets[0])}/?key={access.key}"
 
 
 class PageServer(http.server.ThreadingHTTPServer):
@@ -153,18 +156,18 @@ class PageServer(http.server.ThreadingHTTPServer):
     advance, without using it, would block the page.
     """
 
-    def __init__(self, sockets, place, head, no_webgl, write_data, address, handler) -> None:
+    def __init__(self, sockets, access, head, no_webgl, write_data, address, handler) -> None:
         """Serve at sockets, made by page_sockets; head is HTML for the beginning of the page, before VPython's own.
 
-        Tell place of each request. no_webgl is the text to print if the page reports that its browser has no WebGL.
-        write_data(file) writes the data since the last restart to a file, as text.
+        access (an Access) checks the key. no_webgl is the text to print if the page reports that its browser has no
+        WebGL. write_data(file) writes the data since the last restart to a file, as text.
         """
         self.page, websocket = sockets
-        self.page_address = page_address(sockets, place)
+        self.page_address = page_address(sockets, access)
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
         vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
-        super().__init__(address, own_files_only(handler, place, no_webgl, write_data))
+        super().__init__(address, own_files_only(handler, access, no_webgl, write_data))
 
     def server_bind(self) -> None:
         """Use the page's socket, and ignore the address from VPython."""
@@ -181,11 +184,12 @@ class PageServer(http.server.ThreadingHTTPServer):
         """Print nothing: the browser disconnected in the middle of an answer."""
 
 
-def own_files_only(handler: Any, place, no_webgl, write_data) -> Any:
+def own_files_only(handler: Any, access, no_webgl, write_data) -> Any:
     """Return VPython's request handler, limited to the page, which needs the key, and VPython's own two folders.
 
-    It tells place of each request: a slow machine loads a page for seconds before it opens the websocket. If the page
-    reports that its browser has no WebGL, the handler prints the text no_webgl. It calls write_data(file) for the data.
+    With each request, access waits again for the tab: a slow machine loads a page for seconds before it opens the
+    websocket. If the page reports that its browser has no WebGL, the handler prints the text no_webgl. It calls
+    write_data(file) for the data.
     """
     files = {
         f"/{file.relative_to(folder).as_posix()}": (content_type, file)
@@ -197,7 +201,7 @@ def own_files_only(handler: Any, place, no_webgl, write_data) -> Any:
         path: str  # with the query, as the request has it
 
         def do_GET(self) -> None:  # noqa: N802
-            place.expect_tab()
+            access.wait_for_tab()
             path, _, query = self.path.partition("?")
             if unquote(path) in files:
                 content_type, file = files[unquote(path)]
@@ -205,7 +209,7 @@ def own_files_only(handler: Any, place, no_webgl, write_data) -> Any:
                 self.wfile.write(file.read_bytes())
             elif path not in FOR_THE_PAGE:
                 self.send_error(404)
-            elif not place.is_open_to(parse_qs(query)):
+            elif not access.has_key(parse_qs(query)):
                 self.begin({"Content-Type": "text/plain; charset=utf-8"}, 403)
                 self.wfile.write(NO_KEY.encode())
             elif path == "/":
@@ -228,10 +232,10 @@ def own_files_only(handler: Any, place, no_webgl, write_data) -> Any:
     return OwnFilesHandler
 
 
-def page_websocket(sockets, place) -> Any:
+def page_websocket(sockets, access) -> Any:
     """Return a replacement for an event loop's create_server, for the moment when VPython starts its websocket.
 
-    Only the tab in this place can use the websocket.
+    Only the tab that access (an Access) admits can use the websocket.
     """
     page, websocket = sockets
     origins = [f"http://{host}:{port_of(page)}" for host in ("localhost", "127.0.0.1")]
@@ -242,16 +246,16 @@ def page_websocket(sockets, place) -> Any:
         factory.setProtocolOptions(allowedOrigins=origins, allowNullOrigin=False, webStatus=False)
         factory.setProtocolOptions(maxFramePayloadSize=LARGEST_MESSAGE, maxMessagePayloadSize=LARGEST_MESSAGE)
         objects = sys.modules[factory.protocol.__module__].baseObj.object_registry  # of VPython, by number
-        factory.protocol = one_tab_only(factory.protocol, place, objects)
+        factory.protocol = one_tab_only(factory.protocol, access, objects)
         return await create_server(loop, factory, sock=websocket)
 
     return create_page_websocket
 
 
-def one_tab_only(protocol: Any, place, objects) -> Any:
-    """Return VPython's websocket protocol, limited to the tab in this place, which must name itself and its Origin.
+def one_tab_only(protocol: Any, access, objects) -> Any:
+    """Return VPython's websocket protocol, limited to one tab, which must send the key, a name and its Origin.
 
-    Such a tab must also have the key to the place. objects has VPython's objects by number.
+    access (an Access) admits the tab. objects has VPython's objects by number.
 
     Autobahn checks the Origin before this, but accepts a connection without one. It also calls onClose for a connection
     that was refused, or that never sent a request. VPython would then end the program with a Ctrl+C, which on Windows
@@ -264,19 +268,19 @@ def one_tab_only(protocol: Any, place, objects) -> Any:
 
     class OneTabProtocol(protocol):
         def onConnect(self, request) -> None:  # noqa: N802
-            if not (request.origin and "tab" in request.params and place.is_open_to(request.params)):
+            if not (request.origin and "tab" in request.params and access.has_key(request.params)):
                 raise ConnectionDeny(ConnectionDeny.FORBIDDEN)
             self.name, self.takes_over = request.params["tab"], "take" in request.params
             self.is_new = True  # has nothing of the cradle yet
             super().onConnect(request)
 
         def onOpen(self) -> None:  # noqa: N802
-            if place.take(self):
+            if access.admit(self):
                 super().onOpen()
 
         async def onMessage(self, data, is_binary) -> None:  # noqa: N802
-            if self is place.tab:  # VPython forgets each change when it answers a message
-                await super().onMessage(known_events(data, objects), is_binary)
+            if self is access.tab:  # VPython forgets each change when it answers a message
+                await super().onMessage(possible_events(data, objects), is_binary)
 
         def sendMessage(self, payload, **options) -> None:  # noqa: N802
             replay.add(json.loads(payload))
@@ -287,6 +291,25 @@ def one_tab_only(protocol: Any, place, objects) -> Any:
                 super().sendMessage(payload, **options)
 
         def onClose(self, *how) -> None:  # noqa: N802
-            place.leave(self)
+            access.tab_closed(self)
 
     return OneTabProtocol
+
+
+def possible_events(data, objects) -> bytes:
+    """Return a message of the page without the events at which VPython would print a traceback.
+
+    A message is the text "trigger", or a list of events (glowcomm.html). objects has VPython's objects by number.
+    """
+    if data == b"trigger":
+        return data
+    return json.dumps([event for event in json.loads(data) if is_possible(event, objects)]).encode()
+
+
+def is_possible(event, objects) -> bool:
+    """Return whether a menu still has the choice of this event, and no number in it is infinite, or 0 for a size."""
+    if event.get("widget") == "menu":  # the program can replace the choices while you choose
+        return 0 <= event["value"] < len(objects[event["idx"]].choices)
+    sizes = [event[name] for name in ("width", "height", "range") if name in event]
+    parts = [part for name in ("pos", "ray", "forward", "up", "center") for part in event.get(name, [])]
+    return all(sizes) and None not in parts  # JSON has null in place of an infinite number

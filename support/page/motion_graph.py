@@ -4,14 +4,15 @@ from itertools import islice
 
 from vpython import color, gcurve, graph, vector, wtext
 
-from support.files.recording import EVERY
+from support.files.data_file import EVERY
+from support.page.panel import change
 
 SHOWN = 10.0  # s on the axis
 INTERVAL = 0.03  # s from point to point
 PHASE_SHOWN = 3.0  # s of the phase picture
 MOST = 20  # pendula in the graph: more curves could not be told apart
 
-# Three colors of Okabe and Ito's palette, which color-blind people can tell apart, too.
+# Three colors of Okabe and Ito's palette, which look different to color-blind people, too.
 ENERGIES = {"kinetic": vector(213, 94, 0) / 255, "potential": vector(0, 114, 178) / 255, "total": color.black}
 ENERGY, NOTHING = "Energies (J)", "no graph"
 PHASE = "phase"  # the label of its curve; panel.js knows it
@@ -59,9 +60,7 @@ class MotionGraph:
     def show(self, choice) -> None:
         """Show this one of the choices, or the energies if the present cradle does not have it."""
         self.choice = choice if choice in self.choices else ENERGY
-        hiding = HIDING if self.choice == NOTHING else ""
-        if self.style.text != hiding:
-            self.style.text = hiding
+        change(self.style, text=HIDING if self.choice == NOTHING else "")
         for name, curve in self.curves.items():
             if curve.data and name not in self.choices[self.choice]:
                 curve.data = []

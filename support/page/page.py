@@ -12,19 +12,18 @@ from contextlib import contextmanager
 from html import escape
 from pathlib import Path
 
-from support.files.cradle_csv import check_cradle
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
+from support.cradle.player import run
+from support.files.cradle_csv import check_cradle, LiveFile
+from support.files.data_file import data_writer
 from support.files.experiments import EXPERIMENTS, find_experiment
-from support.files.live_file import LiveFile
-from support.files.recording import data_writer
-from support.page.commands import Command
-from support.page.local_server import page_address, page_sockets, page_websocket, PageServer, Place, port_of
-from support.playback.mistake import tell_mistake
-from support.playback.player import run
-from support.start.command_line import command_line, same_program
-from support.start.interrupt import end_on_interrupt
-from support.start.later import import_now
-from support.start.options import check_lift
-from support.start.output import refuse
+from support.page.local_server import Access, page_address, page_sockets, page_websocket, PageServer, port_of
+from support.start.early import end_on_interrupt, import_now
+from support.start.mistake import tell_mistake
+from support.start.options import check_lift, command_line, read_double_page_options, read_page_options, same_program
+from support.start.output import refuse, while_it_is_read
+from support.start.preview import end_if_unwritten, what_there_is
 
 # The beginning of the page: its title, the check of the browser's WebGL, and the messages of a page without a cradle.
 PAGE_HEAD = Path(__file__).with_name("page_head.html")
@@ -34,10 +33,33 @@ Your browser cannot draw the cradle: WebGL 2 is missing or switched off.
 Use another browser. Or press Ctrl+C and type this, to see the single cradle as text:"""
 
 
+@while_it_is_read()
+def show_cradle(main, pds_helper, special_cradles, many_ticks=None) -> None:
+    """Show the cradle of main in the browser until the tab is closed.
+
+    pds_helper and special_cradles are the handout's modules, many_ticks is the fast path for many pendula, or None.
+    While functions are missing, show the cradle without them. Exits with status 2 if an option or the CSV is wrong, or
+    if there is nothing to show yet.
+    """
+    options = read_page_options()
+    loop, remark = what_there_is(main)
+    cradle = Cradle(main.__globals__, options, pds_helper, special_cradles, many_ticks)
+    show_page(loop, cradle, options, [options.angle], remark)
+
+
+@while_it_is_read()
+def show_double_cradle(main, pds_helper, special_cradles) -> None:
+    """Show the double cradle of main in the same way; exit with status 2 while a function is missing."""
+    options = read_double_page_options()
+    end_if_unwritten("pds_helper", "special_cradles", "double_cradle", "visualize_double_cradle_run")
+    cradle = DoubleCradle(main.__globals__, options, pds_helper, special_cradles)
+    show_page(main, cradle, options, [options.angle, options.phi])
+
+
 def show_page(main, cradle, options, angles, remark="") -> None:
     """Run main with the page of a cradle, until the tab is closed for good.
 
-    cradle follows the protocol in support/playback/cradle.py, and has no pendula yet. options are the page's, from
+    cradle has no pendula yet. options are the page's, from
     support/start/options.py. angles are the release angles (rad); None keeps the angle with which main makes the
     cradle. remark is a line on the page. Exits with status 2 if the CSV, the experiment, --lift or the port is wrong,
     with status 1 if a function makes a mistake.
@@ -59,7 +81,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
             sockets,
             cradle.title,
             options.browser,
-            lambda: viewer and viewer.give(Command.SHOW_AGAIN),
+            lambda: viewer and viewer.give("show again"),
             lambda file: viewer and viewer.recording.write(data_writer(file)),
         )
         # This import needs VPython's canvas and widgets; the code above does not.
@@ -89,20 +111,20 @@ def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
     for name, text in texts.items():
         head = head.replace(name, escape(text, quote=False))
     no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"
-    place = Place(show_again)
-    address, browse = page_address(sockets, place), webbrowser.open
+    access = Access(show_again)
+    address, browse = page_address(sockets, access), webbrowser.open
     end_on_interrupt()
 
     def serve(*given):
         # From here on, Python waits for the browser to load the page. Not earlier: it would delay the server.
         threading.Thread(target=import_now, args=("pandas",), daemon=True).start()
-        return PageServer(sockets, place, head, no_webgl, write_data, *given)
+        return PageServer(sockets, access, head, no_webgl, write_data, *given)
 
     with (
         replaced(signal, "signal", lambda *_: None),
         replaced(http.server, "HTTPServer", serve),
         replaced(webbrowser, "open", lambda _: browse(address)),  # VPython's address has no key
-        replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets, place)),
+        replaced(asyncio.BaseEventLoop, "create_server", page_websocket(sockets, access)),
         # On Windows, the usual loop stops listening if a connection ends before it is accepted.
         replaced(asyncio, "new_event_loop", asyncio.SelectorEventLoop),
     ):

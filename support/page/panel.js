@@ -3,14 +3,14 @@
 {
   // VPython sends a slider's value only if it differs from the last value that it sent. It does not send the first value,
   // or a value that you choose again after the program has moved the slider. This change sends each of them once.
-  lastsliders = new Proxy({}, { has: () => true, get: (told, i) => told[i] === sliders[i] ? sliders[i] : {} });
+  lastsliders = new Proxy({}, { has: () => true, get: (sent, i) => sent[i] === sliders[i] ? sliders[i] : {} });
 
   const scene = () => glowObjs[0];
   const find = selector => [...document.querySelectorAll(selector)];
   const bobs = () => glowObjs.filter(o => o?.constructor.name === "sphere" && o.visible);
   const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const dark = matchMedia("(prefers-color-scheme: dark)");
-  const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in mouse.py
+  const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in dragging.py
 
   // --- the graph -----------------------------------------------------------------------------------------------------
 
@@ -139,16 +139,16 @@
       if (element === widget) return;
       element.setAttribute("role", "slider");
       const value = widget.nextElementSibling;
-      const tell = () => {
-        const slider = $(widget), lifted = value.innerText.match(/^(\d+) of (\d+)$/);
-        if (lifted) slider.slider("option", "step", 1 / lifted[2]); // a key lifts one bob more
+      const update = () => {
+        const slider = $(widget), bobs = value.querySelector("[data-count]")?.dataset;
+        if (bobs) slider.slider("option", "step", 1 / bobs.count); // a key lifts one bob more
         const now = { now: slider.slider("value"), min: slider.slider("option", "min"), max: slider.slider("option", "max") };
-        if (lifted) Object.assign(now, { now: +lifted[1], max: +lifted[2] });
+        if (bobs) Object.assign(now, { now: +bobs.lifted, max: +bobs.count });
         for (const [name, number] of Object.entries({ ...now, text: value.innerText }))
           element.setAttribute(`aria-value${name}`, number);
       };
-      new MutationObserver(tell).observe(value, { childList: true });
-      tell();
+      new MutationObserver(update).observe(value, { childList: true });
+      update();
     });
     document.querySelector(".canvas").setAttribute("role", "img");
   }

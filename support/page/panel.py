@@ -1,39 +1,31 @@
-"""The control panel beside the canvas: the settings, and the motion of the cradle in numbers."""
+"""The control panel beside the canvas: the settings, the motion of the cradle in numbers, and the parts of both."""
 
+import json
 from html import escape
 from pathlib import Path
 
-from vpython import button, checkbox, menu, scene, wtext
+from vpython import button, checkbox, menu, scene, slider, wtext
 
-from support.page.commands import Command
-from support.page.widgets import add_hint, add_label, begin_part, end_row, set_text, Setting
 from support.pendulum import from_lift, to_lift
 
 FOLDER = Path(__file__).parent  # its .css and .js files are the style of the page, and additions to VPython's page
 
-KEYS_HINT = (
-    "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs, V resets the view, F presents. Drag a bob."
-)
-LEAVE = '<button class="leave" onclick="present()" aria-label="End the presentation">&times;</button>'
 PRESENT = (
     '<button onclick="present()" title="Show only the cradle and its numbers, in full screen (F)">Present</button>'
 )
-SEPARATING = "Separating bobs collide too"
+LEAVE = '<button class="leave" onclick="present()" aria-label="End the presentation">&times;</button>'
+KEYS_HINT = (
+    "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs, V resets the view, F presents. Drag a bob."
+)
 SEPARATING_HINT = (
     "The handout lets two bobs collide in each tick in which they touch, also when they already move apart. A second "
     "hit then undoes a part of the first one: bobs with e below 1 stick together."
 )
-FIXED_HINT = "Your functions have no parameter approaching_only, so this rule is fixed."
 TAKE_AWAY = """\
 <button onclick="takePicture()" title="Download a PNG of the cradle">Picture</button>
 <button onclick="takeFilm()" class="film" title="Record the cradle until you press it again">Film</button>
-<button onclick="takeData()" title="Download the data since the last restart">Data (CSV)</button>"""
-COPY = '<button onclick="takeCommand()" title="Copy the command that starts this cradle again">Copy command</button>'
-COPIED = '<span class="copied hint" role="status"></span>'
-SAVING = (
-    "Data (CSV) downloads the data since the last restart, at most ten minutes. Save data writes them to a file on the "
-    "computer of the program."
-)
+<button onclick="takeData()" title="Download the data since the last restart">Data (CSV)</button>
+<button onclick="takeCommand()" title="Copy the command that starts this cradle again">Copy command</button>"""
 UNWRITTEN = "No file has this cradle. Write to my CSV (below Pendula) puts it in your file; then copy the command."
 SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
 TRAINS = 7  # of impacts, a line for each
@@ -61,7 +53,13 @@ class Panel:
         begin_part("asked")
         self.questions.add_area()
         begin_part("controls")
-        self.add_buttons(give)
+        self.pause = button(text="Pause", bind=lambda: give("pause"))
+        self.step = button(text="Step", bind=lambda: give("step"))
+        self.restart = button(text="Restart", bind=lambda: give("restart"))
+        self.view = button(text="Reset view", bind=lambda: give("view"))
+        scene.append_to_caption(PRESENT)
+        end_row()
+        add_hint(KEYS_HINT)
         begin_part("numbers")
         self.readout, self.impacts = wtext(), wtext()
         scene.append_to_caption(LEAVE)
@@ -69,104 +67,79 @@ class Panel:
         self.questions.add_menu(give)
         begin_part("settings")
         self.add_settings(give, cradle)
-        self.add_collisions(give, cradle)
         begin_part("graph")
         add_label("Graph")
-        self.graph = menu(choices=[""], bind=lambda menu: give(Command.GRAPH, menu.selected))
+        self.graph = menu(choices=[""], bind=lambda menu: give("graph", menu.selected))
         self.chosen = wtext()
         begin_part("pendula-part", fold="Pendula")
         self.table.add(give)
         begin_part("data", fold="Take away")
         scene.append_to_caption(TAKE_AWAY)
-        self.save = button(text="Save data", bind=lambda: give(Command.SAVE))
-        self.saved = wtext()
-        scene.append_to_caption(COPY)
         self.command = wtext()
-        scene.append_to_caption(COPIED)
-        self.show_saved(SAVING)
+        scene.append_to_caption('<span class="copied hint" role="status"></span>')
+        add_hint("Data (CSV) downloads the data since the last restart, at most ten minutes.")
         begin_part("advanced", fold="Advanced")
-        self.sound = checkbox(text="Sound", bind=lambda box: give(Command.SOUND, box.checked))
+        self.sound = checkbox(text="Sound", bind=lambda box: give("sound", box.checked))
         self.hit = wtext(text='<i class="hit"></i>')  # sound.js knows it, and the checkbox before it
         add_hint("a click for each hit, the louder the faster the bobs meet")
-        self.add_rule(give, cradle.takes_rule)
+        self.separating = checkbox(text="Separating bobs collide too", bind=lambda box: give("separating", box.checked))
+        end_row()
+        add_hint(SEPARATING_HINT)
+        if not cradle.takes_rule:
+            self.separating.checked = self.separating.disabled = True
+            add_hint("Your functions have no parameter approaching_only, so this rule is fixed.")
         add_hint(escape(cradle.constants()))
         scene.append_to_caption("<script>arrange()</script>")
 
-    def add_buttons(self, give) -> None:
-        """Add the buttons that have keys."""
-        self.pause = button(text="Pause", bind=lambda: give(Command.PAUSE))
-        self.step = button(text="Step", bind=lambda: give(Command.STEP))
-        self.restart = button(text="Restart", bind=lambda: give(Command.RESTART))
-        self.view = button(text="Reset view", bind=lambda: give(Command.VIEW))
-        scene.append_to_caption(PRESENT)
-        end_row()
-        add_hint(KEYS_HINT)
-
     def add_settings(self, give, cradle) -> None:
-        """Add the sliders."""
-        self.speed = Setting("Speed", 0.1, 2, 0.1, lambda speed: give(Command.SPEED, speed))
+        """Add the sliders and the menu of collisions."""
+        self.speed = Setting("Speed", 0.1, 2, 0.1, lambda speed: give("speed", speed))
         # A VPython slider has a fixed range, but the number of pendula changes: this one has the lifted part, 0 to 1.
         self.count = 1
-        self.lifted = Setting("Bobs lifted", 0, 1, 0.001, lambda part: give(Command.LIFT, round(part * self.count)))
+        self.lifted = Setting("Bobs lifted", 0, 1, 0.001, lambda part: give("lift", round(part * self.count)))
         self.angles = [
-            Setting(name, least, largest, 1, lambda lift, number=number: give(Command.ANGLE, (number, from_lift(lift))))
+            Setting(name, least, largest, 1, lambda lift, number=number: give("angle", (number, from_lift(lift))))
             for number, (name, (least, largest)) in enumerate(cradle.angles.items())
         ]
-
-    def add_collisions(self, give, cradle) -> None:
-        """Add the menu of collisions."""
         add_label("Collisions")
-        self.collisions = menu(
-            choices=list(cradle.collisions),
-            selected=cradle.collision,
-            bind=lambda menu: give(Command.COLLISIONS, menu.selected),
-        )
-
-    def add_rule(self, give, takes_rule) -> None:
-        """Add the checkbox of the collisions' rule, which is fixed if the cradle takes no rule."""
-        self.separating = checkbox(text=SEPARATING, bind=lambda box: give(Command.SEPARATING, box.checked))
-        end_row()
-        add_hint(SEPARATING_HINT)
-        if not takes_rule:
-            self.separating.checked = self.separating.disabled = True
-            add_hint(FIXED_HINT)
+        self.collisions = menu(choices=list(cradle.collisions), bind=lambda menu: give("collisions", menu.selected))
 
     def send_again(self) -> None:
         """Send what you have set to a page that was loaded again: VPython has only received it, and never sent it."""
-        for setting in (self.speed, self.lifted, *self.angles):
-            setting.slider.value = setting.slider.value
-        self.collisions.selected = self.collisions.selected
-        for box in (self.sound, self.separating):
-            box.checked = box.checked
-        self.questions.send_again()
+        sent = [(setting.slider, "value") for setting in (self.speed, self.lifted, *self.angles)]
+        sent += [(menu, "selected") for menu in (self.collisions, self.questions.menu)]
+        sent += [(box, "checked") for box in (self.sound, self.separating, self.questions.box)]
+        for widget, name in sent:
+            setattr(widget, name, getattr(widget, name))
 
     def show_error(self, message) -> None:
         """Show this message above everything else; an empty message removes it."""
-        set_text(self.error, f'<div class="error" role="alert">{escape(message)}</div>' if message else "")
+        change(self.error, text=f'<div class="error" role="alert">{escape(message)}</div>' if message else "")
 
     def show_end(self, words) -> None:
         """Show that the program has ended, and why; nothing on the page moves any more."""
         text = f"<strong>The program has ended.</strong> {escape(words)}"
-        set_text(self.error, f'<div class="error ended" role="alert">{text}</div>')
+        change(self.error, text=f'<div class="error ended" role="alert">{text}</div>')
 
     def click(self, speed) -> None:
         """Let the page click for a hit of this speed (m/s)."""
         self.hit.text = f'<i class="hit" data-speed="{speed:.4f}"></i>'
 
-    def show_settings(self, running, speed, angles, lifted, count) -> None:
-        """Show whether the cradle runs, its speed (times real time), its release angles (rad), and the number of
-        lifted bobs out of count.
+    def show_settings(self, running, speed, angles, lifted, count, collision) -> None:
+        """Show whether the cradle runs, its speed (times real time), its release angles (rad), the number of lifted
+        bobs out of count, and the kind of its collisions.
         """
         self.count = count
-        set_text(self.pause, "Pause" if running else "Run")
+        change(self.pause, text="Pause" if running else "Run")
         for widget in (self.step, self.table.tick):
-            if widget.disabled != running:
-                widget.disabled = running
+            change(widget, disabled=running)
         self.speed.show(speed, f"{speed:.1f}x")
         for setting, angle in zip(self.angles, angles, strict=True):
             lift = to_lift(angle)
             setting.show(lift, f"{lift:.4g}&deg;")
-        self.lifted.show(lifted / count, f"{lifted} of {count}")
+        bobs = f'<span data-lifted="{lifted}" data-count="{count}">{lifted} of {count}</span>'
+        self.lifted.show(lifted / count, bobs)
+        change(self.collisions, selected=collision)
 
     def show_motion(self, time, percents, momentum, remark) -> None:
         """Show the time (s), the energies (% by name), the momentum (kg m/s), and a remark about the speed."""
@@ -174,35 +147,23 @@ class Panel:
         rows |= {name: percent_cell(percent) for name, percent in percents.items()}
         rows["momentum"] = momentum_cell(momentum)
         lines = [f'<tr><th scope="row">{name}</th><td>{cell}</td></tr>' for name, cell in rows.items()]
-        set_text(self.readout, f'<table class="readout">{"".join(lines)}</table>')
-
-    def show_collision(self, collision) -> None:
-        """Show this kind of collisions in the menu."""
-        if self.collisions.selected != collision:
-            self.collisions.selected = collision
+        change(self.readout, text=f'<table class="readout">{"".join(lines)}</table>')
 
     def show_graphs(self, choices, choice) -> None:
         """Show these choices of graphs in the menu, and the present choice."""
-        if self.graph.choices != choices:
-            self.graph.choices = choices
-        if self.graph.selected != choice:
-            self.graph.selected = choice
+        change(self.graph, choices=choices, selected=choice)
         # The page gets new choices after what is selected, and then selects the first one. panel.js mends this.
-        set_text(self.chosen, f'<i class="chosen" data-name="{escape(choice)}"></i>')
-
-    def show_saved(self, message, failed=False) -> None:
-        """Show a message about saved data: the file, or, if failed, the reason."""
-        set_text(self.saved, f'<span class="{"failed" if failed else "hint"} saved">{escape(message)}</span>')
+        change(self.chosen, text=f'<i class="chosen" data-name="{escape(choice)}"></i>')
 
     def show_command(self, command) -> None:
         """Show the command that starts the program with the present settings; an empty one if there is none."""
         code = f'<code class="command">{escape(command)}</code>'
-        set_text(self.command, code if command else f'<span class="hint">{UNWRITTEN}</span>')
+        change(self.command, text=code if command else f'<span class="hint">{UNWRITTEN}</span>')
 
     def show_impacts(self, lines, swung_through=False) -> None:
         """Show the last trains of impacts, a line for each, and a note if a bob has swung through others."""
         note = f'\n<span class="hint">{SWUNG_THROUGH}</span>' if swung_through else ""
-        set_text(self.impacts, '<pre class="impacts">' + "\n".join(["Impacts", *lines]) + note + "</pre>")
+        change(self.impacts, text='<pre class="impacts">' + "\n".join(["Impacts", *lines]) + note + "</pre>")
 
 
 def percent_cell(percent) -> str:
@@ -217,3 +178,57 @@ def momentum_cell(momentum) -> str:
     moving = f"{momentum:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
     arrow = "" if abs(momentum) < 0.0005 else " &rarr;" if momentum > 0 else " &larr;"
     return f"{moving} kg m/s{arrow}"
+
+
+# --- parts of the panel: sections, rows, labels, hints, and sliders with a name and a value ---------------------------
+
+
+def begin_part(name, fold="") -> None:
+    """Begin a new part of the panel; panel.js and panel.css know its name. With the title fold, it is folded away."""
+    wtext(text=f'<i class="part" data-name="{name}" data-fold="{escape(fold)}"></i>')
+
+
+def add_label(text) -> None:
+    """Add the name of the next widget."""
+    wtext(text=f'<span class="label">{text}</span>')
+
+
+def add_hint(text) -> None:
+    """Add a short explanation, and end the row."""
+    wtext(text=f'<span class="hint">{text}</span>')
+    end_row()
+
+
+def end_row() -> None:
+    """Begin a new row of widgets."""
+    wtext(text='<i class="row"></i>')
+
+
+def change(widget, **attributes) -> None:
+    """Set those attributes of a widget that differ: you may be about to copy its text, and all is sent to the page."""
+    for name, value in attributes.items():
+        if getattr(widget, name) != value:
+            setattr(widget, name, value)
+
+
+def read_json(text):
+    """Return the value that a text from the page's script has, or None if it is no JSON."""
+    try:
+        return json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+
+
+class Setting:
+    """A slider, with its name before it, and its value and unit behind it."""
+
+    def __init__(self, name, lowest, highest, step, bind):
+        """Make the slider; when you move it, it calls bind(value)."""
+        add_label(name)
+        self.slider = slider(min=lowest, max=highest, step=step, length=170, bind=lambda slider: bind(slider.value))
+        self.text = wtext()
+
+    def show(self, value, text) -> None:
+        """Move the slider to value, and show its text."""
+        change(self.slider, value=value)
+        change(self.text, text=f'<span class="value">{text}</span>')

@@ -5,10 +5,9 @@ from html import escape
 
 from vpython import checkbox, menu, wtext
 
+from support.cradle.prediction import Measurement
 from support.files.experiments import Experiment, read_experiments, YOUR_CSV
-from support.page.commands import Command
-from support.page.widgets import add_label, set_text
-from support.playback.prediction import Measurement
+from support.page.panel import add_label, change
 
 ASK_FIRST = "Ask first"
 NOT_SAID = "Run it without an answer"
@@ -41,27 +40,16 @@ class Questions:
         """Add the menu, the tick box, and a line for each mistake in a file of an experiment."""
         add_label("Experiment")
         choices = [YOUR_CSV, *(experiment.name for experiment in self.experiments)]
-
-        def choose(menu):
-            give(Command.EXPERIMENT, menu.index - 1 if menu.index else None)
-
-        self.menu = menu(choices=choices, selected=choices[0], bind=choose)
-        self.box = checkbox(text=ASK_FIRST, bind=lambda box: give(Command.ASK_FIRST, box.checked))
+        self.menu = menu(choices=choices, selected=choices[0], bind=lambda menu: give("experiment", menu.index))
+        self.box = checkbox(text=ASK_FIRST, bind=lambda box: give("ask first", box.checked))
         for mistake in self.mistakes:
             wtext(text=f'<span class="failed">{escape(mistake)}</span>')
 
-    def send_again(self) -> None:
-        """Send what you have set to a page that was loaded again: VPython has only received it, and never sent it."""
-        self.menu.selected = self.menu.selected
-        self.box.checked = self.box.checked
-
-    def choose(self, number) -> Experiment | None:
-        """Take the experiment with this index as the present one, and return it; None stands for your CSV."""
-        self.experiment = None if number is None else self.experiments[number]
+    def choose(self, place) -> Experiment | None:
+        """Take the experiment in this place of the menu as the present one, and return it; 0 stands for your CSV."""
+        self.experiment = self.experiments[place - 1] if place else None
         self.is_changed = False
-        place = 0 if number is None else number + 1  # in the menu
-        if self.menu.index != place:
-            self.menu.index = place
+        change(self.menu, index=place)
         self.drop()
         return self.experiment
 
@@ -103,7 +91,7 @@ class Questions:
             self.answer(self.experiment.key, None)
 
     def note(self, sample, has_hit) -> None:
-        """Take a sample of the motion into account; has_hit says whether two bobs have hit each other by then."""
+        """Measure a sample of Motion; has_hit says whether two bobs have hit each other by then."""
         if self.measurement:
             self.measurement.note(sample, has_hit)
             if self.measurement.is_over:
@@ -121,20 +109,17 @@ class Questions:
             elif self.said is not None:
                 lines.append(f"<p>You said: {escape(self.experiment.answers[self.said].text)}.</p>")
             if self.measurement.is_over:
-                lines += [f"<p>{line}</p>" for line in self.result(self.experiment, self.measurement)]
+                outcome = self.measurement.outcome()
+                happened = "none of these answers" if outcome is None else self.experiment.answers[outcome].text
+                is_right = self.said == outcome is not None
+                words = "That is what happened" if is_right else f"What happened: {escape(happened)}"
+                lines.append(f"<p><strong>{words}.</strong> {escape(self.measurement.explanation())}</p>")
         text = "".join(lines)
-        set_text(self.area, f'<div class="question" role="status">{text}</div>' if text else "")
-
-    def result(self, experiment, measurement) -> list[str]:
-        """Return what happened, and why, as lines of HTML."""
-        outcome = measurement.outcome()
-        happened = "none of these answers" if outcome is None else experiment.answers[outcome].text
-        words = "That is what happened" if self.said == outcome is not None else f"What happened: {escape(happened)}"
-        return [f"<strong>{words}.</strong> {escape(measurement.explanation())}"]
+        change(self.area, text=f'<div class="question" role="status">{text}</div>' if text else "")
 
 
 def answer_button(question, number, text) -> str:
     """Return the HTML of a button that gives this answer (its index, or None) to the question with this key."""
-    command = f"tell('ANSWER', {json.dumps([question, number])})"
+    command = f"tell('answer', {json.dumps([question, number])})"
     kind = ' class="plain"' if number is None else ""
     return f'<button{kind} onclick="{escape(command)}">{escape(text)}</button>'

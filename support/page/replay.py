@@ -16,7 +16,7 @@ ADDING = ("append_to_caption", "append_to_title")
 class Replay:
     """The messages to the page, as one message that has the same result.
 
-    Of each attribute, it keeps only the last value. It grows with the number of objects, and not with the time.
+    It keeps only the last value of each attribute. It grows with the number of objects, and not with the time.
     """
 
     def __init__(self):
@@ -24,14 +24,14 @@ class Replay:
         self.attrs: dict[str, str] = {}
 
     def add(self, message) -> None:
-        """Take a message into account."""
+        """Add a message."""
         for cmd in message.get("cmds", []):
             names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
             number = len(self.cmds) if names[0] in ADDING else 0  # the texts are all kept, also equal ones
             put_last(self.cmds, (cmd["idx"], *names, number), cmd)
         for text in message.get("attrs", []):
-            what = text if text[0] == "m" else re.match(r"\w\d+.", text)[0]  # type: ignore[index]
-            put_last(self.attrs, what, text)
+            key = text if text[0] == "m" else re.match(r"\w\d+.", text)[0]  # type: ignore[index]
+            put_last(self.attrs, key, text)
 
     def message(self) -> dict:
         """Return one message for a page that has nothing yet."""

@@ -55,29 +55,24 @@ class Scenery:
 
         The axles carry their numbers, and the masses (kg) if these differ. reach (m) is the distance from an axle to
         the centre of the lowest bob at rest. If the new cradle needs the same space as the old one, the camera does not
-        change: you may have turned it.
+        change, because you may have turned it; but it comes as near as before keep_in_view.
         """
         self.axles, self.masses = axles, masses if len({*masses}) > 1 else []
         first, last = axles[0], axles[-1]
         room = Room(first.pos.x, last.pos.x, first.pos.y, first.width, reach, bobs[0].radius, 2 if self.masses else 1)
         if room != self.room:
-            self.room, self.whole_circles = room, False
             discard(self.frame)
             self.frame = make_frame(room)
-            self.point_camera()
-        else:
+        elif not self.whole_circles:
             self.number_axles()
+            return
+        self.room, self.whole_circles = room, False
+        self.point_camera()
 
     def keep_in_view(self, bobs) -> None:
         """Move the camera back as soon as a bob swings above the frame."""
         if not self.whole_circles and any(bob.pos.y > self.room.top for bob in bobs):
             self.whole_circles = True
-            self.point_camera()
-
-    def come_closer(self) -> None:
-        """Undo keep_in_view: move the camera as near as before."""
-        if self.whole_circles:
-            self.whole_circles = False
             self.point_camera()
 
     def point_camera(self) -> None:
@@ -122,9 +117,8 @@ class Scenery:
         shown = [(self.axles[i].pos, text) for i, text in enumerate(texts) if i == 0 or (i + 1) % step == 0]
         if self.masses:
             shown.append((self.axles[0].pos - vector(max(widest, apart), 0, 0), [" ", "kg"]))
-        self.labels += [
-            label(box=False, line=False, opacity=0, color=INK, yoffset=1) for _ in shown[len(self.labels) :]
-        ]
+        while len(self.labels) < len(shown):
+            self.labels.append(label(box=False, line=False, opacity=0, color=INK, yoffset=1))
         for mark, (place, text) in zip(self.labels, shown, strict=False):
             mark.pos, mark.text = place + vector(0, self.room.radius / 2, 0), "\n".join(text)
             mark.height, mark.visible = height, True

@@ -24,7 +24,7 @@
     field.dataset.place = `${row},${column}`;
     field.setAttribute("aria-label", `${column} of pendulum ${row + 1}`);
     field.setAttribute("aria-invalid", !!mistake);
-    field.addEventListener("change", () => tell("EDIT", [row, column, field.value]));
+    field.addEventListener("change", () => tell("edit", [row, column, field.value]));
     return make("td", {}, field, ...mistake ? [make("div", { className: "failed", role: "alert" }, mistake[1])] : []);
   }
 
@@ -43,9 +43,9 @@
       ...moving(row),
       make("td", {}, make("button", {
         title: `Delete pendulum ${row + 1}`, ariaLabel: `Delete pendulum ${row + 1}`, disabled: data.rows.length === 1,
-        onclick: () => tell("DELETE", row),
+        onclick: () => tell("delete", row),
       }, "×")))));
-    body.append(make("tr", {}, make("td", { colSpan: 5 }, make("button", { onclick: () => tell("ADD", null) }, "Add a pendulum"))));
+    body.append(make("tr", {}, make("td", { colSpan: 5 }, make("button", { onclick: () => tell("add", null) }, "Add a pendulum"))));
     showNow(now);
     if (isNew) table.closest("details").scrollIntoView({ block: "nearest" });
     if (last) body.querySelector(`[data-place="${last}"]`)?.focus(); // the Tab key goes on from there
@@ -64,7 +64,7 @@
     const section = document.querySelector("section.pendula-part");
     section.prepend(table);
     section.querySelector("input").remove(); // of VPython
-    section.closest("details").addEventListener("toggle", event => tell("TABLE", event.target.open));
+    section.closest("details").addEventListener("toggle", event => tell("table", event.target.open));
     const spans = [...section.children].filter(element => element.tagName === "SPAN").slice(0, 2);
     for (const span of spans)
       new MutationObserver(() => {

@@ -1,5 +1,7 @@
 """The pendula as a table on the page: what you can edit, what moves, and one tick in detail. table.js draws it."""
 
+import csv
+import io
 import json
 from html import escape
 from pathlib import Path
@@ -7,11 +9,8 @@ from pathlib import Path
 from vpython import button, winput, wtext
 
 from support.constants import COLOR_MAP
-from support.files.cradle_csv import are_in_range, IN_RANGE, RULES
-from support.files.edited_csv import values_of, with_cell
-from support.page.commands import Command
-from support.page.events import read_json
-from support.page.widgets import add_hint, end_row, set_text
+from support.files.cradle_csv import are_in_range, check_cradle, IN_RANGE, read_cells, RULES, Snapshot, to_number
+from support.page.panel import add_hint, change, end_row, read_json
 
 HINT = "Row 1 is pend_list[0]. A change restarts the cradle. Your file stays as it is until you write it."
 
@@ -26,6 +25,7 @@ class Table:
         """Begin folded away; keys are those of the numbers that move, csv is the path of your CSV."""
         self.keys, self.csv = keys, csv
         self.is_open = False
+        self.news = ""  # about your CSV, for the next cradle
         self.mistakes: dict[str, tuple[str, str]] = {}  # "row,column" -> (the text in the cell, what is allowed)
 
     def add(self, give) -> None:
@@ -33,8 +33,8 @@ class Table:
         self.rows, self.now = wtext(), wtext()
         winput(bind=lambda box: give_command(give, box.text))  # table.js gives commands through it, and hides it
         end_row()
-        self.tick = button(text="One tick", bind=lambda: give(Command.TICK))
-        self.write = button(text="Write to my CSV", bind=lambda: give(Command.WRITE))
+        self.tick = button(text="One tick", bind=lambda: give("tick"))
+        self.write = button(text="Write to my CSV", bind=lambda: give("write"))
         self.written = wtext()
         end_row()
         add_hint(HINT)
@@ -45,8 +45,8 @@ class Table:
         """Open the table, or fold it away; a page that was loaded again has a folded, empty table."""
         self.is_open = is_open
         if not is_open:
-            set_text(self.rows, "")
-            set_text(self.now, "")
+            change(self.rows, text="")
+            change(self.now, text="")
 
     def allows(self, csv, row, column, text) -> bool:
         """Return whether this text is allowed in a cell of csv (a Snapshot); if not, show what is, beside the cell."""
@@ -63,15 +63,15 @@ class Table:
         """Show these rows of a CSV, with the columns in header."""
         pendula = [dict(zip(header, cells, strict=True)) for cells in rows]
         data = {"rows": pendula, "keys": self.keys, "colors": list(COLOR_MAP), "mistakes": self.mistakes}
-        set_text(self.rows, as_data("rows", data))
+        change(self.rows, text=as_data("rows", data))
 
     def show_now(self, coordinates) -> None:
         """Show the present coordinates of the pendula, by their names: theta_1, ..."""
-        set_text(self.now, as_data("now", {name: f"{number:.6f}" for name, number in coordinates.items()}))
+        change(self.now, text=as_data("now", {name: f"{number:.6f}" for name, number in coordinates.items()}))
 
     def show_written(self, message, failed=False) -> None:
         """Show a message about your CSV: what happened, or, if failed, the reason."""
-        set_text(self.written, f'<span class="{"failed" if failed else "hint"}">{escape(message)}</span>')
+        change(self.written, text=f'<span class="{"failed" if failed else "hint"}">{escape(message)}</span>')
 
     def show_tick(self, dt, before, after, calls) -> None:
         """Show what one tick of dt (s) did: the coordinates before and after it, and the calls in it."""
@@ -81,12 +81,13 @@ class Table:
             changes = [f"{key} {before[name]:.6g} -> {after[name]:.6g}".ljust(29) for key, name in names]
             lines.append(f"[{i}] {' '.join(changes)}".rstrip())
         lines += calls
-        set_text(self.before_and_after, f'<pre class="tick" tabindex="0">{escape(chr(10).join(lines))}</pre>')
+        change(self.before_and_after, text=f'<pre class="tick" tabindex="0">{escape(chr(10).join(lines))}</pre>')
 
     def refresh(self) -> None:
-        """Remove what was said about an earlier cradle."""
-        set_text(self.before_and_after, "")
-        self.show_written(f"replaces {Path(self.csv).name}")
+        """Remove the texts about an earlier cradle, and show the news, if there are some."""
+        change(self.before_and_after, text="")
+        self.show_written(self.news or f"replaces {Path(self.csv).name}")
+        self.news = ""
 
 
 def as_data(name, data) -> str:
@@ -98,10 +99,64 @@ def give_command(give, text) -> None:
     """Call give(command, value) for a text from the page's script; do nothing for a text that it does not send."""
     match read_json(text):
         case (
-            ["TABLE", bool() as value]
-            | ["ADD", None as value]
-            | ["DELETE", int() as value]
-            | ["EDIT", [int(), "mass" | "e" | "color", str()] as value]
-            | ["ANSWER", [str(), int() | None] as value]
+            ["table", bool() as value]
+            | ["add", None as value]
+            | ["delete", int() as value]
+            | ["edit", [int(), "mass" | "e" | "color", str()] as value]
+            | ["answer", [str(), int() | None] as value]
         ) as command:
-            give(Command[command[0]], value)
+            give(command[0], value)
+
+
+# --- edits of a CSV in memory; the rows of pendula count from 0 -------------------------------------------------------
+
+
+def with_cell(original, row, column, text) -> Snapshot:
+    """Return the Snapshot with this text in a cell."""
+    header, rows = cells_of(original)
+    rows[row][header.index(column)] = text
+    return with_rows(original, rows)
+
+
+def with_numbers(original, column, numbers) -> Snapshot:
+    """Return the Snapshot with these numbers in a column; a cell with the same number keeps its text.
+
+    There can be fewer numbers or fewer rows: main may have made its pendula from something else.
+    """
+    header, rows = cells_of(original)
+    place = header.index(column)
+    for cells, number in zip(rows, numbers, strict=False):
+        if to_number(cells[place]) != number:
+            cells[place] = repr(float(number))
+    return with_rows(original, rows)
+
+
+def have_same_pendula(csv, other) -> bool:
+    """Return whether two Snapshots describe the same cradle: the same masses, e, colors and textures, row by row."""
+    try:
+        for each in (csv, other):
+            check_cradle(each)
+    except ValueError:
+        return False
+    columns = [[values_of(each, column) for column in RULES] for each in (csv, other)]
+    return columns[0] == columns[1]
+
+
+def values_of(csv, column) -> list:
+    """Return the values in a column: numbers for mass and e, texts for the others."""
+    header, rows = cells_of(csv)
+    texts = [cells[header.index(column)] for cells in rows]
+    return [to_number(text) for text in texts] if column in ("mass", "e") else texts
+
+
+def cells_of(original) -> tuple[list[str], list[list[str]]]:
+    """Return the names of a Snapshot's columns, and the cells of each row; a short row gets empty cells."""
+    header, *rows = [cells for _, cells in read_cells(original)]
+    return header, [cells + [""] * (len(header) - len(cells)) for cells in rows]
+
+
+def with_rows(original, rows) -> Snapshot:
+    """Return the Snapshot with these cells of each row in place of all its rows."""
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows([cells_of(original)[0], *rows])
+    return Snapshot(original.filepath, text.getvalue().encode())

@@ -1,31 +1,38 @@
 """The viewer: plays a cradle in step with the clock, and carries out your commands on the page."""
 
 import time
+from collections.abc import Callable
 from math import inf
-from pathlib import Path
 from queue import SimpleQueue
-from threading import Thread
 
 from vpython import baseObj, scene
 
-from support.files.recording import EVERY, Recording
-from support.page.commands import Command, KEYS
+from support.cradle.cradle import Cradle
+from support.cradle.dragging import bob_at, point_in_plane
+from support.cradle.player import Player
+from support.cradle.real_time import FRAME
+from support.files.data_file import EVERY, Recording
 from support.page.motion_graph import MotionGraph
-from support.page.mouse import bob_at, point_in_plane
 from support.page.panel import Panel, TRAINS
 from support.page.scenery import Scenery
-from support.page.workbench import OF_BENCH, Workbench
-from support.playback.cradle import Cradle
-from support.playback.real_time import FRAME
-from support.start.command_line import same_program
-from support.start.options import ANGLES, page_arguments
+from support.page.source import Source
+from support.start.options import ANGLES, page_arguments, same_program
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
 QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
 GOODBYE = 10.0  # s that the page has to fetch the last message
 
+# The commands of the keys, with their values; the names of the keys are VPython's.
+KEYS = {
+    " ": ("pause", None),
+    "right": ("step", None),
+    "r": ("restart", None),
+    "v": ("view", None),
+    **{str(count): ("lift", count) for count in range(1, 10)},
+}
 
-class Viewer(Workbench):
+
+class Viewer(Player):
     """The page with a cradle, its panel and its graph: the argument page of main."""
 
     def __init__(self, cradle: Cradle, file, angles, lifted, remark="", options=None):
@@ -34,39 +41,91 @@ class Viewer(Workbench):
         angles (rad) are the release angles, lifted is the number of bobs to lift. None keeps the value with which main
         makes the cradle. options are those of the command line, as a dictionary.
         """
-        super().__init__(cradle, file, angles, lifted, TRAINS)
+        super().__init__(cradle, file.current, angles, lifted, TRAINS)
         self.options = options or {}
         self.separating = self.options.get("separating", False)
         self.commands: SimpleQueue = SimpleQueue()
         self.running = True
+        self.is_new_page = True  # whether the page has nothing of the cradle yet
         self.step = max(1, round(EVERY / cradle.dt))
         self.recording = Recording()
         self.next_refresh = -inf
         self.swung_through = False  # whether a bob has swung through others since the last restart
         self.sound = False
-        self.saving: Thread | None = None  # the thread that writes data to a file
-        self.saved = "", False  # the message of the last one, and whether it failed
+        self.one_tick: dict[str, float] | None = None  # the coordinates before it, while One tick is carried out
 
+        self.source = Source(self, file)
+        self.table, self.questions = self.source.table, self.source.questions
+        self.actions = self.make_actions()
         self.scenery = Scenery()
         self.panel = Panel(self.give, cradle, self.questions, self.table, remark)
         self.panel.separating.checked = self.separating
         if self.options.get("experiment") is not None:
-            self.begin_with(self.options["experiment"])
+            self.source.begin_with(self.options["experiment"])
         self.graph = MotionGraph(self.recording, cradle.angle_keys, cradle.rate_keys)
-        self.listen()
+        self.listen_to_you()
 
-    def script(self):
-        """Show the cradle, and play it for ever."""
-        yield from self.open()
-        while True:
-            yield from self.frame()
-            self.pace.rest()
+    # --- frames ------------------------------------------------------------------------------------------------------
 
-    def open(self):
-        """Show the cradle; start it when the page has it, so that you see the release."""
-        yield from self.make()
-        self.wait_for_page()
-        self.pace.restart()
+    def frame(self) -> None:
+        """Do the work of one frame: show the last ticks, rest, carry out commands, and plan the next ticks."""
+        self.show_frame()
+        self.pace.rest()
+        while not (self.commands.empty() or self.is_wanted or self.planned):
+            action, value = self.commands.get()
+            action(value)
+            if not self.is_wanted:
+                self.show_settings()
+        if not self.is_wanted and self.source.file.changed():
+            self.source.reload()
+        if not self.running:
+            self.pace.restart()
+        elif not (self.is_wanted or self.planned):
+            self.keep_time()
+
+    def show_frame(self) -> None:
+        """Show the result of the last ticks: view, sound, numbers and graph."""
+        if self.cradle.hand.held is not None:
+            self.motion.set_start()
+        self.scenery.keep_in_view(self.cradle.bobs())
+        self.scenery.limit_view()
+        fastest = self.motion.take_fastest()
+        if self.sound and fastest > QUIET:
+            self.panel.click(fastest)
+        if self.pace.clock() >= self.next_refresh:
+            self.next_refresh = self.pace.clock() + REFRESH
+            self.show_motion()
+
+    def made(self) -> None:
+        """Show a new cradle. On a new page, it starts when the page has it, so that you see the release."""
+        self.source.pose()
+        masses = self.cradle.values("mass")
+        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, masses)
+        self.recording.clear()
+        self.graph.take([pend["objects"][1].color for pend in self.cradle.pend_list])
+        self.swung_through = False
+        self.note()
+        self.table.refresh()
+        self.source.show_rows()
+        self.show_settings()
+        if self.is_new_page:
+            self.is_new_page = False
+            self.wait_for_page()
+            self.pace.restart()
+
+    def note(self) -> None:
+        """Add this moment to the recording, and to the measurement of an experiment."""
+        sample = self.motion.sample()
+        self.recording.add(sample)
+        self.questions.note(sample, self.motion.has_hit())
+
+    def end_part(self) -> None:
+        """Look at the result of a part; show One tick."""
+        super().end_part()
+        if self.one_tick is not None:
+            calls = self.cradle.hits.calls or [f"{self.cradle.names.shown} was not called."]
+            self.table.show_tick(self.cradle.dt, self.one_tick, self.cradle.coordinates(), calls)
+            self.one_tick = None
 
     def wait_for_page(self, patience=inf) -> None:
         """Wait until the page has fetched all changes, but at most patience (s)."""
@@ -74,45 +133,20 @@ class Viewer(Workbench):
         while not baseObj.empty() and time.monotonic() - begin < patience:
             time.sleep(FRAME)
 
-    def frame(self):
-        """Do the work of one frame."""
-        while not self.commands.empty():
-            yield from self.carry_out(*self.commands.get())
-        if self.file.changed():
-            yield from self.reload()
-        if self.running:
-            yield from self.keep_time()
-        else:
-            self.pace.restart()
-        if self.cradle.held is not None:
-            self.motion.set_start()
-        self.scenery.keep_in_view(self.cradle.bobs())
-        self.scenery.limit_view()
-        fastest = self.motion.take_fastest()
-        if self.sound and fastest > QUIET:
-            self.panel.click(fastest)
-        self.show_motion()
-
     def end(self, words) -> None:
-        """Show on the page that the program has ended, and why; wait a moment until the page has the message.
-
-        If data are being saved, complete their file.
-        """
+        """Show on the page that the program has ended, and why; wait a moment until the page has the message."""
         self.panel.show_end(words)
-        self.wait_for_page(GOODBYE)
-        if self.saving:
-            self.saving.join()
-        # The page fetches this after it has shown the message.
-        self.panel.show_saved(*self.saved if self.saving else ("",))
         self.wait_for_page(GOODBYE)
 
     # --- commands ----------------------------------------------------------------------------------------------------
 
-    def give(self, command, value=None) -> None:
-        """Put a command into the queue, for the next frame; any thread can call this."""
-        self.commands.put((command, value))
+    # VPython calls the function of a widget, a key or the mouse in a thread of its own, in the middle of a tick.
 
-    def listen(self) -> None:
+    def give(self, command, value=None) -> None:
+        """Put a command, one of make_actions, into the queue for the next frame; any thread can call this."""
+        self.commands.put((self.actions[command], value))
+
+    def listen_to_you(self) -> None:
         """Turn the keys and the mouse into commands."""
 
         def press(event):
@@ -123,151 +157,111 @@ class Viewer(Workbench):
             return event.pos, scene.mouse.ray
 
         scene.bind("keydown", press)
-        scene.bind("mousedown", lambda event: self.give(Command.GRAB, ray(event)))
-        scene.bind("mousemove", lambda event: self.give(Command.DRAG, ray(event)))
-        scene.bind("mouseup", lambda: self.give(Command.LET_GO))
-        scene.bind("resize", lambda: self.give(Command.RESIZE))
+        scene.bind("mousedown", lambda event: self.give("grab", ray(event)))
+        scene.bind("mousemove", lambda event: self.give("drag", ray(event)))
+        scene.bind("mouseup", lambda: self.give("let go"))
+        scene.bind("resize", lambda: self.give("resize"))
 
-    def carry_out(self, command, value):
-        """Carry out a command."""
-        match command:
-            case Command.PAUSE:
-                self.running = not self.running
-                self.questions.skip()
-            case Command.ANSWER:
-                self.running = self.questions.answer(*value) or self.running
-            case Command.STEP if not self.running:
-                self.questions.skip()
-                yield from self.advance(round(FRAME * self.pace.speed / self.cradle.dt))
-            case Command.TICK if not self.running:
-                self.questions.skip()
-                yield from self.show_one_tick()
-            case Command.RESTART:
-                yield from self.make()
-            case _ if command in OF_BENCH:
-                yield from self.work(command, value)
-            case Command.GRAB | Command.DRAG | Command.LET_GO:
-                self.follow_mouse(command, value)
-            case Command.SHOW_AGAIN:
-                self.panel.send_again()
-                self.table.open(False)
-                self.scenery.reset_view()
-                yield from self.open()
-            case _:
-                self.set(command, value)
-        self.show_settings()
+    def make_actions(self) -> dict[str, Callable]:
+        """Return all commands: for each one, the function that carries it out with the command's value."""
+        return {
+            "pause": self.pause,
+            "step": self.do_step,
+            "tick": self.do_one_tick,
+            "restart": lambda _: self.make(),
+            "speed": lambda speed: setattr(self.pace, "speed", speed),
+            "sound": lambda sound: setattr(self, "sound", sound),
+            "graph": lambda choice: self.graph.show(choice),
+            "resize": lambda _: self.scenery.point_camera(),
+            "view": lambda _: self.scenery.reset_view(),
+            "show again": self.show_again,
+            "grab": self.grab,
+            "drag": self.drag,
+            "let go": self.let_go,
+            "angle": self.source.set_angle,
+            "lift": self.source.set_lifted,
+            "collisions": self.source.set_collision,
+            "separating": self.source.set_separating,
+            "experiment": self.source.choose,
+            "ask first": self.source.ask_first,
+            "answer": self.source.answer,
+            "table": self.source.open_table,
+            "edit": self.source.edit,
+            "add": self.source.add,
+            "delete": self.source.delete,
+            "write": self.source.write,
+        }
 
-    def set(self, command, value) -> None:
-        """Carry out a command that neither makes nor moves pendula."""
-        match command:
-            case Command.SPEED:
-                self.pace.speed = value
-                self.try_single_ticks()
-            case Command.SEPARATING:
-                self.leave_experiment()
-                self.separating = value
-            case Command.SOUND:
-                self.sound = value
-            case Command.GRAPH:
-                self.graph.show(value)
-            case Command.SAVE:
-                self.save()
-            case Command.SAVED:
-                self.saving = None
-                self.panel.show_saved(*self.saved)
-            case Command.RESIZE:
-                self.scenery.point_camera()
-            case Command.VIEW:
-                self.scenery.reset_view()
+    def pause(self, _) -> None:
+        """Stop the time, or let it go on; an open question then has no answer."""
+        self.running = not self.running
+        self.questions.skip()
 
-    def make(self):
-        """Let main make a new cradle, lift it as set or as the experiment says, and release it."""
-        yield from super().make()
-        self.pose()
-        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, self.cradle.masses())
-        self.scenery.come_closer()
-        self.recording.clear()
-        self.graph.take(self.cradle.colors())
-        self.swung_through = False
-        self.note()
-        self.table.refresh()
-        self.show_rows()
-        self.show_settings()
+    def do_step(self, _) -> None:
+        """Do the ticks of one frame, while paused."""
+        if not self.running:
+            self.questions.skip()
+            self.plan(round(FRAME * self.pace.speed / self.cradle.dt))
 
-    def save(self) -> None:
-        """Write the data since the last restart to a new file in the current folder, in a thread: it may take long.
+    def do_one_tick(self, _) -> None:
+        """Do one tick, while paused, and show its effect on each pendulum, and the collisions in it."""
+        if not self.running:
+            self.questions.skip()
+            self.one_tick = self.cradle.coordinates()
+            self.plan(1, with_calls=True)
 
-        If you press the button again before the file is complete, nothing more happens.
-        """
-        if self.saving is None:
-            self.panel.show_saved(f"Saving {len(self.recording.rows)} rows ...")
-            self.saving = Thread(target=self.write_data, args=[self.recording.copy()], daemon=True)
-            self.saving.start()
+    def show_again(self, _) -> None:
+        """Send a page that was loaded again all that it needs, and restart the cradle."""
+        self.panel.send_again()
+        self.table.open(False)
+        self.scenery.reset_view()
+        self.is_new_page = True
+        self.make()
 
-    def write_data(self, recording) -> None:
-        """Write this Recording to a new file in the current folder; then give the command SAVED."""
-        try:
-            path = recording.save(Path.cwd())
-            self.saved = f"{len(recording.rows)} rows are in {path}", False
-        except OSError as error:
-            self.saved = f"{error.filename or 'The current folder'}: {error.strerror}", True
-        self.give(Command.SAVED)
+    def grab(self, ray) -> None:
+        """Hold the bob under the mouse, if there is one; ray is the mouse's: a point on it, and its direction."""
+        bob = bob_at(self.cradle.bobs(), *ray)
+        if bob is not None:
+            self.cradle.hand.hold(bob)
+            self.source.leave_experiment()
 
-    def arguments(self) -> list[str] | None:
-        """Return the arguments with which the program starts with the present settings; None if no file has its CSV."""
-        experiment = self.questions.experiment
-        if self.snapshot != (experiment.csv if experiment else self.file.current):  # it was edited in the table
-            return None
-        lifted = None if self.lifted is None else min(self.lifted, len(self.cradle.axles()))
-        separating = self.separating and self.cradle.takes_rule
-        now = {**dict(zip(ANGLES, self.angles, strict=False)), "lift": lifted, "separating": separating}
-        now["experiment"] = experiment.key if experiment else None
-        return page_arguments({**self.options, **self.cradle.options(), **now})
+    def drag(self, ray) -> None:
+        """Drag the held bob, if there is one, to the mouse's ray."""
+        point = point_in_plane(*ray)
+        if self.cradle.hand.held is not None and point is not None:
+            self.cradle.hand.drag(point.x, point.y)
 
-    # --- the mouse ---------------------------------------------------------------------------------------------------
-
-    def follow_mouse(self, command, value) -> None:
-        """Grab a bob, drag the held bob, or let it go; value is the mouse's ray."""
-        if command is Command.GRAB:
-            bob = bob_at(self.cradle.bobs(), *value)
-            if bob is not None:
-                self.cradle.hold(bob)
-                self.leave_experiment()
-        elif self.cradle.held is not None:
-            if command is Command.LET_GO:
-                self.cradle.let_go()
-                self.motion.set_start()
-            else:
-                point = point_in_plane(*value)
-                if point is not None:
-                    self.cradle.drag(self.cradle.held, point.x, point.y)
-
-    # --- time ---------------------------------------------------------------------------------------------------
-
-    def note(self) -> None:
-        """Add this moment to the recording, and to the measurement of an experiment."""
-        sample = self.motion.sample()
-        self.recording.add(sample)
-        self.questions.note(sample, self.motion.has_hit())
+    def let_go(self, _) -> None:
+        """Let the held bob, if there is one, swing on."""
+        if self.cradle.hand.held is not None:
+            self.cradle.hand.let_go()
+            self.motion.set_start()
 
     # --- texts and numbers -------------------------------------------------------------------------------------------
 
+    def arguments(self) -> list[str] | None:
+        """Return the arguments with which the program starts with the present settings; None if no file has its CSV."""
+        if not self.source.is_in_a_file():
+            return None
+        lifted = None if self.lifted is None else min(self.lifted, len(self.cradle.pend_list))
+        separating = self.separating and self.cradle.takes_rule
+        now = {**dict(zip(ANGLES, self.angles, strict=False)), "lift": lifted, "separating": separating}
+        now["experiment"] = self.questions.experiment.key if self.questions.experiment else None
+        return page_arguments({**self.options, **self.cradle.options(), **now})
+
     def show_settings(self) -> None:
         """Show the present settings."""
-        made_angles, made_lifted = self.cradle.as_made()
+        made_angles, made_lifted = self.cradle.as_made
         angles = [made if angle is None else angle for angle, made in zip(self.angles, made_angles, strict=True)]
-        count = len(self.cradle.axles())
+        count = len(self.cradle.pend_list)
         lifted = made_lifted if self.lifted is None else min(self.lifted, count)
-        self.panel.show_settings(self.running, self.pace.speed, angles, lifted, count)
+        self.panel.show_settings(self.running, self.pace.speed, angles, lifted, count, self.cradle.collision)
         arguments = self.arguments()
         self.panel.show_command("" if arguments is None else same_program(arguments))
         self.panel.show_graphs(list(self.graph.choices), self.graph.choice)
 
     def show_motion(self) -> None:
-        """Show time, energy, momentum, impacts and graph, ten times a second."""
-        if self.pace.clock() < self.next_refresh:
-            return
-        self.next_refresh = self.pace.clock() + REFRESH
+        """Show time, energy, momentum, impacts and graph."""
         self.panel.show_motion(self.motion.time(), self.motion.percents(), self.cradle.momentum(), self.pace.remark())
         self.swung_through = self.swung_through or self.cradle.swings_through()
         self.panel.show_impacts(self.motion.trains.lines(), self.swung_through)

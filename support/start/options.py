@@ -1,14 +1,21 @@
-"""The options of the programs. A wrong option ends the program with status 2 and a line with the allowed values."""
+"""The options of the programs, and their command lines. A wrong option ends the program with status 2 and one line."""
 
 import argparse
 import os
+import shlex
+import shutil
+import subprocess
+import sys
 from math import inf
+from pathlib import Path
 
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.cradle_csv import read_cells, RULES, to_number
-from support.files.recording import EVERY
-from support.pendulum import exact_lift, from_lift, to_lift
+from support.files.data_file import EVERY
+from support.pendulum import from_lift, to_lift
 from support.start.output import refuse
+
+ROOT = Path(__file__).resolve().parents[2]
 
 # VPython's environment variable for the port of the page; --port overrides it.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
@@ -96,21 +103,40 @@ def read_double_page_options(arguments=None) -> argparse.Namespace:
 
 
 def page_arguments(options) -> list[str]:
-    """Return the arguments of which the functions above make these options (a dictionary).
+    """Return the command-line arguments for these options (a dictionary); angles are rounded to 1e-9 degrees.
 
     A missing option, or None, has no argument.
     """
     csv, flags = options.get("csv", NC_FP), ("elastic", "inelastic", "separating")
     words = [] if csv == NC_FP else [csv]
     words += [f"--{name}" for name in flags if options.get(name)]
-    lifts = {name: exact_lift(options[name]) for name in ANGLES if options.get(name) is not None}
-    if options.get("experiment") is not None:
-        words += ["--experiment", options["experiment"]]
-    for name, value in {**options, **lifts, "port": options.get("port") or None}.items():
-        if name in NUMBERS and value is not None:
-            text = repr(value).removesuffix(".0")
+    for name in ("experiment", *NUMBERS):
+        value = options.get(name)
+        if value is not None and (name, value) != ("port", 0):
+            number = repr(to_lift(value) if name in ANGLES else value).removesuffix(".0")
+            text = value if name == "experiment" else number
             words += [f"--{name}={text}"] if text.startswith("-") else [f"--{name}", text]
     return words if options.get("browser", True) else [*words, "--no-browser"]
+
+
+def command_line(program, folder, arguments=()) -> str:
+    """Return the command that starts a program of the project from this folder, with the running Python and arguments.
+
+    program is the path of its file in the project's folder.
+    """
+    running, found = Path(sys.executable), shutil.which("python")
+    is_plain = found is not None and Path(found) == running and not running.is_relative_to(folder)
+    paths = [running, ROOT / program]
+    words = [str(path.relative_to(folder) if path.is_relative_to(folder) else path) for path in paths]
+    if is_plain:
+        words[0] = "python"
+    words += arguments
+    return subprocess.list2cmdline(words) if sys.platform == "win32" else shlex.join(words)
+
+
+def same_program(arguments) -> str:
+    """Return the command that starts the running program of src/ from the current folder, with these arguments."""
+    return command_line(f"src/{Path(sys.argv[0]).name}", Path.cwd(), arguments)
 
 
 def read_text_options(arguments=None) -> argparse.Namespace:
@@ -131,8 +157,7 @@ def read_text_options(arguments=None) -> argparse.Namespace:
         parser.error("argument --record: needs --seconds, to say how long")
     if options.every is not None and options.record is None:
         parser.error("argument --every: needs --record")
-    if options.every is None:
-        options.every = EVERY
+    options.every = options.every or EVERY
     return options
 
 

@@ -54,16 +54,15 @@ def in_one_line(text) -> str:
     return "".join(letter if letter.isprintable() else letter.encode("unicode_escape").decode() for letter in str(text))
 
 
-def say(text) -> None:
-    """Print a text. If this fails, the program goes on without it."""
+def say(text, file=None, end="\n") -> None:
+    """Print a text to this file, by default on stdout. If this fails, the program goes on without it."""
     with suppress(OSError):
-        print(text, flush=True)
+        print(text, end=end, file=file, flush=True)
 
 
 def complain(message) -> None:
     """Print a message in one line on stderr. If this fails, the program goes on without it."""
-    with suppress(OSError):
-        print(in_one_line(message), file=sys.stderr, flush=True)
+    say(in_one_line(message), sys.stderr)
 
 
 def refuse(message) -> None:

@@ -1,16 +1,18 @@
-"""Show the cradle in the terminal: as a moving picture, or as lines of text."""
+"""Show the cradle in the terminal, as a moving picture or as lines of text, or write its data to a file."""
 
 import os
 import sys
 from math import degrees, inf, pi, remainder
 
-from support.playback.motion import in_words
-from support.playback.player import Player, run
-from support.terminal.picture import TextPicture
-from support.terminal.screen import own_screen, screen, TRAINS, WIDTH
+from support.cradle.motion import in_words
+from support.cradle.player import Player, run
+from support.files.data_file import data_writer, whole_file
+from support.start.output import in_one_line
+from support.terminal.screen import own_screen, progress_bar, screen, TextPicture, TRAINS, WIDTH
 
 PICTURE = 1 / 20  # s from picture to picture
 LINE = 0.5  # s from line to line
+PART = 1000  # ticks from one report of a recording's progress to the next
 
 
 def has_terminal() -> bool:
@@ -29,19 +31,18 @@ class TextPlayer(Player):
         self.step = max(1, round(self.step_seconds / cradle.dt))
         self.last = options.seconds if options.seconds == inf else round(options.seconds / cradle.dt)  # tick
 
-    def script(self):
-        """Play the cradle from its start to its end."""
-        yield from self.make()
-        yield from self.play()
-
-    def play(self):
-        """Play the present cradle to its end."""
+    def made(self) -> None:
+        """Show the cradle at its start."""
         self.note()
         self.pace.restart()
-        while self.motion.ticks < self.last:
-            yield from self.keep_time(self.last - self.motion.ticks)
+
+    def frame(self) -> None:
+        """Rest, and plan the ticks that are due; at the end, show the cradle again."""
+        self.is_over = self.motion.ticks >= self.last
+        if not self.is_over:
             self.pace.rest()
-        if self.last % self.step:
+            self.keep_time(self.last - self.motion.ticks)
+        elif self.last % self.step:
             self.note()
 
 
@@ -90,7 +91,7 @@ class Lines(TextPlayer):
 
 def summary(motion) -> str:
     """Return a line: the time, the energy, the angle and side of the highest pendulum, and the latest hits."""
-    angles = [degrees(remainder(theta, 2 * pi)) for theta in motion.cradle.thetas()]
+    angles = [degrees(remainder(theta, 2 * pi)) for theta in motion.cradle.values("theta")]
     number, angle = max(enumerate(angles, start=1), key=lambda numbered: abs(numbered[1]))
     total = in_words(motion.percents()["energy"]).strip()
     side = "left" if angle < 0 else "right"
@@ -98,3 +99,47 @@ def summary(motion) -> str:
     trains = motion.trains.trains
     impacts = f", hits: {', '.join(map(str, trains))}" if trains else ""
     return line + (impacts if len(line + impacts) <= WIDTH else ", many hits")
+
+
+# --- to a file, as fast as the machine can ----------------------------------------------------------------------------
+
+
+class Recorder(Player):
+    """Writes a row of data for every options.every seconds of simulated time, as fast as the machine can."""
+
+    def __init__(self, cradle, csv, options, writer, progress):
+        """Write with writer, a data_writer; call progress(part) again and again with the finished part, 0 to 1.
+
+        options has angle, lift, seconds and every, from read_text_options.
+        """
+        super().__init__(cradle, csv, [options.angle], options.lift, 1)
+        self.step = round(options.every / cradle.dt)
+        self.count = int(options.seconds / options.every + 1e-9) + 1  # rows
+        self.last = (self.count - 1) * self.step  # tick
+        self.writer, self.progress = writer, progress
+
+    def made(self) -> None:
+        """Write the first row, before any tick."""
+        self.writer.writerow(self.motion.sample())
+        self.note()
+
+    def frame(self) -> None:
+        """Report the progress, and plan the next ticks."""
+        self.is_over = self.motion.ticks >= self.last
+        if self.motion.ticks:
+            self.progress(self.motion.ticks / self.last)
+        self.plan(min(PART, self.last - self.motion.ticks))
+
+    def note(self) -> None:
+        """Write a row."""
+        self.writer.writerow(self.motion.sample().values())
+
+
+def record(loop, cradle, csv, options, remark="") -> None:
+    """Write the data of options.seconds to the file options.record, whole or not at all."""
+    with whole_file(options.record) as file, progress_bar() as progress:
+        recorder = Recorder(cradle, csv, options, data_writer(file), progress)
+        run(loop, recorder)
+    print(remark, end="\n" if remark else "")
+    line = f"{recorder.count} rows, from t = 0 to {recorder.motion.time():g} s, are in {options.record}"
+    print(in_one_line(line))

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager, ExitStack
+from operator import itemgetter
 from unittest.mock import patch
 
 from vpython import box, color, cylinder, sphere, vector
@@ -12,17 +13,24 @@ from support.shapes import discarded
 R = 0.4  # m; R_PARAM differs, so a check finds the constant in place of the parameter
 
 # All pendula differ, no value is a default, and make_newton_cradle must change theta and omega.
-MIXED_CSV = """\
-mass,e,theta,omega,color,texture
-1.5,0.9,0.3,2.0,red,metal
-2.5,0.8,-0.2,-1.0,blue,none
-0.5,0.7,0.1,0.5,yellow,wood
-"""
 MIXED = [
     {"mass": 1.5, "e": 0.9, "theta": 0.3, "omega": 2.0, "color": "red", "texture": "metal"},
     {"mass": 2.5, "e": 0.8, "theta": -0.2, "omega": -1.0, "color": "blue", "texture": "none"},
     {"mass": 0.5, "e": 0.7, "theta": 0.1, "omega": 0.5, "color": "yellow", "texture": "wood"},
 ]
+
+
+def csv_of(rows) -> str:
+    """Return rows as the text of a CSV, without a line break at the end."""
+    return "\n".join([",".join(rows[0]), *(",".join(map(str, row.values())) for row in rows)])
+
+
+MIXED_CSV = f"{csv_of(MIXED)}\n"
+
+
+def each(pend_list, *keys) -> dict:
+    """Return options of expect to compare the values of these keys in each pendulum, after the call."""
+    return {"see": lambda _: [*map(itemgetter(*keys), pend_list)], "what": f"{' and '.join(keys)} of each pendulum"}
 
 
 def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R, radius=None) -> dict:
@@ -36,6 +44,14 @@ def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R,
 def row(count, **values) -> list[dict]:
     """Return count pendula with axles R / 4 apart, and these values for hang."""
     return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]
+
+
+def touching(*omegas, radius=R / 8):
+    """Return pendula that hang straight down and touch, with these omegas (rad/s)."""
+    pend_list = row(len(omegas), radius=radius)
+    for pend, omega in zip(pend_list, omegas, strict=True):
+        pend["omega"] = omega
+    return pend_list
 
 
 @contextmanager
@@ -56,9 +72,9 @@ def shapes_made() -> Iterator[list]:
 
 # Options of expect for the number of left_over.
 LEFT_OVER = {
-    "gives": 0,
+    "wanted": 0,
     "what": "number of shapes that are left over in the scene",
-    "hints": [(lambda came: came > 0, "Axles, bobs or cords stay in the scene without use. Make each pendulum once.")],
+    "hints": [(lambda count: count, "Axles, bobs or cords stay in the scene without use. Make each pendulum once.")],
 }
 
 

@@ -8,56 +8,30 @@ code of the function does not matter.
 
 import importlib
 import os
-import signal
 import sys
-import threading
 import traceback
 from collections.abc import Callable
 from contextlib import contextmanager, redirect_stdout
 from io import StringIO
-from math import isclose
-from numbers import Real
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
-from vpython import vector
 
 from grading import limits
+from grading.comparing import both, fits, has_form_of, hint_for, mistake_in, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
-from grading.telling import (
-    about,
-    Call,
-    culprit_of,
-    import_hint,
-    message,
-    mistake_in,
-    own_lines,
-    place_of,
-    plain,
-    PlainFile,
-    raised,
-    ROOT,
-    shown,
-    unwritten,
-    Wanted,
-)
+from grading.messages import about, Call, culprit_of, end_of, import_hint, line_of, message, plain, shown, stub_of
+from grading.project_path import ROOT
 from support.constants import NC_FP
-from support.start.command_line import command_line
-
-PATIENCE = 5.0  # s; then the grader stops a function
-LONG = 130  # characters; of a longer list, a message shows only the first difference
-
-# Errors of a check that reads a value of the wrong form.
-OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
-
+from support.start.options import command_line
 
 # --- checks ----------------------------------------------------------------------------------------------------------
 
 
 class Check(NamedTuple):
     function: str  # the name of the function that is checked
-    ask: Callable  # calls the function; raises MistakeError
+    ask: Callable  # calls the function; raises WrongError or WaitError
     watched: bool  # whether watch.py can play it
 
     @property
@@ -97,131 +71,117 @@ def checks(*, tier=None, function=None) -> list[Check]:
 # --- calling students' functions -------------------------------------------------------------------------------------
 
 
-class MistakeError(Exception):
+class WrongError(Exception):
     """A result that the handout does not ask for. Its text is a sentence that says what is wrong."""
 
-    def __init__(self, wrong, call, lines, hints=(), hung="", playable=False):
-        """lines and hints are the (label, text) pairs below the call in the message; there is at most one hint.
-
-        hung says how the call went over a limit.
-        """
+    def __init__(self, wrong, call, lines, hint="", hung="", playable=False):
+        """lines are the (label, text) pairs below the call in the message. hung says how the call went over a limit."""
         super().__init__(wrong)
-        self.call, self.lines, self.hints, self.hung, self.playable = call, lines, list(hints), hung, playable
+        self.call, self.lines, self.hint, self.hung, self.playable = call, lines, hint, hung, playable
 
     def message(self, *more) -> str:
         """Return the message, with more (label, text) pairs at its end."""
-        return message([("wrong", f"{self}"), ("called", self.call.lines()), *self.lines, *self.hints, *more])
+        return message([("wrong", f"{self}"), ("called", self.call.lines()), *self.lines, ("hint", self.hint), *more])
 
 
 class WaitError(Exception):
-    """A check waits for another function or file, which the error names."""
+    """A check waits. The text says for which function or file, or for the student to write its own function."""
 
-    def __init__(self, what, hung=""):
-        super().__init__(what)
-        self.hung = hung
-
-
-class UnwrittenError(Exception):
-    """The function of a check is not written yet; the error names its place."""
+    def __init__(self, cause, hung="", place=""):
+        """hung says how the cause went over a limit. place is that of the check's function if it is not written."""
+        super().__init__(cause)
+        self.hung, self.place = hung, place
 
 
 CALLS: list[Call] = []  # of the current check
 ALONE: list[int] = []  # the number of the only call that expect makes, if there is one: is_right_alone
 
+RETURNS_NOTHING = "Does your function reach a return with a value? (append returns None.)"
 
-def expect(function, *arguments, gives, see=None, what="", hints=(), times=1, feeds=False) -> Any:
-    """Call a student's function, and return its result; raise MistakeError if the result is wrong.
 
-    see(result) returns the value to compare with gives, from the result or from the arguments; without see, it is the
-    result. gives is a Wanted, or a value for same. what describes the value in words. hints are pairs: the result of a
+def expect(function, *arguments, wanted, see=None, what="", hints=(), times=1) -> Any:
+    """Call a student's function, and return its result; raise WrongError if the result is wrong.
+
+    see(result) returns the value to compare with wanted, from the result or from the arguments; without see, it is the
+    result. wanted is a Wanted, or a value for same. what describes the value in words. hints are pairs: the result of a
     mistake (a value, or a test of a value or an error), and the sentence that names the mistake. A hint is shown only
-    if no other hint has the same result. times is the number of calls; with feeds, the result of a call gives the first
-    arguments of the next one.
+    if no other hint has the same result. times is the number of calls; a result gives the first arguments of the next.
     """
     call = Call(function, tuple(plain(argument) for argument in arguments), times)
     CALLS.append(call)
     if ALONE and len(CALLS) not in ALONE:
         return None
-    wanted = ("expected", about(what, gives))
-    solution = find(function)
-    result = run(call, solution, arguments, wanted, feeds, hints)
-    for before, path in zip(call.arguments, arguments, strict=True):
-        if isinstance(before, PlainFile) and plain(path) != before:
-            lines = [("came back", "The file has changed."), ("expected", "The file stays as it is. Only read it.")]
-            raise MistakeError(f"{function} has changed the file at relative_filepath.", call, lines)
-    if result is None and FUNCTIONS[function].returns:
-        lines = [("came back", "None"), wanted]
-        raise MistakeError(f"{function} returns nothing.", call, lines, [("hint", RETURNS_NOTHING)])
+    expected, returns = ("expected", about(what, wanted)), FUNCTIONS[function].returns
+    result = run(call, find(function), arguments, expected, hints)
+    if call.has_changed_a_file():
+        lines = [("came back", "The file has changed."), ("expected", "The file stays as it is. Only read it.")]
+        raise WrongError(f"{function} has changed the file at relative_filepath.", call, lines)
+    if result is None and returns:
+        raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected], RETURNS_NOTHING)
     try:
-        came = see(result) if see else result
+        found = see(result) if see else result
     except OTHER_FORM as error:
-        lines = [*shown(result).split("\n")] if FUNCTIONS[function].returns else []
-        lines.append(f"This has the wrong form ({type(error).__name__}: {error}).")
+        form = f"This has the wrong form ({type(error).__name__}: {error})."
+        lines = [("came back", [*shown(result).split("\n") * bool(returns), form]), expected]
         sentence = f"{what or 'The result'} cannot be read."
-        raise MistakeError(sentence, call, [("came back", lines), wanted], hint(result, gives, hints)) from None
-    if not fits(came, gives):
-        sentence = mistake_in(what or FUNCTIONS[function].returns, came, gives, fits)
-        digits = 6 if shown(came) != shown(gives) else 15  # else both would look the same
-        at, *values = first_difference(what, came, gives)
-        lines = [
-            (label, about(at, value, digits)) for label, value in zip(("came back", "expected"), values, strict=True)
-        ]
-        raise MistakeError(sentence, call, lines, hint(came, gives, hints), playable=has_form_of(came, gives))
+        raise WrongError(sentence, call, lines, hint_for(result, wanted, hints)) from None
+    if not fits(found, wanted):
+        lines, hint = both(what, found, wanted), hint_for(found, wanted, hints)
+        sentence = mistake_in(what or returns, found, wanted)
+        raise WrongError(sentence, call, lines, hint, playable=has_form_of(found, wanted))
     return result
 
 
 def find(function) -> Callable:
-    """Return a student's function; raise MistakeError if it is missing, or WaitError if another file is wrong."""
-    file = FUNCTIONS[function].file
+    """Return a student's function; raise WrongError if it is missing, or WaitError if another file is wrong."""
+    file, call = FUNCTIONS[function].file, Call(function)
     try:
         with working_in(ROOT):  # the check may be in another folder
             module = limits.in_limited_memory(importlib.import_module, module_of(file))
     except BaseException as error:  # also SystemExit
-        if is_ctrl_c(error):
-            raise
-        hung = over_limit(error)
         culprit = culprit_of(error)
         if culprit != file and culprit in {other.file for other in FUNCTIONS.values()}:
-            raise WaitError(culprit, hung) from None
-        lines = [("came back", stopped(error))] if hung else [("it raised", raised(error))]
-        sentence = f"Python cannot import {file}."
-        raise MistakeError(sentence, Call(function), lines, import_hint(error) or end_hint(error), hung) from None
+            raise WaitError(culprit, limits.over_limit(error)) from None
+        raise stopped(call, f"Python cannot import {file}.", error, hint=import_hint(error)) from None
     if not callable(getattr(module, function, None)):
-        raise MistakeError(f"{file} has no function {function}.", Call(function), [])
+        raise WrongError(f"{file} has no function {function}.", call, [])
     return getattr(module, function)
 
 
-def run(call, solution, arguments, wanted, feeds, hints) -> Any:
-    """Return the result of a student's function. Raise MistakeError if it raises an error or goes over a limit,
-    UnwrittenError if it is not written yet, and WaitError if it calls a function that is not written yet.
+def run(call, solution, arguments, expected, hints) -> Any:
+    """Return the result of a student's function. Raise WrongError if it raises an error or goes over a limit, and
+    WaitError if it is not written yet, or calls a function that is not written yet.
     """
     try:
-        return limits.in_limited_memory(repeat, solution, arguments, call.times, feeds)
+        return limits.in_limited_memory(repeat, solution, arguments, call)
     except BaseException as error:  # also SystemExit
-        if is_ctrl_c(error):
-            raise
-        limit = over_limit(error)
-        if limit:
-            sentence = f"{call.function} {limit}."
-            raise MistakeError(sentence, call, [("came back", stopped(error)), wanted], hung=limit) from None
-        stub = unwritten(error)
+        stub = stub_of(error)
         if stub not in (None, call.function):
             raise WaitError(stub) from None
         if stub and call.arguments == tuple(map(plain, arguments)):
-            raise UnwrittenError(place_of(error, FUNCTIONS[stub].file)) from None
-        has_worked = [("hint", "Your code ran up to this line. Now delete it.")] if stub else []
-        sentence = f"{call.function} stops with an error."
-        lines, found = [("it raised", raised(error)), wanted], has_worked or end_hint(error) or hint(error, None, hints)
-        raise MistakeError(sentence, call, lines, found) from None
+            place = line_of(error, FUNCTIONS[stub].file)
+            raise WaitError(f"you to write {stub} in {place}", place=place) from None
+        limit = limits.over_limit(error)
+        sentence = f"{call.function} {limit or 'stops with an error'}."
+        hint = "Your code ran up to this line. Now delete it." if stub else hint_for(error, None, hints)
+        raise stopped(call, sentence, error, expected, hint=hint) from None
 
 
-def repeat(solution, arguments, times, feeds) -> Any:
-    """Return the result of the last call; with feeds, the result of a call begins the next arguments."""
-    for _ in range(times):
+def repeat(solution, arguments, call) -> Any:
+    """Return the result of the last call; if the function returns values, they begin the next arguments."""
+    for _ in range(call.times):
         result = solution(*arguments)
-        if feeds and isinstance(result, tuple):
+        if FUNCTIONS[call.function].returns and isinstance(result, tuple):
             arguments = (*result, *arguments[len(result) :])
     return result
+
+
+def stopped(call, sentence, error, *lines, hint) -> WrongError:
+    """Return what to raise if a call raises this error, or if the grader stopped it at a limit."""
+    limit = limits.over_limit(error)
+    if limit or isinstance(error, (SystemExit, KeyboardInterrupt)):
+        hint = "" if limit else "This line ends the whole program. Remove it; return ends a function."
+    return WrongError(sentence, call, [end_of(error), *lines], hint, limit)
 
 
 def is_right_alone(check, number) -> bool:
@@ -229,10 +189,10 @@ def is_right_alone(check, number) -> bool:
     CALLS.clear()
     ALONE.append(number)
     try:
-        with patience(), limits.without_ends(), imported_again(), redirect_stdout(StringIO()):
+        with limits.patience(), limits.without_ends(), imported_again(), redirect_stdout(StringIO()):
             check.ask()
-    except BaseException as error:
-        if is_ctrl_c(error):
+    except BaseException:
+        if limits.PRESSED.is_set():
             raise
         return False
     finally:
@@ -268,136 +228,6 @@ def module_of(file) -> str:
     return file.removesuffix(".py").replace("/", ".")
 
 
-def over_limit(error) -> str:
-    """Return how a call that raised this error went over a limit, or "" if it did not."""
-    if isinstance(error, KeyboardInterrupt) and LATE.is_set():
-        return f"took longer than {PATIENCE:g} s"
-    return f"took more than {limits.MOST_MEMORY} MB of memory" if isinstance(error, MemoryError) else ""
-
-
-def stopped(error) -> list[str]:
-    """Return lines that say where a call went over a limit."""
-    is_late = isinstance(error, KeyboardInterrupt)
-    what = f"nothing, within {PATIENCE:g} s; it was" if is_late else f"nothing; it {over_limit(error)} and was"
-    return [f"{what} stopped here:", *own_lines(error)]
-
-
-def end_hint(error) -> list[tuple[str, str]]:
-    """Return the hint for a call that wants to end the program, or no hint."""
-    ends = isinstance(error, (SystemExit, KeyboardInterrupt))
-    return [("hint", "This line ends the whole program. Remove it; return ends a function.")] if ends else []
-
-
-LATE = threading.Event()  # set if the grader stopped a check
-PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
-
-
-def is_ctrl_c(error) -> bool:
-    """Return whether somebody pressed Ctrl+C: neither the grader nor the function itself raised this error."""
-    return isinstance(error, KeyboardInterrupt) and PRESSED.is_set()
-
-
-@contextmanager
-def patience():
-    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than PATIENCE."""
-    lock, over = threading.Lock(), threading.Event()
-
-    def interrupt():
-        in_time = over.wait(PATIENCE)
-        while not in_time:  # repeat it: the solution may catch the first one
-            with lock:
-                if not over.is_set():
-                    LATE.set()
-                    interrupt_main_thread()
-            in_time = over.wait(0.5)
-
-    def on_interrupt(*_):
-        if not LATE.is_set():
-            PRESSED.set()
-        raise KeyboardInterrupt
-
-    LATE.clear()
-    PRESSED.clear()
-    before = signal.signal(signal.SIGINT, on_interrupt)  # a background job ignores interrupts
-    threading.Thread(target=interrupt, daemon=True).start()
-    try:
-        yield
-    finally:
-        with lock:
-            over.set()
-        signal.signal(signal.SIGINT, before)
-
-
-def interrupt_main_thread() -> None:
-    """Do the same as Ctrl+C: this also ends a sleep. On Windows, any thread can send the signal."""
-    if hasattr(signal, "pthread_kill"):
-        signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
-    else:
-        signal.raise_signal(signal.SIGINT)
-
-
-# --- comparing -------------------------------------------------------------------------------------------------------
-
-
-def fits(came, wanted) -> bool:
-    """Return whether came is right; wanted is a value, a Wanted, or a test of a value."""
-    test = wanted.is_one if isinstance(wanted, Wanted) else wanted if callable(wanted) else None
-    try:
-        return bool(test(came)) if test else same(came, wanted)
-    except OTHER_FORM:
-        return False
-
-
-def same(came, wanted) -> bool:
-    """Return whether two values are equal, numbers within rounding errors; 0 equals 0.0."""
-    if isinstance(wanted, vector):
-        return isinstance(came, vector) and same(came.value, wanted.value)
-    if isinstance(wanted, dict):
-        return isinstance(came, dict) and came.keys() == wanted.keys() and all(same(came[k], wanted[k]) for k in wanted)
-    if isinstance(wanted, (list, tuple)):
-        kind = list if isinstance(wanted, list) else tuple
-        return isinstance(came, kind) and len(came) == len(wanted) and all(map(same, came, wanted))
-    if isinstance(wanted, str):
-        return isinstance(came, str) and came == wanted
-    if isinstance(wanted, Real):
-        return isinstance(came, Real) and isclose(came, wanted, rel_tol=1e-6, abs_tol=1e-9)
-    return type(came) is type(wanted) and bool(came == wanted)
-
-
-def first_difference(what, came, wanted) -> tuple:
-    """Return what, came and wanted; for long lists, those of the first wrong element."""
-    are_lists = isinstance(came, list) and isinstance(wanted, list) and len(came) == len(wanted)
-    are_long = are_lists and max(len(shown(came)), len(shown(wanted))) > LONG
-    if are_long or (are_lists and isinstance(wanted[0], dict)):
-        i = [same(*pair) for pair in zip(came, wanted, strict=True)].index(False)
-        return f"{what} at index {i}".lstrip(), came[i], wanted[i]
-    return what, came, wanted
-
-
-def has_form_of(came, wanted) -> bool:
-    """Return whether only the numbers in came are wrong: watch.py can then play the scene."""
-    if isinstance(wanted, Wanted):
-        return has_form_of(came, wanted.like)
-    if isinstance(wanted, (tuple, list)):
-        is_row = isinstance(came, (tuple, list)) and len(came) == len(wanted)
-        return is_row and all(map(has_form_of, came, wanted))
-    return isinstance(came, Real) if isinstance(wanted, Real) else came is not None
-
-
-RETURNS_NOTHING = "Does your function reach a return with a value? (append returns None.)"
-
-
-def hint(came, wanted, hints) -> list[tuple[str, str]]:
-    """Return the hint for this result, or no hint. If two mistakes give this result, nobody knows which one it was."""
-    sentences = {sentence for mistaken, sentence in hints if fits(came, mistaken)}
-    if not sentences and isinstance(wanted, tuple) and len(wanted) > 1 and isinstance(came, (list, tuple)):
-        if same(tuple(came), wanted):
-            sentences.add("You returned a list. Return a tuple.")
-        if same(tuple(reversed(came)), wanted):
-            sentences.add("The values are right, but in the wrong order.")
-    return [("hint", sentence) for sentence in sentences] if len(sentences) == 1 else []
-
-
 # --- judging ---------------------------------------------------------------------------------------------------------
 
 PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
@@ -408,6 +238,8 @@ class Outcome(NamedTuple):
     message: str = ""
     call: Call | None = None  # the call that failed, else the first one; None if watch.py cannot play it
     place: str = ""  # the place of the function, if it is not written yet
+    hint: str = ""  # it is in the message, too
+    cause: str = ""  # the functions or the file that a check waits for
 
 
 MATTERS = "This call is right when it is made alone. What does your code keep from the calls before it?"
@@ -416,7 +248,9 @@ MATTERS = "This call is right when it is made alone. What does your code keep fr
 class Grading:
     """The outcomes of the checks. Each check is made once."""
 
-    def __init__(self):
+    def __init__(self, asks_again=True):
+        """asks_again: make a call that fails once more, alone, to find out whether the calls before it matter."""
+        self.asks_again = asks_again
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
         # Functions and files that went over a limit: the cause, mostly themselves, and the limit in words.
         self.hung: dict[str, tuple[str, str]] = {}
@@ -429,20 +263,18 @@ class Grading:
 
     def outcome_of(self, check) -> Outcome:
         """Return the outcome of a check that was not made yet."""
-        function = FUNCTIONS[check.function]
         waits = [name for name in needed(check.function) if self.is_wrong(name)]
         if waits:
             # Find out whether the function is written; skip this if a function hangs.
             outcome = None if self.hung else self.make(checks(function=check.function)[0])
-            is_written = outcome is None or not outcome.place
-            return Outcome(WAITING, f"waits for {', '.join(waits)}") if is_written else outcome
-        for name in (function.file, check.function):
+            return outcome if outcome and outcome.place else waiting(", ".join(waits))
+        for name in (FUNCTIONS[check.function].file, check.function):
             cause, limit = self.hung.get(name, ("", ""))
             if cause == name:
                 lines = [("not called", f"{name} {limit} in an earlier check.")]
                 return Outcome(FAILED, message([*lines, where_to_read(check)]))
             if cause:
-                return Outcome(WAITING, f"waits for {cause}")
+                return waiting(cause)
         return self.make(check)
 
     def is_wrong(self, function) -> bool:
@@ -456,40 +288,43 @@ class Grading:
         shipped = Path(NC_FP)
         before = shipped.read_bytes() if shipped.is_file() else None
         try:
-            with patience(), limits.without_ends():
+            with limits.patience(), limits.without_ends():
                 check.ask()
             if before and not (shipped.is_file() and shipped.read_bytes() == before):
                 shipped.write_bytes(before)
                 lines = [("came back", "Your code changed newton_cradle_pends.csv. It is restored now.")]
                 lines.append(("expected", "Your function writes no file."))
-                raise MistakeError(f"{check.function} writes a file.", Call(check.function), lines)
-        except MistakeError as mistake:
-            return self.failed(check, mistake)
-        except UnwrittenError as place:
-            return Outcome(WAITING, f"waits for you to write {check.function} in {place}", place=str(place))
+                raise WrongError(f"{check.function} writes a file.", Call(check.function), lines)
+        except WrongError as error:
+            return self.failed(check, error)
         except WaitError as error:
             if error.hung:
                 self.hung[FUNCTIONS[check.function].file] = str(error), error.hung
-            return Outcome(WAITING, f"waits for {error}")
-        except BaseException as error:
-            if is_ctrl_c(error):
+            return waiting(str(error), error.place)
+        except BaseException:
+            if limits.PRESSED.is_set():
                 raise
             lines = ["This is a fault of the grader, not of your code. Please show it to your teacher."]
             return Outcome(FAULT, "\n".join([*lines, traceback.format_exc().rstrip()]))
         return Outcome(PASSED, call=CALLS[0] if check.watched else None)
 
-    def failed(self, check, mistake) -> Outcome:
-        """Return the outcome of a check in which a function made this mistake."""
-        called = mistake.call.arguments is not None
-        if mistake.hung:
+    def failed(self, check, error) -> Outcome:
+        """Return the outcome of a check that raised this WrongError."""
+        called = error.call.arguments is not None
+        if error.hung:
             name = check.function if called else FUNCTIONS[check.function].file
-            self.hung[name] = name, mistake.hung
-        elif called and is_right_alone(check, len(CALLS)):
-            mistake.hints = [("hint", MATTERS)]
-        lines, is_scene = [where_to_read(check)], check.watched and mistake.playable
-        if is_scene:
+            self.hung[name] = name, error.hung
+        elif called and self.asks_again and is_right_alone(check, len(CALLS)):
+            error.hint = MATTERS
+        lines, call = [where_to_read(check)], error.call if check.watched and error.playable else None
+        if call:
             lines.append(("watch", f"{command_line('tests/watch.py', ROOT)} {check.name}"))
-        return Outcome(FAILED, mistake.message(*lines), mistake.call if is_scene else None)
+        return Outcome(FAILED, error.message(*lines), call, hint=error.hint)
+
+
+def waiting(cause, place="") -> Outcome:
+    """Return the outcome of a check that waits for this cause."""
+    return Outcome(WAITING, f"waits for {cause}", place=place, cause=cause)
 
 
 def where_to_read(check) -> tuple[str, str]:

@@ -24,25 +24,20 @@ SWING = "Swing Implementation (C Tests), and Appendix: Physics Derivations"
 COLLISIONS = "Handling Collisions (B Tests), and Appendix: Conservation Laws"
 RUNNING, CHALLENGE = "Running the Simulation (A Tests)", "Honor Roll Challenge"
 
+
+def maker(parameters, uses) -> Function:
+    """Return a function that makes a pend_list from a CSV, and uses this other function."""
+    return Function("D", SPECIAL, parameters, CREATION, (uses,), returns="pend_list")
+
+
 # In the order of the handout.
 FUNCTIONS = {
     "extract_and_convert": Function("D", "src/pds_helper.py", "relative_filepath", CONVERTER, returns="pend_list"),
-    "uniform_mass_newton_cradle": Function(
-        *("D", SPECIAL, "relative_filepath, mass", CREATION, ("extract_and_convert",)), returns="pend_list"
-    ),
-    "uniform_e_newton_cradle": Function(
-        *("D", SPECIAL, "relative_filepath, e_val", CREATION, ("extract_and_convert",)), returns="pend_list"
-    ),
-    "elastic_newton_cradle": Function(
-        *("D", SPECIAL, "relative_filepath", CREATION, ("uniform_e_newton_cradle",)), returns="pend_list"
-    ),
-    "inelastic_newton_cradle": Function(
-        *("D", SPECIAL, "relative_filepath", CREATION, ("uniform_e_newton_cradle",)), returns="pend_list"
-    ),
-    "make_newton_cradle": Function(
-        *("D", SPECIAL, "relative_filepath, r_param, theta_init", CREATION, ("extract_and_convert",)),
-        returns="pend_list",
-    ),
+    "uniform_mass_newton_cradle": maker("relative_filepath, mass", "extract_and_convert"),
+    "uniform_e_newton_cradle": maker("relative_filepath, e_val", "extract_and_convert"),
+    "elastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
+    "inelastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
+    "make_newton_cradle": maker("relative_filepath, r_param, theta_init", "extract_and_convert"),
     "angle_update": Function("C", SWINGING, "omega, theta, r_param, dt, g", SWING, returns="omega_new, theta_new"),
     "full_swing_update": Function(
         "C", SWINGING, "pend_list, r_param, dt, g", SWING, ("angle_update",), ("theta", "omega")

@@ -1,10 +1,12 @@
-"""Limits for students' functions: they cannot take all memory, ask somebody, or end the process of the grader.
+"""Limits for students' functions: they cannot take all time or memory, ask somebody, or end the grader's process.
 
 This is for mistakes. It is no protection from a student who means harm.
 """
 
 import builtins
 import os
+import signal
+import threading
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -13,10 +15,14 @@ try:
 except ImportError:  # Windows
     resource = None  # type: ignore[assignment]
 
+PATIENCE = 5.0  # s; then the grader stops a function
 MOST_MEMORY = 1000  # MB
 SPARE = 2**18  # bytes, for the message about a call that took all its memory
 
 MEMORY_IN_USE = Path("/proc/self/statm")  # Linux has it; its sixth number counts the pages of data
+
+LATE = threading.Event()  # set if the grader stopped a check
+PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
 
 ENDS = [(os, "_exit"), (os, "abort"), (os, "kill")]  # functions that end the process, even without an error
 
@@ -70,3 +76,54 @@ def refusal(name, end):
 def no_answer(*_):
     """Take the place of input."""
     raise EOFError("input() waits for somebody, but nobody answers in a check")
+
+
+def over_limit(error) -> str:
+    """Return how a call that raised this error went over a limit, or "" if it did not."""
+    if isinstance(error, KeyboardInterrupt) and LATE.is_set():
+        return f"took longer than {PATIENCE:g} s"
+    return f"took more than {MOST_MEMORY} MB of memory" if isinstance(error, MemoryError) else ""
+
+
+@contextmanager
+def patience():
+    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than PATIENCE.
+
+    If somebody presses Ctrl+C, set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches it.
+    """
+    lock, over = threading.Lock(), threading.Event()
+
+    def interrupt():
+        in_time = over.wait(PATIENCE)
+        while not in_time:  # repeat it: the solution may catch the first one
+            with lock:
+                if not over.is_set():
+                    LATE.set()
+                    interrupt_main_thread()
+            in_time = over.wait(0.5)
+
+    def on_interrupt(*_):
+        if not LATE.is_set():
+            PRESSED.set()
+        raise KeyboardInterrupt
+
+    LATE.clear()
+    PRESSED.clear()
+    before = signal.signal(signal.SIGINT, on_interrupt)  # a background job ignores interrupts
+    threading.Thread(target=interrupt, daemon=True).start()
+    try:
+        yield
+    finally:
+        with lock:
+            over.set()
+        signal.signal(signal.SIGINT, before)
+        if PRESSED.is_set():
+            raise KeyboardInterrupt
+
+
+def interrupt_main_thread() -> None:
+    """Do the same as Ctrl+C: this also ends a sleep. On Windows, any thread can send the signal."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+    else:
+        signal.raise_signal(signal.SIGINT)

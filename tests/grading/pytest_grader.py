@@ -1,7 +1,7 @@
 """The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table ends a run.
 
 With pytest-xdist (-n 2), other processes run the tests and report to the first one, which shows the table. One of them
-makes all checks in their order, because the checks share a Grading.
+makes all checks in their order, because the checks share a Grading; both take the other tests one by one.
 """
 
 from support import headless_vpython
@@ -18,13 +18,15 @@ from shutil import get_terminal_size
 
 import pytest
 
-from grading.grade import grade, lines, unwritten
+from grading.grade import grade, lines, places
 from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import SUITES
-from support.files.atomic_write import whole_file
+from support.files.data_file import whole_file
 
 PRINTED = 10  # lines that are shown of what a solution has printed
 OUTCOME = "outcome of a check"  # the name under which a report has it
+JUDGING = {*SUITES.values(), "test_graded_suites", "test_watch"}  # the files of tests that judge solutions
+RAN: dict[str, Outcome] = {}  # the outcomes of this run's checks, by name, as they are reported
 TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes them
 
 
@@ -43,8 +45,8 @@ def tier_name(text) -> str:
 def pytest_configure(config):
     if not __debug__:
         raise pytest.UsageError("Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks.")
-    config.grading, config.ran = Grading(), {}  # ran: the outcomes of this run's checks, by name, as they are reported
-    config.pluginmanager.register(Listener(config.ran))
+    config.grading = Grading()
+    RAN.clear()
     file = config.option.grade_json
     if file is not None and (Path(file).is_dir() or not Path(file).parent.is_dir()):
         raise pytest.UsageError(f"--grade-json: found {file!r}, allowed is a file in a folder that is there")
@@ -68,13 +70,15 @@ def pytest_collection_modifyitems(items):
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config, log):
-    """Have xdist give all checks to one process, and each file of other tests to one, unless --dist says how."""
+    """Have xdist give all checks to one process, and other tests one by one to all, unless --dist says how.
+
+    A solution may write the project's CSV, which the grader then puts back: no other process may judge meanwhile.
+    """
     from xdist.scheduler import LoadScopeScheduling
 
     class Scheduling(LoadScopeScheduling):
         def _split_scope(self, nodeid):
-            file = nodeid.partition("::")[0]
-            return "checks" if Path(file).stem in SUITES.values() else file
+            return "checks" if Path(nodeid.partition("::")[0]).stem in JUDGING else nodeid
 
     return Scheduling(config, log) if config.option.dist == "load" else None
 
@@ -88,7 +92,7 @@ class Item(pytest.Item):
 
     def runtest(self):
         outcome = self.config.grading.judge(self.check)
-        self.user_properties.append((OUTCOME, [outcome.state, outcome.message, outcome.place]))
+        self.user_properties.append((OUTCOME, [*outcome._replace(call=None)]))
         if outcome.state == WAITING:
             if self.config.option.maxfail == 1:  # -x
                 self.session.shouldfail = "stopping at the first check that waits"
@@ -100,16 +104,10 @@ class Item(pytest.Item):
         return self.path, self.check.ask.__code__.co_firstlineno - 1, self.check.title()
 
 
-class Listener:
-    """Takes the outcomes of checks out of the reports, which may come from another process."""
-
-    def __init__(self, ran):
-        self.ran = ran
-
-    @pytest.hookimpl(tryfirst=True)  # before the terminal shows the report
-    def pytest_runtest_logreport(self, report):
-        for state, message, place in (outcome for key, outcome in report.user_properties if key == OUTCOME):
-            self.ran[name_of(report)] = Outcome(state, message, place=place)
+@pytest.hookimpl(tryfirst=True)  # before the terminal shows the report
+def pytest_runtest_logreport(report):
+    """Take the outcome of a check out of its report, which may come from another process."""
+    RAN.update({name_of(report): Outcome(*fields) for key, fields in report.user_properties if key == OUTCOME})
 
 
 def name_of(report) -> str:
@@ -117,16 +115,10 @@ def name_of(report) -> str:
     return report.nodeid.rpartition("::")[2]
 
 
-def outcome_of(report, config):
-    """Return the outcome of the check that a report is about, or None if it is about another test."""
-    return config.ran.get(name_of(report))
-
-
-def pytest_report_teststatus(report, config):
-    outcome = outcome_of(report, config)
-    if outcome and outcome.state == WAITING and report.skipped:
-        return WAITING, "w", "WAITING"
-    return None
+def pytest_report_teststatus(report):
+    """Give a check that waits its own letter and word."""
+    is_waiting = report.skipped and name_of(report) in RAN and RAN[name_of(report)].state == WAITING
+    return (WAITING, "w", "WAITING") if is_waiting else None
 
 
 def pytest_sessionfinish(session):
@@ -136,13 +128,13 @@ def pytest_sessionfinish(session):
     session.config.session = session
     if hasattr(session.config, "workerinput"):  # a process of xdist's, which has seen a part only
         return
-    ran, file = session.config.ran, session.config.option.grade_json
-    if session.exitstatus == pytest.ExitCode.OK and any(outcome.state != PASSED for outcome in ran.values()):
+    file = session.config.option.grade_json
+    if session.exitstatus == pytest.ExitCode.OK and any(outcome.state != PASSED for outcome in RAN.values()):
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
-    if file and ran:
+    if file and RAN:
         try:
             with whole_file(file) as out:
-                json.dump(grade(ran), out, indent=4)
+                json.dump(grade(RAN), out, indent=4)
                 out.write("\n")
         except OSError as error:
             session.exitstatus = pytest.ExitCode.USAGE_ERROR
@@ -153,32 +145,33 @@ def pytest_sessionfinish(session):
 def pytest_terminal_summary(terminalreporter, config):
     """Show the checks that fail below everything else, and the table below them."""
     failed = terminalreporter.stats.get("failed", [])
-    mistakes = [report for report in failed if outcome_of(report, config)]
+    mistakes = [report for report in failed if name_of(report) in RAN]
     if mistakes:
         terminalreporter.stats["failed"] = [report for report in failed if report not in mistakes]
     yield
     if mistakes:
         terminalreporter.stats["failed"] = failed
     terminalreporter.currentfspath = None  # no line is begun: or an empty one would be put in
-    if config.ran:
-        show_unwritten(terminalreporter, unwritten(config.ran))
-        show_mistakes(terminalreporter, config, mistakes)
+    if RAN:
+        show_places(terminalreporter)
+        show_mistakes(terminalreporter, mistakes)
         terminalreporter.section("Grade")
-        for line, color in lines(config.ran):
+        for line, color in lines(RAN):
             terminalreporter.line(line, **{color: True})
     if hasattr(config, "not_written"):
         terminalreporter.write_line(config.not_written, red=True)
 
 
-def show_unwritten(terminal, places) -> None:
+def show_places(terminal) -> None:
     """Show which functions are not written yet, each in a line."""
-    if places:
+    unwritten = places(RAN)
+    if unwritten:
         terminal.section("Not written yet")
-        for place in places:
-            terminal.line(place, yellow=True)
+        for function, place in unwritten.items():
+            terminal.line(f"{function} in {place}", yellow=True)
 
 
-def show_mistakes(terminal, config, mistakes) -> None:
+def show_mistakes(terminal, mistakes) -> None:
     """Show the first check that fails, and above it, from the last one on, how many more fail of each function."""
     if not mistakes:
         return
@@ -194,7 +187,7 @@ def show_mistakes(terminal, config, mistakes) -> None:
         terminal.line(f"printed     {line}")
     if len(printed) > PRINTED:
         terminal.line(f"printed     ... ({len(printed)} lines in all)")
-    terminal.line(outcome_of(first, config).message)
+    terminal.line(RAN[name_of(first)].message)
 
 
 @pytest.hookimpl(trylast=True)

@@ -4,12 +4,12 @@ import os
 import shutil
 import signal
 import subprocess
-import sys
 
 import pytest
-from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, new_page, PROGRAM, SECONDS
+from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, new_page, PROGRAM
+from students import made, solved, starter, worker  # noqa: F401  fixtures
 from wall import Wall
-from whole_cradles import FIVE_CSV, GOOD, HEADER
+from whole_cradles import FIVE_CSV
 
 from support.start.options import PORT_VARIABLE
 
@@ -22,9 +22,8 @@ for name in ("SIGHUP", "SIGINT", "SIGQUIT"):
 
 
 def pytest_itemcollected(item):
-    """Mark what opens a page, but for one test, which is always made: it proves that the page works."""
-    kept = "test_the_cradle_swings_until_the_tab_is_closed[chromium]"
-    if {"page", "shared"}.intersection(item.fixturenames) and item.name != kept:
+    """Mark the tests that open a page."""
+    if {"page", "shared"}.intersection(item.fixturenames):
         item.add_marker(pytest.mark.browser)
 
 
@@ -32,20 +31,6 @@ def pytest_itemcollected(item):
 def program(tmp_path):
     """The program in a project of its own, with five equal bobs, whatever has become of the shipped CSV."""
     return copy_project(tmp_path, FIVE_CSV) / "src" / PROGRAM.name
-
-
-@pytest.fixture
-def run(tmp_path):
-    """A function that runs Python in another folder, with no VPython to be found."""
-    (tmp_path / "hiding").mkdir()
-    (tmp_path / "hiding" / "vpython.py").write_text("raise ModuleNotFoundError('VPython is not installed')\n")
-
-    def run(*arguments):
-        environment = {**os.environ, "PYTHONPATH": str(tmp_path / "hiding")}
-        command = [sys.executable, *arguments]
-        return subprocess.run(command, cwd=os.sep, env=environment, capture_output=True, text=True, timeout=2 * SECONDS)
-
-    return run
 
 
 @pytest.fixture
@@ -59,13 +44,6 @@ def csv(tmp_path):
 @pytest.fixture
 def wall(csv):
     """A viewer of five bobs, on the stand-in."""
-    return Wall(csv)
-
-
-@pytest.fixture
-def single(csv):
-    """A viewer of a single pendulum, for long tests."""
-    csv.write_text(HEADER + GOOD)
     return Wall(csv)
 
 
@@ -112,6 +90,6 @@ def launch_firefox(driver, environment):
 
 @pytest.fixture
 def page(request):
-    """A new tab in Chromium, or in the browser that a test asks for (in_both_browsers)."""
+    """A new tab in Chromium, or in the browser that a test names in its parameter."""
     with new_page(request.getfixturevalue(getattr(request, "param", "chromium"))) as page:
         yield page

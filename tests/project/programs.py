@@ -1,4 +1,4 @@
-"""The programs as processes: how the suites start them, what they say first, what their page shows, how they end."""
+"""The programs as processes: how the tests start them, what they print first, how they end; and their pages."""
 
 import os
 import re
@@ -9,10 +9,12 @@ import threading
 import time
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
+from math import atan2, cos, degrees, radians, sin
 from pathlib import Path
-from urllib.parse import urlsplit
 
 import pytest
+
+from support.constants import R_PARAM
 
 ROOT = Path(__file__).parents[2]
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
@@ -29,29 +31,6 @@ ARGUMENTS = [
 ]
 SECONDS = 60  # after which something that is waited for counts as never coming
 
-# The bobs' positions, as the page has them.
-BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).map(o => [o.pos.x, o.pos.y])"
-
-# How often the bobs are elsewhere than before, over a third of a second.
-MOVES = f"""async () => {{
-    const where = () => JSON.stringify(({BOBS})());
-    let before = where(), moves = 0;
-    for (const start = performance.now(); performance.now() - start < 333; before = where()) {{
-        await new Promise(requestAnimationFrame);
-        if (where() !== before) moves++;
-    }}
-    return moves;
-}}"""
-
-# Wait until the program has pointed the camera at a canvas of another size: it does so before it shows three new times.
-CAMERA_FOLLOWS = """async () => {
-    const says = () => document.querySelector(".readout").innerText;
-    for (let before = says(), changes = 0; changes < 3 && document.querySelector("button").innerText === "Pause";) {
-        await new Promise(requestAnimationFrame);
-        if (says() !== before) changes++, before = says();
-    }
-}"""
-
 with_vpython = pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
 on_posix = pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS")
 needs_vpython = [with_vpython, on_posix]
@@ -62,9 +41,6 @@ def slow_but_for(kept, values):
     each = {value: value if isinstance(value, tuple) else (value,) for value in values}
     assert {*kept} <= {*each}
     return [value if value in kept else pytest.param(*each[value], marks=pytest.mark.slow) for value in each]
-
-
-in_both_browsers = pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
 
 
 def copy_project(folder, csv) -> Path:
@@ -109,11 +85,6 @@ def first_lines(process):
     return address
 
 
-def port_in(address):
-    """Return the port in the address of the page."""
-    return urlsplit(address).port
-
-
 def end(process):
     """Wait until the program ends by itself; return its status, and what else it has printed on stdout and stderr."""
     stdout, stderr = process.communicate(timeout=SECONDS)
@@ -122,13 +93,44 @@ def end(process):
 
 QUIETLY = (0, "", "")
 
+# --- pages -----------------------------------------------------------------------------------------------------------
 
-def refusal(process):
-    """Return the one line on stderr with which the program refuses to start."""
-    status, stdout, stderr = end(process)
-    assert (status, stdout) == (2, "")
-    assert stderr.count("\n") == 1
-    return stderr
+SPEED, LIFTED, ANGLE = range(3)  # the sliders of a single cradle, in their order
+SEPARATING = "Separating bobs collide too"  # a checkbox below the title Advanced
+
+# Before the page's own scripts: make the canvas small, because no graphics card draws it.
+SMALL = """addEventListener("DOMContentLoaded", () => document.head.insertAdjacentHTML("beforeend",
+    "<style id=small>.canvas { max-width: 320px !important; max-height: 200px !important; }</style>"))"""
+
+# The bobs' positions, as the page has them.
+BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).map(o => [o.pos.x, o.pos.y])"
+
+# Whether the bobs are elsewhere a third of a second later.
+MOVES = f"""async () => {{
+    const where = () => JSON.stringify(({BOBS})()), before = where();
+    await new Promise(resolve => setTimeout(resolve, 333));
+    return where() !== before;
+}}"""
+
+# Wait until the program has pointed the camera at a canvas of another size: it does so before it shows three new times.
+CAMERA_FOLLOWS = """async () => {
+    const says = () => document.querySelector(".readout").innerText;
+    for (let before = says(), changes = 0; changes < 3 && document.querySelector("button").innerText === "Pause";) {
+        await new Promise(requestAnimationFrame);
+        if (says() !== before) changes++, before = says();
+    }
+}"""
+
+# Where a point of the plane of swing is seen: pixels in the window.
+PIXEL = """([x, y]) => {
+    const scene = glowObjs[0], forward = scene.forward.norm();
+    const sideways = forward.cross(scene.up).norm(), upwards = sideways.cross(forward);
+    const arm = vec(x, y, 0).sub(scene.center), distance = scene.range / Math.tan(scene.fov / 2);
+    const pixels = Math.min(scene.width, scene.height) / 2 / scene.range * distance / (distance + arm.dot(forward));
+    const canvas = document.querySelector("canvas").getBoundingClientRect();
+    return [canvas.x + scene.width / 2 + pixels * arm.dot(sideways),
+            canvas.y + scene.height / 2 - pixels * arm.dot(upwards)];
+}"""
 
 
 @contextmanager
@@ -136,29 +138,57 @@ def new_page(browser, **settings):
     """Open a new tab in this browser, with Playwright's settings, and close it in the end."""
     page = browser.new_page(viewport={"width": 1000, "height": 700}, **settings)
     page.set_default_timeout(SECONDS * 1000)
+    page.add_init_script(SMALL)
     yield page
     page.close()
 
 
-def open_cradle(page, address, bobs=5, small=True):
+def open_cradle(page, address, bobs=5, drawn=False):
     """Open the page, and wait until it shows the cradle."""
     page.goto(address)
-    wait_for_cradle(page, bobs, small)
+    wait_for_cradle(page, bobs, drawn)
 
 
-def wait_for_cradle(page, bobs=5, small=True):
-    """Wait for the bobs and their numbers; if small, make the canvas small: no graphics card draws it."""
+def wait_for_cradle(page, bobs=5, drawn=False):
+    """Wait for the bobs, their numbers, and a camera that fits the canvas. Only a test of the picture has it drawn."""
     page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === {bobs}")
-    page.wait_for_function("() => $('.readout').length")
-    if small:
-        page.add_style_tag(content=".canvas { max-width: 320px !important; max-height: 200px !important; }")
-        page.wait_for_function("() => glowObjs[0].width <= 320 && glowObjs[0].height <= 200")
-        page.evaluate(CAMERA_FOLLOWS)
+    draw(page, drawn)
+    page.wait_for_function("() => $('.readout').length && glowObjs[0].width === $('.canvas').width()")
+    page.evaluate(CAMERA_FOLLOWS)
+
+
+def draw(page, drawn):
+    """Have the browser draw the canvas, or not: without a graphics card it takes most of the time."""
+    page.evaluate(
+        """async drawn => {
+            glowObjs[0].visible = drawn;
+            for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+        }""",
+        drawn,
+    )
 
 
 def readout(page, name):
     """Return a number of the readout, by the word before it."""
     return float(re.search(rf"^{name}\s+([-+0-9.]+)", page.locator(".readout").inner_text(), re.MULTILINE)[1])
+
+
+def values(page):
+    """Return the texts behind the sliders."""
+    return page.locator(".value").all_inner_texts()
+
+
+def lifts(page):
+    """Return the angles of the bobs in degrees."""
+    return [
+        degrees(atan2(x - (-0.1 + R_PARAM / 4 * i), R_PARAM / 5 - y)) for i, (x, y) in enumerate(page.evaluate(BOBS))
+    ]
+
+
+def pixel(page, bob, theta):
+    """Return where this bob's centre is seen if its cord is at theta (degrees)."""
+    x, y = -0.1 + R_PARAM / 4 * bob + R_PARAM * sin(radians(theta)), R_PARAM / 5 - R_PARAM * cos(radians(theta))
+    return page.evaluate(PIXEL, [x, y])
 
 
 def wait_until(condition, seconds=SECONDS):
@@ -169,12 +199,40 @@ def wait_until(condition, seconds=SECONDS):
         time.sleep(0.02)
 
 
+def wait_for_lifts(page, *expected):
+    wait_until(lambda: lifts(page) == pytest.approx(expected, abs=0.01))
+
+
+def wait_for_moves(page):
+    wait_until(lambda: page.evaluate(MOVES))
+
+
+def wait_for_rest(page):
+    """Wait until nothing moves any more: a click, or a picture of before, can still be on its way."""
+    wait_until(lambda: not page.evaluate(MOVES))
+
+
 def press(page, name):
     page.get_by_role("button", name=name, exact=True).click()
 
 
 def pause(page):
-    """Pause, and wait until nothing moves any more."""
     press(page, "Pause")
     page.get_by_role("button", name="Run").wait_for()
-    wait_until(lambda: page.evaluate(MOVES) == 0)
+    wait_for_rest(page)
+
+
+def menu(page, name):
+    """Return this menu of the panel."""
+    return page.get_by_role("combobox", name=name, exact=True)
+
+
+def unfold(page, title):
+    """Open the part of the panel that is folded away below this title."""
+    page.locator("summary", has_text=title).evaluate("summary => summary.parentElement.open = true")
+
+
+def slide(page, slider, part):
+    """Click into a slider, this part of its length from the left."""
+    box = page.locator(".ui-slider").nth(slider).bounding_box()
+    page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)

@@ -1,38 +1,76 @@
-"""Write functions into a starter, as a student does."""
+"""Starters, and students who write functions into them. conftest.py takes over the fixtures."""
 
+import shutil
 from textwrap import dedent, indent
 
-from right_solutions import RIGHT
+import pytest
+from make_starter import make_starter
 from wrong_solutions import PLAIN
 
 from grading.handout import FUNCTIONS
+from teacher.workers import compile_starter, Worker
 
-# Bodies that PLAIN lacks, and those of the honor roll without a check.
-BODIES = {
-    "extract_and_convert": "return list(bad_rep.values())",
-    "uniform_mass_newton_cradle": RIGHT["uniform_mass_newton_cradle"]["by index"],
-    "uniform_e_newton_cradle": """\
-        pend_list = extract_and_convert(relative_filepath)
-        for pend in pend_list:
-            pend["e"] = e_val
-        return pend_list
-        """,
-    "elastic_newton_cradle": "return uniform_e_newton_cradle(relative_filepath, 1)",
-    "inelastic_newton_cradle": "return uniform_e_newton_cradle(relative_filepath, 0)",
-    "double_cradle_tick": "for pend in pend_list: double_swing_update(pend, r_param, dt, g)",
-    **PLAIN,
-}
+COUNTS = {"D": 16, "C": 6, "B": 12, "A": 12, "Honor roll": 7}  # checks of each tier
+
+CALLS = "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "newton_cradle_tick(pend_list, R_PARAM, DT, G)"
 
 
-def write(starter, *functions) -> None:
-    """Replace the stubs of these functions; for main, its two calls."""
+@pytest.fixture(scope="session")
+def made(tmp_path_factory):
+    """A starter that nobody writes into."""
+    folder = tmp_path_factory.mktemp("made") / "starter"
+    make_starter(folder)
+    compile_starter(folder)
+    return folder
+
+
+@pytest.fixture
+def starter(made, tmp_path):
+    """A starter, for a student to write into."""
+    return shutil.copytree(made, tmp_path / "starter")
+
+
+@pytest.fixture(scope="session")
+def solved(made, tmp_path_factory):
+    """The files of a complete solution, by their paths below src/."""
+    folder = shutil.copytree(made, tmp_path_factory.mktemp("solved") / "starter")
+    write(folder, *FUNCTIONS)
+    return files_of(folder)
+
+
+@pytest.fixture(scope="session")
+def worker(made):
+    """A process that grades solutions."""
+    worker = Worker(made)
+    yield worker
+    worker.close()
+
+
+def files_of(folder) -> dict[str, bytes]:
+    """Return the files that a student in this folder submits, by their paths below src/."""
+    names = sorted({function.file.removeprefix("src/") for function in FUNCTIONS.values()})
+    return {name: (folder / "src" / name).read_bytes() for name in names}
+
+
+def put_files(folder, files):
+    """Write files (text or bytes) into a folder, by their paths; return the folder."""
+    for name, content in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(content.encode() if isinstance(content, str) else content)
+    return folder
+
+
+def write(starter, *functions, **bodies) -> None:
+    """Replace the stubs of these functions, for main its two calls; bodies has others than those of PLAIN."""
     for function in functions:
-        file = FUNCTIONS[function].file if function in FUNCTIONS else "src/double_cradle.py"
-        if function == "main":
-            replace(starter, file, "main", "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)")
-            replace(starter, file, "main", "newton_cradle_tick(pend_list, R_PARAM, DT, G)")
-        else:
-            replace(starter, file, function, BODIES[function])
+        path = starter / FUNCTIONS[function].file
+        lines = path.read_text(encoding="utf-8").splitlines()
+        for body in CALLS if function == "main" else [{**PLAIN, **bodies}[function]]:
+            number = next(i for i, line in enumerate(lines) if f'"{function} is not written yet"' in line)
+            spaces = lines[number][: -len(lines[number].lstrip())]
+            assert "# Write your code here" in lines[number - 1]
+            lines[number - 1 : number + 1] = indent(dedent(body).strip(), spaces).splitlines()
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def write_tiers(starter, tiers) -> None:
@@ -40,17 +78,8 @@ def write_tiers(starter, tiers) -> None:
     write(starter, *(name for name, function in FUNCTIONS.items() if function.tier in list(tiers)))
 
 
-def write_all(starter) -> None:
-    """Write all functions that are graded."""
-    write(starter, *FUNCTIONS)
-
-
-def replace(starter, file, function, body) -> None:
-    """Replace the first stub of the function by this body."""
-    path = starter / file
-    lines = path.read_text(encoding="utf-8").splitlines()
-    number = next(i for i, line in enumerate(lines) if f'"{function} is not written yet"' in line)
-    spaces = lines[number][: -len(lines[number].lstrip())]
-    assert "# Write your code here" in lines[number - 1]
-    lines[number - 1 : number + 1] = indent(dedent(body).strip(), spaces).splitlines()
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+def change(file, before, after) -> None:
+    """Replace a text in a file."""
+    text = file.read_text(encoding="utf-8")
+    assert before in text
+    file.write_text(text.replace(before, after), encoding="utf-8")

@@ -11,10 +11,12 @@ from pathlib import Path
 from textwrap import dedent, indent
 
 import pytest
-from programs import ROOT, SECONDS
+from programs import ROOT, SECONDS, slow_but_for
 from whole_cradles import FIVE_CSV
-from wrong_solutions import PLAIN, WRONG
+from wrong_solutions import PLAIN
 
+from grading.grade import lines
+from grading.grader import checks, FAILED, FAULT, Outcome, PASSED
 from grading.handout import FUNCTIONS, SUITES
 
 COLUMNS = 80
@@ -74,40 +76,25 @@ def section(rows, title):
     return below[: next(i for i, row in enumerate(below) if row.startswith(("===", "__", "_ ")))]
 
 
-def test_in_a_fresh_starter_all_waits(student):
+def test_with_x_a_fresh_starter_stops_at_the_first_function(student):
     folder = student(**STUBS)
-    status, rows = run(folder)
-    assert status == 1
-    assert len(rows) <= 40
-    assert rows.count("") == 1  # above the suites
-    unwritten = section(rows, "Not written yet")
-    assert [row.rpartition(", line ")[0] for row in unwritten] == [
-        f"{name} in {of.file}" for name, of in FUNCTIONS.items()
-    ]
-    for row in unwritten:
-        function, _, place = row.partition(" in ")
-        file, _, line = place.partition(", line ")
-        assert f"{function} is not written yet" in (folder / file).read_text().splitlines()[int(line) - 1]
-    grade = section(rows, "Grade")
-    assert all(row.split()[-4:-2] == ["0", row.rpartition("/")[2]] for row in grade[1:6])  # none passes, all wait
-    assert grade[6] == "Grade: none yet."
-    assert grade[7].startswith("Next:  extract_and_convert in src/pds_helper.py; read in the handout: ")
-    assert " waiting in " in rows[-1]
-    assert "failed" not in rows[-1]
-
     status, rows = run(folder, "--tier", "D", "-x")
     assert status == 1
-    assert len(section(rows, "Not written yet")) == 1
+    place = place_of_stub(folder, "extract_and_convert")
+    assert section(rows, "Not written yet") == [f"extract_and_convert in {place}"]
+    assert section([*rows, "==="], "Grade")[2] == "Grade: none yet."
+    assert "Next:  extract_and_convert in src/pds_helper.py; read in the handout: A CVS to " in "".join(rows)
     assert rows[-1].strip("= ").startswith("1 waiting in ")
 
 
-def test_of_a_mistake_the_first_message_comes_last(student):
-    """pytest shows only the printed lines of the first one."""
-    mistake = WRONG["make_newton_cradle"]["bobs all hang"]
-    body = "for i in range(25):\n    print('row', i)\n" + dedent(PLAIN["make_newton_cradle"].replace(*mistake))
+def test_a_mistake_is_the_last_message_and_fits_on_a_screen(student):
+    """pytest shows only the printed lines of the first mistake."""
+    body = PLAIN["make_newton_cradle"].replace("r_param, pend['theta']", "r_param, 0")
+    body = "for i in range(25):\n    print('row', i)\n" + dedent(body)
     collision = "print('collision')\nreturn omega1, omega2"
     status, rows = run(student(make_newton_cradle=body, handle_collision=collision))
     assert status == 1
+    assert len(rows) <= 45 + 11  # with the printed lines
     assert section(rows, "Failures") == ["3 more fail: handle_collision"]
     title = "Use one relevant helper function from pendulum.py in support/ to create t..."
     shown = section(rows, title)
@@ -117,25 +104,22 @@ def test_of_a_mistake_the_first_message_comes_last(student):
     assert not [row for row in rows if "collision" in row and "printed" in row]
 
 
-@pytest.mark.slow
-def test_one_mistake_takes_no_more_than_a_screen(student):
-    """The mistake fails nearly all checks of its function, and its message is among the longest."""
-    status, rows = run(student(extract_and_convert=WRONG["extract_and_convert"]["returns bad_rep"]))
-    assert status == 1
-    assert len(rows) <= 45
-    assert section(rows, "Failures") == ["3 more fail: extract_and_convert"]
+def outcomes(**states):
+    """Return outcomes of the checks of these tiers; all of a tier have the same state."""
+    return {check.name: Outcome(state) for tier, state in states.items() for check in checks(tier=tier)}
 
 
-@pytest.mark.slow
-def test_a_tier_that_is_complete_says_so(student):
-    not_c = {name: body for name, body in STUBS.items() if FUNCTIONS[name].tier != "C"}
-    folder = student(**not_c)
-    status, rows = run(folder, "--tier", "C")
-    assert status == 0
-    assert "Tier C is complete." in section(rows, "Grade")
-    status, rows = run(folder, "--tier", "B")
-    assert status == 1
-    assert "Tier B is not complete." in section(rows, "Grade")
+@pytest.mark.parametrize(
+    ("states", "words"),
+    [
+        ({"C": PASSED}, ["Tier C is complete.", "Next:  run all checks of tier D."]),
+        ({"B": FAILED}, ["Tier B is not complete.", "Next:  handle_collision in src/visualize_cradle_run.py."]),
+        ({"D": PASSED, "C": PASSED, "B": FAULT}, ["Grade: C.", "Next:  show your teacher the grader's fault in {}."]),
+    ],
+)
+def test_the_grade_and_the_next_step(states, words):
+    text = [line for line, _ in lines(outcomes(**states))]
+    assert text[-2:] == [line.format("test_handle_collision") for line in words]
 
 
 def test_code_that_ends_the_program_and_a_thread_that_does_not_end_leave_the_table(student):
@@ -153,7 +137,7 @@ def test_code_that_ends_the_program_and_a_thread_that_does_not_end_leave_the_tab
     assert " failed, " in rows[-1]  # the last line of pytest is there
 
 
-@pytest.mark.parametrize("name", ["json.py", "tests/statistics.py", "pandas/__init__.py"])
+@pytest.mark.parametrize("name", slow_but_for(["json.py"], ["json.py", "tests/statistics.py", "pandas/__init__.py"]))
 def test_a_file_that_hides_a_module_is_named(student, name):
     folder = student()
     (folder / name).parent.mkdir(exist_ok=True)
@@ -166,7 +150,7 @@ def test_a_file_that_hides_a_module_is_named(student, name):
 
 
 @pytest.mark.slow
-def test_an_import_in_a_circle_is_told(student):
+def test_an_import_in_a_circle_is_named(student):
     folder = student()
     swinging = folder / "src" / "swinging.py"
     source = swinging.read_text()
@@ -182,16 +166,6 @@ def test_an_import_in_a_circle_is_told(student):
     assert "hint        Your files import each other in a circle. Remove the import in src/swinging.py." in text
     assert "12 wait for src/swinging.py" in rows
     assert rows[-2] == "Next:  angle_update in src/swinging.py."
-
-
-def test_a_test_of_the_projects_that_is_skipped_still_says_why(student):
-    folder = student(angle_update=STUBS["angle_update"])
-    test = "import pytest\n\n\ndef test_something():\n    pytest.skip('no browser here')\n"
-    (folder / "tests" / "test_something.py").write_text(test)
-    _, rows = run(folder, "tests/test_c.py", "tests/test_something.py")
-    assert "SKIPPED [1] tests/test_something.py:5: no browser here" in rows
-    assert section(rows, "Not written yet") == [f"angle_update in {place_of_stub(folder, 'angle_update')}"]
-    assert [row for row in section(rows, "Grade") if " wait " in row] == ["4 wait for angle_update"]
 
 
 @pytest.mark.slow
@@ -212,9 +186,9 @@ def test_side_by_side_the_suites_say_the_same(student):
         ends.append((status, rows[begin:-1], (folder / "grade.json").read_text()))  # the last row says how long it took
         (folder / "grade.json").unlink()
     assert ends[0] == ends[1]
-    told = re.findall(r"^\[(gw\d)\] .* tests/(test_\w+)\.py", "\n".join(rows), re.MULTILINE)
-    assert {file for _, file in told} == {"test_others", *SUITES.values()}
-    assert len({process for process, file in told if file != "test_others"}) == 1
+    done = re.findall(r"^\[(gw\d)\] .* tests/(test_\w+)\.py", "\n".join(rows), re.MULTILINE)
+    assert {file for _, file in done} == {"test_others", *SUITES.values()}
+    assert len({process for process, file in done if file != "test_others"}) == 1
 
 
 def place_of_stub(folder, function):

@@ -1,125 +1,253 @@
-"""A cradle in motion: its time, its impacts, its energy, and its samples."""
+"""A cradle in motion: its time, energy, samples and list of impacts; the player's frames, and their pace."""
 
+import random
 from math import cos, radians, sqrt
+from unittest.mock import patch
 
 import pytest
-from whole_cradles import make_swing, PERIOD
+from vpython import cylinder, mag2
+from whole_cradles import FIVE_CSV, make_live, make_swing, PERIOD, velocities
 
 from grading.cradles import MIXED_CSV
+from src import visualize_cradle_run
 from support.constants import DT, G, R_PARAM
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
+from support.cradle.impacts import GAP, ImpactTrains
+from support.cradle.player import Player, run
+from support.cradle.real_time import FRAME, MAX_BEHIND, RealTime
+from support.files.cradle_csv import Snapshot
+from support.start.mistake import MistakeError
 
 
-@pytest.fixture
-def player(tmp_path):
-    """Three unequal pendula that start at 30 degrees."""
-    return make_swing(tmp_path, MIXED_CSV)
+@pytest.mark.parametrize(
+    ("kind", "keys"), [(Cradle, ["theta", "omega"]), (DoubleCradle, ["theta", "phi", "omega", "phi_omega"])]
+)
+def test_a_sample_has_all_figures_of_the_moment_by_their_names(tmp_path, kind, keys):
+    """The energies and the momentum are sums over the bobs of three unequal pendula."""
+    player, dice = make_swing(tmp_path, MIXED_CSV, kind=kind), random.Random(1)
+    for pend in player.cradle.pend_list:
+        pend.update({key: dice.uniform(-2, 2) for key in keys})
+    player.swing(10)
+    sample, pend_list = player.motion.sample(), player.cradle.pend_list
+    coordinates = {f"{key}_{i}": pend[key] for key in keys for i, pend in enumerate(pend_list, start=1)}
+    kinetic, potential, momentum = 0.0, 0.0, 0.0
+    for pend in pend_list:
+        axle, *bobs = (part.pos.y for part in pend["objects"] if type(part) is not cylinder)
+        for cords, (y, v) in enumerate(zip(bobs, velocities(pend), strict=True), start=1):
+            kinetic += pend["mass"] * mag2(v) / 2
+            potential += pend["mass"] * G * (y - axle + cords * R_PARAM)
+            momentum += pend["mass"] * v.x
+    figures = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential, "momentum": momentum}
+    assert sample == pytest.approx({"t": 10 * kind.dt, **coordinates, **figures}, rel=1e-12)
+    assert list(sample) == ["t", *coordinates, *figures]
 
 
-@pytest.fixture
-def motion(player):
-    return player.motion
-
-
-def test_a_sample_has_all_figures_of_the_moment_by_their_names(player, motion):
-    player.swing(round(0.4 / DT))
-    sample = motion.sample()
-    names = "t theta_1 theta_2 theta_3 omega_1 omega_2 omega_3 kinetic potential total momentum"
-    assert list(sample) == names.split()
-    assert sample["t"] == 0.4
-    pend_list = motion.cradle.pend_list
-    for i, pend in enumerate(pend_list, start=1):
-        assert (sample[f"theta_{i}"], sample[f"omega_{i}"]) == (pend["theta"], pend["omega"])
-    kinetic = sum(pend["mass"] * (R_PARAM * pend["omega"]) ** 2 / 2 for pend in pend_list)
-    potential = sum(pend["mass"] * G * R_PARAM * (1 - cos(pend["theta"])) for pend in pend_list)
-    momentum = sum(pend["mass"] * R_PARAM * pend["omega"] * cos(pend["theta"]) for pend in pend_list)
-    found = [sample[name] for name in ("kinetic", "potential", "total", "momentum")]
-    assert found == pytest.approx([kinetic, potential, kinetic + potential, momentum])
-    assert kinetic > 0 < potential
-
-
-@pytest.mark.parametrize(("ticks", "parts"), [(0, []), (3, [3]), (5, [5]), (12, [5, 7]), (28, [5, 10, 10, 3])])
-def test_parts_end_at_multiples_and_at_the_last_tick(motion, ticks, parts):
-    motion.ticks, found = 105, []
-    for part in motion.parts(ticks, 10):
-        found.append(part)
-        motion.ticks += part
-    assert found == parts
-
-
-@pytest.mark.parametrize("ticks", [1, 3, 7, 12345, 999999])
-def test_times_are_no_longer_than_they_need_be(motion, ticks):
-    motion.ticks = ticks
-    assert len(str(motion.sample()["t"])) <= len(f"{ticks * DT:.4f}")
-    assert motion.sample()["t"] == pytest.approx(ticks * DT, rel=1e-12)
-
-
-def test_only_approaching_bobs_collide_unless_told_otherwise(tmp_path):
-    player = make_swing(tmp_path, lift=0)
-    pend1, pend2 = player.cradle.pend_list[:2]
-    pend1["objects"][1].radius *= 1.5
-    pend1["omega"], pend2["omega"] = -1.0, 1.0
-    player.swing(1)
-    assert pend1["omega"] < 0 < pend2["omega"]
-    player.separating = True
-    player.swing(1)
-    assert pend1["omega"] > 0
-
-
-def test_impacts_are_those_of_single_ticks_however_many_are_done_at_once(tmp_path):
-    """The times and the directions of the impacts."""
-    at_once, one_by_one = make_swing(tmp_path, impacts=99), make_swing(tmp_path, impacts=99)
-    at_once.at_once = True
-    ticks = round(1.3 * PERIOD / DT)
-    at_once.swing(ticks)
-    for _ in range(ticks):
-        one_by_one.swing(1)
-        if len(one_by_one.motion.trains.trains) == 1 and one_by_one.motion.trains.trains[0].last == (1, 2):
-            first = one_by_one.motion.time()
-    assert at_once.motion.trains.lines() == one_by_one.motion.trains.lines()
-    assert at_once.motion.trains.trains[0].begin == pytest.approx(first, abs=DT / 2)
-    assert {"1-2-3-4-5", "5-4-3-2-1"} <= {*map(str, at_once.motion.trains.trains)}
-
-
-def test_the_speed_of_a_hit_is_that_of_the_bobs_before_it_however_the_ticks_are_done(tmp_path):
+def test_impacts_and_their_speeds_are_those_of_single_ticks(tmp_path):
     """A bob that is let go at 30 degrees is as fast below as its height allows; the hit back is as fast."""
     found = []
-    for at_once in (True, False):
-        player = make_swing(tmp_path)
-        player.at_once = at_once
-        assert player.motion.take_fastest() == 0
-        player.swing(round(0.2 * PERIOD / DT))
-        assert player.motion.take_fastest() == 0
-        player.swing(round(0.2 * PERIOD / DT))
-        found.append(player.motion.take_fastest())
-        assert player.motion.take_fastest() == 0
-        player.swing(round(0.5 * PERIOD / DT))
-        assert player.motion.take_fastest() == pytest.approx(found[-1], rel=0.01)
-    assert found[0] == found[1] == pytest.approx(sqrt(2 * G * R_PARAM * (1 - cos(radians(30)))), rel=1e-3)
-    player.swing(round(0.2 * PERIOD / DT))
-    player.motion.fastest = 1.0
-    player.motion.restart()
-    assert player.motion.take_fastest() == 0
+    for _ in range(2):
+        player = make_swing(tmp_path, impacts=99)
+        player.cradle.many_ticks = player.cradle.many_ticks if not found else None
+        speeds = []
+        for part in (0.2, 0.2, 0.5, 0.4, 0):
+            player.swing(round(part * PERIOD / DT))
+            speeds.append(player.motion.take_fastest())
+        found.append((player.motion.trains.lines(), speeds))
+    assert found[0] == found[1]
+    assert {"1-2-3-4-5", "5-4-3-2-1"} <= {*map(str, player.motion.trains.trains)}
+    fastest = sqrt(2 * G * R_PARAM * (1 - cos(radians(30))))
+    assert speeds == [0, pytest.approx(fastest, rel=1e-3), *[pytest.approx(fastest, rel=0.01)] * 2, 0]
 
 
-def test_bobs_that_hit_while_they_move_apart_have_a_speed_below_0(tmp_path):
-    player = make_swing(tmp_path, lift=0)
-    player.separating = True
-    pend1, pend2 = player.cradle.pend_list[:2]
-    pend1["objects"][1].radius *= 1.5
-    pend1["omega"], pend2["omega"] = -1.0, 1.0
-    with player.cradle.noting_hits():
-        player.cradle.scope["handle_two_bobs"](pend2, pend1, R_PARAM)  # in any order
-    assert player.cradle.hits == [(0, 1, False, pytest.approx(-2 * R_PARAM))]
+# --- impacts ----------------------------------------------------------------------------------------------------------
+
+LIE = [0, 1] * 100  # three bobs that lie on each other
 
 
-def test_the_energy_of_the_start_is_100_percent(tmp_path):
-    """For kinetic and potential energy. Above ten times, the text is not exact; 0 of 0 is 0 %."""
-    player = make_swing(tmp_path)
-    motion = player.motion
-    player.cradle.pend_list[0]["omega"] = 2.0
-    motion.set_start()
-    assert "energy 100.00 % (kinetic" in motion.reading()
-    motion.start_energy /= 10.1
-    assert "energy  > 999 %" in motion.reading()
-    still = make_swing(tmp_path, lift=0)
-    assert "energy   0.00 % (kinetic   0.00 %, potential   0.00 %)" in still.motion.reading()
+def lines(*trains, pause=DT):
+    """Return the lines after these trains, 0.1 s apart, each a list of hits with this pause (s) between them.
+
+    A hit is (from, to), indices of bobs; 2 is short for (2, 3).
+    """
+    found = ImpactTrains(5)
+    for i, train in enumerate(trains):
+        for number, hit in enumerate(train):
+            start, end = hit if isinstance(hit, tuple) else (hit, hit + 1)
+            found.add(0.1 * i + number * pause, min(start, end), max(start, end), start < end)
+    return found.lines()
+
+
+@pytest.mark.parametrize(
+    ("hits", "train"),
+    [
+        ([0], "1-2"),
+        ([0, 1, 2, 3], "1-2-3-4-5"),
+        ([(4, 3), (3, 2), (2, 1), (1, 0)], "5-4-3-2-1"),
+        ([1, 0, 2, 1, 3, 2], "2-3-4-5  1-2-3-4"),  # two bobs come in from the left, two go out
+        ([2, 1, 3, 0, 2, 1], "3-4-5  2-3-4  1-2-3"),
+        ([0, 3], "1-2  4-5"),
+        ([0, (4, 3), (3, 2), 1, 0, 2, 3], "1-2-3-4-5  5-4-3-2-1"),  # the first and the last bob come in
+        ([(0, 2), 2, (2, 4)], "1-3-4  3-5"),  # in a double cradle, a hit goes past a neighbour
+        ([0, 0, 0, 0], "1-2"),  # two bobs that touch for a moment
+        (range(9), "1-2-3-...-10"),
+        ([0, 1, 2, 3] * 15, "1-2-3-4-5  1-2-3-4-5  1-2-3-4..."),
+        ([0] * 1000, "1 and 2 stay together"),
+        ([0, 3, 1] * 1000, "1 to 3, 4 and 5 stay together"),
+    ],
+)
+def test_a_train_has_its_bobs_in_the_order_of_the_hits(hits, train):
+    assert lines(hits) == [f"t = 0.00 s  {train}"]
+
+
+def test_a_long_pause_ends_a_train():
+    """The latest train comes first."""
+    assert lines([0, 1, 2], pause=0.9 * GAP) == ["t = 0.00 s  1-2-3-4"]
+    assert lines([0, 1, 2], pause=2 * GAP) == ["t = 0.02 s  3-4", "t = 0.01 s  2-3", "t = 0.00 s  1-2"]
+
+
+@pytest.mark.parametrize(
+    ("trains", "expected"),
+    [
+        # After a train, single hits get one line; the latest hit waits, because it can become a train.
+        ([[0, 1], [0], [2], [1], [0, 3], [0, 1, 2]], ["0.50 s  1-2-3-4", "0.10 s  5 single hits", "0.00 s  1-2-3"]),
+        ([[0, 1], [0], [2], [1]], ["0.30 s  2-3", "0.10 s  2 single hits", "0.00 s  1-2-3"]),
+        ([[0, 1], [2], [0, 1]], ["0.20 s  1-2-3", "0.10 s  3-4", "0.00 s  1-2-3"]),
+        # Two pendula have only single hits.
+        ([[0], [0], [0]], ["0.20 s  1-2", "0.10 s  1-2", "0.00 s  1-2"]),
+        # Bobs that stay together from swing to swing take one line, with those that join them.
+        ([[0, 1], LIE, [*LIE, *[2] * 100], LIE], ["0.10 s  1 to 4 stay together", "0.00 s  1-2-3"]),
+        ([LIE, [0], LIE], ["0.20 s  1 to 3 stay together", "0.10 s  1-2", "0.00 s  1 to 3 stay together"]),
+        ([LIE, [3] * 21], ["0.00 s  1 to 3, 4 and 5 stay together"]),
+        ([[*LIE, 3]] * 25, ["0.00 s  1 to 3 stay together"]),  # 4 hits 5 once in each swing
+        # What gets one line pushes no train out.
+        (
+            [[0, 1], *[[0]] * 20, [0, 1, 2], *[[1]] * 20],
+            ["4.10 s  2-3", "2.20 s  19 single hits", "2.10 s  1-2-3-4", "0.10 s  20 single hits", "0.00 s  1-2-3"],
+        ),
+    ],
+)
+def test_trains_that_would_fill_the_list_become_one_line(trains, expected):
+    assert lines(*trains) == [f"t = {line}" for line in expected]
+
+
+def test_the_hits_of_many_lifted_bobs_are_a_train():
+    """Half of a hundred bobs: the two in the middle hit fifty times."""
+    hits = [bob + hit for bob in reversed(range(50)) for hit in range(50)]
+    assert lines(hits)[0].startswith("t = 0.00 s  50-51-52-...-100")
+
+
+def test_bobs_that_touch_for_ever_take_no_more_memory():
+    trains = ImpactTrains(5)
+    for tick in range(10_000):
+        trains.add(tick * DT, tick % 4, tick % 4 + 1, True)
+    assert sum(map(len, trains.trains[0].paths)) < 100
+
+
+# --- the pace --------------------------------------------------------------------------------------------------------
+
+
+class Timed(Player):
+    """Plays five pendula on a clock of the test until its time `until`: only ticks, calls and sleeps take time."""
+
+    def __init__(self, folder, until, tick=0.0, call=0.0, speed=1.0, hiccup=0.0):
+        """tick is the cost of a tick (s), call that of a call of the fast path (s); hiccup (s) delays frame 60."""
+        (folder / "cradle.csv").write_text(FIVE_CSV)
+        super().__init__(make_live(), Snapshot(folder / "cradle.csv"), [None], None, 4)
+        self.now, self.until, self.tick, self.call = 0.0, until, tick, call
+        self.hiccup, self.slept, self.frames, self.step = hiccup, 0.0, 0, 100
+        self.pace = RealTime(DT, lambda: self.now, self.sleep)
+        self.pace.speed = speed
+        self.cradle.many_ticks = self.cost_much if call else None
+
+    def cost(self, *_, **__):
+        self.now += self.tick
+
+    def cost_much(self, scope, pend_list, ticks, rule):
+        self.now += self.call + ticks * self.tick
+        return []
+
+    def sleep(self, seconds):
+        assert seconds >= 0
+        self.frames += 1
+        self.slept += seconds
+        self.now += seconds + (self.hiccup if self.frames == 60 else 0)
+
+    def frame(self):
+        self.pace.rest()
+        self.keep_time()
+        self.is_over = self.now >= self.until
+
+    def run(self):
+        """Run until the time `until`; return the simulated time (s)."""
+        self.is_over = False
+        with patch.object(visualize_cradle_run, "newton_cradle_tick", self.cost):
+            run(visualize_cradle_run.main, self)
+        return self.motion.ticks * DT
+
+
+@pytest.mark.parametrize(("cost", "speed"), [(0, 1), (10e-6, 0.1), (30e-6, 2)])
+def test_a_simulated_second_lasts_a_second_at_speed_1(tmp_path, cost, speed):
+    timed = Timed(tmp_path, until=10, tick=cost, speed=speed)
+    assert timed.run() == pytest.approx(10 * speed, abs=2 * FRAME * speed)
+    assert timed.pace.kept_up == pytest.approx(1, abs=0.02)
+    assert timed.frames == pytest.approx(10 / FRAME, rel=0.01)
+    assert timed.slept == pytest.approx(10 * (1 - cost * speed / DT), rel=0.01)  # whenever nothing is to do
+
+
+@pytest.mark.parametrize("cost", [200e-6, 1e-3, 5e-3])
+def test_a_slow_machine_shows_slow_motion(tmp_path, cost):
+    """Pictures keep coming, the simulation moves on steadily, and the threads of the page get time too."""
+    timed = Timed(tmp_path, until=20, tick=cost)
+    assert timed.run() == pytest.approx(0.75 * 20 / cost * DT, rel=0.35)
+    assert timed.frames == pytest.approx(20 / FRAME, rel=0.2)
+    assert timed.slept > 20 / 6
+    assert timed.pace.kept_up == pytest.approx(timed.motion.ticks * DT / 20, rel=0.1)
+    assert timed.pace.remark() == f"x{timed.pace.kept_up:.1f}"
+
+
+@pytest.mark.parametrize(("tick", "call", "part"), [(0.1, 0.0, 1), (1e-6, 0.1, 100)])
+def test_a_tick_or_a_call_longer_than_a_frame_ends_in_no_spiral(tmp_path, tick, call, part):
+    """Each frame does one tick, or one whole part in a call."""
+    timed = Timed(tmp_path, until=20, tick=tick, call=call)
+    timed.run()
+    assert timed.frames == pytest.approx(20 / (0.1 + FRAME / 4), abs=3)  # the threads of the page get time, too
+    assert timed.motion.ticks == pytest.approx(part * timed.frames, rel=0.02)
+
+
+@pytest.mark.parametrize(("hiccup", "made_up"), [(0.2, 0.2), (5, MAX_BEHIND), (8 * 3600.0, MAX_BEHIND)])
+@pytest.mark.parametrize("speed", [0.1, 2])
+def test_a_short_delay_is_made_up_for_and_a_long_one_is_not(tmp_path, speed, hiccup, made_up):
+    timed = Timed(tmp_path, until=10 + hiccup, tick=1e-6, speed=speed, hiccup=hiccup)
+    assert timed.run() == pytest.approx((10 + made_up) * speed, abs=3 * FRAME * speed)
+
+
+def test_after_a_pause_or_a_change_of_the_speed_slow_motion_is_forgotten(tmp_path):
+    timed = Timed(tmp_path, until=5, tick=1e-3)
+    timed.run()
+    assert timed.pace.kept_up < 0.5
+    timed.now += 100
+    timed.pace.restart()
+    assert (timed.pace.kept_up, timed.pace.due()) == (1, 0)
+    timed.tick = 10e-6
+    for speed, seconds in ((0.1, 3.5), (2, 1.1)):
+        timed.pace.speed, timed.until = speed, timed.now + seconds
+        timed.run()
+        assert (timed.pace.kept_up, timed.pace.remark()) == (pytest.approx(1, abs=0.02), "")
+
+
+@pytest.mark.parametrize(
+    ("question", "words"),
+    [
+        ("wants_cradle", "main showed no cradle when page.wants_cradle() was True: page.show is missing."),
+        ("wants_tick", "main did not call page.wants_tick() when ticks were due."),
+        ("is_running", "main ended, but the simulation still runs."),
+    ],
+)
+def test_a_loop_that_leaves_work_undone_is_named(tmp_path, monkeypatch, question, words):
+    """As if main did not ask this question, and went on."""
+    timed = Timed(tmp_path, until=1)
+    monkeypatch.setattr(timed, question, lambda: False)
+    with pytest.raises(MistakeError) as raised:
+        timed.run()
+    assert str(raised.value) == words

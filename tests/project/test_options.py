@@ -1,15 +1,20 @@
-"""The command line: accepted options, refused options, and their messages."""
+"""The command line: accepted options, refused options, and the commands that the page and the messages show."""
 
-import random
-from math import degrees, inf, pi
+import os
+import shutil
+import sys
+from math import degrees, inf
+from pathlib import Path
 
 import pytest
-from whole_cradles import FIVE_CSV
+from wall import Wall
 
-from support.constants import DT, NC_FP, PHI_INIT
+from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
 from support.pendulum import from_lift
 from support.start.options import (
-    check_lift,
+    command_line,
     page_arguments,
     PORT_VARIABLE,
     read_double_page_options,
@@ -17,285 +22,168 @@ from support.start.options import (
     read_text_options,
 )
 
-
-def read(line):
-    return vars(read_page_options(line.split()))
-
-
-DEFAULTS = {
-    "csv": NC_FP,
-    "elastic": False,
-    "inelastic": False,
-    "e": None,
-    "mass": None,
-    "angle": None,
-    "lift": None,
-    "separating": False,
-    "port": 0,
-    "experiment": None,
-    "browser": True,
+CRADLE = {"csv": NC_FP, "elastic": False, "inelastic": False, "e": None, "mass": None, "angle": None, "lift": None}
+PAGE = {**CRADLE, "separating": False, "port": 0, "experiment": None, "browser": True}
+PROGRAMS = {
+    "page": (read_page_options, PAGE),
+    "double": (read_double_page_options, {**PAGE, "phi": None}),
+    "text": (read_text_options, {**CRADLE, "seconds": inf, "record": None, "every": 0.01}),
 }
 
 
 @pytest.mark.parametrize(
-    ("line", "changed"),
+    ("program", "line", "changed"),
     [
-        ("", {}),
-        ("my.csv", {"csv": "my.csv"}),
-        ("--elastic", {"elastic": True}),
-        ("--inelastic", {"inelastic": True}),
-        ("--e 0.5", {"e": 0.5}),
-        ("--e 0", {"e": 0.0}),
-        ("--mass 2.5 --angle 12.5 --lift 3", {"mass": 2.5, "angle": from_lift(12.5), "lift": 3}),
-        ("--experiment 1_one_bob", {"experiment": "1_one_bob"}),
-        ("--lift 0 --angle 180", {"lift": 0, "angle": from_lift(180.0)}),
-        ("--separating", {"separating": True}),
-        ("--port 8000 --no-browser my.csv", {"port": 8000, "browser": False, "csv": "my.csv"}),
+        *((program, "", {}) for program in PROGRAMS),
+        ("page", "my.csv --inelastic --separating", {"csv": "my.csv", "inelastic": True, "separating": True}),
+        ("page", "--elastic --mass 1e-05 --lift 3", {"elastic": True, "mass": 1e-5, "lift": 3}),
+        ("page", "--e 0 --lift 0 --angle 180", {"e": 0.0, "lift": 0, "angle": from_lift(180)}),
+        ("page", "--e 0.30000000000000004 --angle 33.3", {"e": 0.1 + 0.2, "angle": from_lift(33.3)}),
+        ("page", "--experiment 1_one_bob", {"experiment": "1_one_bob"}),
+        ("page", "--port 8000 --no-browser", {"port": 8000, "browser": False}),
+        ("double", "--phi=-180", {"phi": from_lift(-180)}),
+        ("double", "--angle 77 --phi=-1e-05", {"angle": from_lift(77), "phi": from_lift(-1e-5)}),
+        ("text", "--seconds 1e6 --mass 2 my.csv", {"seconds": 1e6, "mass": 2.0, "csv": "my.csv"}),
+        ("text", f"--seconds 1 --record data.csv --every {DT}", {"seconds": 1.0, "record": "data.csv", "every": DT}),
     ],
 )
-def test_what_it_takes(line, changed):
-    assert read(line) == {**DEFAULTS, **changed}
+def test_options_are_read_with_their_units_and_the_copied_command_has_them_again(program, line, changed):
+    read_options, defaults = PROGRAMS[program]
+    options = vars(read_options(line.split()))
+    assert options == {**defaults, **changed}
+    if program != "text":
+        arguments = page_arguments(options)
+        assert sorted(arguments) == sorted(line.split())
+        assert vars(read_options(arguments)) == options
 
 
-@pytest.mark.parametrize(("line", "phi"), [("", None), ("--phi -180", from_lift(-180)), ("--phi 180", from_lift(180))])
-def test_what_the_double_cradle_takes_besides(line, phi):
-    assert vars(read_double_page_options(line.split())) == {**DEFAULTS, "phi": phi}
-
-
-@pytest.mark.parametrize(
-    "line",
-    [
-        "",
-        "my.csv",
-        "--elastic",
-        "--inelastic",
-        "--e 0",
-        "--e 1e-07 --mass 1e-05",
-        "--e 0.30000000000000004 --mass 2.5",
-        "--lift 0",
-        "--angle 0 --lift 12",
-        "--angle 1e-05",
-        "--separating",
-        "--port 8000",
-        "--experiment 2_two_bobs --separating",
-        "--no-browser",
-        "my.csv --inelastic --separating --mass 3 --angle 33.3 --lift 2 --port 8000 --no-browser",
-    ],
-)
-def test_the_arguments_of_the_options_make_the_same_options_again(line):
-    options = read(line)
-    arguments = page_arguments(options)
-    assert vars(read_page_options(arguments)) == options
-    assert sorted(arguments) == sorted(line.split())
-
-
-@pytest.mark.parametrize("phi", ["-180", "-12.5", "-1e-05", "0", "77"])
-def test_so_they_do_for_the_double_cradle(phi):
-    options = vars(read_double_page_options([f"--phi={phi}", "--angle", "45"]))
-    assert vars(read_double_page_options(page_arguments(options))) == options
-
-
-@pytest.mark.parametrize("outwards", [-1, 1])
-def test_an_angle_comes_back_to_the_last_bit(monkeypatch, outwards):
-    monkeypatch.setattr("support.pendulum.OUTWARDS", outwards)
-    dice = random.Random(1)
-    for lift in [*range(181), *(dice.uniform(-180, 180) for _ in range(5000)), 1e-9, 179.99999999999997]:
-        angle = from_lift(lift)
-        [argument] = [word for word in page_arguments({"phi": angle}) if word != "--phi"]
-        assert from_lift(float(argument.removeprefix("--phi="))) == angle
-        if lift == round(lift):
-            assert argument == str(lift)
-
-
-TEXT_DEFAULTS = {
-    **{name: value for name, value in DEFAULTS.items() if name not in ("separating", "port", "browser", "experiment")},
-    "seconds": inf,
-    "record": None,
-    "every": 0.01,
-}
-
-
-@pytest.mark.parametrize(
-    ("line", "changed"),
-    [
-        ("", {}),
-        (
-            "--inelastic --mass 2 --angle 5 --lift 2 my.csv",
-            {"inelastic": True, "mass": 2.0, "angle": from_lift(5.0), "lift": 2, "csv": "my.csv"},
-        ),
-        ("--seconds 2.5 --angle 0", {"seconds": 2.5, "angle": from_lift(0.0)}),
-        ("--seconds 1e6", {"seconds": 1e6}),
-        (f"--seconds 1 --record data.csv --every {DT}", {"seconds": 1.0, "record": "data.csv", "every": DT}),
-        ("--seconds 60 --record data.csv", {"seconds": 60.0, "record": "data.csv"}),
-        ("--seconds 60 --record data.csv --every 0.5", {"seconds": 60.0, "record": "data.csv", "every": 0.5}),
-    ],
-)
-def test_what_the_cradle_in_the_terminal_takes(line, changed):
-    assert vars(read_text_options(line.split())) == {**TEXT_DEFAULTS, **changed}
-
-
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("--seconds 0", "argument --seconds: found '0', allowed is a number above 0 and up to 1e6 (s)"),
-        ("--seconds inf", "argument --seconds: found 'inf', allowed is a number above 0 and up to 1e6 (s)"),
-        ("--record data.csv", "argument --record: needs --seconds, to say how long"),
-        ("--record=", "argument --record: found '', allowed is the name of a file"),
-        ("--every 0.1", "argument --every: needs --record"),
-        ("--every 0.1 --seconds 5", "argument --every: needs --record"),
-        (
-            f"--record data.csv --seconds 5 --every {DT / 2}",
-            f"argument --every: found '{DT / 2}', allowed is a multiple of {DT:g} (s), one tick, up to 1e6",
-        ),
-        (
-            f"--record data.csv --seconds 5 --every {DT * 1.5}",
-            f"argument --every: found '{DT * 1.5}', allowed is a multiple of {DT:g} (s), one tick, up to 1e6",
-        ),
-        (
-            "--record data.csv --seconds 5 --every 1e7",
-            f"argument --every: found '1e7', allowed is a multiple of {DT:g} (s), one tick, up to 1e6",
-        ),
-        (
-            "--record data.csv --seconds 5 --every nan",
-            f"argument --every: found 'nan', allowed is a multiple of {DT:g} (s), one tick, up to 1e6",
-        ),
-        ("--no-browser", "unrecognized arguments: --no-browser"),
-    ],
-)
-def test_what_the_cradle_in_the_terminal_refuses_in_one_line(line, message, capsys):
-    with pytest.raises(SystemExit) as refused:
-        read_text_options(line.split())
-    stdout, stderr = capsys.readouterr()
-    assert (refused.value.code, stdout) == (2, "")
-    assert stderr.endswith(f": error: {message} (--help shows all options)\n")
-    assert stderr.count("\n") == 1
-
-
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("--e 1.1", "argument --e: found '1.1', allowed is a number from 0 to 1"),
-        ("--e -0.1", "argument --e: found '-0.1', allowed is a number from 0 to 1"),
-        ("--e nan", "argument --e: found 'nan', allowed is a number from 0 to 1"),
-        ("--e", "argument --e: expected one argument"),
-        ("--mass 0", "argument --mass: found '0', allowed is a number from 1e-300 to 1e6 (kg)"),
-        ("--mass inf", "argument --mass: found 'inf', allowed is a number from 1e-300 to 1e6 (kg)"),
-        ("--mass 1kg", "argument --mass: found '1kg', allowed is a number from 1e-300 to 1e6 (kg)"),
-        ("--angle -30", "argument --angle: found '-30', allowed is a number from 0 to 180 (degrees)"),
-        ("--angle 181", "argument --angle: found '181', allowed is a number from 0 to 180 (degrees)"),
-        ("--lift -1", "argument --lift: found '-1', allowed is a whole number, 0 or more"),
-        ("--lift 1.5", "argument --lift: found '1.5', allowed is a whole number, 0 or more"),
-        ("--lift ²", "argument --lift: found '²', allowed is a whole number, 0 or more"),
-        ("--port 65535", "argument --port: found '65535', allowed is a whole number from 0 to 65534"),
-        ("--port web", "argument --port: found 'web', allowed is a whole number from 0 to 65534"),
-        ("--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
-        ("--elast", "unrecognized arguments: --elast"),
-        ("a.csv b.csv", "unrecognized arguments: b.csv"),
-    ],
-)
-def test_what_it_refuses_in_one_line(line, message, capsys):
-    with pytest.raises(SystemExit) as refused:
-        read(line)
-    stdout, stderr = capsys.readouterr()
-    assert (refused.value.code, stdout) == (2, "")
-    assert stderr.endswith(f": error: {message} (--help shows all options)\n")
-    assert stderr.count("\n") == 1
-
-
-@pytest.mark.parametrize("read_options", [read_page_options, read_double_page_options, read_text_options])
-@pytest.mark.parametrize(
-    ("word", "shown"),
-    [
-        ("--el\nast", r"--el\nast"),
-        ("a\x1b[2J\r.csv", r"a\x1b[2J\r.csv"),
-        ("\udcff\u2028ω", r"\udcff\u2028ω"),
-    ],
-)
-def test_what_a_terminal_does_not_show_is_written_out(read_options, word, shown, capsys):
-    with pytest.raises(SystemExit):
-        read_options(["my.csv", word])
-    assert capsys.readouterr().err.endswith(f": error: unrecognized arguments: {shown} (--help shows all options)\n")
-
-
-def test_the_port_may_come_from_vpythons_environment_variable(monkeypatch, capsys):
+def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
     monkeypatch.setenv(PORT_VARIABLE, "8000")
-    assert read("")["port"] == 8000
-    assert read("--port 9000")["port"] == 9000
+    assert read_page_options([]).port == 8000
+    assert read_page_options(["--port", "9000"]).port == 9000
     monkeypatch.setenv(PORT_VARIABLE, "web")
-    with pytest.raises(SystemExit):
-        read("")
-    assert "--port: found 'web'" in capsys.readouterr().err
-
-
-def help_of(read_options, capsys):
-    """Return the text of --help on one line."""
-    with pytest.raises(SystemExit) as ended:
-        read_options(["--help"])
-    assert ended.value.code == 0
-    return " ".join(capsys.readouterr().out.split())
+    assert "--port: found 'web'" in refusal("page", [], capsys)
 
 
 def test_help_has_each_option_with_its_unit_and_default(capsys):
-    text = help_of(read_page_options, capsys)
-    for words in (
-        "CSV file of the cradle (default: newton_cradle_pends.csv)",
-        "--elastic e = 1",
-        "--inelastic e = 0",
-        "--e E one e, from 0 to 1, for all pendula (default: the CSV's)",
-        "--mass KG one mass, in kg, for all pendula (default: the CSV's)",
-        "from 0 to 180 degrees (default: ",
-        "number of lifted bobs, from the left (default: 1)",
-        "--port N",
-        "--separating",
-        "--no-browser",
-    ):
-        assert words in text
+    for program, words in {
+        "page": f"from 0 to 180 degrees (default: {abs(degrees(THETA_INIT)):g})",
+        "double": f"outwards, from -180 to 180 degrees (default: {abs(degrees(PHI_INIT)):g})",
+        "text": "--every S with --record: a row for every S seconds (default: 0.01)",
+    }.items():
+        with pytest.raises(SystemExit, match="^0$"):
+            PROGRAMS[program][0](["--help"])
+        assert words in " ".join(capsys.readouterr().out.split())
 
 
-def test_phi_is_outwards_by_default_if_theta_and_phi_have_one_sign(monkeypatch, capsys):
-    monkeypatch.setattr("support.start.options.PHI_INIT", pi / 18)
-    for outwards, default in ((-1, -10), (1, 10)):
-        monkeypatch.setattr("support.pendulum.OUTWARDS", outwards)
-        with pytest.raises(SystemExit):
-            read_double_page_options(["--help"])
-        assert f"(default: {default})" in " ".join(capsys.readouterr().out.split())
-
-
-@pytest.mark.parametrize("phi", ["181", "-180.5", "nan", "right"])
-def test_what_the_double_cradle_refuses_besides(phi, capsys):
+def refusal(program, words, capsys):
+    """Return the one line on stderr with which a program refuses these words, after its name."""
     with pytest.raises(SystemExit) as refused:
-        read_double_page_options(["--phi", phi])
-    assert refused.value.code == 2
-    message = f"argument --phi: found '{phi}', allowed is a number from -180 to 180 (degrees)"
-    assert message in capsys.readouterr().err
+        PROGRAMS[program][0](words)
+    stdout, stderr = capsys.readouterr()
+    assert (refused.value.code, stdout, stderr.count("\n")) == (2, "", 1)
+    return stderr.partition(": error: ")[2].removesuffix(" (--help shows all options)\n")
 
 
-def test_so_has_the_help_of_the_double_cradle(capsys):
-    text = help_of(read_double_page_options, capsys)
-    assert "double Newton's cradle" in text
-    assert "--angle DEGREES" in text
-    assert "When you save its CSV, the page shows the new cradle." in text
-    outwards = f"{abs(degrees(PHI_INIT)):g}"
-    assert (
-        f"angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees (default: {outwards})"
-        in text
-    )
+EVERY = f"a multiple of {DT:g} (s), one tick, up to 1e6"
+BAD_VALUES = [
+    ("page", "--e", ["1.1", "-0.1", "nan"], "a number from 0 to 1"),
+    ("page", "--mass", ["0", "inf", "1kg"], "a number from 1e-300 to 1e6 (kg)"),
+    ("page", "--angle", ["-30", "181"], "a number from 0 to 180 (degrees)"),
+    ("page", "--lift", ["-1", "1.5", "²"], "a whole number, 0 or more"),
+    ("page", "--port", ["65535", "web"], "a whole number from 0 to 65534"),
+    ("double", "--phi", ["181", "-180.5", "nan", "right"], "a number from -180 to 180 (degrees)"),
+    ("text", "--seconds", ["0", "inf"], "a number above 0 and up to 1e6 (s)"),
+    ("text", "--record", [""], "the name of a file"),
+    ("text", "--every", ["1e-11", str(DT / 2), str(DT * 1.5), "1e7", "nan"], EVERY),
+]
 
 
-def test_so_has_the_help_of_the_cradle_in_the_terminal(capsys):
-    text = help_of(read_text_options, capsys)
-    for words in (
-        "number of lifted bobs, from the left (default: 1)",
-        "--seconds S end after S seconds (default: until Ctrl+C)",
-        "--record FILE write the data of S seconds (--seconds S) to FILE, a CSV",
-        "--every S with --record: a row for every S seconds (default: 0.01)",
-    ):
-        assert words in text
+@pytest.mark.parametrize(("program", "option", "values", "allowed"), BAD_VALUES)
+def test_a_bad_value_is_refused_with_the_allowed_ones(program, option, values, allowed, capsys):
+    for value in values:
+        message = f"argument {option}: found {value!r}, allowed is {allowed}"
+        assert refusal(program, [f"{option}={value}"], capsys) == message
 
 
-def test_as_many_bobs_as_there_are_may_be_lifted(tmp_path):
-    csv = tmp_path / "cradle.csv"
-    csv.write_text(FIVE_CSV)
-    check_lift(5, csv)
-    with pytest.raises(ValueError, match="^--lift: found '6', allowed is at most 5, the number of pendula in "):
-        check_lift(6, csv)
+@pytest.mark.parametrize(
+    ("program", "line", "message"),
+    [
+        ("page", "--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
+        ("page", "--elast", "unrecognized arguments: --elast"),
+        ("text", "--no-browser", "unrecognized arguments: --no-browser"),
+        ("text", "--record data.csv", "argument --record: needs --seconds, to say how long"),
+        ("text", "--every 0.1 --seconds 5", "argument --every: needs --record"),
+        ("text", "my.csv \x1b[2J\udcffω", r"unrecognized arguments: \x1b[2J\udcffω"),  # not shown letters
+    ],
+)
+def test_options_that_are_wrong_in_another_way_are_refused_in_one_line(program, line, message, capsys):
+    assert refusal(program, line.split(), capsys) == message
+
+
+def test_an_angle_is_rounded_to_a_billionth_of_a_degree(monkeypatch):
+    for outwards in (-1, 1):
+        monkeypatch.setattr("support.pendulum.OUTWARDS", outwards)
+        for lift, argument in ((45, "45"), (100 / 3, "33.333333333"), (-179.0000000004, "-179")):
+            assert page_arguments({"angle": from_lift(lift)})[-1].removeprefix("--angle=") == argument
+
+
+def arguments_after(wall, command, value):
+    """Return the arguments of the viewer's command after it has carried out this command."""
+    wall.viewer.give(command, value)
+    wall.wait()
+    return (wall.viewer.arguments() or [])[1:]
+
+
+def opened(csv, *lifts, kind=Cradle, lifted=None, line=""):
+    """Return a wall whose viewer has the options of this command line."""
+    wall = Wall(csv, *(lifts or [None]), kind=kind, lifted=lifted)
+    wall.viewer.options = vars(read_page_options([str(csv), *line.split()]))
+    return wall
+
+
+def test_the_page_shows_the_command_for_its_settings(csv, monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["/anywhere/visualize_cradle_run.py"])
+    wall = opened(csv, 12.5, lifted=4, line="--port 8000 --no-browser")
+    given = ["--angle", "12.5", "--lift", "4", "--port", "8000", "--no-browser"]
+    assert wall.viewer.arguments() == [str(csv), *given]
+    assert arguments_after(wall, "separating", True) == ["--separating", *given]
+    assert arguments_after(wall, "collisions", "elastic, e = 1")[0] == "--elastic"
+    arguments_after(wall, "angle", (0, from_lift(60)))
+    settings = ["--elastic", "--separating", "--angle", "60", "--lift", "5", *given[4:]]
+    assert arguments_after(wall, "lift", 9) == settings
+    words = wall.panel.command.text.removeprefix('<code class="command">').removesuffix("</code>")
+    assert words.endswith(f"visualize_cradle_run.py {csv} {' '.join(settings)}")
+    wall.viewer.cradle.takes_rule = False  # functions without approaching_only need no option
+    assert "--separating" not in arguments_after(wall, "collisions", "as in the CSV")
+    assert arguments_after(wall, "edit", [0, "mass", "2"]) == []
+    assert wall.viewer.arguments() is None
+    assert "No file has this cradle." in wall.panel.command.text
+    assert 'class="command"' not in wall.panel.command.text
+
+
+def test_an_experiment_has_its_command_and_the_csv_its_own_again(csv):
+    wall, experiment = opened(csv, 20, lifted=2), ["--experiment", "2_two_bobs"]
+    assert arguments_after(wall, "experiment", 2) == experiment
+    assert arguments_after(wall, "angle", (0, from_lift(30))) == [*experiment, "--angle", "30", "--lift", "2"]
+    assert arguments_after(wall, "experiment", 0) == ["--angle", "20", "--lift", "2"]
+    double = opened(csv, None, 20, kind=DoubleCradle)
+    assert arguments_after(double, "angle", (1, from_lift(-45))) == ["--phi=-45"]
+
+
+@pytest.mark.parametrize(
+    ("running", "on_the_path", "folder", "words"),
+    [
+        ("/project/.venv/bin/python", "/project/.venv/bin/python", "/project", ".venv/bin/python tests/watch.py"),
+        ("/usr/bin/python", "/usr/bin/python", "/project", "python tests/watch.py"),
+        ("/opt/my own/$bin/python", "/usr/bin/python", "/project", "'/opt/my own/$bin/python' tests/watch.py"),
+        ("/opt/3.14/bin/python", None, "/elsewhere", "/opt/3.14/bin/python /project/tests/watch.py"),
+    ],
+)
+def test_a_command_starts_a_program_with_the_same_python(monkeypatch, running, on_the_path, folder, words):
+    monkeypatch.setattr("support.start.options.ROOT", Path("/project"))
+    monkeypatch.setattr(sys, "executable", running)
+    monkeypatch.setattr(shutil, "which", lambda _: on_the_path)
+    for platform, quote in (("linux", "'"), ("win32", '"')):
+        monkeypatch.setattr(sys, "platform", platform)
+        assert command_line("tests/watch.py", Path(folder)) == words.replace("/", os.sep).replace("'", quote)

@@ -1,270 +1,535 @@
-"""The page to play with, in Chromium: what its controls do, where a test needs a page of its own.
+"""The controls of the page, in Chromium: on one page that the tests share, with all settings put back between them."""
 
-Keys and dragging, which browsers do each in their own way, are tested in Firefox too.
-"""
-
+import csv
 import re
-from contextlib import ExitStack
-from math import inf
+import signal
+from base64 import b64encode
+from itertools import combinations, pairwise
+from pathlib import Path
 
+import programs
 import pytest
-from pages import (
-    ANGLE,
-    csv_of,
-    from_start,
-    LIFTED,
-    lifts,
-    menu,
-    pixel,
-    SEPARATING,
-    slide,
-    SPEED,
-    unfold,
-    values,
-    wait_for_lifts,
-)
-from programs import (
-    end,
-    first_lines,
-    in_both_browsers,
-    MOVES,
-    needs_vpython,
-    open_cradle,
-    pause,
-    press,
-    QUIETLY,
-    readout,
-    running,
-    SECONDS,
-    wait_until,
-)
-from whole_cradles import FIVE_CSV, GOOD, HEADER, PERIOD
+from programs import BOBS, draw, lifts, menu, pause, pixel, press, slide, SPEED, unfold, values, wait_until
+from whole_cradles import FIVE_CSV, GOOD, HEADER
 
-pytestmark = needs_vpython
+from src.pds_helper import extract_and_convert
 
-# What the readout says whenever it changes, and the time on the wall (s) at that moment, for a second.
-READINGS = """async () => {
-    const says = () => document.querySelector(".readout").innerText;
-    const readings = [], start = performance.now();
-    for (let before = says(); performance.now() - start < 1000;) {
-        await new Promise(requestAnimationFrame);
-        if (says() !== before) readings.push([before = says(), performance.now() / 1000]);
+pytestmark = programs.needs_vpython
+
+# Put the cradle back to its start, with the settings with which the page opens, and let it run. A click by Playwright
+# waits for two pictures: slow without a graphics card.
+PUT_BACK = """() => {
+    for (const menu of document.querySelectorAll(".glowscript select")) {
+        if (!menu.selectedIndex || menu.closest("table")) continue;
+        menu.selectedIndex = 0;
+        menu.dispatchEvent(new Event("change"));
     }
-    return readings;
+    for (const box of document.querySelectorAll("input[type=checkbox]:checked")) box.click();
+    for (const open of document.querySelectorAll("details[open]")) open.open = false;
+    document.documentElement.classList.remove("presenting");
+    document.activeElement.blur();
+    const button = document.querySelector("button");
+    if (button.innerText === "Run") button.click();
 }"""
+
+# Before the page's own scripts: peak() is the largest sample of the last 0.7 s at the loudspeaker, if it is in use.
+LISTEN = """
+const connect = AudioNode.prototype.connect;
+window.peak = () => null;
+AudioNode.prototype.connect = function (to, ...others) {
+    if (to === this.context.destination) {
+        const tap = new AnalyserNode(this.context, { fftSize: 32768 }), samples = new Float32Array(tap.fftSize);
+        connect.call(this, tap);
+        window.audio = this.context;
+        window.peak = () => {
+            tap.getFloatTimeDomainData(samples);
+            return samples.reduce((most, sample) => Math.max(most, Math.abs(sample)), 0);
+        };
+    }
+    return connect.call(this, to, ...others);
+};"""
+
+
+@pytest.fixture(scope="module")
+def started(chromium, tmp_path_factory):
+    """A page with a touch screen, which may use the clipboard, and its program's project.
+
+    In the end, Ctrl+C ends the program: until then, it has printed nothing more.
+    """
+    project = programs.copy_project(tmp_path_factory.mktemp("shared"), FIVE_CSV)
+    permissions = ["clipboard-read", "clipboard-write"]
+    program = project / "src" / programs.PROGRAM.name
+    with (
+        programs.running(program, "--angle", "45", folder=project, patience=60 * programs.SECONDS) as process,
+        programs.new_page(chromium, permissions=permissions, has_touch=True) as page,
+    ):
+        page.add_init_script(LISTEN)
+        programs.open_cradle(page, programs.first_lines(process))
+        yield page, project
+        process.send_signal(signal.SIGINT)
+        assert programs.end(process) == programs.QUIETLY
 
 
 @pytest.fixture
-def play(page, program):
-    """A function that starts the program with these arguments, and returns the process once the page shows it."""
-    with ExitStack() as stack:
+def file(started):
+    """The CSV of the shared page."""
+    return started[1] / "newton_cradle_pends.csv"
 
-        def play(*arguments):
-            angle = () if "--angle" in arguments else ("--angle", "45")
-            process = stack.enter_context(running(program, *arguments, *angle))
-            open_cradle(page, first_lines(process), csv_of(program).read_text().count("\n") - 1)
-            return process
 
-        yield play
+@pytest.fixture
+def shared(started, file):
+    """The shared page as it opens: with its settings and its CSV; the first bob has just been released."""
+    page = started[0]
+    page.mouse.up()
+    if file.read_text() != FIVE_CSV:
+        file.write_text(FIVE_CSV)
+    page.set_viewport_size({"width": 1000, "height": 700})
+    page.evaluate(PUT_BACK)
+    for key in "1rv":
+        page.keyboard.press(key)
+    for slider, text, part in ((SPEED, "1.0x", 0.475), (programs.ANGLE, "45°", 0.25)):
+        if values(page)[slider] != text:
+            slide(page, slider, part)
+    wait_until(lambda: values(page) == ["1.0x", "1 of 5", "45°"] and len(page.evaluate(BOBS)) == 5)
+    page.get_by_role("button", name="Pause").wait_for()
+    return page
 
 
 # --- buttons and keys ------------------------------------------------------------------------------------------------
 
 
-@in_both_browsers
-def test_keys(page, play):
-    """Also right after a slider or a button was used with the mouse; and they do not scroll the page."""
-    play()
-    page.set_viewport_size({"width": 1000, "height": 400})  # so that there is something to scroll
-    slide(page, SPEED, 0.5)
-    page.keyboard.press("Space")
-    page.get_by_role("button", name="Run").wait_for()
-    page.keyboard.press("r")
-    wait_for_lifts(page, -45, 0, 0, 0, 0)
-    page.keyboard.press("3")
-    wait_for_lifts(page, -45, -45, -45, 0, 0)
-    page.keyboard.press("ArrowRight")
-    wait_until(lambda: readout(page, "t") > 0)
+def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
+    shared.set_viewport_size({"width": 1000, "height": 400})  # so that the panel can scroll
+    assert shared.get_by_role("button", name="Step").is_disabled()
+    slide(shared, SPEED, 0.5)
+    shared.keyboard.press("Space")
+    shared.get_by_role("button", name="Run").wait_for()
+    shared.keyboard.press("r")
+    programs.wait_for_lifts(shared, -45, 0, 0, 0, 0)
+    shared.keyboard.press("3")
+    programs.wait_for_lifts(shared, -45, -45, -45, 0, 0)
+    shared.keyboard.press("ArrowRight")
+    wait_until(lambda: programs.readout(shared, "t") > 0)
+    press(shared, "Restart")
+    wait_until(lambda: programs.readout(shared, "t") == 0)
+    press(shared, "Step")
+    wait_until(lambda: programs.readout(shared, "t") > 0)
+    press(shared, "Run")
+    shared.get_by_role("button", name="Pause").wait_for()
+    shared.keyboard.press("Space")
+    shared.get_by_role("button", name="Run").wait_for()
+    programs.wait_for_rest(shared)
     panel = "document.querySelector('.panel')"
-    assert page.evaluate(f"[scrollY, {panel}.scrollTop]") == [0, 0]
-    press(page, "Run")
-    page.keyboard.press("Space")
-    page.get_by_role("button", name="Run").wait_for()
-    assert page.evaluate(f"[scrollY, {panel}.scrollTop]") == [0, 0]
-    assert page.evaluate(f"{panel}.scrollHeight > {panel}.clientHeight + 100")
+    assert shared.evaluate(f"{panel}.scrollHeight > {panel}.clientHeight + 100")
+    assert shared.evaluate(f"[scrollY, {panel}.scrollTop]") == [0, 0]
 
 
-def test_keys_that_mean_nothing_are_no_news(page, play):
+def test_keys_without_a_meaning_do_nothing(shared):
     """VPython prints a traceback for those that it has no name for."""
-    process = play()
     for key in ("ContextMenu", "AudioVolumeUp", "Meta", "AltGraph", "F1", "x", "Control"):
-        page.keyboard.press(key)
+        shared.keyboard.press(key)
     for code in (0, 173, 229):  # as of a keyboard for another language
-        page.evaluate(f"document.body.dispatchEvent(new KeyboardEvent('keydown', {{keyCode: {code}, bubbles: true}}))")
-    page.keyboard.press("Meta+2")  # another tab, on a Mac
-    page.keyboard.press("Space")  # which comes after them
-    page.get_by_role("button", name="Run").wait_for()
-    assert values(page)[LIFTED] == "1 of 5"
-    page.close()
-    assert end(process) == QUIETLY
+        shared.evaluate(
+            f"document.body.dispatchEvent(new KeyboardEvent('keydown', {{keyCode: {code}, bubbles: true}}))"
+        )
+    shared.keyboard.press("Meta+2")  # another tab, on a Mac
+    shared.keyboard.press("Space")
+    shared.get_by_role("button", name="Run").wait_for()
+    assert values(shared)[programs.LIFTED] == "1 of 5"
 
 
-def test_a_widget_reached_by_keyboard_keeps_its_keys(page, play):
-    play()
-    page.keyboard.press("Tab")
-    assert page.evaluate("document.activeElement.innerText") == "Pause"
-    page.keyboard.press("Space")  # once, not twice
-    page.get_by_role("button", name="Run").wait_for()
-    assert page.evaluate(MOVES) == 0
-    while "ui-slider-handle" not in page.evaluate("document.activeElement.className"):
-        page.keyboard.press("Tab")
-    page.keyboard.press("ArrowRight")
-    wait_until(lambda: values(page)[SPEED] == "1.1x")
-    page.keyboard.press("ArrowRight")
-    wait_until(lambda: values(page)[SPEED] == "1.2x")
+def test_a_slider_can_be_put_back_to_where_it_was_before_a_key_was_pressed(shared):
+    """VPython would send nothing, because it has sent the same value the last time."""
+    for _ in range(2):
+        slide(shared, programs.LIFTED, 0.99)
+        wait_until(lambda: values(shared)[programs.LIFTED] == "5 of 5")
+        shared.keyboard.press("1")
+        wait_until(lambda: values(shared)[programs.LIFTED] == "1 of 5")
 
 
-# --- settings --------------------------------------------------------------------------------------------------------
+# --- graph and mouse ------------------------------------------------------------------------------------------------
 
 
-def test_angle_lift_and_their_values(page, play):
-    play()
-    pause(page)
-    assert values(page) == ["1.0x", "1 of 5", "45°"]
-    slide(page, ANGLE, 0.5)  # the first click that this slider gets, of which VPython says nothing by itself
-    wait_for_lifts(page, -90, 0, 0, 0, 0)
-    slide(page, LIFTED, 0.38)
-    wait_for_lifts(page, -90, -90, 0, 0, 0)
-    wait_until(lambda: values(page) == ["1.0x", "2 of 5", "90°"])
-    wait_until(lambda: page.evaluate("$('.ui-slider').eq(1).slider('value')") == pytest.approx(2 / 5))
+def test_the_graph_has_even_ticks_and_a_choice(shared):
+    graph = shared.locator(".glowscript-graph")
+    graph.get_by_text("potential").wait_for()
+    wait_until(lambda: graph.locator(".yAxis .tickLabel").count() > 2)
+    ticks = [float(tick) for tick in graph.locator(".yAxis .tickLabel").all_inner_texts()]
+    steps = [b - a for a, b in pairwise(sorted(ticks))]
+    assert steps == pytest.approx([steps[0]] * len(steps))  # which VPython's own, rounded ones are not always
+    assert min(ticks) == 0
+    menu(shared, "Graph").select_option("Angles theta (rad)")
+    graph.get_by_text("potential").wait_for(state="detached")
+    menu(shared, "Graph").select_option("no graph")
+    graph.wait_for(state="hidden")
 
 
-def test_the_view_is_turned_and_zoomed_with_the_mouse(page, play):
-    play()
-    view = "[glowObjs[0].forward.x, glowObjs[0].range]"
-    turned, zoomed = page.evaluate(view)
-    page.mouse.move(50, 50)
-    page.mouse.down(button="right")
-    page.mouse.move(120, 60, steps=5)
-    page.mouse.up(button="right")
-    wait_until(lambda: page.evaluate(view)[0] != turned)
-    page.mouse.wheel(0, -300)
-    wait_until(lambda: page.evaluate(view)[1] < 0.97 * zoomed)
+def test_the_cursor_shows_that_a_bob_can_be_grabbed_and_it_is_let_go_outside_of_the_canvas(shared):
+    cursor = "getComputedStyle(document.querySelector('.canvas canvas:last-of-type')).cursor"
+    slide(shared, programs.LIFTED, 0.01)
+    programs.wait_for_lifts(shared, 0, 0, 0, 0, 0)
+    shared.mouse.move(*pixel(shared, 0, 0))
+    wait_until(lambda: shared.evaluate(cursor) == "grab")
+    shared.mouse.down()
+    shared.mouse.move(*pixel(shared, 0, -30), steps=3)
+    wait_until(lambda: lifts(shared)[0] == pytest.approx(-30, abs=0.5) and shared.evaluate(cursor) == "grabbing")
+    shared.mouse.move(20, 230, steps=3)  # below the canvas
+    wait_until(lambda: -28 < lifts(shared)[0] < -20)
+    shared.mouse.up()
+    wait_until(lambda: "1-2-3-4-5" in shared.locator(".impacts").inner_text())
+    shared.mouse.move(20, 20)
+    wait_until(lambda: shared.evaluate(cursor) == "auto")
 
 
-def test_separating_bobs_collide_too(page, play):
-    """Of e = 0.9 little is left then: after one swing 24 % of the energy instead of 48 %."""
-    play("--e", "0.9")
-    unfold(page, "Advanced")
-    page.get_by_role("checkbox", name=SEPARATING).check()
-    from_start(page)
-    assert energy_after(page, 1.1 * PERIOD) < 26
-    page.get_by_role("checkbox", name=SEPARATING).uncheck()
-    from_start(page)
-    assert energy_after(page, 1.1 * PERIOD) > 29
+# --- the CSV, experiments and the table ------------------------------------------------------------------------------
 
 
-def energy_after(page, seconds):
-    """Return the energy (%) at the first reading after this simulated time."""
-    readings = []
-
-    def take():
-        text = page.locator(".readout").inner_text()
-        readings.append([float(number) for number in re.findall(r"(?:^t|energy)\s+([0-9.]+)", text)])
-        return readings[-1][0] > seconds
-
-    wait_until(take)
-    return readings[-1][1]
-
-
-@pytest.mark.clock
-@pytest.mark.parametrize(("part", "speed", "span"), [(0.01, 0.1, 30), (0.475, 1.0, 10), (0.99, 2.0, 10)])
-def test_simulated_time_keeps_step_with_the_wall(page, play, program, part, speed, span):
-    """Within 0.5 % over a span (s), with one bob: its ticks take little time.
-
-    A busy machine brings a reading to the page late, and none early. So the promptest one of three seconds is held
-    against that of the three seconds that are a span later; at speed 0.1 a reading is true to 0.1 s only. Where the
-    machine was so busy that the program has dropped time, as it says (x0.6), the test goes on until it finds a span.
-    """
-    csv_of(program).write_text(HEADER + GOOD)
-    play()
-    slide(page, SPEED, part)
-    wait_until(lambda: values(page)[SPEED] == f"{speed:.1f}x")
-    readings = []
-
-    def kept_step():
-        """Take the readings of one more second, and return whether the last ones are as they must be."""
-        readings.extend(page.evaluate(READINGS))
-        end = readings[-1][1]
-        last = [(text, wall) for text, wall in readings if wall > end - span - 3]
-        if end - readings[0][1] < span + 3 or any("x0." in text for text, _ in last):
-            return False
-        late = [(wall, wall - float(re.search(r"t\s+([0-9.]+) s", text)[1]) / speed) for text, wall in last]
-        before = min((by for at, by in late if at < end - span), default=inf)
-        after = min(by for at, by in late if at > end - 3)
-        return abs(after - before) < 0.005 * span
-
-    wait_until(kept_step, 4 * SECONDS)
-
-
-def test_the_options_are_where_the_controls_begin(page, play, program):
-    play("--e", "0.5", "--mass", "2", "--angle", "60", "--lift", "2")
-    pause(page)
-    press(page, "Restart")
-    wait_for_lifts(page, -60, -60, 0, 0, 0)
-    assert values(page) == ["1.0x", "2 of 5", "60°"]
-    assert menu(page, "Collisions").input_value() == "e = 0.5"
-    assert csv_of(program).read_text() == FIVE_CSV
-
-
-# --- mouse -----------------------------------------------------------------------------------------------------------
-
-
-@in_both_browsers
-@pytest.mark.parametrize("paused", [True, False])
-def test_a_bob_is_dragged_along_its_arc_pushes_others_and_swings_on(page, play, paused):
-    play("--lift", "0")
-    if paused:
-        pause(page)
-    page.mouse.move(*pixel(page, 3, 0))
-    page.mouse.down()
-    page.mouse.move(*pixel(page, 3, 20), steps=3)
-    page.mouse.move(*pixel(page, 3, 40), steps=3)
-    wait_until(lambda: lifts(page)[3] == pytest.approx(40, abs=0.5))
-    assert lifts(page)[:3] == pytest.approx([0, 0, 0])
-    assert 38 < lifts(page)[4] < 50  # it was in the way
-    page.mouse.up()
-    if paused:
-        press(page, "Run")
-    wait_until(lambda: lifts(page)[3] < 30)
-    wait_until(lambda: "4-3-2-1" in page.locator(".impacts").inner_text())
-
-
-def test_a_resized_window_shows_the_whole_swing(page, play):
-    play("--angle", "90")
-    page.set_viewport_size({"width": 300, "height": 300})
-    wait_until(lambda: page.evaluate("[glowObjs[0].width, glowObjs[0].height]") == [300, 144])
-    canvas = page.locator("canvas").first.bounding_box()
-
-    def is_in_view():
-        ends = [pixel(page, 0, -90), pixel(page, 4, 90)]
-        return all(canvas["x"] < x < canvas["x"] + canvas["width"] for x, _ in ends)
-
-    wait_until(is_in_view)
-
-
-# --- live CSV --------------------------------------------------------------------------------------------------------
-
-
-def test_a_broken_csv_shows_its_error_and_the_cradle_goes_on(page, play, program):
-    process = play()
-    csv_of(program).write_text(FIVE_CSV + GOOD.replace("1.0", "-1", 1))
-    error = page.locator(".error")
+def test_an_edited_csv_shows_up_or_its_mistake(shared, file):
+    colors = BOBS.replace("[o.pos.x, o.pos.y]", "[o.color.x, o.color.y, o.color.z]")
+    file.write_text(HEADER + GOOD.replace("red", "blue") * 7)
+    wait_until(lambda: shared.evaluate(colors) == [[0, 0, 1]] * 7 and values(shared)[programs.LIFTED] == "1 of 7")
+    file.write_text(FIVE_CSV + GOOD.replace("1.0", "-1", 1))
+    error = shared.locator(".error")
     error.wait_for(state="visible")
-    line = f"{csv_of(program)}, line 7, column mass: found '-1', allowed is a number from 1e-300 to 1e6 (kg)"
-    assert error.inner_text() == line
-    wait_until(lambda: page.evaluate(MOVES) > 0)
-    csv_of(program).write_text(FIVE_CSV)
+    assert error.inner_text().startswith(f"{file}, line 7, column mass: found '-1', allowed is ")
+    file.write_text(FIVE_CSV)
     error.wait_for(state="hidden")
-    page.close()
-    assert end(process) == QUIETLY
+
+
+def test_predict_then_see(shared):
+    shared.get_by_role("checkbox", name="Ask first").check()
+    menu(shared, "Experiment").select_option("Two bobs")
+    answer = shared.get_by_role("button", name="One bob, twice as fast")
+    answer.wait_for()
+    programs.wait_for_lifts(shared, -45, -45, 0, 0, 0)
+    programs.wait_for_rest(shared)
+    shared.keyboard.press("f")  # the question is there while you present
+    wait_until(lambda: menu(shared, "Experiment").is_hidden())
+    answer.click()
+    shared.get_by_text("What happened: Two bobs, as far as the two.").wait_for()
+    assert shared.get_by_text("You said: One bob, twice as fast.").is_visible()
+    shared.keyboard.press("Escape")
+    wait_until(lambda: menu(shared, "Experiment").is_visible())
+
+
+def cell(page, column, row):
+    return page.get_by_label(f"{column} of pendulum {row}", exact=True)
+
+
+def test_the_table_moves_and_is_edited_and_written(shared, file):
+    assert cell(shared, "mass", 1).count() == 0  # folded away
+    unfold(shared, "Pendula")
+    theta = shared.locator(".pendula .now").first
+    wait_until(lambda: theta.inner_text() not in ("", "-0.785398"))
+    pause(shared)
+    press(shared, "Restart")
+    wait_until(lambda: theta.inner_text() == "-0.785398")
+    press(shared, "One tick")
+    shared.get_by_text("[0] theta -0.785398 -> ").wait_for()
+    mass = cell(shared, "mass", 2)
+    mass.fill("-3")
+    mass.press("Tab")
+    rule = shared.locator(".pendula .failed")
+    rule.wait_for()
+    assert rule.inner_text() == "mass: allowed is a number from 1e-300 to 1e6 (kg)"
+    assert mass.get_attribute("aria-invalid") == "true"
+    wait_until(lambda: shared.evaluate("document.activeElement.ariaLabel") == "e of pendulum 2")  # where Tab leads
+    mass.fill("2.5")
+    mass.press("Enter")
+    rule.wait_for(state="detached")
+    shared.get_by_role("button", name="Add a pendulum").click()
+    cell(shared, "mass", 6).wait_for()
+    shared.get_by_role("button", name="Delete pendulum 1").click()
+    cell(shared, "mass", 6).wait_for(state="detached")
+    assert cell(shared, "mass", 1).input_value() == "2.5"
+    press(shared, "Write to my CSV")
+    shared.get_by_text("has these pendula now.").wait_for()
+    assert [row["mass"] for row in extract_and_convert(file)] == [2.5, 1, 1, 1, 1]
+    file.write_text(FIVE_CSV)
+    wait_until(lambda: cell(shared, "mass", 1).input_value() == "1.0")
+
+
+# --- the fold Take away ----------------------------------------------------------------------------------------------
+
+# What a picture or a film shows: its size, the fewest colors of a look, how much of the numbers on the axles is where
+# the canvas has it, and how many different looks there are.
+LOOK = """async address => {
+    const labels = glowObjs[0].__overlay_element, { width, height } = labels;
+    const isFilm = address.startsWith("data:video"), source = document.createElement(isFilm ? "video" : "img");
+    const pixels = source => {
+        const paper = new OffscreenCanvas(width, height).getContext("2d");
+        paper.drawImage(source, 0, 0, width, height);
+        return [...new Uint32Array(paper.getImageData(0, 0, width, height).data.buffer)];
+    };
+    const light = pixel => (pixel & 255) + (pixel >> 8 & 255) + (pixel >> 16 & 255);
+    Object.assign(source, { src: address, muted: true });
+    await (isFilm ? source.play() : source.decode());
+    const looks = [];
+    for (let count = 0; count < (isFilm ? 10 : 1); count++) {
+        await new Promise(resolve => setTimeout(resolve, 100));
+        const seen = pixels(source), ink = pixels(labels).map((pixel, i) => [pixel, seen[i]]);
+        const inked = ink.filter(([pixel]) => pixel >>> 24 > 250);
+        const alike = inked.filter(([pixel, other]) => Math.abs(light(pixel) - light(other)) < 90);
+        looks.push({ colors: new Set(seen).size, labels: alike.length / inked.length, text: seen.join() });
+    }
+    return {
+        size: isFilm ? [source.videoWidth, source.videoHeight] : [source.naturalWidth, source.naturalHeight],
+        colors: Math.min(...looks.map(look => look.colors)), labels: Math.max(...looks.map(look => look.labels)),
+        looks: new Set(looks.map(look => look.text)).size,
+    };
+}"""
+
+
+def download(page, button):
+    """Press this button; return the name and the content of the file that comes."""
+    with page.expect_download() as coming:
+        page.get_by_role("button", name=button).click()
+    return coming.value.suggested_filename, Path(coming.value.path()).read_bytes()
+
+
+def look(page, kind, content):
+    """Return what a picture or a film of this kind, with this content, shows."""
+    return page.evaluate(LOOK, f"data:{kind};base64,{b64encode(content).decode()}")
+
+
+def test_a_picture_and_a_film_show_the_cradle_with_its_numbers(shared):
+    """The film keeps its size in a window that changes, and shows the motion."""
+    draw(shared, True)
+    unfold(shared, "Take away")
+    size = shared.evaluate("[glowObjs[0].width & ~1, glowObjs[0].height & ~1]")
+    name, content = download(shared, "Picture")
+    picture = look(shared, "image/png", content)
+    assert (name, picture["size"]) == ("newtons_cradle.png", size)
+    assert picture["colors"] > 500
+    assert picture["labels"] > 0.9
+    button = shared.locator(".film")
+    button.click()
+    shared.get_by_role("button", name=re.compile(r"Stop film \(\d+ s\)")).wait_for()
+    shared.set_viewport_size({"width": 300, "height": 300})
+    wait_until(lambda: shared.evaluate("[glowObjs[0].width, glowObjs[0].height]") == [300, 144])
+    shared.set_viewport_size({"width": 1000, "height": 700})
+    shared.get_by_role("button", name=re.compile(r"Stop film \(([2-9]|\d\d+) s\)")).wait_for()
+    name, content = download(shared, "Stop film")
+    film = look(shared, "video/webm", content)
+    assert (name, film["size"]) == ("newtons_cradle.webm", size)
+    assert film["colors"] > 500  # in each look: no picture is empty
+    assert film["labels"] > 0.7  # a film is not exact
+    assert film["looks"] > 3
+    assert button.inner_text() == "Film"
+    draw(shared, False)
+
+
+def test_the_data_since_the_restart_and_the_command_for_the_settings_are_taken_away(shared):
+    unfold(shared, "Take away")
+    pause(shared)
+    name, content = download(shared, "Data (CSV)")
+    header, *rows = csv.reader(content.decode().splitlines())
+    assert (name, header[0], header[-1], len(header)) == ("cradle_data.csv", "t", "momentum", 15)
+    times = [float(row[0]) for row in rows]
+    assert times == pytest.approx([0.01 * i for i in range(len(times))])
+    assert times[-1] == pytest.approx(programs.readout(shared, "t"), abs=0.011)
+    menu(shared, "Collisions").select_option("inelastic, e = 0")
+    shared.keyboard.press("2")
+    command = shared.locator(".command")
+    wait_until(lambda: "--inelastic" in command.inner_text() and "--lift 2" in command.inner_text())
+    press(shared, "Copy command")
+    shared.get_by_text("Copied.").wait_for()
+    assert shared.evaluate("navigator.clipboard.readText()") == command.inner_text()
+
+
+# --- sound -----------------------------------------------------------------------------------------------------------
+
+# Let the page hear of a hit with each of these speeds (m/s); return the largest sample that follows.
+HIT = """async speeds => {
+    const hit = document.querySelector(".hit").parentElement;
+    for (const speed of speeds) {
+        hit.innerHTML = `<i class="hit" data-speed="${speed}"></i>`;
+        await null;
+    }
+    await new Promise(resolve => setTimeout(resolve, 400));
+    return peak();
+}"""
+
+
+def test_a_faster_hit_is_louder_but_never_too_loud_and_only_if_you_ask_for_sound(shared):
+    wait_until(lambda: "1-2-3-4-5" in shared.locator(".impacts").inner_text())
+    assert shared.evaluate("peak()") is None
+    assert shared.locator(".hit").get_attribute("data-speed") is None
+    unfold(shared, "Advanced")
+    shared.get_by_role("checkbox", name="Sound").check()
+    wait_until(lambda: shared.evaluate("peak()") > 0.1)  # a hit of the cradle
+    pause(shared)
+    peaks = []
+    for speeds in ([0.1], [2], [100] * 500):
+        wait_until(lambda: shared.evaluate("peak()") == 0)
+        peaks.append(shared.evaluate(HIT, speeds))
+    assert 0 < peaks[0] < 0.8 * peaks[1]
+    assert peaks[1] <= peaks[2] <= 0.5  # of full scale
+    shared.get_by_role("checkbox", name="Sound").uncheck()
+    wait_until(lambda: shared.evaluate("audio.state") == "suspended")
+
+
+# --- windows, screens and fingers ------------------------------------------------------------------------------------
+
+PHONE, LAPTOP, BOARD = (390, 844), (1366, 625), (2560, 1440)
+
+# The edges of an element, in the window: left, top, right, bottom.
+EDGES = "e => (r => [r.left, r.top, r.right, r.bottom])(e.getBoundingClientRect())"
+LETTERS = "e => parseFloat(getComputedStyle(e).fontSize)"
+
+
+@pytest.fixture
+def at_rest(shared):
+    """The page in a laptop's window, with all bobs at rest; the canvas is as large as it is for a user."""
+    pause(shared)
+    slide(shared, programs.LIFTED, 0.01)
+    shared.evaluate("document.querySelector('#small').disabled = true")
+    resize(shared, LAPTOP)
+    yield shared
+    shared.evaluate("document.querySelector('#small').disabled = false")
+
+
+def resize(page, size):
+    """Make the window this large (pixels), and wait until the canvas has followed."""
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    wait_until(lambda: page.evaluate("glowObjs[0].width") == round(edges(page, ".canvas")[2]))
+
+
+def edges(page, selector):
+    return page.locator(selector).first.evaluate(EDGES)
+
+
+def is_whole(page, selector):
+    """Return whether an element is in the window as a whole."""
+    left, top, right, bottom = edges(page, selector)
+    width, height = page.viewport_size["width"], page.viewport_size["height"]
+    return 0 <= left < right <= width and 0 <= top < bottom <= height
+
+
+@pytest.mark.parametrize("size", [PHONE, LAPTOP, BOARD])
+def test_the_page_fits_the_window(at_rest, size):
+    """The whole swing is in view, and no part of the panel covers another part. Only a tall window scrolls."""
+    resize(at_rest, size)
+    assert is_whole(at_rest, "canvas")
+    left, top, right, bottom = edges(at_rest, "canvas")
+    wait_until(lambda: all(left < pixel(at_rest, bob, theta)[0] < right for bob, theta in ((0, -90), (4, 90))))
+    shown = [part for part in at_rest.locator(".panel section > *").all() if part.is_visible()]
+    wait_until(lambda: all(part.evaluate(EDGES)[2] <= size[0] for part in shown))  # the graph follows the window, too
+    parts = [part.evaluate(EDGES) for part in at_rest.locator(".panel section").all() if part.is_visible()]
+    for (left1, top1, right1, bottom1), (left2, top2, right2, bottom2) in combinations(parts, 2):
+        assert min(min(right1, right2) - max(left1, left2), min(bottom1, bottom2) - max(top1, top2)) <= 0
+    if size == PHONE:
+        assert all(is_whole(at_rest, f"button:has-text('{name}')") for name in ("Run", "Step", "Restart"))
+        at_rest.locator(".folds").scroll_into_view_if_needed()
+        assert is_whole(at_rest, ".folds")
+    else:
+        assert at_rest.evaluate("(e => e.scrollHeight - e.clientHeight)(document.querySelector('.panel'))") == 0
+        selectors = (".readout", ".impacts", ".glowscript-graph", "select", "summary")
+        assert all(is_whole(at_rest, selector) for selector in selectors)
+        assert right < edges(at_rest, ".panel")[0] + 1
+        assert (right - left) * (bottom - top) >= 0.45 * size[0] * size[1]
+        assert at_rest.locator(".readout").evaluate(LETTERS) >= 0.022 * size[1]
+
+
+def test_present_leaves_cradle_and_numbers(at_rest):
+    before = at_rest.locator(".readout").evaluate(LETTERS)
+    at_rest.keyboard.press("f")
+    wait_until(lambda: menu(at_rest, "Collisions").is_hidden())
+    assert edges(at_rest, ".canvas")[2] == at_rest.evaluate("innerWidth")
+    assert is_whole(at_rest, ".readout")
+    assert at_rest.locator(".readout").evaluate(LETTERS) > 1.5 * before
+    at_rest.keyboard.press("f")
+    wait_until(lambda: menu(at_rest, "Collisions").is_visible())
+    press(at_rest, "Present")
+    at_rest.get_by_role("button", name="End the presentation").click()
+    wait_until(lambda: menu(at_rest, "Collisions").is_visible())
+    assert at_rest.locator(".leave").is_hidden()
+
+
+def test_light_dark_and_forced_colors_follow_the_system(at_rest):
+    for scheme, is_dark in (("dark", True), ("light", False)):
+        at_rest.emulate_media(color_scheme=scheme)
+        wait_until(lambda is_dark=is_dark: (at_rest.evaluate("glowObjs[0].background.x") < 0.3) == is_dark)
+        colors = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).color]"
+        paper, ink = (
+            sum(map(int, re.findall(r"\d+", color)[:3])) / 3 for color in at_rest.locator(".panel").evaluate(colors)
+        )
+        assert (paper < ink) == is_dark
+        assert abs(paper - ink) > 128
+    at_rest.emulate_media(forced_colors="active")
+    parts = [at_rest.locator(name).first for name in (".ui-slider", ".ui-slider-range")]
+    empty, filled = (part.evaluate("e => getComputedStyle(e).backgroundColor") for part in parts)
+    assert filled != empty
+    at_rest.emulate_media(forced_colors="none")
+
+
+@pytest.fixture
+def touch(at_rest):
+    """A function that touches the screen with a finger at each of these points (x, y); kind is Start, Move or End."""
+    finger = at_rest.context.new_cdp_session(at_rest)
+
+    def touch(kind, *points):
+        points = [{"x": x, "y": y} for x, y in points]
+        finger.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
+
+    return touch
+
+
+def test_one_finger_drags_a_bob_or_a_slider_or_turns_the_camera_and_two_zoom(at_rest, touch):
+    view = "[glowObjs[0].forward.x, glowObjs[0].range]"
+    before = at_rest.evaluate(view)
+    x, y = pixel(at_rest, 4, 0)
+    radius = (x - pixel(at_rest, 3, 0)[0]) / 2.1
+    touch("Start", (x, y + 1.3 * radius))  # a finger is not exact
+    for theta in (20, 40):
+        touch("Move", pixel(at_rest, 4, theta))
+    wait_until(lambda: lifts(at_rest)[4] == pytest.approx(40, abs=3))
+    assert at_rest.evaluate(view) == before
+    touch("End")
+    touch("Start", (60, 60))
+    for x in (90, 140):
+        touch("Move", (x, 60))
+    touch("End")
+    wait_until(lambda: at_rest.evaluate(view)[0] != before[0])
+    for kind, apart in (("Start", 0), ("Move", 20), ("Move", 40), ("Move", 60), ("Move", 80)):
+        touch(kind, (200 - apart, 60), (300 + apart, 60))
+    touch("End")
+    wait_until(lambda: at_rest.evaluate(view)[1] != before[1])
+    left, top, right, bottom = edges(at_rest, ".ui-slider")
+    for kind, part in (("Start", 0.5), ("Move", 0.7), ("Move", 1.0)):
+        touch(kind, (left + part * (right - left), (top + bottom) / 2))
+    touch("End")
+    wait_until(lambda: values(at_rest)[SPEED] in ("1.9x", "2.0x"))  # the handle keeps its offset
+
+
+def test_the_camera_stays_above_the_base(at_rest):
+    seen = """async () => {
+        glowObjs[0].forward = vec(0, 0.5, -1);
+        for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+        return glowObjs[0].forward.y;
+    }"""
+    wait_until(lambda: at_rest.evaluate(seen) == 0)
+
+
+def test_widgets_have_names_roles_and_values_and_keep_their_keys(at_rest):
+    for name in ("Speed", "Bobs lifted", "Release angle"):
+        assert at_rest.get_by_role("slider", name=name).count() == 1
+    for name in ("Collisions", "Graph", "Experiment"):
+        assert menu(at_rest, name).count() == 1
+    assert at_rest.evaluate("document.documentElement.lang") == "en"
+    at_rest.get_by_role("img", name=re.compile("Newton's cradle with 5 bobs: t .* s, energy .* %")).wait_for()
+    unfold(at_rest, "Advanced")
+    for is_checked in (True, False):
+        at_rest.get_by_text(programs.SEPARATING).click()
+        assert at_rest.get_by_role("checkbox", name=programs.SEPARATING).is_checked() == is_checked
+    slider = at_rest.get_by_role("slider", name="Bobs lifted")
+    slider.focus()
+    for lifted in (1, 2):
+        slider.press("ArrowRight")  # lifts one bob more
+        wait_until(lambda lifted=lifted: slider.get_attribute("aria-valuetext") == f"{lifted} of 5")
+        assert slider.get_attribute("aria-valuenow") == str(lifted)
+    slider.press("Home")
+    at_rest.get_by_role("button", name="Run").focus()
+    at_rest.keyboard.press("Space")  # once, not twice
+    at_rest.get_by_role("button", name="Pause").wait_for()
+    wait_until(lambda: programs.readout(at_rest, "t") > 0)

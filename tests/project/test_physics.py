@@ -1,23 +1,24 @@
-"""The laws of motion, held against the exact figures of support/energy.py, at the shipped constants.
+"""Swings, hits and energies of single pendula, compared with theory, at the shipped constants.
 
-All of it is done by many_ticks, which test_many_ticks.py holds to newton_cradle_tick.
+The fast path does the long swings; test_many_ticks.py compares it with newton_cradle_tick.
 """
 
 import random
-from math import cos, degrees, isfinite, radians, sqrt
+from collections import defaultdict
+from math import cos, degrees, pi, radians, sqrt
 
-import numpy as np
 import pytest
 from programs import slow_but_for
-from whole_cradles import do_at_once
+from vpython import color, cylinder, sphere, textures
+from whole_cradles import components, distances, do_at_once
 
 from grading.cradles import hang
-from src import visualize_cradle_run
-from src.beyond import many_ticks
+from src.visualize_cradle_run import handle_two_bobs
+from support import shapes
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.energy import energy_left, exact_period, kinetic_energy, potential_energy
+from support.energy import kinetic_energy, potential_energy
 
-SAMPLE = 0.01  # s between two looks at a cradle
+SAMPLE = 0.01  # s between two measurements
 
 
 def make_row(count, theta=0.0, **values):
@@ -32,100 +33,124 @@ def energy(pend_list):
     return kinetic_energy(pend_list, R_PARAM) + potential_energy(pend_list, R_PARAM, G)
 
 
-def after_hits(pend_list, hits):
-    """Advance the cradle, and yield right after each of its first hits, of which there are two in a period."""
-    for _ in range(round(hits * exact_period(1, R_PARAM, G) / DT)):
-        if hits and do_at_once(pend_list, R_PARAM, DT, G, 1, approaching_only=True):
-            hits -= 1
-            yield
-    assert hits == 0
+def advance(pend_list, seconds):
+    """Advance the cradle by the programs' rule, and return its hits."""
+    return do_at_once(pend_list, R_PARAM, DT, G, round(seconds / DT), approaching_only=True)
 
 
-@pytest.mark.parametrize("release", slow_but_for([45], range(5, 65, 5)))  # degrees
-def test_five_equal_elastic_bobs_for_a_minute(release):
-    pend_list = make_row(5, -radians(release))
-    at_start = energy(pend_list)
-    energies, highest = [], [[], [], [], [], []]
-    for _ in range(round(60 / SAMPLE)):
-        do_at_once(pend_list, R_PARAM, DT, G, round(SAMPLE / DT), approaching_only=True)
-        energies.append(energy(pend_list) / at_start)
-        for angles, pend in zip(highest, pend_list, strict=True):
-            angles.append(abs(degrees(pend["theta"])))
-    assert 0.999 < min(energies) <= max(energies) < 1.001
-    first_peak = max(highest[4][: round(exact_period(radians(release), R_PARAM, G) / SAMPLE)])
-    assert first_peak == pytest.approx(release, rel=0.001)
-    assert max(map(max, highest[1:4])) < 1.5
+# --- one pendulum ----------------------------------------------------------------------------------------------------
+
+
+def exact_period(theta_max):
+    """Return the period (s) of a pendulum with the amplitude theta_max (rad).
+
+    It is 4 sqrt(R / g) K(sin(theta_max / 2)), with the complete elliptic integral of the first kind,
+    K(k) = pi / (2 M(1, sqrt(1 - k^2))). M is the arithmetic-geometric mean (https://dlmf.nist.gov/19.8.E5).
+    """
+    arithmetic, geometric = 1.0, cos(theta_max / 2)
+    while arithmetic - geometric > 1e-15:
+        arithmetic, geometric = (arithmetic + geometric) / 2, sqrt(arithmetic * geometric)
+    return 2 * pi * sqrt(R_PARAM / G) / arithmetic
 
 
 @pytest.mark.parametrize("amplitude", slow_but_for([30], [5, 30, 60, 90, 120, 150, 170]))  # degrees
 def test_the_period_of_one_pendulum_over_twenty_swings(amplitude):
-    theta_max = radians(amplitude)
-    pend_list = make_row(1, theta_max)
-    expected = exact_period(theta_max, R_PARAM, G)
+    pend_list, expected = make_row(1, radians(amplitude)), exact_period(radians(amplitude))
     crossings = []  # times (s) at the lowest point, from the right
-    for tick in range(0, round(20.5 * expected / DT), 10):
+    for sample in range(round(20.5 * expected / SAMPLE)):
         before = pend_list[0]["theta"]
-        do_at_once(pend_list, R_PARAM, DT, G, 10)
+        advance(pend_list, SAMPLE)
         after = pend_list[0]["theta"]
         if before > 0 >= after:
-            crossings.append((tick + 10 * before / (before - after)) * DT)
+            crossings.append((sample + before / (before - after)) * SAMPLE)
     assert len(crossings) == 21
     assert (crossings[-1] - crossings[0]) / 20 == pytest.approx(expected, rel=0.0005)
 
 
-@pytest.mark.parametrize("e", slow_but_for([0.9], [0.99, 0.9, 0.5, 0.1]))
-def test_the_energy_that_two_equal_bobs_have_left(e):
-    pend_list = make_row(2, THETA_INIT, e=e)
-    at_start = energy(pend_list)
-    for hits, _ in enumerate(after_hits(pend_list, 5), start=1):
-        assert energy(pend_list) / at_start == pytest.approx(energy_left(e, hits), rel=0.005)
+def test_bobs_at_rest_are_just_out_of_reach():
+    (distance,) = distances(make_row(2))
+    assert 1 < distance < 1.001
+
+
+def test_a_discarded_shape_is_hidden_and_used_again(monkeypatch):
+    """With its new looks, and none of the old ones; and only as the same kind of shape."""
+    monkeypatch.setattr(shapes, "discarded", defaultdict(list))
+    ball = shapes.make_shape(sphere, color=color.red, texture=textures.wood, shininess=1)
+    shapes.discard([ball])
+    assert not ball.visible
+    assert type(shapes.make_shape(cylinder)) is cylinder
+    assert shapes.make_shape(sphere, radius=3) is ball
+    looks = (ball.visible, ball.radius, components(ball.color), ball.texture, ball.shininess)
+    assert looks == (True, 3, (1, 1, 1), None, sphere().shininess)
+
+
+# --- hits ------------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
-    ("masses", "theta", "speeds"),
+    ("theta", "omega1", "omega2", "collide"),
     [
-        # They part with 1/2 of the speed at the lowest point each, come back together, and then the first has it all.
-        ((1, 3), THETA_INIT, [(1 / 2, 1 / 2), (1, 0)]),
-        # 1/2 and 3/2. So unlike each other they come back together only from a small angle.
-        ((3, 1), -0.05, [(1 / 2, 3 / 2), (1, 0)]),
+        (0.0, 1.0, 0.0, True),
+        (0.0, 0.0, -1.0, True),
+        (0.0, 0.0, 1.0, False),
+        (0.0, 1.0, 1.0, False),
+        (1.2, 1.0, 0.0, True),
+        (2.5, 1.0, 0.0, False),  # above the axle, a bob with positive omega moves to the left ...
+        (2.5, 0.0, 1.0, True),
+        (pi, 1.0, 0.0, False),
     ],
 )
-def test_the_speeds_of_masses_1_and_3_after_each_hit(masses, theta, speeds):
-    pend_list = make_row(2, theta)
-    for pend, mass in zip(pend_list, masses, strict=True):
-        pend["mass"] = mass
-    lowest = sqrt(2 * G * R_PARAM * (1 - cos(theta)))  # m/s, of the first bob as it comes down
-    for hits, _ in enumerate(after_hits(pend_list, 6)):
-        found = [abs(R_PARAM * pend["omega"]) / lowest for pend in pend_list]
-        assert found == pytest.approx(speeds[hits % 2], rel=0, abs=0.001)
+def test_only_approaching_bobs_collide(theta, omega1, omega2, collide):
+    """With the programs' rule; without it, handle_two_bobs follows the handout (test_b.py)."""
+    pair = make_row(2)
+    for pend, omega in zip(pair, (omega1, omega2), strict=True):
+        pend.update(theta=theta, omega=omega)
+        pend["objects"][1].radius *= 1.01  # side by side at one angle, they touch
+    handle_two_bobs(*pair, R_PARAM, approaching_only=True)
+    omegas = (omega2, omega1) if collide else (omega1, omega2)
+    assert [pend["omega"] for pend in pair] == pytest.approx(omegas)
 
 
-@pytest.mark.parametrize("cradles", slow_but_for([30], [30, 300]))
-def test_random_cradles_keep_the_laws_in_each_contact_by_both_rules(monkeypatch, cradles):
-    contacts, cradles_with_contacts = [], 0  # each the masses, and the velocities (rad/s) before and after
+@pytest.mark.parametrize("e", slow_but_for([0.9], [0.99, 0.9, 0.5, 0.1]))
+def test_two_equal_bobs_keep_part_of_the_energy(e):
+    """A hit does not change the half of the energy in the common motion; it multiplies the relative speed by e."""
+    pend_list, hits = make_row(2, THETA_INIT, e=e), 0
+    at_start = energy(pend_list)
+    for _ in range(round(3 * exact_period(THETA_INIT) / 1e-3)):  # with two hits in a period
+        hits += bool(advance(pend_list, 1e-3))
+        part = 1 / 2 + e ** (2 * hits) / 2
+        assert energy(pend_list) / at_start == pytest.approx(part, rel=0.005)
+    assert hits >= 5
 
-    def handle_collision(e, omega1, omega2, m1, m2, r_param):
-        after = original(e, omega1, omega2, m1, m2, r_param)
-        contacts.append((m1, m2, omega1, omega2, *after))
-        return after
 
-    original, known_law = visualize_cradle_run.handle_collision, many_ticks.known_law
-    # Of a function that is another, the fast path knows nothing: it is told so behind its back.
-    monkeypatch.setattr(many_ticks, "known_law", lambda of: known_law(of)._replace(handle_collision=handle_collision))
-    dice = random.Random(2)
-    for number in range(cradles):
-        pend_list = make_row(dice.randint(2, 10))
-        thetas = sorted(dice.choice([0, dice.uniform(-1, 1)]) for _ in pend_list)  # so that no bob is within another
-        for pend, pend["theta"] in zip(pend_list, thetas, strict=True):
-            pend["mass"], pend["e"] = 10 ** dice.uniform(-6, 6), dice.choice([0, 1, dice.random()])
-        do_at_once(pend_list, R_PARAM, DT, G, round(1 / DT), approaching_only=number % 3)
-        assert all(isfinite(pend[key]) for pend in pend_list for key in ("theta", "omega"))
-        m1, m2, before1, before2, after1, after2 = np.array(contacts).reshape(-1, 6).T
-        cradles_with_contacts += bool(contacts)
-        contacts.clear()
-        momentum = m1 * before1 + m2 * before2  # but for the cord, and below twice the energy
-        scale = m1 * abs(before1) + m2 * abs(before2)
-        assert np.all(abs(m1 * after1 + m2 * after2 - momentum) <= 1e-12 * scale)
-        before, after = m1 * before1**2 + m2 * before2**2, m1 * after1**2 + m2 * after2**2
-        assert np.all(after <= before * (1 + 1e-12))
-    assert cradles_with_contacts > 0.8 * cradles
+# --- whole cradles ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("release", "seconds"), slow_but_for([(45, 10)], [(45, 10), (5, 60), (15, 60), (30, 60), (45, 60), (60, 60)])
+)
+def test_five_equal_elastic_bobs_keep_the_energy(release, seconds):
+    """From release (degrees), the last bob rises as high as the first one was, and those between hardly move."""
+    pend_list = make_row(5, -radians(release))
+    at_start = energy(pend_list)
+    highest = [0.0] * 5  # degrees
+    for _ in range(round(seconds / SAMPLE)):
+        advance(pend_list, SAMPLE)
+        assert energy(pend_list) == pytest.approx(at_start, rel=0.001)
+        highest = [max(most, abs(degrees(pend["theta"]))) for most, pend in zip(highest, pend_list, strict=True)]
+    assert highest[4] == pytest.approx(release, rel=0.001)
+    assert max(highest[1:4]) < 1.5
+
+
+@pytest.mark.parametrize("seed", slow_but_for(range(10), range(100)))
+def test_random_cradles_gain_no_energy(seed):
+    dice = random.Random(seed)
+    thetas = [-1, *sorted(dice.choice([0, dice.uniform(-1, 1)]) for _ in range(dice.randint(1, 9)))]
+    pend_list = make_row(len(thetas))
+    for pend, theta in zip(pend_list, thetas, strict=True):
+        pend.update(theta=theta, mass=10 ** dice.uniform(-6, 6), e=dice.choice([0, 1, dice.random()]))
+    at_start = energy(pend_list)
+    assert advance(pend_list, 0.5)
+    for _ in range(5):
+        advance(pend_list, 0.1)
+        assert energy(pend_list) <= 1.001 * at_start  # nan is not

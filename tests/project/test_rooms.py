@@ -12,21 +12,19 @@ HANDOUT = (
     *("double_collisions", "double_cradle", "visualize_double_cradle_run"),
 )
 PROGRAM = "src.text_cradle_run"
-START = "src.beyond.in_browser"  # the programs with a page import it first
+START = "support.page.page"  # the programs with a page import it first
 # The other rooms that the modules of a room may import.
 MAY_IMPORT = {
     "support": set(),
     "support.files": {"support"},
-    "support.playback": {"support", "support.files"},
     "support.start": {"support", "support.files"},
-    "support.page": {"support", "support.files", "support.playback", "support.start"},
-    "support.terminal": {"support", "support.files", "support.playback", "support.start"},
+    "support.cradle": {"support", "support.files", "support.start"},
+    "support.page": {"support", "support.files", "support.cradle", "support.start"},
+    "support.terminal": {"support", "support.files", "support.cradle", "support.start"},
     "src": {"support", "support.files"},
-    "src.beyond": {"src", "support", "support.files", "support.playback", "support.start"},
 }
 FILES = [file for folder in ("src", "support") for file in sorted((ROOT / folder).rglob("*.py"))]
-MODULES = {".".join(file.relative_to(ROOT).with_suffix("").parts): file for file in FILES}
-MODULES = {name: file for name, file in MODULES.items() if not name.endswith("__init__")}
+MODULES = {".".join(file.relative_to(ROOT).with_suffix("").parts): file for file in FILES if file.stem != "__init__"}
 
 
 def imported(tree) -> set[str]:
@@ -44,20 +42,16 @@ def imported(tree) -> set[str]:
 def imports_of(name) -> set[str]:
     """Return the project's modules that this module imports, without those for a start as a program."""
     tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
-    tree.body = [node for node in tree.body if not is_for_a_start(node)]
+    tree.body = [node for node in tree.body if not (isinstance(node, ast.If) and "__main__" in ast.unparse(node.test))]
     return imported(tree)
-
-
-def is_for_a_start(node) -> bool:
-    return isinstance(node, ast.If) and ast.unparse(node.test) == "__name__ == '__main__'"
 
 
 def room_of(name) -> str:
     return name.rpartition(".")[0]
 
 
-@pytest.mark.parametrize("name", sorted(MODULES.keys() - {PROGRAM, START}))
-def test_a_module_imports_only_what_its_room_may_know(name):
+@pytest.mark.parametrize("name", sorted(MODULES.keys() - {PROGRAM}))
+def test_a_module_imports_only_allowed_rooms(name):
     rooms = {room_of(other) for other in imports_of(name)}
     assert rooms <= MAY_IMPORT[room_of(name)] | {room_of(name)}
 
@@ -78,15 +72,13 @@ def test_all_modules_of_src_are_the_handouts_or_known_to_be_more():
     assert names == {*(f"src.{name}" for name in HANDOUT), PROGRAM}
 
 
-def test_no_circle():
+def test_imports_have_no_circle():
     graph = {name: imported(ast.parse(file.read_text(encoding="utf-8"))) for name, file in MODULES.items()}
     assert len(list(TopologicalSorter(graph).static_order())) == len(MODULES)  # a CycleError names the circle
 
 
-def test_the_rooms_inside_src_and_support_hand_nothing_on():
-    inner = [file for file in FILES if file.name == "__init__.py" and len(file.relative_to(ROOT).parts) == 3]
-    assert len(inner) == len(MAY_IMPORT) - 2
-    assert not [file for file in inner if file.read_text(encoding="utf-8")]
+def test_the_rooms_inside_support_hand_nothing_on():
+    assert [file.parent.name for file in FILES if file.name == "__init__.py"] == ["src", "support"]
 
 
 @pytest.mark.parametrize(("folder", "names"), [("src", []), ("tests", ["project_path.py"])])

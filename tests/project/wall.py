@@ -7,26 +7,26 @@ from types import SimpleNamespace
 from vpython import scene, vector
 from whole_cradles import go_on, make_live, thetas
 
-from src.beyond.live_cradle import LiveCradle
-from support.files.live_file import LiveFile
+from support.cradle.cradle import Cradle
+from support.cradle.real_time import FRAME, RealTime
+from support.files.cradle_csv import LiveFile
 from support.page.viewer import Viewer
-from support.playback.real_time import FRAME, RealTime
 
 
 class Wall:
     """The wall clock, and the viewer that uses it."""
 
-    def __init__(self, csv, *angles, kind=LiveCradle, remark="", lifted: int | None = 1, experiment=None):
+    def __init__(self, csv, *angles, kind=Cradle, remark="", lifted: int | None = 1, experiment=None):
         self.now = 100.0
         self.file = csv
         live_file = LiveFile(csv, self.clock)
         self.viewer = Viewer(
             make_live(kind), live_file, thetas(angles or [30]), lifted, remark, {"experiment": experiment}
         )
-        self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=None)
+        self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=lambda seconds: None)
         self.panel = self.viewer.panel
-        self.viewer.at_once = True  # single ticks give the same result, but take longer
-        go_on(self.viewer, self.viewer.open())
+        self.viewer.make()
+        go_on(self.viewer)
 
     def clock(self):
         return self.now
@@ -35,11 +35,23 @@ class Wall:
         """Let this time (s) pass, frame by frame."""
         for _ in range(max(1, round(seconds / FRAME))):
             self.now += seconds and FRAME
+            self.do_frame()
+            while not self.viewer.commands.empty():
+                self.do_frame()
             self.viewer.next_refresh = 0
-            go_on(self.viewer, self.viewer.frame())
+            self.viewer.show_frame()
+
+    def do_frame(self):
+        """Do a frame, and all that it asks of the loop."""
+        self.viewer.frame()
+        go_on(self.viewer)
+
+    def values(self, key):
+        """Return pend[key] of each pendulum."""
+        return self.viewer.cradle.values(key)
 
     def thetas(self):
-        return [pend["theta"] for pend in self.viewer.cradle.pend_list]
+        return self.values("theta")
 
     def lifts(self):
         """Return the angles of the bobs, in whole degrees."""
@@ -60,6 +72,17 @@ class Wall:
 
     def press(self, key, **modifiers):
         scene.bound["keydown"](SimpleNamespace(**{"key": key, "ctrl": False, "alt": False, **modifiers}))
+        self.wait()
+
+    def click(self, button):
+        button.bind()
+        self.wait()
+
+    def use(self, widget, **values):
+        """Use a menu or a checkbox as a person does: VPython sets its values, and calls the bound function."""
+        for name, value in values.items():
+            setattr(widget, name, value)
+        widget.bind(widget)
         self.wait()
 
     def mouse(self, kind, point):

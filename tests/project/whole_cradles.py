@@ -1,23 +1,26 @@
 """More cradles for the project's tests: CSV text, double pendula made by hand, and cradles that run."""
 
-from itertools import combinations
-from math import pi, sqrt
+from contextlib import suppress
+from itertools import accumulate, combinations
+from math import cos, pi, sin, sqrt
 from types import SimpleNamespace
+from unittest.mock import patch
 
+import pytest
 from vpython import color, mag, vector
 
 from grading.cradles import R
-from src import visualize_cradle_run, visualize_double_cradle_run
-from src.beyond.live_cradle import LiveCradle
-from src.beyond.live_double_cradle import LiveDoubleCradle
-from src.beyond.many_ticks import many_ticks
+from src import pds_helper, special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from src.double_cradle import make_double_pendulum
 from support.constants import BUFFER, G, PHI_INIT, R_PARAM, THETA_INIT
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
+from support.cradle.many_ticks import many_ticks
+from support.cradle.player import Player
 from support.files.cradle_csv import Snapshot
 from support.pendulum import from_lift
-from support.playback.player import Player
 
-MAINS = {LiveCradle: visualize_cradle_run.main, LiveDoubleCradle: visualize_double_cradle_run.main}
+MAINS = {Cradle: visualize_cradle_run.main, DoubleCradle: visualize_double_cradle_run.main}
 
 # s, for small swings; it uses the constants, so the tests wait long enough if someone edits them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
@@ -34,6 +37,29 @@ def hang_double(theta=0.0, phi=0.0, omega=0.0, phi_omega=0.0, mass=1.0, e=1.0, a
     return {**angles, "mass": mass, "e": e, "color": "white", "texture": "none", "objects": objects}
 
 
+def along(pend, keys) -> list[float]:
+    """Return the sums of a pendulum's values of these keys (upper cord, lower cord), with one cord only the first."""
+    return list(accumulate(pend[key] for key in keys if key in pend))
+
+
+def check_places(pend, axle, r_param=R_PARAM) -> None:
+    """Check that the cords and bobs of a pendulum hang from axle (x, y in m) at its angles."""
+    end, (box, *parts) = vector(*axle, 0), pend["objects"]
+    found, expected = [box.pos], [end]
+    for angle, bob, cord in zip(along(pend, ("theta", "phi")), parts[::2], parts[1::2], strict=True):
+        arm = r_param * vector(sin(angle), -cos(angle), 0)
+        found += [cord.pos, cord.axis, bob.pos]
+        expected += [end, arm, end + arm]
+        end = end + arm
+    assert [*map(components, found)] == [pytest.approx(components(v)) for v in expected]
+
+
+def velocities(pend) -> list:
+    """Return the velocities (m/s) of a pendulum's bobs as vectors, the upper one first."""
+    turns = zip(along(pend, ("theta", "phi")), along(pend, ("omega", "phi_omega")), strict=True)
+    return [*accumulate(R_PARAM * rate * vector(cos(angle), sin(angle), 0) for angle, rate in turns)]
+
+
 def distances(pend_list) -> list[float]:
     """Return the distances of all pairs of bobs of different pendula; at 1, they touch."""
     return [
@@ -44,24 +70,27 @@ def distances(pend_list) -> list[float]:
     ]
 
 
-def make_live(kind=LiveCradle, **options) -> LiveCradle:
+def make_live(kind=Cradle, **options) -> Cradle:
     """Return a cradle with these options, without pendula."""
     main, none = MAINS[kind], {"elastic": False, "inelastic": False, "e": None, "mass": None}
-    many = many_ticks if kind is LiveCradle else None
-    return kind(main.__globals__, SimpleNamespace(**{**none, **options}), many)
+    many = many_ticks if kind is Cradle else None
+    return kind(main.__globals__, SimpleNamespace(**{**none, **options}), pds_helper, special_cradles, many)
 
 
-def go_on(player, script) -> None:
-    """Run the loop of main until this part of the player's script ends."""
-    scope = player.cradle.scope
-    for _ in script:
-        if player.wants_cradle():
-            if isinstance(player.cradle, LiveDoubleCradle):
-                player.show(scope["make_double_newton_cradle"](player.csv, R_PARAM, THETA_INIT, PHI_INIT))
-            else:
-                player.show(scope["make_newton_cradle"](player.csv, R_PARAM, THETA_INIT))
-        while player.wants_tick():
-            scope[player.cradle.ticker](player.cradle.pend_list, R_PARAM, player.cradle.dt, G, **player.rule)
+class FrameError(Exception):
+    """The player begins its next frame."""
+
+
+def go_on(player) -> None:
+    """Do what main does, until the player has nothing more for it to do, and would begin a frame."""
+    cradle, scope = player.cradle, player.cradle.scope
+    player.loop, starts = scope["main"], [THETA_INIT, PHI_INIT][: len(cradle.angles)]
+    with patch.object(player, "frame", side_effect=FrameError), suppress(FrameError):
+        while player.is_running():
+            if player.wants_cradle():
+                player.show(scope[cradle.names.make](player.csv, R_PARAM, *starts))
+            while player.wants_tick():
+                scope[cradle.names.tick](cradle.pend_list, R_PARAM, cradle.dt, G, **player.rule)
 
 
 def thetas(lifts) -> list:
@@ -72,29 +101,25 @@ def thetas(lifts) -> list:
 class Swing(Player):
     """A player with the number of ticks that a test sets."""
 
-    def __init__(self, csv, angles, lifted, impacts=4, kind=LiveCradle, **options):
-        """Make the cradle of this CSV (a Snapshot) with these options, and release it from angles (degrees)."""
-        super().__init__(make_live(kind, **options), csv, thetas(angles), lifted, impacts)
-        go_on(self, self.make())
-
-    def script(self):
-        return iter(())
-
     def swing(self, ticks):
-        """Do `ticks` ticks, and return the hits."""
-        go_on(self, self.advance(ticks))
+        """Do `ticks` ticks."""
+        self.plan(ticks)
+        go_on(self)
 
-    def read(self, csv):
-        """Make the cradle of this CSV (a Snapshot)."""
-        self.snapshot = csv
-        go_on(self, self.make())
+    def read(self, text):
+        """Make the cradle of this text, the new content of the CSV."""
+        self.snapshot.filepath.write_text(text)
+        self.snapshot = Snapshot(self.snapshot.filepath)
+        self.make()
+        go_on(self)
 
 
-def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4) -> Swing:
-    """Write this CSV to the folder; return its cradle, released from this angle (degrees)."""
-    file = folder / "cradle.csv"
-    file.write_text(csv)
-    return Swing(Snapshot(file), [angle], lift, impacts)
+def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4, kind=Cradle, phi=20, **options) -> Swing:
+    """Write this CSV to the folder; return its cradle with these options, released from angle and phi (degrees)."""
+    angles = thetas([angle, phi][: len(kind.angles)])
+    player = Swing(make_live(kind, **options), Snapshot(folder / "cradle.csv"), angles, lift, impacts)
+    player.read(csv)
+    return player
 
 
 def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False):

@@ -10,7 +10,7 @@ know. Each begins a new line, because the solution may have written half a line:
 
     {"pid": the process of this solution}
     {"begins": the name of a check}
-    {"check": its name, "outcome": [state, message, place]}
+    {"check": its name, "outcome": the fields of its Outcome, without the call}
     {"changed": [names of the grader that the solution has changed]}
     {"ended": the exit status of the process}
 

@@ -1,20 +1,17 @@
-"""What a teacher gets of a graded class: grades.csv, Gradescope's results, a summary, and solutions without a hint."""
+"""What a teacher gets of a graded class: grades.csv, Gradescope's results, and a summary."""
 
 import csv
 import json
-import re
 from collections import Counter
 from contextlib import suppress
 from typing import NamedTuple
 
-from grading.grade import grade
+from grading.grade import grade, whole_step
 from grading.grader import CHECKS, FAILED, Outcome, PASSED, WAITING
 from grading.handout import SUITES
-from support.files.atomic_write import whole_file
-from teacher.alike import groups_of, tree_of, unnamed
+from support.files.data_file import whole_file
 
 MOST = 5  # lines of each list of the summary
-HINT = re.compile(r"^hint +(.+)$", re.MULTILINE)
 
 
 class Result(NamedTuple):
@@ -25,8 +22,6 @@ class Result(NamedTuple):
     outcomes: dict[str, Outcome]
     seconds: float
     problems: list[str]
-    fingerprint: str
-    unhinted: dict[str, str]  # the bodies of the functions that fail without a hint
 
     def grade(self) -> dict:
         """Return what --grade-json writes."""
@@ -42,7 +37,7 @@ def results_in(file) -> dict[str, Result]:
     for line in file.read_text(encoding="utf-8", errors="replace").splitlines() if file.exists() else []:
         with suppress(ValueError, TypeError, KeyError, AttributeError):
             fields = json.loads(line)
-            fields["outcomes"] = {name: Outcome(*of) for name, of in fields["outcomes"].items() if name in CHECKS}
+            fields["outcomes"] = {name: Outcome(*each) for name, each in fields["outcomes"].items() if name in CHECKS}
             results[fields["student"]] = Result(**fields)
     return results
 
@@ -57,7 +52,7 @@ def mistakes_of(outcomes) -> dict[str, set[str]]:
     hints: dict[str, set[str]] = {}
     for name, outcome in outcomes.items():
         if outcome.state == FAILED:
-            hints.setdefault(CHECKS[name].function, set()).update(HINT.findall(outcome.message))
+            hints.setdefault(CHECKS[name].function, set()).update(filter(None, [outcome.hint]))
     return hints
 
 
@@ -69,7 +64,7 @@ def write_grades(file, results) -> None:
         for result in results:
             graded = result.grade()
             points = [graded["tiers"].get(tier, {"points": 0})["points"] for tier in SUITES]
-            row = [result.student, graded["grade"] or "none", *points, sum(points), graded["next"].partition("; ")[0]]
+            row = [result.student, graded["grade"] or "none", *points, sum(points), graded["next"]]
             writer.writerow([*row, f"{result.seconds:.1f}", "; ".join(result.problems)])
 
 
@@ -91,7 +86,7 @@ def write_gradescope(folder, result) -> None:
             }
         )
     graded = result.grade()
-    words = [f"Grade: {graded['grade'] or 'none yet'}.", f"Next: {graded['next']}.", *result.problems]
+    words = [f"Grade: {graded['grade'] or 'none yet'}.", f"Next: {whole_step(graded)}.", *result.problems]
     content = {
         "score": result.points(),
         "max_score": len(tests),
@@ -106,8 +101,8 @@ def write_gradescope(folder, result) -> None:
         out.write("\n")
 
 
-def summary(results, starters) -> list[str]:
-    """Return the lines that a teacher reads in the end; starters is the fingerprint of the starter."""
+def summary(results) -> list[str]:
+    """Return the lines that a teacher reads in the end."""
     grades = Counter(result.grade()["grade"] for result in results)
     lines = ["grade        solutions"]
     lines += [f"{grade or 'none':<12} {grades[grade]:>9}" for grade in [*reversed(SUITES), None]]
@@ -120,47 +115,9 @@ def summary(results, starters) -> list[str]:
     checks = [(f"{name} ({CHECKS[name].function})", count) for name, count in failed.most_common(MOST)]
     lines += table("Checks that most solutions fail", checks)
     lines += table("Hints that most solutions get", hints.most_common(MOST))
-    groups = groups_of({result.student: result.fingerprint for result in results}, starters)
-    lines += ["", "The same but for names and comments: look at them, this proves nothing"] if groups else []
-    lines += [f"       {', '.join(group)}" for group in groups]
     return lines
 
 
 def table(title, rows) -> list[str]:
     """Return lines with this title and these (words, number) rows, or no lines if there are no rows."""
     return ["", title, *(f"{count:>5}  {words}" for words, count in rows)] if rows else []
-
-
-def collect(file, results) -> int:
-    """Add the functions that fail without a hint to a file, once each; return how many are new.
-
-    They have the form of rows of tests/project/wrong_solutions.py. Raises an OSError if this fails.
-    """
-    found: dict[str, list] = {}
-    for result in results:
-        for function, body in result.unhinted.items():
-            tree = tree_of(body)
-            found.setdefault(f"{function}: {unnamed(tree) if tree else body}", []).append((function, body, result))
-    before = file.read_text(encoding="utf-8") if file.exists() else ""
-    rows = [row_of(*others[0], len(others)) for others in sorted(found.values(), key=len, reverse=True)]
-    new = [row for row in rows if row.partition("\n    #")[0] not in before]
-    with whole_file(file) as out:
-        out.write(before + "".join(new))
-    return len(new)
-
-
-def row_of(function, body, result, count) -> str:
-    """Return a row of wrong_solutions.py, with comments that say what its first check tells."""
-    name, outcome = next(
-        (name, outcome)
-        for name, outcome in result.outcomes.items()
-        if outcome.state == FAILED and CHECKS[name].function == function
-    )
-    told = "".join(f"        # {line}\n" for line in outcome.message.splitlines())
-    indented = "".join(f"            {line}\n" for line in body.splitlines())
-    text = indented.replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
-    row = (
-        f'    "{function}": {{\n        "": """\\\n{text}            """,\n    }},\n'
-        f"    # of {'one solution' if count == 1 else f'{count} solutions'}; {name} tells:\n{told}\n"
-    )
-    return row.encode("utf-8", "backslashreplace").decode()

@@ -22,7 +22,7 @@ from typing import NamedTuple
 from grading.grader import CHECKS, FAILED, FAULT, Outcome
 
 PROGRAM = Path(__file__).with_name("one_solution.py")
-SILENCE = 20.0  # s for a check; the grader itself stops Python code after grader.PATIENCE
+SILENCE = 20.0  # s for a check; the grader itself stops Python code after limits.PATIENCE
 PATIENCE = 120.0  # s for a solution
 LEFT_OUT = ("PYTHONOPTIMIZE", "PYTHONPATH", "PYTHONSAFEPATH")  # they would change what a solution sees
 SHOWN = 3  # names of the grader that a problem lists
@@ -55,8 +55,8 @@ class Attempt:
                 self.pid = self.pid or pid
             case {"begins": str(check)}:
                 self.check = check
-            case {"check": str(check), "outcome": [str(state), str(words), str(place)]}:
-                self.outcomes.setdefault(check, Outcome(state, words, place=place))
+            case {"check": str(check), "outcome": [str(), str(), None, str(), str(), str()] as outcome}:
+                self.outcomes.setdefault(check, Outcome(*outcome))
             case {"changed": list(names)}:
                 self.changed = names
             case {"ended": int(status)}:

@@ -1,0 +1,200 @@
+"""The cradle of the programs: main makes and moves it; this class releases it, and measures it."""
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from inspect import signature
+from itertools import accumulate
+from math import cos, inf
+from typing import Any, NamedTuple
+
+from support.constants import DT, G, R_PARAM
+from support.cradle.dragging import cord_angles, Hand, move
+from support.cradle.impacts import Hits
+from support.energy import kinetic_energy, momentum, potential_energy
+from support.shapes import discard
+from support.start.mistake import check_made, check_moved
+
+
+class Names(NamedTuple):
+    """The names, in the programs' modules, of the functions and of the constant of a kind of cradle."""
+
+    make: str  # returns the pendula
+    tick: str
+    collide: str  # lets two pendula collide
+    shown: str  # the function whose calls One tick shows
+    dt: str
+
+
+class Cradle:
+    """A cradle of single pendula with the project's constants."""
+
+    title = "Newton's cradle"
+    kind = "single"  # the name of the folder with its experiments
+    dt = DT  # s
+    reach = R_PARAM  # from an axle to the centre of the lowest bob at rest (m)
+    angles: Mapping[str, tuple[float, float]] = {"Release angle": (0, 180)}  # (least, largest), degrees
+    angle_keys: Sequence[str] = ("theta",)  # a pendulum's keys of its angles (rad), the upper cord first
+    rate_keys: Sequence[str] = ("omega",)  # the keys of their rates (rad/s)
+    names = Names("make_newton_cradle", "newton_cradle_tick", "handle_two_bobs", "handle_collision", "DT")
+
+    def __init__(self, scope, options, pds_helper, special_cradles, many_ticks=None):
+        """Find the functions that make and move the pendula in scope, the globals of main.
+
+        options has elastic, inelastic, e and mass from support/start/options.py. pds_helper and special_cradles are the
+        handout's modules. many_ticks is the fast path, or None.
+        """
+        self.scope, self.many_ticks, self.mass, self.e = scope, many_ticks, options.mass, options.e
+        self.pds_helper, self.special_cradles = pds_helper, special_cradles
+        self.collisions: dict[str, Any] = {  # name -> function that returns pendula with the e of this kind
+            "as in the CSV": None,  # each pendulum keeps its own e
+            "elastic, e = 1": special_cradles.elastic_newton_cradle,
+            "inelastic, e = 0": special_cradles.inelastic_newton_cradle,
+        }
+        self.collision = list(self.collisions)[1 if options.elastic else 2 if options.inelastic else 0]
+        if self.e is not None:
+            self.collision = f"e = {self.e:g}"
+            self.collisions[self.collision] = partial(special_cradles.uniform_e_newton_cradle, e_val=self.e)
+        self.pend_list: list = []
+        self.numbers: dict[int, int] = {}  # id of a pendulum -> its index
+        self.hand, self.hits = Hand(self), Hits(self)
+        ticking = scope[self.names.tick], self.collision_scope().get(self.names.collide)
+        self.takes_rule = all("approaching_only" in signature(function).parameters for function in ticking if function)
+
+    # --- make and release --------------------------------------------------------------------------------------------
+
+    def give_back(self) -> None:
+        """Hide the objects of the present pendula; the next pendula reuse them."""
+        for pend in reversed(self.pend_list):  # the last discarded object is reused first
+            discard(pend["objects"])
+        self.pend_list, self.hand.held = [], None
+
+    def take(self, pend_list, csv) -> None:
+        """Take pend_list, made from the file at the path csv, as the new cradle.
+
+        It is the list of main, which the ticks change. Raises a MistakeError if it is no list of complete pendula.
+        """
+        keys = ("mass", "e", *self.angle_keys, *self.rate_keys)
+        check_made(self.scope[self.names.make], pend_list, keys, 1 + 2 * len(self.angles))
+        self.pend_list = pend_list
+        self.numbers = {id(pend): number for number, pend in enumerate(pend_list)}
+        if self.mass is not None:
+            cradle = self.special_cradles.uniform_mass_newton_cradle(csv, self.mass)
+            self.adopt("mass", [pend["mass"] for pend in cradle])
+        self.es = self.values("e")
+        self.collide(self.collision, csv)
+        self.note_lifts()
+
+    def check(self) -> None:
+        """Raise a MistakeError if a tick has changed the number of pendula, or set a coordinate to no finite number."""
+        keys = (*self.angle_keys, *self.rate_keys)
+        check_moved(self.scope[self.names.tick], self.pend_list, len(self.numbers), keys)
+
+    def note_lifts(self) -> None:
+        """Take the present angles of the pendula as those with which the cradle was made."""
+        lifted = [any(cord_angles(pend)) for pend in self.pend_list]
+        first, *others = cord_angles(self.pend_list[0])
+        # The release angles (rad), and the number of lifted pendula.
+        self.as_made = [first, *(angle - first for angle in others)], [*lifted, False].index(False)
+
+    def adopt(self, key, values) -> None:
+        """Set pend[key] of each pendulum to its value in values, from left to right."""
+        for pend, value in zip(self.pend_list, values, strict=False):  # main may have read a different file
+            pend[key] = value
+
+    def collide(self, collision, csv) -> None:
+        """Set how bobs collide from now on (a key of collisions); csv is the path of the cradle's file."""
+        self.collision, make = collision, self.collisions[collision]
+        self.adopt("e", [pend["e"] for pend in make(csv)] if make else self.es)
+
+    def options(self) -> dict[str, Any]:
+        """Return the options with which the programs make the present collisions and masses: e, mass, ..."""
+        kind = list(self.collisions).index(self.collision)
+        return {"elastic": kind == 1, "inelastic": kind == 2, "e": self.e if kind == 3 else None, "mass": self.mass}
+
+    def release(self, angles, lifted) -> None:
+        """Lift the first `lifted` pendula to these angles (rad) and let the others hang, all at rest.
+
+        angles has one angle for each cord of a pendulum; the angle of a lower cord is measured from the upper cord.
+        None stands for the angle, or the number, with which the cradle was made. If all are None, nothing moves.
+        """
+        if lifted is None and all(angle is None for angle in angles):
+            return
+        made_angles, made_lifted = self.as_made
+        chosen = [made if angle is None else angle for angle, made in zip(angles, made_angles, strict=True)]
+        lifted_angles = list(accumulate(chosen))
+        count = max(1, made_lifted) if lifted is None else lifted
+        for i, pend in enumerate(self.pend_list):
+            move(pend, lifted_angles if i < count else [0.0] * len(angles), R_PARAM)
+        self.make_room(count)
+
+    def pose(self, angles) -> None:
+        """Turn each pendulum to its own angles, a list (rad) of its cords' angles from straight down, at rest."""
+        for pend, own in zip(self.pend_list, angles, strict=True):
+            move(pend, own, R_PARAM)
+        self.note_lifts()
+
+    def make_room(self, lifted) -> None:
+        """Push pendula out of the way of the lifted ones; single pendula are never in each other's way."""
+
+    def write(self, csv, filepath) -> None:
+        """Write the pendula of the CSV at the path csv to the file at filepath, with the handout's functions."""
+        self.pds_helper.write_to_csv(self.pds_helper.extract_and_convert(csv), filepath)
+
+    # --- move --------------------------------------------------------------------------------------------------------
+
+    def collision_scope(self) -> dict[str, Any]:
+        """Return the globals in which the tick finds the function that lets two pendula collide."""
+        return self.scope
+
+    def velocity(self, pend, rates) -> float:
+        """Return the velocity of a pendulum's bob to the right (in cord lengths a second) at these rates (rad/s)."""
+        return rates[0] * cos(pend["theta"])
+
+    def approach(self, left, right) -> float:
+        """Return the speed (m/s) at which two bobs approach each other; left and right are (pendulum, its rates)."""
+        return (self.velocity(*left) - self.velocity(*right)) * R_PARAM
+
+    # --- measure -----------------------------------------------------------------------------------------------------
+
+    def axles(self) -> list:
+        """Return the axles, from left to right."""
+        return [pend["objects"][0] for pend in self.pend_list]
+
+    def bobs(self) -> list:
+        """Return the bobs, from left to right."""
+        return [bob for pend in self.pend_list for bob in pend["objects"][1::2]]
+
+    def cords(self) -> list:
+        """Return the cords, from left to right."""
+        return [cord for pend in self.pend_list for cord in pend["objects"][2::2]]
+
+    def values(self, key) -> list:
+        """Return pend[key] of each pendulum, from left to right."""
+        return [pend[key] for pend in self.pend_list]
+
+    def coordinates(self) -> dict[str, float]:
+        """Return coordinates (rad) and their rates (rad/s) by name: theta_1, theta_2, ..., from left to right."""
+        numbered = list(enumerate(self.pend_list, start=1))
+        return {f"{key}_{i}": pend[key] for key in (*self.angle_keys, *self.rate_keys) for i, pend in numbered}
+
+    def energies(self) -> tuple[float, float]:
+        """Return the kinetic and the potential energy (J)."""
+        return kinetic_energy(self.pend_list, R_PARAM), potential_energy(self.pend_list, R_PARAM, G)
+
+    def momentum(self) -> float:
+        """Return the momentum to the right (kg m/s)."""
+        return momentum(self.pend_list, R_PARAM)
+
+    def swings_through(self) -> bool:
+        """Return whether a bob swings through others: below the axles, two bobs that are not neighbours changed order.
+
+        Above the axles, bobs that swing over the top may be in any order.
+        """
+        places = [(bob.pos.x, bob.pos.y < axle.pos.y) for axle, bob in zip(self.axles(), self.bobs(), strict=True)]
+        rightmost = accumulate((x if is_low else -inf for x, is_low in places), max)
+        return any(left > x for left, (x, is_low) in zip(rightmost, places[2:], strict=False) if is_low)
+
+    def constants(self) -> str:
+        """Return the constants with which main moves the cradle, in words."""
+        r_param, dt, g = (self.scope.get(name) for name in ("R_PARAM", self.names.dt, "G"))
+        return f"main uses R_PARAM = {r_param} m (cord), {self.names.dt} = {dt} s (tick) and G = {g} m/s^2 (gravity)."

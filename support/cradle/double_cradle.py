@@ -1,0 +1,81 @@
+"""The double cradle of the programs."""
+
+from inspect import isfunction
+from itertools import product
+from math import pi
+from typing import Any
+
+from vpython import dot, mag
+
+from support.constants import DOUBLE_DT, G, R_PARAM
+from support.cradle.cradle import Cradle, Names
+from support.cradle.dragging import push_others
+from support.energy import double_kinetic_energy, double_momentum, double_potential_energy
+from support.pendulum import arm
+
+
+class DoubleCradle(Cradle):
+    """A cradle of double pendula, each with two bobs and two cords of length R_PARAM."""
+
+    title = "Newton's double cradle"
+    kind = "double"
+    dt = DOUBLE_DT
+    reach = 2 * R_PARAM
+    angles = {"Angle theta": (0, 180), "Angle phi": (-180, 180)}
+    angle_keys = ("theta", "phi")
+    rate_keys = ("omega", "phi_omega")
+    names = Names(
+        make="make_double_newton_cradle",
+        tick="double_cradle_tick",
+        collide="handle_two_double_bobs",
+        shown="handle_two_double_bobs",
+        dt="DOUBLE_DT",
+    )
+
+    def make_room(self, lifted) -> None:
+        """Push pendula out of the way of the lifted ones: a lower cord that is bent inwards reaches far."""
+        for i in reversed(range(min(lifted, len(self.pend_list)))):
+            push_others(self.pend_list, i, R_PARAM)
+
+    def swings_through(self) -> bool:
+        """Return whether a bob swings through others: never, because any two bobs can collide."""
+        return False
+
+    def collision_scope(self) -> dict[str, Any]:
+        """Return the globals with the function that lets two pendula collide: the tick's, or those of its functions."""
+        scope = self.scope[self.names.tick].__globals__
+        scopes = [scope, *(function.__globals__ for function in scope.values() if isfunction(function))]
+        return next((scope for scope in scopes if self.names.collide in scope), scope)
+
+    def velocity(self, pend, rates) -> float:
+        """Return the mean velocity of a pendulum's two bobs to the right (m/s) at these rates (rad/s)."""
+        before = {**pend, **dict(zip(self.rate_keys, rates, strict=True))}
+        return double_momentum([before], R_PARAM) / pend["mass"] / 2
+
+    def approach(self, left, right) -> float:
+        """Return the speed (m/s) at which the nearest two bobs of two pendula approach each other.
+
+        left and right are (pendulum, its rates).
+        """
+        moves = [
+            (bob2.pos - bob1.pos, v1 - v2)
+            for (bob1, v1), (bob2, v2) in product(moving_bobs(*left), moving_bobs(*right))
+        ]
+        apart, closer = min(moves, key=lambda move: mag(move[0]))
+        return dot(closer, apart) / (mag(apart) or 1.0)  # 0, if one is in the other's place
+
+    def energies(self) -> tuple[float, float]:
+        """Return the kinetic and the potential energy (J)."""
+        return double_kinetic_energy(self.pend_list, R_PARAM), double_potential_energy(self.pend_list, R_PARAM, G)
+
+    def momentum(self) -> float:
+        """Return the momentum to the right (kg m/s)."""
+        return double_momentum(self.pend_list, R_PARAM)
+
+
+def moving_bobs(pend, rates) -> list:
+    """Return (bob, its velocity in m/s as a vector) for the upper and the lower bob at these rates (rad/s)."""
+    omega, phi_omega = rates
+    upper = arm(pend["theta"] + pi / 2, R_PARAM) * omega  # a cord's end moves at right angles to the cord
+    lower = upper + arm(pend["theta"] + pend["phi"] + pi / 2, R_PARAM) * (omega + phi_omega)
+    return list(zip(pend["objects"][1::2], (upper, lower), strict=True))

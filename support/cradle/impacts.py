@@ -1,0 +1,207 @@
+"""Hits: how they are noted while the loop does ticks, and the list of impacts, with a line for each train.
+
+A hit is one of two bobs. A path is a row of bobs that pass a hit on, by their numbers: 1-2-3-4-5. A train has the hits
+that follow each other quickly. If two bobs come in, it has two paths: 2-3-4-5  1-2-3-4.
+"""
+
+from collections import Counter, deque
+from inspect import signature
+
+GAP = 0.005  # s: the longest time between two hits of one train
+MOST_PATHS = 12  # in a train
+TOGETHER = 20  # two bobs with more hits than this in one train stay together
+STRIP_WIDTH = 44  # characters
+LONGEST = 9  # bobs: of a longer path, only the ends are shown
+
+
+class Hits:
+    """Notes hits, and calls of the function that lets two pendula collide: it stands in its place, and calls it."""
+
+    def __init__(self, cradle):
+        """Listen to nothing yet."""
+        self.cradle = cradle
+        self.new: list[tuple[int, int, bool, float]] = []  # (left, right, rightwards, speed), with indices of pendula
+        self.calls: list[str] = []  # of the collision function, as text
+        self.replaced: list[tuple[dict, str, object]] = []
+
+    def listen(self, calls=False) -> None:
+        """Note the hits from now on, until stop; with calls, also the calls of the collision function.
+
+        A hit is a call for two pendula that changes a velocity. A comparison before and after a whole tick would miss
+        hits: after a train of hits, the bobs in the middle have their old velocity. Hits of a held bob do not count.
+        """
+        self.calls.clear()
+        if calls:
+            self.replace(self.cradle.names.shown, self.noting_calls)
+        if self.cradle.hand.held is None:
+            self.replace(self.cradle.names.collide, self.noting_hits)
+
+    def stop(self) -> None:
+        """Put the functions back."""
+        while self.replaced:
+            scope, name, function = self.replaced.pop()
+            scope[name] = function
+
+    def replace(self, name, noting) -> None:
+        """Put noting(function) into the place of the function with this name, if a student has written it."""
+        scope = self.cradle.collision_scope()
+        if name in scope:
+            self.replaced.append((scope, name, scope[name]))
+            scope[name] = noting(scope[name])
+
+    def noting_hits(self, collide):
+        """Return a function that calls collide, and adds a hit to new."""
+
+        keys = self.cradle.rate_keys
+
+        def noted(*given, **named):
+            two = [pend for pend in (*given, *named.values()) if id(pend) in self.cradle.numbers]
+            before = [tuple(map(pend.get, keys)) for pend in two]
+            result = collide(*given, **named)
+            if len(two) == 2 and [tuple(map(pend.get, keys)) for pend in two] != before:
+                self.add(*zip(two, before, strict=True))
+            return result
+
+        return noted
+
+    def noting_calls(self, collide):
+        """Return a function that calls collide, and adds the call to calls."""
+
+        def noted(*given, **named):
+            result = collide(*given, **named)
+            arguments = signature(collide).bind(*given, **named).arguments
+            texts = [f"{name}={self.in_short(value)}" for name, value in arguments.items()]
+            self.calls.append(f"{self.cradle.names.shown}({', '.join(texts)}) returned {self.in_short(result)}")
+            return result
+
+        return noted
+
+    def add(self, *two) -> None:
+        """Add the hit of two pendula; each is (pendulum, its rates before the hit in rad/s)."""
+        left, right = sorted(two, key=lambda pend_and_rates: self.cradle.numbers[id(pend_and_rates[0])])
+        rightwards = self.cradle.velocity(*left) + self.cradle.velocity(*right) > 0
+        numbers = [self.cradle.numbers[id(pend)] for pend, _ in (left, right)]
+        self.new.append((*numbers, rightwards, self.cradle.approach(left, right)))
+
+    def in_short(self, value) -> str:
+        """Return a value as short text; a pendulum is pend_list[...]."""
+        if id(value) in self.cradle.numbers:
+            return f"pend_list[{self.cradle.numbers[id(value)]}]"
+        if isinstance(value, tuple):
+            return f"({', '.join(map(self.in_short, value))})"
+        return f"{value:.6g}" if isinstance(value, float) else repr(value)
+
+
+class ImpactTrains:
+    """The last trains.
+
+    Two things would fill the list: single hits in a row, and bobs that stay together. Each gets one line of words.
+    """
+
+    def __init__(self, count):
+        """Remember up to count trains."""
+        self.trains: deque[Train] = deque(maxlen=count)
+        self.clear()
+
+    def clear(self) -> None:
+        """Forget all trains."""
+        self.trains.clear()
+        self.has_path = False  # whether a hit has gone on to a third bob; with two pendula, all hits are single
+
+    def add(self, time, left, right, rightwards) -> None:
+        """Add the hit, at time (s), of the pendula with these indices (from 0).
+
+        rightwards is True if the two moved to the right before the hit.
+        """
+        if not self.trains or time - self.trains[-1].end > GAP:
+            self.join_last_two()  # not earlier: a hit that was single could go on
+            self.trains.append(Train(time))
+        train = self.trains[-1]
+        train.add(time, left + 1, right + 1, rightwards)
+        self.has_path = self.has_path or not train.is_single()
+        if train.together:
+            self.join_last_two()
+
+    def join_last_two(self) -> None:
+        """Make the last two trains one if both are single hits, or bobs that stay together."""
+        if len(self.trains) < 2:
+            return
+        before, latest = self.trains[-2], self.trains[-1]
+        if (before.together and latest.together) or (self.has_path and before.is_single() and latest.is_single()):
+            before.join(self.trains.pop())
+
+    def lines(self, longest=STRIP_WIDTH) -> list[str]:
+        """Return a line for each train, the latest first, with at most `longest` characters: t = 0.71 s  1-2-3-4-5."""
+        lines = [f"t = {train.begin:.2f} s  {train}" for train in reversed(self.trains)]
+        return [line if len(line) <= longest else line[: longest - 3] + "..." for line in lines]
+
+
+class Train:
+    """One train, or several that have become one; as text, its paths, or words."""
+
+    def __init__(self, begin):
+        """Begin at the time of the first hit (s)."""
+        self.begin = self.end = begin  # the times of its first and its last hit (s)
+        self.paths: list[list[int]] = []
+        self.hits: Counter[tuple[int, int]] = Counter()  # of each two bobs
+        self.last = (0, 0)  # the bobs of the last hit
+        self.together: set[tuple[int, int]] = set()  # each two that stay together
+        self.singles = 0  # single hits, if several trains have become this one
+
+    def add(self, time, left, right, rightwards) -> None:
+        """Add a hit of two bobs, by their numbers; see ImpactTrains."""
+        pair = left, right
+        if pair != self.last:  # hits of the same two in a row count as one
+            self.pass_on(left, right, rightwards)
+        self.end, self.last = time, pair
+        self.hits[pair] += 1
+        if self.hits[pair] > max(TOGETHER, len(self.hits)):  # n lifted bobs of a row hit the next one n times
+            self.together.add(pair)
+
+    def pass_on(self, left, right, rightwards) -> None:
+        """Continue the first path that ends at left, and the first one that ends at right. If there is none, begin one.
+
+        A path does not go straight back to the bob before its last one.
+        """
+        goes_on = False
+        for end, other in ((left, right), (right, left)):
+            path = next((path for path in self.paths if path[-1] == end and path[-2] != other), None)
+            if path:
+                path.append(other)
+                goes_on = True
+        if not goes_on and len(self.paths) < MOST_PATHS:
+            self.paths.append([left, right] if rightwards else [right, left])
+
+    def is_single(self) -> bool:
+        """Return whether no hit has gone on to a third bob, and all bobs have parted again."""
+        return not self.together and all(len(path) == 2 for path in self.paths)
+
+    def join(self, later) -> None:
+        """Take over a later train of the same kind."""
+        if self.is_single():
+            self.singles = (self.singles or len(self.paths)) + len(later.paths)
+        self.together |= later.together
+        self.end, self.last, self.hits = later.end, later.last, later.hits
+
+    def __str__(self):
+        if self.together:
+            groups = [f"{a} {'and' if b == a + 1 else 'to'} {b}" for a, b in first_and_last(self.together)]
+            return ", ".join(groups) + " stay together"
+        return f"{self.singles} single hits" if self.singles else "  ".join(map(path_text, self.paths))
+
+
+def first_and_last(pairs) -> list[list[int]]:
+    """Return the first and the last number of each group of bobs, from the pairs that stay together."""
+    groups: list[list[int]] = []
+    for left, right in sorted(pairs):
+        if groups and left <= groups[-1][1]:
+            groups[-1][1] = max(groups[-1][1], right)
+        else:
+            groups.append([left, right])
+    return groups
+
+
+def path_text(path) -> str:
+    """Return a path as text; of a long one, only its ends."""
+    numbers = list(map(str, path))
+    return "-".join(numbers if len(path) <= LONGEST else [*numbers[:3], "...", numbers[-1]])

@@ -1,0 +1,83 @@
+"""The motion of a cradle: the time since its release, its impacts, its energy, and all these as data."""
+
+from support.cradle.cradle import Cradle
+from support.cradle.impacts import ImpactTrains
+
+
+class Motion:
+    """Keeps the time, the impacts and the energy of a cradle."""
+
+    def __init__(self, cradle: Cradle, impacts):
+        """Begin at time 0; keep the last `impacts` trains of impacts."""
+        self.cradle, self.trains = cradle, ImpactTrains(impacts)
+        self.restart()
+
+    def restart(self) -> None:
+        """Begin again at time 0, with the energy of this moment as 100 %."""
+        self.ticks, self.fastest = 0, 0.0
+        self.trains.clear()
+        self.set_start()
+
+    def set_start(self) -> None:
+        """Take the energy of this moment as 100 %."""
+        self.start_energy = sum(self.cradle.energies())
+
+    def has_hit(self) -> bool:
+        """Return whether two bobs have hit each other since the start."""
+        return bool(self.trains.trains)
+
+    def time(self) -> float:
+        """Return the simulated time since the start (s)."""
+        return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004
+
+    def note_hits(self) -> None:
+        """Add the new hits of the cradle to the trains, with the present time."""
+        for left, right, rightwards, speed in self.cradle.hits.new:
+            self.trains.add(self.ticks * self.cradle.dt, left, right, rightwards)
+            self.fastest = max(self.fastest, speed)
+        self.cradle.hits.new.clear()
+
+    def do_at_once(self, ticks, rule) -> bool:
+        """Do `ticks` ticks in one call of the fast path, if it is certain of the result; return whether it was."""
+        cradle = self.cradle
+        contacts = cradle.many_ticks(cradle.scope, cradle.pend_list, ticks, rule) if cradle.many_ticks else None
+        if contacts is None:
+            return False
+        for tick, left, right, rightwards, speed in contacts if cradle.hand.held is None else ():
+            self.trains.add((self.ticks + tick + 1) * cradle.dt, left, right, rightwards)
+            self.fastest = max(self.fastest, speed)
+        self.ticks += ticks
+        return True
+
+    def take_fastest(self) -> float:
+        """Return the speed (m/s) of the fastest hit since the last call, or 0."""
+        fastest, self.fastest = self.fastest, 0.0
+        return fastest
+
+    def reading(self) -> str:
+        """Return the time and the energy as text of constant width."""
+        total, kinetic, potential = map(in_words, self.percents().values())
+        parts = f"kinetic {kinetic}, potential {potential}"
+        return f"t = {self.time():.2f} s".ljust(16) + f"energy {total} ({parts})"
+
+    def percents(self) -> dict[str, float]:
+        """Return the energy, and its kinetic and potential parts, in percent of the energy at the start."""
+        kinetic, potential = self.cradle.energies()
+        energies = {"energy": kinetic + potential, "kinetic": kinetic, "potential": potential}
+        unit = self.start_energy / 100
+        return {name: energy / unit if unit else 0.0 for name, energy in energies.items()}
+
+    def sample(self) -> dict[str, float]:
+        """Return the data of this moment by name; the names are the columns of a data file.
+
+        They are t (s), the cradle's coordinates (rad, rad/s), kinetic, potential and total energy (J), and the momentum
+        to the right (kg m/s).
+        """
+        kinetic, potential = self.cradle.energies()
+        energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
+        return {"t": self.time(), **self.cradle.coordinates(), **energies, "momentum": self.cradle.momentum()}
+
+
+def in_words(percent) -> str:
+    """Return a percentage as text of constant width."""
+    return f"{percent:6.2f} %" if percent < 1000 else " > 999 %"

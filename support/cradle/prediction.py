@@ -1,0 +1,73 @@
+"""Measure an experiment, and compare it with the answers to its question."""
+
+import re
+from math import degrees
+
+from support.constants import R_PARAM
+from support.files.experiments import Experiment
+
+NEAR = 10.0  # degrees: an answer is right if no bob swings farther from what it predicts
+
+
+class Measurement:
+    """What the bobs of an experiment do from their release to the time of the measurement."""
+
+    def __init__(self, experiment: Experiment):
+        """Begin at the release."""
+        self.experiment = experiment
+        count = len(experiment.angles)
+        self.swings, self.speeds, self.befores = ([0.0] * count for _ in range(3))  # degrees, m/s, m/s
+        self.energy = 100.0  # % that is left
+        self.start_energy: float | None = None  # J
+        self.has_hit = self.is_over = False
+
+    def note(self, sample, has_hit) -> None:
+        """Measure a sample of Motion; has_hit says whether two bobs have hit each other by then."""
+        if self.is_over:
+            return
+        if self.start_energy is None:
+            self.start_energy = sample["total"]
+        self.energy = 100 * sample["total"] / self.start_energy if self.start_energy else 100.0
+        for i in range(len(self.swings)):
+            theta, speed = degrees(sample[f"theta_{i + 1}"]), R_PARAM * abs(sample[f"omega_{i + 1}"])
+            fastest = self.speeds if has_hit else self.befores
+            fastest[i] = max(fastest[i], speed)
+            if has_hit and abs(theta) > abs(self.swings[i]):
+                self.swings[i] = theta
+        self.has_hit = has_hit
+        self.is_over = sample["t"] >= self.experiment.seconds
+
+    def outcome(self) -> int | None:
+        """Return the index of the answer that comes nearest to what the bobs did; None if none is near, or none hit."""
+
+        def error(answer):
+            return max(abs(a - b) for a, b in zip(answer.swings, self.swings, strict=True))
+
+        answers = self.experiment.answers
+        nearest = min(range(len(answers)), key=lambda index: error(answers[index]))
+        return nearest if self.has_hit and error(answers[nearest]) <= NEAR else None
+
+    def explanation(self) -> str:
+        """Return why that happened, or, if something else happened than the experiment explains, that it did."""
+        experiment, outcome = self.experiment, self.outcome()
+        if outcome == experiment.explained:
+            numbers = self.numbers()
+            return re.sub(r"\{(\w+)\}", lambda match: numbers[match[1]], experiment.why)
+        if not self.has_hit:
+            return "No two bobs hit each other."
+        swings = ", ".join(f"{swing:.0f}" for swing in self.swings)
+        expected = experiment.answers[experiment.explained].text
+        return (
+            f"After the first hit, the bobs swung to {swings} degrees. The experiment expects: {expected}. "
+            "So a function in src/, or a setting, is different."
+        )
+
+    def numbers(self) -> dict[str, str]:
+        """Return the measured numbers as text, by the names that the text of an experiment can have in braces."""
+        numbered = list(enumerate(zip(self.swings, self.speeds, self.befores, strict=True), start=1))
+        return {
+            "energy": f"{self.energy:.0f}",
+            **{f"swing_{i}": f"{abs(swing):.0f}" for i, (swing, _, _) in numbered},
+            **{f"speed_{i}": f"{speed:.2f}" for i, (_, speed, _) in numbered},
+            **{f"before_{i}": f"{before:.2f}" for i, (_, _, before) in numbered},
+        }

@@ -1,0 +1,63 @@
+"""The pace of a simulation, in step with the clock on the wall."""
+
+import time
+from math import inf
+
+FRAME = 1 / 60  # s: the page asks for new positions about sixty times a second
+BUSY = 0.75 * FRAME  # s of a frame, after which no tick begins: the threads that serve the page need the rest
+MAX_BEHIND = 0.25  # s of a delay that it makes up for; it drops the rest (of a slow machine, a laptop that slept)
+KEPT_UP_OVER = 1.0  # s over which kept_up is measured
+
+
+class RealTime:
+    """Makes a simulated second, 1/dt ticks, last 1/speed seconds on the wall.
+
+    A machine that is too slow for this shows slow motion. VPython's rate() is no replacement: it is wrong by a tenth
+    and more, and keeps a processor core busy while it waits.
+    """
+
+    def __init__(self, dt, clock=time.perf_counter, sleep=time.sleep):
+        """Begin now; dt (s) is one tick. A test can replace clock() and sleep(seconds)."""
+        self.dt, self.clock, self.sleep = dt, clock, sleep
+        self.speed = 1.0
+        self.restart()
+
+    def restart(self) -> None:
+        """Begin again at this moment, with no ticks due."""
+        self.frame_start = self.span_start = self.clock()
+        self.owed = 0.0  # ticks, and the fraction of one
+        self.span_due = self.span_done = 0.0  # ticks
+        self.kept_up = 1.0  # ticks done / ticks due over the last KEPT_UP_OVER
+
+    def due(self, most=inf) -> int:
+        """Begin a frame, and return the number of ticks to do in it, at most `most`."""
+        now = self.clock()
+        if now - self.span_start >= KEPT_UP_OVER and self.span_due:
+            self.kept_up = self.span_done / self.span_due
+            self.span_start, self.span_due, self.span_done = now, 0.0, 0.0
+        per_second = self.speed / self.dt
+        due = (now - self.frame_start) * per_second
+        self.frame_start = now
+        self.owed = min(self.owed + due, MAX_BEHIND * per_second)
+        ticks = int(min(self.owed, most))
+        self.owed -= ticks
+        self.span_due += due
+        self.span_done += ticks
+        return ticks
+
+    def deadline(self) -> float:
+        """Return the time on the clock at which the last tick of this frame may begin."""
+        return self.frame_start + BUSY
+
+    def give_back(self, ticks) -> None:
+        """Keep these ticks, which were not done in this frame, for the next one."""
+        self.owed += ticks
+        self.span_done -= ticks
+
+    def rest(self) -> None:
+        """Sleep until the next frame is due; a long frame ends with a rest, too."""
+        self.sleep(max(FRAME - BUSY, self.frame_start + FRAME - self.clock()))
+
+    def remark(self) -> str:
+        """Return the part of the speed that the machine reaches, as in x0.6, or nothing if it keeps up."""
+        return f"x{self.kept_up:.1f}" if self.kept_up < 0.95 else ""

@@ -1,0 +1,94 @@
+"""Write a file whole or not at all, and the motion of a cradle to a CSV, with a row for each sample."""
+
+import csv
+import errno
+import os
+import shutil
+from array import array
+from collections import deque
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from secrets import token_hex
+from stat import S_ISREG
+from threading import Lock
+
+from support.files.cradle_csv import LARGEST
+
+EVERY = 0.01  # s from sample to sample
+REMEMBERED = 600.0  # s of samples that a Recording keeps
+
+
+@contextmanager
+def whole_file(filepath):
+    """Yield a text file to write to; when it is complete on the disk, it replaces filepath.
+
+    After a crash, on a full disk, or if the body of the with statement ends early, the old file is still there.
+    Raises an OSError if filepath cannot be written.
+    """
+    target = Path(os.path.realpath(filepath))  # the file behind a link: the link must stay
+    unfinished = target.parent / f".{target.name}.{token_hex(4)}.tmp"
+    try:
+        if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):
+            raise OSError(errno.EACCES, "it is not a file, or is write-protected")
+        # Not tempfile: a new file of that module is for you alone, and stays so under its final name.
+        with open(unfinished, "x", encoding="utf-8", newline="") as file:
+            yield file
+            file.flush()
+            os.fsync(file.fileno())
+        if target.exists():
+            shutil.copymode(target, unfinished)
+        os.replace(unfinished, target)
+    except OSError as error:
+        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(filepath)) from error
+    finally:
+        with suppress(OSError):  # it already has its final name, or was never there
+            unfinished.unlink()
+
+
+def check_record(filepath) -> None:
+    """Raise a ValueError with a one-line message if this file exists, and has no data of a cradle to replace."""
+    try:
+        if not S_ISREG(Path(filepath).stat().st_mode):
+            return  # whole_file will raise the error
+        with open(filepath, "r+b") as file:  # opened to write, too: another program may have it open
+            columns = file.readline(LARGEST).strip()
+    except FileNotFoundError:
+        return  # a new file; if its folder is missing, whole_file will raise the error
+    except OSError as error:
+        raise ValueError(f"--record: {filepath}: {error.strerror}") from error
+    if columns and not (columns.startswith(b"t,theta_1,") and columns.endswith(b",momentum")):
+        allowed = "a new file, or one with data of a cradle, to replace it"
+        raise ValueError(f"--record: found '{filepath}', which has no data of a cradle; allowed is {allowed}")
+
+
+def data_writer(file):
+    """Return a writer to this file for the rows of a CSV: first the names of the columns, then the data."""
+    return csv.writer(file, lineterminator="\n")
+
+
+class Recording:
+    """The samples of the last ten minutes. One thread adds them; any thread can write them."""
+
+    def __init__(self):
+        """Begin without samples."""
+        self.lock = Lock()  # between two cradles, the rows and the columns may not belong together
+        self.columns: list[str] = []
+        self.rows: deque[array] = deque(maxlen=round(REMEMBERED / EVERY))
+
+    def clear(self) -> None:
+        """Forget all samples."""
+        with self.lock:
+            self.rows.clear()
+
+    def add(self, sample) -> None:
+        """Add a sample of Motion; all samples have the same names."""
+        with self.lock:
+            self.columns = list(sample)
+            self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
+
+    def write(self, writer) -> None:
+        """Write all samples of this moment to a data_writer, however many are added meanwhile."""
+        with self.lock:
+            columns, rows = self.columns, list(self.rows)
+        for row in [columns, *rows]:  # not writerows: between two rows, Python lets the other threads run
+            writer.writerow(row)

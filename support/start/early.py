@@ -1,0 +1,74 @@
+"""For the first moment of a program, so these imports take no time: signals that end it, and slow imports for later."""
+
+import os
+import signal
+import sys
+import threading
+from contextlib import suppress
+from importlib import import_module
+from importlib.machinery import PathFinder
+from types import ModuleType
+
+
+def end_on_interrupt(status=0) -> None:
+    """Let Ctrl+C end the process immediately, with this status and no traceback.
+
+    VPython's own handler waits for its servers, which may be waiting for a browser.
+    """
+    signal.signal(signal.SIGINT, lambda *_: os._exit(status))
+
+
+def stop_on_signals() -> None:
+    """Let Ctrl+C, Ctrl+\\, a closed terminal and kill raise one KeyboardInterrupt with the exit status.
+
+    The status is 0 for Ctrl+C, and the one of a shell for the others, 128 + the signal's number. Later signals do not
+    interrupt the clean-up. A signal that is already ignored, for instance because of nohup, stays ignored. Windows has
+    no signal for Ctrl+\\ and for a closed terminal, but one for Ctrl+Break, which is like Ctrl+C.
+    """
+    names = ("SIGINT", "SIGBREAK", "SIGQUIT", "SIGHUP", "SIGTERM")
+    numbers = {getattr(signal, name): name for name in names if hasattr(signal, name)}
+    numbers = {number: name for number, name in numbers.items() if signal.getsignal(number) != signal.SIG_IGN}
+
+    def stop(number, _):
+        for each in numbers:
+            signal.signal(each, signal.SIG_IGN)
+        raise KeyboardInterrupt(0 if numbers[number] in ("SIGINT", "SIGBREAK") else 128 + number)
+
+    for number in numbers:
+        signal.signal(number, stop)
+
+
+# --- import a slow module later than its import statement, while the program waits for the browser --------------------
+
+lock = threading.Lock()
+
+
+class Later(ModuleType):
+    """Stands in for a module, and imports it when the program first uses one of its names."""
+
+    def __getattr__(self, name):
+        make_room(self.__name__)
+        return getattr(import_module(self.__name__), name)
+
+
+def make_room(name) -> None:
+    """Remove the stand-in, so that the module can be imported; two threads may call this at the same time."""
+    with lock:
+        if isinstance(sys.modules.get(name), Later):
+            del sys.modules[name]
+
+
+def import_later(name) -> None:
+    """Let the statement `import name` import this module when it is first used, or when import_now asks for it.
+
+    A module that is not installed stays as it is: the statement then raises its usual error.
+    """
+    if name not in sys.modules and PathFinder.find_spec(name):
+        sys.modules[name] = Later(name)
+
+
+def import_now(name) -> None:
+    """Import the module now. Ignore an error: the code that uses the module will raise it again."""
+    make_room(name)
+    with suppress(Exception):
+        import_module(name)

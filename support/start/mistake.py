@@ -1,0 +1,100 @@
+"""Find a mistake in one of the handout's functions, and report it."""
+
+import linecache
+import sys
+import traceback
+from math import isfinite
+from numbers import Real
+from pathlib import Path
+
+from support.start.output import say
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+class MistakeError(Exception):
+    """A function raised no error, but its result is unusable."""
+
+    def __init__(self, function, words):
+        """Name the function in the message, before words, which describe the mistake."""
+        super().__init__(f"{function.__name__} {words}")
+        self.code = function.__code__
+
+
+def is_own(frame) -> bool:
+    """Return whether a frame of a traceback is in one of the handout's files, which are directly in src/."""
+    path = Path(frame.filename).resolve()
+    return path.parent == ROOT / "src" and path.name != "text_cradle_run.py"
+
+
+def own_frames(error) -> list[traceback.FrameSummary]:
+    """Return the frames of an error that are in the handout's files: none if the error did not arise in these.
+
+    If main calls a method of the player, and the error arises there, main is right: return none, too.
+    """
+    if isinstance(error, MistakeError):
+        file, line = error.code.co_filename, error.code.co_firstlineno
+        return [traceback.FrameSummary(file, line, error.code.co_name, line=linecache.getline(file, line).strip())]
+    frames = traceback.extract_tb(error.__traceback__)
+    own = [number for number, frame in enumerate(frames) if is_own(frame)]
+    callee = frames[own[-1] + 1] if own and own[-1] + 1 < len(frames) else None
+    if callee and Path(callee.filename).name == "player.py":
+        return []
+    return [frames[number] for number in own]
+
+
+def tell_mistake(error) -> str:
+    """Print the traceback of an error on stderr, and return the error in one line, with its place.
+
+    The traceback has only lines of the handout's files, the last one last. The functions of support/ and VPython that
+    they call are right, but got a wrong argument.
+    """
+    report = traceback.TracebackException.from_exception(error)
+    report.stack[:] = own_frames(error) or report.stack
+    if isinstance(error, MistakeError):
+        text, words = "".join(report.stack.format()) + f"{error}\n", str(error)
+    else:
+        text, words = "".join(report.format()), " ".join("".join(report.format_exception_only()).split())
+    say(text, sys.stderr, end="")  # the page says it, too
+    last = report.stack[-1]
+    path = Path(last.filename).resolve()
+    place = path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else path.name
+    return f"{words} ({place}, line {last.lineno})"
+
+
+# --- pendula that are no pendula --------------------------------------------------------------------------------------
+
+
+def check_made(make, pend_list, keys, parts) -> None:
+    """Raise a MistakeError if the function make has returned no list of complete pendula.
+
+    keys are those of a pendulum's numbers, parts is the number of its objects.
+    """
+    if pend_list is None:
+        raise MistakeError(make, "returned None; it must return a list of dictionaries. Is a return missing?")
+    if not isinstance(pend_list, list) or not all(isinstance(pend, dict) for pend in pend_list):
+        raise MistakeError(make, f"returned a {type(pend_list).__name__}; it must return a list of dictionaries.")
+    if not pend_list:
+        raise MistakeError(make, "returned an empty list; a cradle has at least one pendulum.")
+    check_numbers(make, pend_list, keys)
+    for number, pend in enumerate(pend_list, start=1):
+        objects = pend.get("objects")
+        if not isinstance(objects, tuple) or len(objects) != parts:
+            found = f"a {type(objects).__name__}" if "objects" in pend else "nothing"
+            raise MistakeError(make, f"set objects of pendulum {number} to {found}; it must be a tuple of parts.")
+
+
+def check_moved(tick, pend_list, count, keys) -> None:
+    """Raise a MistakeError if the function tick has changed the number of pendula, count, or made a number unusable."""
+    if len(pend_list) != count:
+        raise MistakeError(tick, f"made {len(pend_list)} pendula from {count}; it must keep their number.")
+    check_numbers(tick, pend_list, keys)
+
+
+def check_numbers(function, pend_list, keys) -> None:
+    """Raise a MistakeError if the function has set one of these keys of a pendulum to no finite number."""
+    for number, pend in enumerate(pend_list, start=1):
+        for key in keys:
+            if not (isinstance(pend.get(key), Real) and isfinite(pend[key])):
+                found = repr(pend[key]) if key in pend else "nothing"
+                raise MistakeError(function, f"set {key} of pendulum {number} to {found}; it must be a finite number.")

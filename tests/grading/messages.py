@@ -1,0 +1,266 @@
+"""Calls, values and errors as text for students."""
+
+import re
+import traceback
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import islice
+from numbers import Real
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from vpython import box, cylinder, sphere, vector
+
+from grading import limits
+from grading.handout import FUNCTIONS
+from grading.project_path import ROOT
+from support.start.preview import is_unwritten
+
+LABEL = 12  # columns of the labels of a message
+WIDTH = 62  # columns of the text to the right of them: a terminal has 80
+MOST = 20  # elements shown of a list
+PENDULA = 3  # pendula shown of a call
+DICTIONARIES = 1  # shown of a list of dictionaries
+ROWS = 4  # lines shown of a file
+LINES = 5  # lines shown of a result, and of an expected value
+MOST_CHARACTERS = 300  # shown of a text
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """An expectation that several values meet: its words, and a test of a value."""
+
+    words: str
+    is_one: Callable
+    like: Any = None  # an example of its form
+
+
+class PlainFile(NamedTuple):
+    """A file whose path is an argument of a call."""
+
+    path: str
+    text: str
+
+
+class Call(NamedTuple):
+    """A call of a student's function; arguments has plain copies from before the call."""
+
+    function: str
+    arguments: tuple | None = None  # None if the function was not found
+    times: int = 1
+
+    def lines(self) -> list[str]:
+        """Return it as text: the call, and below it the values of the pendula and files that the function reads."""
+        function = FUNCTIONS[self.function]
+        if self.arguments is None:
+            return [f"{self.function}({function.parameters})"]
+        words: list[str] = []
+        below = [f"{self.times} times in a row"] if self.times > 1 else []
+        for name, value in zip(function.parameters.split(", "), self.arguments, strict=False):
+            if value and isinstance(value, (PlainFile, dict, list)):
+                words.append(name)
+                below += value_lines(name, value, function.reads)
+            else:
+                words.append(f"{name}={shown(value)}")
+        return [f"{self.function}({', '.join(words)})", *below]
+
+    def has_changed_a_file(self) -> bool:
+        return any(isinstance(before, PlainFile) and plain(before.path) != before for before in self.arguments)
+
+
+def plain(value):
+    """Return a plain copy of an argument: a file with its text, pendula without objects."""
+    if isinstance(value, list):
+        return [plain(element) for element in value]
+    if isinstance(value, dict) and "objects" in value:
+        axle, bob = value["objects"][:2]
+        place = {"axle": tuple(axle.pos.value), "bob": tuple(bob.pos.value), "radius": bob.radius}
+        return {**{name: value[name] for name in ("mass", "e", "theta", "omega")}, **place}
+    if isinstance(value, str) and Path(value).is_file():
+        return PlainFile(value, Path(value).read_text(encoding="utf-8"))
+    return value
+
+
+def value_lines(name, value, keys) -> list[str]:
+    """Return lines about an argument that is too long for the call: a file, a pendulum, or a list of pendula.
+
+    keys are the keys of a pendulum that the lines show.
+    """
+    if isinstance(value, PlainFile):
+        rows = value.text.splitlines()
+        if len(rows) > ROWS:
+            rows[ROWS - 1 :] = [f"... ({len(rows)} lines in all)"]
+        return [f"{name} is the path of {Path(value.path).name}:", *(f"    {row}" for row in rows)]
+    if isinstance(value, list):
+        more = [f"... ({len(value)} in all)"] if len(value) > PENDULA else []
+        lines = [line for i, pend in enumerate(value[:PENDULA]) for line in value_lines(f"{name}[{i}]", pend, keys)]
+        return [*lines, *more]
+    return [f"{name}: " + ", ".join(f"{key} {shown(value[key])}" for key in keys)]
+
+
+def shown(value, digits=6) -> str:
+    """Return a value as text: numbers with this number of digits, each dictionary of a list on its own line."""
+    try:
+        return text_of(value, digits)
+    except RecursionError:
+        return f"a {type(value).__name__} that contains itself"
+    except Exception:
+        return f"a {type(value).__name__} that has no text"
+
+
+def text_of(value, digits) -> str:
+    """Return the same as shown, but let errors of the value pass."""
+    if isinstance(value, Wanted):
+        return value.words
+    if isinstance(value, bool) or value is None:
+        return str(value)
+    if isinstance(value, Real):
+        return f"{value:.{digits}g}"
+    if isinstance(value, vector):
+        return f"vector({', '.join(text_of(number, digits) for number in value.value)})"
+    if isinstance(value, sphere):
+        return "a bob"
+    if isinstance(value, (box, cylinder)):
+        return "an axle" if isinstance(value, box) else "a cord"
+    if isinstance(value, dict):
+        parts = [f"{text_of(key, digits)}: {text_of(part, digits)}" for key, part in islice(value.items(), MOST)]
+        return "{" + joined(parts, value, value.values()) + "}"
+    if isinstance(value, list):
+        most = DICTIONARIES if any(isinstance(part, dict) for part in value) else MOST
+        return "[" + joined([text_of(part, digits) for part in value[:most]], value, value) + "]"
+    if isinstance(value, tuple):
+        comma = "," if len(value) == 1 else ""
+        return "(" + joined([text_of(part, digits) for part in value[:MOST]], value, value) + comma + ")"
+    text = repr(value)
+    return text if len(text) <= MOST_CHARACTERS else text[:MOST_CHARACTERS] + "..."
+
+
+def joined(parts, whole, elements) -> str:
+    """Return the parts of a list, tuple or dictionary in lines, and the full number if parts are left out."""
+    has_pendula = any(isinstance(element, dict) for element in elements)
+    if len(whole) > len(parts):
+        parts = [*parts, f"... ({len(whole)} in all)"]
+    text = "".join(parts[:1])
+    for part in parts[1:]:
+        line = text.rpartition("\n")[2]
+        text += (",\n " if has_pendula or len(line) + len(part) > WIDTH else ", ") + part
+    return text
+
+
+def about(what, value, digits=6) -> list[str]:
+    """Return a value as lines, after the words in what: in one line if it is short."""
+    lines = shown(value, digits).split("\n")
+    if len(lines) > LINES:
+        lines[LINES - 1 :] = [" ..."]
+    if not what:
+        return lines
+    return [f"{what}: {lines[0]}"] if len(lines) == 1 and len(what + lines[0]) < WIDTH else [f"{what}:", *lines]
+
+
+def message(pairs) -> str:
+    """Return pairs of a label and a text (or a list of lines) as one text, without those that have no text."""
+    rows = []
+    for label, text in pairs:
+        lines = text.split("\n") if isinstance(text, str) else text
+        rows += [f"{label if i == 0 else '':<{LABEL}}{line}" for i, line in enumerate(lines) if text]
+    return "\n".join(rows)
+
+
+class Place(NamedTuple):
+    """A line of a student's file that an error has passed."""
+
+    file: str  # below the project's folder
+    line: int
+    function: str  # "" for a line that is no Python
+    code: str
+
+
+def own_places(error) -> list[Place]:
+    """Return the places of an error in the student's own files; the last call comes last."""
+    places = [
+        Place(each.filename, each.lineno, each.name, each.line) for each in traceback.extract_tb(error.__traceback__)
+    ]
+    if isinstance(error, SyntaxError) and error.filename:
+        places.append(Place(error.filename, error.lineno, "", (error.text or "").strip()))
+    # ROOT is resolved, for example to the share behind a drive on Windows. "<string>" is no file.
+    files = [(Path(place.file).resolve(), place) for place in places if Path(place.file).is_absolute()]
+    return [
+        place._replace(file=file.relative_to(ROOT).as_posix())
+        for file, place in files
+        if file.is_relative_to(ROOT / "src")
+    ]
+
+
+def own_lines(error) -> list[str]:
+    """Return own_places as lines of text."""
+    lines = []
+    for file, line, function, code in own_places(error):
+        lines += [f"{file}, line {line}{', in ' * bool(function)}{function}", f"    {code}"]
+    return lines if len(lines) <= 8 else [*lines[:2], f"... ({len(lines) // 2} places in all)", *lines[-4:]]
+
+
+def end_of(error) -> tuple[str, list[str]]:
+    """Return, as (label, lines), how an error ended a call: the error itself, or where the grader stopped the call."""
+    limit = limits.over_limit(error)
+    if not limit:
+        return "it raised", raised(error)
+    is_late = isinstance(error, KeyboardInterrupt)
+    end = f"nothing, within {limits.PATIENCE:g} s; it was" if is_late else f"nothing; it {limit} and was"
+    return "came back", [f"{end} stopped here:", *own_lines(error)]
+
+
+def raised(error) -> list[str]:
+    """Return an error, and its places in the student's own lines, as lines of text."""
+    try:
+        text = f"{type(error).__name__}: {error}"
+    except Exception:
+        text = f"{type(error).__name__}, which has no text"
+    return [*text[:MOST_CHARACTERS].split("\n"), *own_lines(error)]
+
+
+def stub_of(error) -> str | None:
+    """Return the function that raised this error because it is not written yet, or None."""
+    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
+    code = frames[-1].f_code if isinstance(error, NotImplementedError) else None
+    return code.co_name if code and code.co_name in FUNCTIONS and is_unwritten(code) else None
+
+
+def line_of(error, file) -> str:
+    """Return the last line of this file of src/ that an error has passed, as "FILE, line N"."""
+    lines = [f", line {place.line}" for place in own_places(error) if place.file == file]
+    return file + "".join(lines[-1:])
+
+
+def culprit_of(error) -> str | None:
+    """Return the file of src/ that made an import fail, or None.
+
+    It lacks a function, or is missing itself, or is the first one of a circle, or has the last line that ran.
+    """
+    missing = re.match(r"cannot import name '(\w+)' from 'src\.", str(error))
+    if missing and missing[1] in FUNCTIONS:
+        return FUNCTIONS[missing[1]].file
+    if isinstance(error, ModuleNotFoundError) and error.name.startswith("src."):
+        return error.name.replace(".", "/") + ".py"
+    # The files whose import the error stopped: only their own lines, not those of functions that they called.
+    files = [place.file for place in own_places(error) if place.function in ("", "<module>")]
+    if is_circle(error):
+        order = [*{function.file: None for function in FUNCTIONS.values()}]
+        # In the order of the handout, it is the first file that imports from a later one.
+        return min(files, key=lambda file: order.index(file) if file in order else len(order), default=None)
+    return files[-1] if files else None
+
+
+def is_circle(error) -> bool:
+    """Return whether an import failed because files import from each other."""
+    return "circular import" in str(error)
+
+
+def import_hint(error) -> str:
+    """Return the hint for a failed import, or ""."""
+    if is_circle(error):
+        return f"Your files import each other in a circle. Remove the import in {culprit_of(error)}."
+    if isinstance(error, ModuleNotFoundError):
+        is_here = (ROOT / "src" / f"{error.name}.py").is_file()
+        not_here = "Is the name right? Is the module installed for this Python?"
+        return f"Write src.{error.name} in the import." if is_here else not_here
+    return ""

@@ -1,0 +1,404 @@
+"""The cradles of the programs, single and double: options, reloads, release, hits, the dragged bob, and mistakes."""
+
+import random
+import re
+from collections import defaultdict
+from functools import partial
+from itertools import pairwise, product
+from math import asin, inf, nan, pi, radians, sin
+
+import pytest
+from programs import slow_but_for
+from whole_cradles import check_places, components, distances, FIVE_CSV, hang_double, HEADER, make_swing, PERIOD, thetas
+
+from grading.cradles import hang, MIXED_CSV, R, row
+from src import visualize_cradle_run
+from support import shapes
+from support.constants import BUFFER, DOUBLE_DT, G, R_PARAM
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
+from support.cradle.dragging import cord_angles, drag_bob, drag_pendulum, move, touching_angle
+from support.pendulum import OUTWARDS
+from support.start.mistake import MistakeError
+
+BOTH = pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
+
+
+@pytest.fixture
+def swing(tmp_path):
+    """make_swing, in a folder of its own."""
+    return partial(make_swing, tmp_path)
+
+
+def values(player, key):
+    return player.cradle.values(key)
+
+
+# --- options, reloads and release ------------------------------------------------------------------------------------
+
+
+@BOTH
+def test_collisions_are_those_of_the_options_can_be_changed_in_full_swing_and_survive_a_reload(swing, kind):
+    for options, e in (({"elastic": True}, 1), ({"inelastic": True}, 0), ({"e": 0.25, "mass": 2.0}, 0.25)):
+        player = swing(MIXED_CSV, kind=kind, **options)
+        assert values(player, "e") == [e] * 3
+    assert values(player, "mass") == [2.0] * 3
+    player.swing(100)
+    angles, es = values(player, "theta"), []
+    for collision in player.cradle.collisions:
+        player.collide(collision)
+        es.append(values(player, "e"))
+    assert es == [[0.9, 0.8, 0.7], [1, 1, 1], [0, 0, 0], [0.25, 0.25, 0.25]]
+    assert values(player, "theta") == angles
+    assert player.snapshot.filepath.read_text() == MIXED_CSV
+    player.read(FIVE_CSV)
+    assert values(player, "e") == [0.25] * 5
+    player.collide("as in the CSV")
+    assert values(player, "e") == [1.0] * 5
+
+
+@BOTH
+@pytest.mark.parametrize(("lifted", "expected"), [(0, 0), (2, 2), (9, 3)])
+def test_release_lifts_the_first_pendula_outwards_and_all_are_at_rest(swing, kind, lifted, expected):
+    player = swing(MIXED_CSV, kind=kind)
+    player.swing(500)
+    player.cradle.release(thetas([30, -20])[: len(kind.angles)], lifted)
+    for key, angle in zip(kind.angle_keys, (30, -20), strict=False):
+        assert values(player, key) == pytest.approx([OUTWARDS * radians(angle)] * expected + [0] * (3 - expected))
+    assert [values(player, key) for key in kind.rate_keys] == [[0, 0, 0]] * len(kind.rate_keys)
+    for pend, axle in zip(player.cradle.pend_list, player.cradle.axles(), strict=True):
+        check_places(pend, (axle.pos.x, axle.pos.y))
+    assert expected == 3 or axle.pos.y - player.cradle.bobs()[-1].pos.y == pytest.approx(player.cradle.reach)
+
+
+INTO_OTHERS = product([1, 2], [(45, -120), (0, -14), (0, -20), (10, -40), (30, -110)])
+
+
+@pytest.mark.parametrize(("lifted", "angles"), slow_but_for([(1, (0, -14))], INTO_OTHERS))
+def test_a_release_into_hanging_pendula_pushes_them_aside(swing, lifted, angles):
+    """Otherwise, inelastic bobs would jump apart. A single lifted pendulum stays where it is."""
+    player = swing(kind=DoubleCradle, inelastic=True)
+    player.cradle.release(thetas(angles), lifted)
+    assert lifted > 1 or values(player, "phi")[0] == pytest.approx(OUTWARDS * radians(angles[1]))
+    assert min(distances(player.cradle.pend_list)) > 0.98
+    least = sum(player.cradle.energies())
+    for _ in range(100):
+        player.swing(40)
+        assert sum(player.cradle.energies()) <= least * (1 + 1e-6)
+        least = min(least, sum(player.cradle.energies()))
+
+
+@BOTH
+def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch, kind):
+    """When the first file is back, each single pendulum has its first objects again."""
+    monkeypatch.setattr(shapes, "discarded", defaultdict(list))
+    player = swing(kind=kind)
+    player.cradle.hand.hold(4)
+    first = values(player, "objects")
+    player.read(HEADER + "2,0.5,0,0,blue,wood\n" * 2)
+    new = {id(shape) for objects in values(player, "objects") for shape in objects}
+    assert new < {id(shape) for objects in first for shape in objects}
+    assert all(shape.visible == (id(shape) in new) for objects in first for shape in objects)
+    assert (values(player, "mass"), player.cradle.hand.held) == ([2, 2], None)
+    player.read(FIVE_CSV)
+    assert kind is DoubleCradle or values(player, "objects") == first
+
+
+# --- hits ------------------------------------------------------------------------------------------------------------
+
+
+@BOTH
+@pytest.mark.parametrize("separating", [True, False])
+def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(swing, kind, separating):
+    """With e below 1, bobs stay together if separating ones collide too."""
+    player, same = swing(kind=kind, e=0.8), swing(kind=kind, e=0.8).cradle
+    player.separating = separating
+    ticks = round(0.6 * PERIOD / kind.dt)
+    player.swing(ticks)
+    for _ in range(ticks):
+        same.scope[kind.names.tick](same.pend_list, R_PARAM, kind.dt, G, approaching_only=not separating)
+    assert player.cradle.coordinates() == same.coordinates()
+    trains = " ".join(map(str, player.motion.trains.trains))
+    assert trains.startswith("1")
+    assert ("stay together" in trains) == separating
+
+
+@pytest.mark.parametrize(("theta", "phi"), [(30, 0), (60, -50), (10, 120)])
+def test_the_speed_of_a_double_hit_is_that_of_the_nearest_bobs(swing, theta, phi):
+    player = swing(HEADER + "1,1,0,0,red,wood\n" * 2, theta, phi=phi, kind=DoubleCradle)
+    while not player.motion.fastest:
+        before = distances(player.cradle.pend_list)
+        player.swing(1)
+    after, touching = distances(player.cradle.pend_list), BUFFER * 2 * player.cradle.bobs()[0].radius
+    closer = (before[after.index(min(after))] - min(after)) * touching / DOUBLE_DT
+    assert player.motion.take_fastest() == pytest.approx(closer, rel=0.01)
+
+
+@pytest.mark.parametrize("name", ["newton_cradle_tick", "handle_two_bobs"])
+def test_functions_with_the_handouts_own_parameters_work(swing, monkeypatch, name):
+    """main passes no approaching_only if one of the two functions does not take it."""
+    function = vars(visualize_cradle_run)[name]
+    assert (swing().cradle.takes_rule, swing().separating) == (True, False)
+    own = {
+        "newton_cradle_tick": lambda pend_list, r_param, dt, g: function(pend_list, r_param, dt, g),
+        "handle_two_bobs": lambda pend1, pend2, r_param: function(pend1, pend2, r_param),
+    }[name]
+    monkeypatch.setattr(visualize_cradle_run, name, own)
+    player = swing()
+    assert (player.cradle.takes_rule, player.separating, player.rule) == (False, True, {})
+    player.swing(5000)
+    assert vars(visualize_cradle_run)[name] is own  # it is in its place again after the ticks
+    assert player.motion.has_hit()
+
+
+def test_each_call_that_changes_a_velocity_is_a_hit(swing):
+    """Also where a bob has its old velocity after the tick. Bobs that move apart hit with a speed below 0."""
+    cradle = swing(lift=0).cradle
+    for bob in cradle.bobs():
+        bob.radius *= 1.01
+    cradle.pend_list[0]["omega"] = 2.0
+    cradle.hits.listen()
+    for left, right in [*pairwise(cradle.pend_list), cradle.pend_list[:2]]:
+        cradle.scope["handle_two_bobs"](left, right, R_PARAM)  # the last two are at rest
+    cradle.scope["handle_two_bobs"](cradle.pend_list[4], pend2=cradle.pend_list[3], r_param=R_PARAM)  # in any order
+    cradle.hits.stop()
+    speed = pytest.approx(2 * R_PARAM)
+    assert cradle.hits.new == [*((i, i + 1, True, speed) for i in range(4)), (3, 4, True, pytest.approx(-2 * R_PARAM))]
+
+
+@pytest.mark.parametrize(
+    ("bob", "angle", "through"),
+    [(0, -90, False), (0, 20, False), (0, 45, True), (0, 100, False), (4, -45, True), (4, -100, False)],
+)
+def test_a_bob_swings_through_others_if_bobs_that_are_no_neighbours_changed_order(swing, bob, angle, through):
+    """Not above the axles, where it comes over the top."""
+    cradle = swing(lift=0).cradle
+    move(cradle.pend_list[bob], [radians(angle)], R_PARAM)
+    assert cradle.swings_through() == through
+
+
+# --- the held and dragged bob -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("kind", "bob", "separating"),
+    [(Cradle, 1, False), (Cradle, 1, True), (DoubleCradle, 2, False), (DoubleCradle, 3, False)],
+)
+def test_a_held_bob_stays_and_throws_others_back(swing, kind, bob, separating):
+    player = swing(kind=kind)
+    player.separating = separating
+    cradle = player.cradle
+    cradle.hand.hold(bob)
+    masses, energy, thrown_back = values(player, "mass"), sum(cradle.energies()), False
+    for _ in range(100):
+        player.swing(round(0.9 * PERIOD / kind.dt / 100))
+        assert player.motion.trains.lines() == []
+        assert [values(player, key)[1:] for key in kind.angle_keys] == [[0.0] * 4] * len(kind.angles)
+        thrown_back = thrown_back or cradle.momentum() * OUTWARDS > 0.2
+    assert thrown_back  # as from a wall
+    assert sum(cradle.energies()) == pytest.approx(energy, rel=0.01)
+    assert values(player, "mass") == masses
+
+
+@pytest.mark.parametrize(("kind", "bob", "cords"), [(Cradle, 4, 1), (DoubleCradle, 8, 1), (DoubleCradle, 9, 2)])
+def test_a_bob_is_dragged_let_go_and_swings_on_with_no_speed(swing, kind, bob, cords):
+    player = swing(lift=5, kind=kind)
+    player.swing(300)
+    cradle, pend = player.cradle, player.cradle.pend_list[4]
+    assert all(pend[key] for key in kind.rate_keys)
+    cradle.hand.hold(bob)
+    assert not any(pend[key] for key in kind.rate_keys)
+    axle = cradle.axles()[4].pos
+    cradle.hand.drag(axle.x + 3, axle.y - 3)  # along its arc, even if the mouse is far away
+    at = (cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0)
+    player.swing(100)
+    assert components(cradle.bobs()[bob].pos - axle) == pytest.approx(at)
+    cradle.hand.let_go()
+    assert not any(pend[key] for key in kind.rate_keys)
+    player.swing(100)
+    assert cradle.bobs()[bob].pos.x - axle.x < at[0]
+
+
+def drag(pend_list, held, theta):
+    """Drag the held pendulum to theta in one step; return the thetas of all pendula."""
+    drag_pendulum(pend_list, held, [theta], R)
+    return [pend["theta"] for pend in pend_list]
+
+
+@pytest.mark.parametrize("held", range(5))
+@pytest.mark.parametrize("theta", [-1.5, -0.3, -1e-4, 1e-4, 0.3, 1.5])
+def test_a_dragged_bob_pushes_those_in_its_way(held, theta):
+    """Pushed bobs just touch, at rest; the others swing on, and so do all if the bob moves less than the gap."""
+    pend_list = row(5, omega=2.0)
+    assert drag(pend_list, held, theta)[held] == pytest.approx(theta)
+    pushed = [abs(theta) > 0.01 and (i - held) * theta > 0 for i in range(5)]
+    for i, pend in enumerate(pend_list):
+        assert (pend["theta"] != 0, pend["omega"]) == ((True, 0) if pushed[i] or i == held else (False, 2))
+        check_places(pend, (i * R / 4, 0), R)
+    for i, pair in enumerate(pairwise(pend_list)):
+        assert 1 < min(distances(pair)) < (1 + 1e-6 if any(pushed[i : i + 2]) else inf)
+
+
+def test_a_dragged_bob_leaves_those_that_are_not_in_its_way():
+    assert drag(row(2), 0, -3.0) == pytest.approx([-3.0, 0])  # away from its neighbour, and on over its axle
+    pend_list = row(3)
+    pend_list[1]["theta"] = 3.0
+    assert drag(pend_list, 1, -3.0) == pytest.approx([0, 2 * pi - 3.0, 0])  # the short way, over the top
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+@pytest.mark.parametrize("turns", [-2, 0, 1])
+def test_bobs_touch_at_the_angle_of_the_law_of_cosines(side, turns):
+    """By hand: two axles in one place, equal cords, bobs of two sizes, D = 2 R sin(delta / 2)."""
+    pend, other = hang(radius=0.03), hang(0.5, radius=0.06)["objects"][1]
+    delta = 2 * asin(BUFFER * (0.03 + 0.06) / (2 * R))
+    touching = 0.5 + side * delta + 2 * pi * turns
+    for closer, angle in ((1e-6, touching), (0.9 * delta, touching), (-1e-6, None)):
+        pend["theta"] = touching - side * closer
+        assert touching_angle(pend, 0, other, R) == (angle and pytest.approx(0.5 + side * delta))
+    other.pos = pend["objects"][0].pos  # on the axle, where it has no direction
+    assert touching_angle(pend, 0, other, R) is None
+
+
+def test_a_bob_that_comes_round_over_the_top_pushes_the_others_from_their_other_side():
+    """A person drags the first bob up on the left, over its axle and down on the right: it meets the last bob first."""
+    pend_list = row(3)
+    for theta in (-2.0, -3.1, 2.2, 1.0, 0.5):
+        before = [pend["theta"] for pend in pend_list]
+        after = drag(pend_list, 0, theta)
+        assert all(gap > 1 for gap in distances(pend_list))
+        assert all(abs(new - old) < 1 for new, old in zip(after[1:], before[1:], strict=True))
+    assert after[1] < 0  # pushed on to the left
+
+
+def double_row(count, phi=0.0):
+    """Return double pendula R / 4 apart that move; their upper cords hang straight down."""
+    return [hang_double(phi=phi, axle=(i * R / 4, 0), omega=2.0, phi_omega=-1.0, r_param=R) for i in range(count)]
+
+
+def test_an_upper_bob_leaves_the_direction_of_the_lower_cord():
+    pend_list = double_row(1, 0.5)
+    drag_bob(pend_list, 0, 0, 1.0, -1.0, R)
+    assert cord_angles(pend_list[0]) == pytest.approx([pi / 4, 0.5])
+
+
+@pytest.mark.parametrize("phi", [0.3, -0.3, 6.0, -6.0, 0.0, 2 * pi])
+@pytest.mark.parametrize(("x", "y"), [(0.3, -0.4), (-0.3, -0.2), (0.1, 0.5), (-0.05, -0.05)])
+def test_a_lower_bob_follows_the_mouse_and_its_cords_bend_to_the_same_side_as_before(x, y, phi):
+    """Straight cords bend so that the upper bob hangs lower than the line to the mouse."""
+    pend_list = double_row(1, phi)
+    drag_bob(pend_list, 0, 1, x, y, R)
+    assert components(pend_list[0]["objects"][3].pos) == pytest.approx((x, y, 0))
+    check_places(pend_list[0], (0, 0), R)
+    bend = sin(phi) if phi % (2 * pi) else x
+    assert (sin(pend_list[0]["phi"]) > 0) == (bend > 0)
+    drag_bob(pend_list, 0, 1, 3.0, -4.0, R)  # out of reach: the cords stretch in this direction
+    assert components(pend_list[0]["objects"][3].pos) == pytest.approx((1.2 * R, -1.6 * R, 0))
+
+
+@pytest.mark.parametrize("bob", [0, 1])
+@pytest.mark.parametrize("held", range(4))
+@pytest.mark.parametrize(("x", "y"), [(0.5, -0.6), (-0.5, -0.6), (0.3, -0.3), (-0.2, -0.5)])
+def test_both_bobs_push_those_in_their_way(held, bob, x, y):
+    pend_list = double_row(4)
+    axle = pend_list[held]["objects"][0].pos
+    drag_bob(pend_list, held, bob, axle.x + x, axle.y + y, R)
+    assert min(distances(pend_list)) > 1
+    moved = [pend["omega"] == 0 for pend in pend_list]
+    assert any(moved[:held] if x < 0 else moved[held + 1 :]) == (held != (0 if x < 0 else 3))
+
+
+@pytest.mark.parametrize("seed", slow_but_for([26], [26, 47, 55, 57]))
+def test_a_bob_stops_if_those_in_its_way_have_no_room(seed):
+    """The neighbour's upper bob is stuck between the two bobs of the dragged pendulum; without a stop, they overlap."""
+    dice, pend_list = random.Random(seed), double_row(5)
+    for _ in range(12):
+        held, bob = dice.randrange(5), dice.randrange(2)
+        drag_bob(pend_list, held, bob, dice.uniform(-1, 1), dice.uniform(-0.8, 0.2), R)
+        assert min(distances(pend_list)) > 0.999
+
+
+def test_all_stay_where_they_were_if_there_is_no_room(monkeypatch):
+    """It does not jump to the next free place, and the other pendula swing on."""
+    pend_list, room = double_row(3), iter([False, *[True] * 99])
+    monkeypatch.setattr("support.cradle.dragging.push_others", lambda *_: next(room))
+    drag_bob(pend_list, 0, 0, 0.3, -0.3, R)
+    assert [cord_angles(pend) for pend in pend_list] == [[0, 0]] * 3
+    assert [pend["omega"] for pend in pend_list] == [0, 2, 2]
+
+
+# --- the functions of a student --------------------------------------------------------------------------------------
+
+MAKE, TICK = "make_newton_cradle", "newton_cradle_tick"
+
+
+@pytest.fixture
+def change(monkeypatch):
+    """A function that lets change(result) replace the result of make_newton_cradle, or change the cradle of a tick."""
+
+    def replace(name, change):
+        function = vars(visualize_cradle_run)[name]
+
+        def changed(given, *others):
+            return change(function(given, *others) or given)
+
+        changed.__name__ = name
+        monkeypatch.setattr(visualize_cradle_run, name, changed)
+
+    return replace
+
+
+def test_a_raised_bob_that_is_held_falls_by_less_than_a_hundredth_of_a_degree(swing, change):
+    places = []
+    change(TICK, lambda pend_list: places.append(pend_list[0]["theta"]))
+    player = swing()
+    player.cradle.hand.hold(0)
+    player.swing(305)
+    assert places == pytest.approx([OUTWARDS * radians(30)] * 305, abs=radians(0.01))
+
+
+@pytest.mark.parametrize(
+    ("angle", "lifted", "lifts", "omega"),
+    [(None, None, [10, 10, 0], -2), (20, None, [20, 20, 0], 0), (None, 3, [10] * 3, 0), (5, 1, [5, 0, 0], 0)],
+)
+def test_the_first_picture_shows_the_cradle_as_it_was_made(swing, change, angle, lifted, lifts, omega):
+    """But for the options: make_newton_cradle lifts two bobs by 10 degrees, and the last one moves."""
+
+    def lift_two(pend_list):
+        for pend in pend_list[:2]:
+            pend["theta"] = OUTWARDS * radians(10)
+        pend_list[2]["omega"] = -2
+        return pend_list
+
+    change(MAKE, lift_two)
+    player = swing(MIXED_CSV, angle, lifted)
+    assert values(player, "theta") == pytest.approx([OUTWARDS * radians(lift) for lift in lifts])
+    assert values(player, "omega") == [0, 0, omega]
+    assert player.cradle.as_made == ([pytest.approx(OUTWARDS * radians(10))], 2)
+
+
+def put(key, value):
+    """Return a function that puts a value into the second pendulum of a cradle, and returns the cradle."""
+    return lambda pend_list: pend_list[1].update({key: value}) or pend_list
+
+
+@pytest.mark.parametrize(
+    ("name", "mistake", "words"),
+    [
+        (MAKE, lambda pend_list: None, "returned None; it must return a list of dictionaries. Is a return missing?"),
+        (MAKE, lambda pend_list: [], "returned an empty list; a cradle has at least one pendulum."),
+        (MAKE, tuple, "returned a tuple; it must return a list of dictionaries."),
+        (MAKE, lambda pend_list: ["pendulum"], "returned a list; it must return a list of dictionaries."),
+        (MAKE, put("theta", "0"), "set theta of pendulum 2 to '0'; it must be a finite number."),
+        (MAKE, put("objects", []), "set objects of pendulum 2 to a list; it must be a tuple of parts."),
+        (MAKE, lambda pend_list: pend_list[4].pop("omega") or pend_list, "set omega of pendulum 5 to nothing; it must"),
+        (TICK, list.pop, "made 4 pendula from 5; it must keep their number."),
+        (TICK, put("omega", None), "set omega of pendulum 2 to None; it must be a finite number."),
+        (TICK, put("omega", nan), "set omega of pendulum 2 to nan; it must be a finite number."),
+        (TICK, put("theta", (1, 2)), "set theta of pendulum 2 to (1, 2); it must be a finite number."),
+    ],
+)
+def test_a_result_that_is_no_cradle_is_named_with_its_function(swing, change, name, mistake, words):
+    change(name, mistake)
+    with pytest.raises(MistakeError, match=f"^{name} {re.escape(words)}"):
+        swing().swing(1)
