@@ -76,7 +76,7 @@ def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, page, pr
             words = blind.locator("main").inner_text().splitlines()
             assert "This browser cannot draw the cradle: WebGL 2 is missing or switched off." in words
             assert blind.title() == "Newton's cradle"
-        complaint, _, offer = (process.stdout.readline() for _ in range(3))
+            complaint, _, offer = (process.stdout.readline() for _ in range(3))  # while the browser can still report it
         assert complaint == "Your browser cannot draw the cradle: WebGL 2 is missing or switched off.\n"
         assert offer == f"    {words[-1]}\n"
         done = subprocess.run([*shlex.split(words[-1]), "--seconds", "0.1"], cwd=folder, capture_output=True, text=True)
