@@ -292,6 +292,8 @@ _FIRST: dict = {
 class baseObj:
     """A thing that is only for show: it stores its attributes, and all calls of it and its methods do nothing."""
 
+    sent = True  # to a page, without which nothing waits
+
     def __init__(self, *_, **attributes):
         for name, value in attributes.items():
             setattr(self, name, value)

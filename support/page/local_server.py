@@ -96,10 +96,7 @@ def port_of(listener) -> int:
 
 
 class Access:
-    """Decides which requests may see the page, those with the key, and which tab shows the cradle, only one.
-
-    A tab here is the connection of its websocket.
-    """
+    """Decides which requests may see the page, those with the key, and which tab (its websocket) shows the cradle."""
 
     def __init__(self, show_again) -> None:
         """Begin without a tab; call show_again() for each tab that begins to show the cradle."""
@@ -245,6 +242,7 @@ def page_websocket(sockets, access) -> Any:
         logging.getLogger("autobahn").setLevel(logging.CRITICAL)  # it quotes refused clients
         factory.setProtocolOptions(allowedOrigins=origins, allowNullOrigin=False, webStatus=False)
         factory.setProtocolOptions(maxFramePayloadSize=LARGEST_MESSAGE, maxMessagePayloadSize=LARGEST_MESSAGE)
+        factory.setProtocolOptions(closeHandshakeTimeout=10)  # s; from 1 s, a busy tab is cut off and gets no ELSEWHERE
         objects = sys.modules[factory.protocol.__module__].baseObj.object_registry  # of VPython, by number
         factory.protocol = one_tab_only(factory.protocol, access, objects)
         return await create_server(loop, factory, sock=websocket)

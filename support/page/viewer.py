@@ -128,9 +128,9 @@ class Viewer(Player):
             self.one_tick = None
 
     def wait_for_page(self, patience=inf) -> None:
-        """Wait until the page has fetched all changes, but at most patience (s)."""
+        """Wait until the page has all changes (VPython empties its list, then sends), but at most patience (s)."""
         begin = time.monotonic()
-        while not baseObj.empty() and time.monotonic() - begin < patience:
+        while not (baseObj.empty() and baseObj.sent) and time.monotonic() - begin < patience:
             time.sleep(FRAME)
 
     def end(self, words) -> None:

@@ -115,7 +115,9 @@ MOVES = f"""async () => {{
 # Wait until the program has pointed the camera at a canvas of another size: it does so before it shows three new times.
 CAMERA_FOLLOWS = """async () => {
     const says = () => document.querySelector(".readout").innerText;
-    for (let before = says(), changes = 0; changes < 3 && document.querySelector("button").innerText === "Pause";) {
+    const hasEnded = () => document.querySelector(".notice, .ended");
+    const runs = () => document.querySelector("button").innerText === "Pause" && !hasEnded();
+    for (let before = says(), changes = 0; changes < 3 && runs();) {
         await new Promise(requestAnimationFrame);
         if (says() !== before) changes++, before = says();
     }

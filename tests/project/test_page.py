@@ -100,7 +100,7 @@ def shared(started, file):
 
 def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
     shared.set_viewport_size({"width": 1000, "height": 400})  # so that the panel can scroll
-    assert shared.get_by_role("button", name="Step").is_disabled()
+    wait_until(lambda: shared.get_by_role("button", name="Step").is_disabled())
     slide(shared, SPEED, 0.5)
     shared.keyboard.press("Space")
     shared.get_by_role("button", name="Run").wait_for()
@@ -346,8 +346,12 @@ HIT = """async speeds => {
         hit.innerHTML = `<i class="hit" data-speed="${speed}"></i>`;
         await null;
     }
-    await new Promise(resolve => setTimeout(resolve, 400));
-    return peak();
+    const peaks = [];
+    for (let look = 0; look < 20; look++) { // a single look can be too early or too late
+        await new Promise(resolve => setTimeout(resolve, 50));
+        peaks.push(peak());
+    }
+    return Math.max(...peaks);
 }"""
 
 
@@ -381,10 +385,12 @@ LETTERS = "e => parseFloat(getComputedStyle(e).fontSize)"
 @pytest.fixture
 def at_rest(shared):
     """The page in a laptop's window, with all bobs at rest; the canvas is as large as it is for a user."""
-    pause(shared)
-    slide(shared, programs.LIFTED, 0.01)
     shared.evaluate("document.querySelector('#small').disabled = true")
     resize(shared, LAPTOP)
+    shared.evaluate(programs.CAMERA_FOLLOWS)  # only while the cradle runs
+    pause(shared)
+    slide(shared, programs.LIFTED, 0.01)
+    programs.wait_for_lifts(shared, 0, 0, 0, 0, 0)
     yield shared
     shared.evaluate("document.querySelector('#small').disabled = false")
 

@@ -72,6 +72,7 @@ def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, page, pr
         arguments = ["--no-sandbox", "--disable-3d-apis"]
         with driver.chromium.launch(executable_path=programs.CHROMIUM, args=arguments) as browser:
             blind = browser.new_page()
+            blind.set_default_timeout(programs.SECONDS * 1000)
             blind.goto(address, wait_until="commit")
             words = blind.locator("main").inner_text().splitlines()
             assert "This browser cannot draw the cradle: WebGL 2 is missing or switched off." in words
@@ -213,4 +214,4 @@ def test_simulated_time_keeps_step_with_the_wall(page, program):
 
     with programs.running(program) as process:
         open_cradle(page, programs.first_lines(process), bobs=1)
-        wait_until(has_kept_step)
+        wait_until(has_kept_step, 3 * programs.SECONDS)  # a busy machine seldom has seven seconds without a stall

@@ -22,7 +22,10 @@ PRIVATE = {
         *("def onClose(self, ", "self.sendMessage(", "baseObj.object_registry[", "VPYTHON_HTTP_PORT"),
         "VPYTHON_NO_LAUNCH_BROWSER",
     ],
-    "vpython.py": ["object_registry = ", "def empty(cls)", "'append_to_caption'", "'append_to_title'", "'resize':["],
+    "vpython.py": [
+        *("object_registry = ", "def empty(cls)", "sent = True"),
+        *("'append_to_caption'", "'append_to_title'", "'resize':["),
+    ],
     "vpython_libraries/glowcomm.html": [
         *("<head>", "var glowObjs", "var lastsliders", "in lastsliders", "var sliders", "var events", "'winput'"),
         *(".objName", "'update_canvas'", "'trigger'"),
