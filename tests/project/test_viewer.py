@@ -7,9 +7,10 @@ import re
 from itertools import pairwise
 from math import copysign, pi
 from types import SimpleNamespace
+from unittest.mock import Mock
 
 import pytest
-from vpython import cylinder, scene, vector, wtext
+from vpython import baseObj, cylinder, scene, vector, wtext
 from wall import set_slider, Wall
 from whole_cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD, thetas
 
@@ -175,6 +176,15 @@ def test_the_time_that_a_page_takes_to_open_does_not_count(wall, monkeypatch):
     wall.viewer.give("show again")
     wall.wait()
     assert wall.viewer.motion.ticks == 0
+
+
+def test_the_program_ends_after_its_last_message_is_sent(wall, monkeypatch):
+    """VPython's list of changes is empty before they are sent."""
+    monkeypatch.setattr(baseObj, "sent", False)
+    send = Mock(side_effect=lambda _: setattr(baseObj, "sent", True))
+    monkeypatch.setattr("support.page.viewer.time.sleep", send)
+    wall.viewer.end("NameError")
+    send.assert_called_once()
 
 
 # --- dragging --------------------------------------------------------------------------------------------------------
