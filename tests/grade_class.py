@@ -1,56 +1,71 @@
 """Grade a whole class: `python tests/grade_class.py SUBMISSIONS`.
 
-SUBMISSIONS has a folder or a .zip for each student. Each solution runs in a fresh starter, in a process of its own.
+SUBMISSIONS has a folder or a .zip for each student. On each core, a judge grades one solution after the other. The
+solution itself runs in a process of its own, in a sandbox.
 """
 
-import hashlib
 import os
 import sys
+
+STOPPED = "Stopped. The same command goes on from there."
+if __name__ == "__main__":
+    # Python finds the project, also with -P.
+    sys.path[:0] = [os.path.dirname(os.path.dirname(os.path.realpath(__file__))), os.path.dirname(__file__)]
+    from support.start.early import end_on_interrupt
+
+    end_on_interrupt(130, f"{STOPPED}\n")  # while the modules are imported
+
+import atexit
+import gc
+import multiprocessing
+import signal
+import threading
 import time
-from concurrent.futures import as_completed, ThreadPoolExecutor
+from concurrent.futures import as_completed, ProcessPoolExecutor
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from queue import SimpleQueue
 from tempfile import TemporaryDirectory
-
-if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
 
 from grading.project_path import ROOT
 from support import headless_vpython
 
 headless_vpython.install()
 
-from grading.grade import lines
 from grading.grader import checks
 from grading.handout import SUITES
 from support.files.data_file import whole_file
 from support.start.options import OneLineParser
-from support.start.output import in_one_line, is_unread, refuse, while_it_is_read
+from support.start.output import complain, in_one_line, is_unread, refuse, say, while_it_is_read
 from support.terminal.screen import progress_bar
-from teacher.report import line_of, Result, results_in, summary, write_grades, write_gradescope
+from teacher import judge
+from teacher.report import digest_of, file_name, line_of, Result, results_in, summary, write_grades, write_gradescope
+from teacher.sandbox import holds_off, make_room, Process, REMARKS
 from teacher.submissions import read_submission, submissions_in
-from teacher.workers import compile_starter, Worker
+
+TOLD = 10.0  # s between lines about the progress
+
+for tier in SUITES:
+    checks(tier=tier)  # imports them
 
 
 @while_it_is_read()
 def main() -> None:
     """Grade the class; the status is 2 if an argument is wrong or a file cannot be written, and 130 after Ctrl+C."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     options, paths, others = read_options()
-    for tier in SUITES:
-        checks(tier=tier)  # imports them
     try:
-        with TemporaryDirectory() as work:
+        options.out.mkdir(parents=True, exist_ok=True)
+        with TemporaryDirectory() as work, only_run_in(options.out):
             starter = options.starter or new_starter(Path(work) / "starter")
-            results = grade_all(paths, starter, options.out)
+            results = grade_all(paths, starter, options, Path(work) / "room")
         finish(options, results, len(paths), others)
     except KeyboardInterrupt:
-        print("Stopped. The same command goes on from there.")
+        print(STOPPED)
         sys.exit(130)
     except OSError as error:
         if is_unread(error):
             raise  # while_it_is_read ends the program
-        refuse(f"{error.filename or options.out}: {error.strerror}")
+        refuse(f"{error.filename}: {error.strerror}" if error.filename else error.strerror or error)
 
 
 def read_options():
@@ -76,8 +91,35 @@ def read_options():
             parser.error(f"argument --{name}: found '{path}', allowed is a folder outside of SUBMISSIONS")
     if options.starter and not (options.starter / "tests" / "grading").is_dir():
         parser.error(f"argument --starter: found '{options.starter}', allowed is a folder made by make_starter.py")
+    for file in own_tests() if options.starter else ():  # the judges have those of this project
+        name = file.relative_to(ROOT)
+        if not (options.starter / name).is_file() or (options.starter / name).read_bytes() != file.read_bytes():
+            parser.error(f"argument --starter: {options.starter / name} is not the same as {file}")
     options.out = options.out or folder.with_name(f"{folder.name}-grades")
     return options, paths, others
+
+
+def own_tests() -> list[Path]:
+    """Return the files of the checks and of the grader."""
+    return [*(ROOT / "tests").glob("test_*.py"), *(ROOT / "tests" / "grading").glob("*.py")]
+
+
+@contextmanager
+def only_run_in(folder):
+    """Keep other runs out of this folder, in the body of the with statement; raise an OSError if there is one."""
+    try:
+        import fcntl
+    except ImportError:  # Windows
+        yield
+        return
+    opened = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(opened, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    except BlockingIOError as error:
+        raise OSError(error.errno, "another run of this program is at work here", str(folder)) from None
+    finally:
+        os.close(opened)
 
 
 def new_starter(folder) -> Path:
@@ -85,84 +127,121 @@ def new_starter(folder) -> Path:
     from make_starter import make_starter  # a folder for Gradescope, which is a starter itself, does not have it
 
     make_starter(folder)
-    compile_starter(folder)
     return folder
 
 
-def source_files(folder) -> dict[str, bytes]:
-    """Return the Python files below a folder by their paths."""
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*.py"))}
+def given_files(starter) -> dict[str, bytes]:
+    """Return the files of a starter's src/, and its CSV, by their paths: a solution's files take their places."""
+    files = [*sorted((starter / "src").rglob("*.py")), starter / "newton_cradle_pends.csv"]
+    return {path.relative_to(starter).as_posix(): path.read_bytes() for path in files}
 
 
-def grade_all(paths, starter, out) -> list[Result]:
+def grade_all(paths, starter, options, room) -> list[Result]:
     """Grade the submissions, and return the results in their order.
 
-    Each result is kept in results.jsonl in the folder out, so the next run grades only what is new or changed. After
-    Ctrl+C, it returns what is there.
+    Each result is kept in results.jsonl in the folder options.out, so the next run grades only what is new or changed.
+    After Ctrl+C, it returns what is there.
     """
-    out.mkdir(parents=True, exist_ok=True)
-    grader = digest_of(source_files(starter), source_files(ROOT / "tests" / "teacher"))
+    file, more = options.out / "results.jsonl", sorted([*own_tests(), *starter.rglob("support/**/*.py")])
+    grader = digest_of(given_files(starter), *(path.read_bytes() for path in more))
     submissions = {student: read_submission(student, path) for student, path in paths.items()}
     digests = {student: digest_of(grader, *submission) for student, submission in submissions.items()}
-    file = out / "results.jsonl"
-    results = {student: result for student, result in results_in(file).items() if result.digest == digests.get(student)}
+    before = results_in(file)
+    results = {student: result for student, result in before.items() if result.digest == digests.get(student)}
+    for student in before.keys() - submissions.keys():  # they are gone
+        (options.out / f"{file_name(student)}.txt").unlink(missing_ok=True)
+        if options.gradescope:
+            (options.gradescope / file_name(student) / "results.json").unlink(missing_ok=True)
     with whole_file(file) as kept:
         kept.writelines(map(line_of, results.values()))
+
     to_grade = [submission for student, submission in submissions.items() if student not in results]
-    hidden = {path.parent for path in paths.values()} | {out}
+    hidden = {path.parent for path in paths.values()} | {options.out.resolve(), starter.resolve()}
     with (
         open(file, "a", encoding="utf-8") as kept,
-        graded_side_by_side(to_grade, digests, starter, hidden) as graded,
         suppress(KeyboardInterrupt),
-        progress_bar() as progress,
+        told_progress(len(to_grade)) as progress,
+        side_by_side(to_grade, digests, starter, room, hidden) as graded_ones,
     ):
-        for number, (result, output) in enumerate(graded, start=1):
-            write_text(out, result, output)
+        for result, text in graded_ones:
+            write_text(options.out, result, text)
             kept.write(line_of(result))
             kept.flush()
             results[result.student] = result
-            progress(number / len(to_grade))
+            progress()
     return [results[student] for student in submissions if student in results]
 
 
-def digest_of(*values) -> str:
-    """Return a hash of the values."""
-    return hashlib.sha256(repr(values).encode()).hexdigest()
+@contextmanager
+def told_progress(count):
+    """Yield a function to call after each of count solutions: a bar, or in a file a line now and then, shows it."""
+    done, over = 0, threading.Event()
+
+    def tell():
+        while not over.wait(TOLD):
+            complain(f"{done} of {count} solutions are graded.")
+
+    def one_more():
+        nonlocal done
+        done += 1
+        progress(done / count)
+
+    with progress_bar() as progress:
+        if not sys.stderr.isatty():
+            threading.Thread(target=tell, daemon=True).start()
+        try:
+            yield one_more
+        finally:
+            over.set()
 
 
 @contextmanager
-def graded_side_by_side(submissions, digests, starter, hidden):
-    """Yield an iterator over the results and pytest's outputs, as they come; a worker for each core grades."""
+def side_by_side(submissions, digests, starter, room, hidden):
+    """Yield an iterator over the results and the students' texts, as they come; a judge for each core grades."""
+    if not submissions:
+        yield ()
+        return
+    kind = holds_off(make_room(starter, room), hidden)
+    say(REMARKS[kind], sys.stderr, end="\n" if REMARKS[kind] else "")
     count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    workers = [Worker(starter, hidden) for _ in range(count)]
-    idle: SimpleQueue = SimpleQueue()
-    for worker in workers:
-        idle.put(worker)
-
-    def grade_one(submission):
-        worker, start = idle.get(), time.monotonic()
-        try:
-            graded = worker.grade(submission.files)
-        finally:
-            idle.put(worker)
-        seconds, problems = time.monotonic() - start, submission.problems + graded.problems
-        digest = digests[submission.student]
-        return Result(submission.student, digest, graded.outcomes, seconds, problems), graded.output
-
-    with ThreadPoolExecutor(count) as pool:
-        try:
-            yield (future.result() for future in as_completed([pool.submit(grade_one, each) for each in submissions]))
-        finally:
-            pool.shutdown(wait=False, cancel_futures=True)
-            for worker in workers:
-                worker.close()
+    fresh, of_judge = multiprocessing.get_context("spawn"), (given_files(starter), room, kind, hidden)
+    pool = ProcessPoolExecutor(count, fresh, initializer=prepare, initargs=of_judge)
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the judges start so: Ctrl+C is for this process
+    pool.submit(int).result()
+    signal.signal(signal.SIGINT, before)
+    try:
+        futures = [pool.submit(graded, submission, digests[submission.student]) for submission in submissions]
+        yield (future.result() for future in as_completed(futures))
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+        for process in multiprocessing.active_children():
+            process.terminate()
 
 
-def write_text(folder, result, output) -> None:
-    """Write the student's text: the problems, and what pytest printed, or the table if it did not get so far."""
-    printed = output if "Next:  " in output else "\n".join(line for line, _ in lines(result.outcomes))
-    text = "".join(f"{problem}\n" for problem in [result.student, *result.problems])
-    (folder / f"{result.student}.txt").write_text(f"{text}\n{printed.strip()}\n", encoding="utf-8")
+JUDGE: dict = {}  # what a judge needs to grade a solution
+
+
+def prepare(given, *of_process) -> None:
+    """Make this process a judge."""
+    JUDGE.update(given=given, process=Process(*of_process))
+    atexit.register(JUDGE["process"].close)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit())
+    gc.freeze()
+
+
+def graded(submission, digest) -> tuple[Result, str]:
+    """Grade a submission, in the process of a judge; return the result, and the text for the student."""
+    begin = time.monotonic()
+    files = {**JUDGE["given"], **{f"src/{name}": content for name, content in submission.files.items()}}
+    outcomes, text, problems = judge.grade(files, JUDGE["process"])
+    seconds = time.monotonic() - begin
+    return Result(submission.student, digest, outcomes, seconds, submission.problems + problems), text
+
+
+def write_text(folder, result, text) -> None:
+    """Write the student's text: the problems, and what pytest would print."""
+    lines = [result.student, *result.problems, "", text]
+    (folder / f"{file_name(result.student)}.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def finish(options, results, count, others) -> None:
@@ -172,7 +251,7 @@ def finish(options, results, count, others) -> None:
         print(f"{len(results)} of {count} solutions are graded. The same command goes on from there.")
         sys.exit(130)
     for result in results if options.gradescope else []:
-        write_gradescope(options.gradescope / result.student, result)
+        write_gradescope(options.gradescope / file_name(result.student), result)
     print("\n".join(summary(results)))
     if others:
         print(f"\nNo submissions: {in_one_line(', '.join(others))}")

@@ -2,13 +2,15 @@
 
 from itertools import permutations
 from math import degrees, pi, sin
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from grading.comparing import same
-from grading.cradles import each, hang, LEFT_OVER, left_over, R, row, shapes_made, touching
-from grading.grader import check, expect, find
+from grading.cradles import csv_of, each, hang, LEFT_OVER, left_over, MIXED, R, row, shapes_made, touching
+from grading.grader import check, expect, result_of
 from grading.messages import Wanted
 from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
-from support.files.cradle_csv import read_cells
+from support.pendulum import show_pendulum
 
 SHORT = 1e-9  # s: a tick without visible motion
 
@@ -143,14 +145,15 @@ def test_a_cradle_passes_the_swing_on():
 class Page:
     """The page for main in a check: it asks for cradles and ticks, round by round, and records the result."""
 
-    csv, rule = NC_FP, {}
+    METHODS, VALUES = ("is_running", "wants_cradle", "show", "wants_tick"), ("csv", "rule")  # for main
+    rule: dict = {}
 
-    def __init__(self, *rounds, change=lambda pend_list: None):
+    def __init__(self, *rounds, change=lambda pend_list: None, csv=NC_FP):
         """rounds has a pair for each pass of the outer loop: (wants a cradle, number of ticks).
 
         change(pend_list) is called when main shows a cradle.
         """
-        self.rounds, self.change = rounds, change
+        self.rounds, self.change, self.csv = rounds, change, csv
         self.begun, self.asked, self.ticks = 0, False, 0
         self.shown: list = []  # the cradles
         self.parts: list = []  # the objects of their pendula
@@ -181,22 +184,14 @@ class Page:
         return self.ticks >= 0
 
 
-def pendula() -> int:
-    """Return the number of pendula in newton_cradle_pends.csv, or 0 if it is not readable; main then says why."""
-    try:
-        return len(read_cells(NC_FP)) - 1
-    except ValueError:
-        return 0
-
-
 def swings(ticks, r_param=R_PARAM, dt=DT, g=G):
     """Return (omega, theta) of a pendulum released at THETA_INIT, at the start and after each tick.
 
     The student's angle_update moves it. It is correct: main waits for it.
     """
-    move, states = find("angle_update"), [(0.0, THETA_INIT)]
+    states = [(0.0, THETA_INIT)]
     while len(states) <= ticks:
-        states.append(move(*states[-1], r_param, dt, g))
+        states.append(result_of("angle_update", *states[-1], r_param, dt, g))
     return states
 
 
@@ -214,7 +209,11 @@ def test_the_cradle_is_made_and_shown():
         return pend["objects"][2].axis.mag if "objects" in pend else None
 
     def made(theta_init, r_param=R_PARAM):
-        return [[(0 if i else theta_init, abs(r_param)) for i in range(pendula())]]
+        def is_made(found):
+            rows = [(0 if i else theta_init, abs(r_param)) for i in range(len(found[0]))]
+            return rows and same(found, [rows])
+
+        return is_made
 
     hints = [
         ([], "You showed no cradle. Give your pend_list to page.show."),
@@ -224,7 +223,9 @@ def test_the_cradle_is_made_and_shown():
         (made(degrees(THETA_INIT)), "THETA_INIT is in radians already. Do not convert it."),
     ]
     what = "theta and cord length of each pendulum on the page"
-    expect("main", page, wanted=made(THETA_INIT), see=see, what=what, hints=hints)
+    words = f"({THETA_INIT:g}, {R_PARAM:g}) for the first one, (0, {R_PARAM:g}) for the others"
+    wanted = Wanted(words, made(THETA_INIT), like=[[]])
+    expect("main", page, wanted=wanted, see=see, what=what, hints=hints)
 
 
 @check("main")
@@ -253,6 +254,39 @@ def test_the_cradle_ticks():
     expect("main", page, wanted=wanted, see=lambda _: page.states, what=what, hints=hints)
 
 
+# The file's rows for the first cradle, and for the second one.
+OLD, NEW = MIXED[:2], [{**row, "mass": row["mass"] + 1} for row in MIXED]
+
+
+def check_the_file_is_read_each_time():
+    """Check the masses of two cradles; the file changes between them."""
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        file, masses = Path(folder) / "cradle.csv", []
+
+        def show(pend_list):
+            masses.append([pend["mass"] for pend in pend_list])
+            file.write_text(csv_of(NEW))
+            for pend in pend_list:
+                pend["mass"] += 100
+
+        def is_new(found):
+            old, new = ([row["mass"] for row in rows] for rows in (OLD, NEW))
+            # A main that reads another file than page.csv finds no change in it.
+            return same(found[1], new if same(found[0], old) else found[0]) and len(found) == 2
+
+        file.write_text(csv_of(OLD))
+        page = Page((True, 0), (True, 0), change=show, csv=str(file))
+        once = "You made the cradle once. Make a new one each time the page wants one."
+        read_once = "You read the file once. Read it again for each cradle."
+        hints = [
+            (lambda found: same(found[1], [mass + 100 for mass in found[0]]), once),
+            (lambda found: same(found[1], [row["mass"] for row in OLD]), read_once),
+        ]
+        wanted = Wanted("for each cradle, those that the file has then", is_new)
+        what = "masses of the first cradle, and of the second one"
+        expect("main", page, wanted=wanted, see=lambda _: masses, what=what, hints=hints)
+
+
 @check("main")
 def test_each_cradle_that_is_wanted_is_a_new_one():
     """It is the culmination of all the helper functions you have written, and creates the Newton's cradle visualisation
@@ -269,6 +303,7 @@ def test_each_cradle_that_is_wanted_is_a_new_one():
     page = Page((True, 1), (True, 0))
     with shapes_made() as made:
         expect("main", page, see=lambda _: left_over(made, page.parts), **LEFT_OVER)
+    check_the_file_is_read_each_time()
 
 
 @check("main")
@@ -278,10 +313,16 @@ def test_in_the_cradle_bobs_collide():
     def push(pend_list):
         for i, pend in enumerate(pend_list):
             pend.update(mass=1.0, e=1, theta=0.0, omega=0.0 if i else 10.0)
+            show_pendulum(pend, R_PARAM)
             pend["objects"][1].radius = R_PARAM / 8  # all bobs touch
 
-    page, omegas = Page((True, 1), change=push), [10.0] + [0.0] * (pendula() - 1)
-    if pendula() > 1:
-        hints = [(omegas, "Your bobs do not collide. full_swing_update only swings them.")]
-        see = {"see": lambda _: [pend["omega"] for pend in page.shown[0]], "what": "omega of each pendulum"}
-        expect("main", page, wanted=omegas[::-1], **see, hints=hints)
+    def is_passed_on(omegas):
+        return same(omegas, [0.0] * (len(omegas) - 1) + [10.0])
+
+    page = Page((True, 1), change=push)
+    hints = [
+        (lambda omegas: is_passed_on(omegas[::-1]), "Your bobs do not collide. full_swing_update only swings them.")
+    ]
+    wanted = Wanted("10 for the last pendulum, 0 for all others", is_passed_on)
+    see = {"see": lambda _: [pend["omega"] for pend in page.shown[0]], "what": "omega of each pendulum"}
+    expect("main", page, wanted=wanted, **see, hints=hints)

@@ -8,6 +8,7 @@ from grading.comparing import same
 from grading.cradles import each, hang, LEFT_OVER, left_over, R, shapes_made, touching
 from grading.grader import check, expect
 from grading.messages import Wanted
+from grading.raised import Raised
 
 # The arguments omega, theta, r_param, dt, g, and the result; by hand from the two formulas of the appendix.
 STEP, AFTER = (3.0, 5 * pi / 6, 0.4, 0.1, 8.0), (2.0, 5 * pi / 6 + 0.2)  # omega falls by 1
@@ -26,6 +27,8 @@ STEPS = [
     ((4e-8, 0.0, 0.5, 0.1, 10.0), (4e-8, 4e-9)),  # very slowly
     ((1.0, pi / 6, 0.5, 0.0, 10.0), (1.0, pi / 6)),  # no time, no change
     ((1.0, pi / 6, 0.5, 0.1, 0.0), (1.0, pi / 6 + 0.1)),  # no gravity: theta still moves with omega
+    ((1, 0, 0.3, 0.5, 9.81), (1.0, 0.5)),  # whole numbers: an array of them would cut off the results
+    ((0, 1, 0.5, 0.1, 10.0), (-1.6829419696, 0.83170580304)),
 ]
 
 # Results of common mistakes for STEP, by hand.
@@ -127,7 +130,7 @@ def swing_hints(pend_list, omegas, thetas):
         return any(same(found[0], state) for state in OTHER_ORDERS)
 
     def is_angle_update(found):
-        return isinstance(found, TypeError) and "angle_update()" in str(found)
+        return isinstance(found, Raised) and "angle_update()" in str(found.text)
 
     return [
         (is_angle_update, "angle_update takes no pendulum. swing_update takes one."),

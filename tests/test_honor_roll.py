@@ -139,6 +139,7 @@ def test_both_angles_are_updated():
     hints = [((3.0, 0.0, 0.6, 0.0), "Your angles have not changed.")]
     straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity, it turns evenly
     expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 0.9, 0.0), hints=hints)
+    expect("double_angle_update", 3, 0, 1, 0, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 1.3, 0.0))  # whole numbers
     for omega, before, after, phi in [*((20.0, 11.0, 13.0, i * pi) for i in (2, 4, -6)), (-20.0, -11.0, -13.0, 0.0)]:
         turned = omega, 0.0, after, phi
         expect("double_angle_update", omega, 0.0, before, phi, LENGTH, 0.1, 0.0, wanted=turned)

@@ -22,9 +22,11 @@ headless_vpython.install()
 from vpython import color, mag, vector
 
 from grading.cradles import hang
-from grading.grader import checks, find, Grading, module_of, PASSED
+from grading.grader import checks, find, Grading, PASSED
 from grading.handout import FUNCTIONS, SUITES
-from grading.messages import own_places, raised
+from grading.messages import error_lines
+from grading.own_process import module_of
+from grading.raised import raised_by
 from support.constants import DT, G
 from support.cradle.cradle import Cradle
 from support.cradle.dragging import Hand
@@ -272,9 +274,10 @@ def main() -> None:
     except KeyboardInterrupt as stopped:
         sys.exit(*stopped.args)
     except Exception as error:
-        if is_unread(error) or isinstance(error, OSError) and not own_places(error):
+        raised = raised_by(error)
+        if is_unread(error) or isinstance(error, OSError) and not raised.places:
             raise  # while_it_is_read ends the program
-        sys.exit(f"It cannot be played: {raised(error)[0]}")
+        sys.exit(f"It cannot be played: {error_lines(raised)[0]}")
 
 
 if __name__ == "__main__":

@@ -4,6 +4,9 @@ from collections import Counter
 
 from grading.grader import checks, FAILED, FAULT, PASSED, WAITING
 from grading.handout import FUNCTIONS, SUITES
+from support.start.output import in_one_line
+
+PRINTED = 10  # lines that are shown of what a solution has printed
 
 
 def grade(outcomes) -> dict:
@@ -62,24 +65,56 @@ def places(outcomes) -> dict[str, str]:
     return {check.function: outcomes[check.name].place for check in made_checks(outcomes) if outcomes[check.name].place}
 
 
-def lines(outcomes) -> list[tuple[str, str]]:
+def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
+    """Return what a student reads about outcomes, as lines of text, each with its color or "".
+
+    printed has the output of the student's code by the names of the checks that fail. columns is the width of rules.
+    """
+    unwritten = [(f"{function} in {place}", "yellow") for function, place in places(outcomes).items()]
+    lines = [(rule("Not written yet", "=", columns), ""), *unwritten] if unwritten else []
+    mistakes = [check for check in made_checks(outcomes) if outcomes[check.name].state in (FAILED, FAULT)]
+    if mistakes:
+        first, *others = mistakes
+        lines.append((rule("Failures", "=", columns), ""))
+        more = Counter(check.function for check in others)
+        for function, count in reversed(more.items()):
+            lines.append((f"{count} more fail{'s' if count == 1 else ''}: {function}", "red"))
+        lines.append((rule(first.title(), "_", columns), "red"))
+        rows = [in_one_line(row) for row in printed.get(first.name, "").splitlines()]
+        lines += [(f"printed     {row}", "") for row in rows[:PRINTED]]
+        if len(rows) > PRINTED:
+            lines.append((f"printed     ... ({len(rows)} lines in all)", ""))
+        lines += [(row, "") for row in outcomes[first.name].message.split("\n")]
+    return [*lines, (rule("Grade", "=", columns), ""), *table(outcomes)]
+
+
+def rule(title, sign, columns) -> str:
+    """Return a title with a line of signs on both sides, as pytest draws it; a long title is cut off."""
+    if len(title) > columns - 4:
+        title = f"{title[: columns - 7]}..."
+    side = sign * max((columns - len(title) - 2) // 2, 1)
+    line = f"{side} {title} {side}"
+    return line + sign * (len(line) < columns)
+
+
+def table(outcomes) -> list[tuple[str, str]]:
     """Return the grade of outcomes as lines of text, each with its color.
 
     Without the first tier, they say which tiers are complete, in place of the grade.
     """
     graded = grade(outcomes)
-    table, verdict = [(f"{'tier':<12}{'passed':>8}{'waiting':>9}{'failed':>8}{'points':>10}", "bold")], []
+    rows, verdict = [(f"{'tier':<12}{'passed':>8}{'waiting':>9}{'failed':>8}{'points':>10}", "bold")], []
     for tier, counts in graded["tiers"].items():
         is_complete = counts["points"] == counts["of"]
         points = f"{counts['points']}/{counts['of']}"
         line = f"{tier:<12}{counts['passed']:>8}{counts['waiting']:>9}{counts['failed']:>8}{points:>10}"
-        table.append((line, "green" if is_complete else "red" if counts["failed"] else "yellow"))
+        rows.append((line, "green" if is_complete else "red" if counts["failed"] else "yellow"))
         verdict.append(f"Tier {tier} is {'' if is_complete else 'not '}complete.")
     if next(iter(SUITES)) in graded["tiers"]:
         verdict = [f"Grade: {graded['grade'] or 'none yet'}."]
     causes = Counter(outcome.cause for outcome in outcomes.values() if outcome.cause and not outcome.place)
-    table += [(f"{count} wait for {cause}", "yellow") for cause, count in causes.items()]
+    rows += [(f"{count} wait for {cause}", "yellow") for cause, count in causes.items()]
     fails = any(outcome.state == FAILED for outcome in outcomes.values())
     in_message = fails and not places(outcomes)  # the message above has the place in the handout
     step = graded["next"] if in_message else whole_step(graded)
-    return [*table, *((line, "bold") for line in [*verdict, f"Next:  {step}."])]
+    return [*rows, *((line, "bold") for line in [*verdict, f"Next:  {step}."])]

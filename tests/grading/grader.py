@@ -7,13 +7,10 @@ code of the function does not matter.
 """
 
 import importlib
-import os
-import sys
 import traceback
 from collections.abc import Callable
-from contextlib import contextmanager, redirect_stdout
+from contextlib import redirect_stdout
 from io import StringIO
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
@@ -21,10 +18,9 @@ import pandas  # noqa: F401  its first import is slow, and would count as time o
 from grading import limits
 from grading.comparing import both, fits, has_form_of, hint_for, mistake_in, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
-from grading.messages import about, Call, culprit_of, end_of, import_hint, line_of, message, plain, shown, stub_of
-from grading.project_path import ROOT
-from support.constants import NC_FP
-from support.start.options import command_line
+from grading.messages import about, Call, end_of, message, place_in, plain, shown
+from grading.own_process import OwnProcess
+from grading.raised import StoppedError
 
 # --- checks ----------------------------------------------------------------------------------------------------------
 
@@ -33,6 +29,7 @@ class Check(NamedTuple):
     function: str  # the name of the function that is checked
     ask: Callable  # calls the function; raises WrongError or WaitError
     watched: bool  # whether watch.py can play it
+    others_wait: bool  # for it, if their functions use this one
 
     @property
     def name(self) -> str:
@@ -50,12 +47,15 @@ class Check(NamedTuple):
 CHECKS: dict[str, Check] = {}  # by name, in the order of the suites
 
 
-def check(function, watched=False) -> Callable:
-    """Return a decorator that makes a check of this function of the handout. watched: watch.py can play it."""
+def check(function, watched=False, others_wait=True) -> Callable:
+    """Return a decorator that makes a check of this function of the handout. watched: watch.py can play it.
+
+    others_wait: if it fails, the functions that use this one wait.
+    """
 
     def add(ask):
         ask.is_check = True
-        CHECKS[ask.__name__] = Check(function, ask, watched)
+        CHECKS[ask.__name__] = Check(function, ask, watched, others_wait)
         return ask
 
     return add
@@ -93,6 +93,8 @@ class WaitError(Exception):
         self.hung, self.place = hung, place
 
 
+student: Any = OwnProcess()  # has the student's functions; for a class, a Solver of tests/teacher/ takes its place
+
 CALLS: list[Call] = []  # of the current check
 ALONE: list[int] = []  # the number of the only call that expect makes, if there is one: is_right_alone
 
@@ -112,10 +114,14 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), times=1) -
     if ALONE and len(CALLS) not in ALONE:
         return None
     expected, returns = ("expected", about(what, wanted)), FUNCTIONS[function].returns
-    result = run(call, find(function), arguments, expected, hints)
+    find(function)
+    result = run(call, arguments, expected, hints)
     if call.has_changed_a_file():
         lines = [("came back", "The file has changed."), ("expected", "The file stays as it is. Only read it.")]
         raise WrongError(f"{function} has changed the file at relative_filepath.", call, lines)
+    if student.has_written and function != "main":  # the handout lets main write it
+        lines = [("came back", "Your code changed newton_cradle_pends.csv. It is restored now.")]
+        raise WrongError(f"{function} writes a file.", call, [*lines, ("expected", "Your function writes no file.")])
     if result is None and returns:
         raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected], RETURNS_NOTHING)
     try:
@@ -136,52 +142,52 @@ def find(function) -> Callable:
     """Return a student's function; raise WrongError if it is missing, or WaitError if another file is wrong."""
     file, call = FUNCTIONS[function].file, Call(function)
     try:
-        with working_in(ROOT):  # the check may be in another folder
-            module = limits.in_limited_memory(importlib.import_module, module_of(file))
-    except BaseException as error:  # also SystemExit
-        culprit = culprit_of(error)
-        if culprit != file and culprit in {other.file for other in FUNCTIONS.values()}:
-            raise WaitError(culprit, limits.over_limit(error)) from None
-        raise stopped(call, f"Python cannot import {file}.", error, hint=import_hint(error)) from None
-    if not callable(getattr(module, function, None)):
+        solution = student.find(function)
+    except StoppedError as error:
+        raised = error.raised
+        is_later = function != first_of(file)  # one mistake of the file costs its points only once
+        if is_later or raised.culprit != file and raised.culprit in {other.file for other in FUNCTIONS.values()}:
+            raise WaitError(raised.culprit or file, raised.limit) from None
+        raise stopped(call, f"Python cannot import {file}.", raised, hint=raised.hint) from None
+    if solution is None:
         raise WrongError(f"{file} has no function {function}.", call, [])
-    return getattr(module, function)
+    return solution
 
 
-def run(call, solution, arguments, expected, hints) -> Any:
+def result_of(function, *arguments) -> Any:
+    """Return the result of a student's function that is correct: the check waits for it."""
+    find(function)
+    return run(Call(function, arguments), arguments, ("expected", "a result"), ())
+
+
+def first_of(file) -> str:
+    """Return the first function of a file."""
+    return next(name for name, function in FUNCTIONS.items() if function.file == file)
+
+
+def run(call, arguments, expected, hints) -> Any:
     """Return the result of a student's function. Raise WrongError if it raises an error or goes over a limit, and
     WaitError if it is not written yet, or calls a function that is not written yet.
     """
     try:
-        return limits.in_limited_memory(repeat, solution, arguments, call)
-    except BaseException as error:  # also SystemExit
-        stub = stub_of(error)
-        if stub not in (None, call.function):
-            raise WaitError(stub) from None
-        if stub and call.arguments == tuple(map(plain, arguments)):
-            place = line_of(error, FUNCTIONS[stub].file)
-            raise WaitError(f"you to write {stub} in {place}", place=place) from None
-        limit = limits.over_limit(error)
-        sentence = f"{call.function} {limit or 'stops with an error'}."
-        hint = "Your code ran up to this line. Now delete it." if stub else hint_for(error, None, hints)
-        raise stopped(call, sentence, error, expected, hint=hint) from None
+        return student.run(call.function, arguments, call.times)
+    except StoppedError as error:
+        raised = error.raised
+    if raised.stub not in (None, call.function):
+        raise WaitError(raised.stub)
+    if raised.stub and call.arguments == tuple(map(plain, arguments)):
+        place = place_in(raised, FUNCTIONS[raised.stub].file)
+        raise WaitError(f"you to write {raised.stub} in {place}", place=place)
+    sentence = f"{call.function} {raised.limit or 'stops with an error'}."
+    hint = "Your code ran up to this line. Now delete it." if raised.stub else hint_for(raised, None, hints)
+    raise stopped(call, sentence, raised, expected, hint=hint)
 
 
-def repeat(solution, arguments, call) -> Any:
-    """Return the result of the last call; if the function returns values, they begin the next arguments."""
-    for _ in range(call.times):
-        result = solution(*arguments)
-        if FUNCTIONS[call.function].returns and isinstance(result, tuple):
-            arguments = (*result, *arguments[len(result) :])
-    return result
-
-
-def stopped(call, sentence, error, *lines, hint) -> WrongError:
-    """Return what to raise if a call raises this error, or if the grader stopped it at a limit."""
-    limit = limits.over_limit(error)
-    if limit or isinstance(error, (SystemExit, KeyboardInterrupt)):
-        hint = "" if limit else "This line ends the whole program. Remove it; return ends a function."
-    return WrongError(sentence, call, [end_of(error), *lines], hint, limit)
+def stopped(call, sentence, raised, *lines, hint) -> WrongError:
+    """Return what to raise if a student's code was stopped by an error, or at a limit."""
+    if raised.limit or raised.ends:
+        hint = "" if raised.limit else "This line ends the whole program. Remove it; return ends a function."
+    return WrongError(sentence, call, [end_of(raised), *lines], hint, raised.limit)
 
 
 def is_right_alone(check, number) -> bool:
@@ -189,7 +195,7 @@ def is_right_alone(check, number) -> bool:
     CALLS.clear()
     ALONE.append(number)
     try:
-        with limits.patience(), limits.without_ends(), imported_again(), redirect_stdout(StringIO()):
+        with student.check(), student.again(), redirect_stdout(StringIO()):
             check.ask()
     except BaseException:
         if limits.PRESSED.is_set():
@@ -198,34 +204,6 @@ def is_right_alone(check, number) -> bool:
     finally:
         ALONE.clear()
     return True
-
-
-@contextmanager
-def imported_again():
-    """Let the body of the with statement import the student's modules again, so that they have kept nothing."""
-    kept = {name: sys.modules.pop(name) for name in list(sys.modules) if name.partition(".")[0] == "src"}
-    try:
-        yield
-    finally:
-        for name in [name for name in sys.modules if name.partition(".")[0] == "src"]:
-            del sys.modules[name]
-        sys.modules.update(kept)
-
-
-@contextmanager
-def working_in(folder):
-    """Make this folder the working directory, in the body of the with statement."""
-    before = os.getcwd()
-    os.chdir(folder)
-    try:
-        yield
-    finally:
-        os.chdir(before)
-
-
-def module_of(file) -> str:
-    """Return the module name of a file of the project."""
-    return file.removesuffix(".py").replace("/", ".")
 
 
 # --- judging ---------------------------------------------------------------------------------------------------------
@@ -270,31 +248,30 @@ class Grading:
             return outcome if outcome and outcome.place else waiting(", ".join(waits))
         for name in (FUNCTIONS[check.function].file, check.function):
             cause, limit = self.hung.get(name, ("", ""))
-            if cause == name:
+            if cause == name and check.function in (name, first_of(FUNCTIONS[check.function].file)):
                 lines = [("not called", f"{name} {limit} in an earlier check.")]
                 return Outcome(FAILED, message([*lines, where_to_read(check)]))
             if cause:
                 return waiting(cause)
-        return self.make(check)
+        outcome = self.make(check)
+        if outcome.state == FAILED and not self.hung:
+            earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
+            wrong = [name for name in student.called_by(check.function) if name in earlier and self.is_wrong(name)]
+            if wrong:  # the function uses others than those that the handout asks for
+                return waiting(", ".join(wrong))
+        return outcome
 
     def is_wrong(self, function) -> bool:
-        """Return whether the function is not written, or one of its own checks fails."""
-        outcomes = map(self.judge, checks(function=function))
+        """Return whether the function is not written, or one of its own checks fails for which others wait."""
+        outcomes = [self.judge(check) for check in checks(function=function) if check.others_wait]
         return any(outcome.place or outcome.state in (FAILED, FAULT) for outcome in outcomes)
 
     def make(self, check) -> Outcome:
         """Make a check, and return its outcome."""
         CALLS.clear()
-        shipped = Path(NC_FP)
-        before = shipped.read_bytes() if shipped.is_file() else None
         try:
-            with limits.patience(), limits.without_ends():
+            with student.check():
                 check.ask()
-            if before and not (shipped.is_file() and shipped.read_bytes() == before):
-                shipped.write_bytes(before)
-                lines = [("came back", "Your code changed newton_cradle_pends.csv. It is restored now.")]
-                lines.append(("expected", "Your function writes no file."))
-                raise WrongError(f"{check.function} writes a file.", Call(check.function), lines)
         except WrongError as error:
             return self.failed(check, error)
         except WaitError as error:
@@ -318,7 +295,7 @@ class Grading:
             error.hint = MATTERS
         lines, call = [where_to_read(check)], error.call if check.watched and error.playable else None
         if call:
-            lines.append(("watch", f"{command_line('tests/watch.py', ROOT)} {check.name}"))
+            lines.append(("watch", f"{student.watch} {check.name}"))
         return Outcome(FAILED, error.message(*lines), call, hint=error.hint)
 
 

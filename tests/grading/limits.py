@@ -27,17 +27,19 @@ PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
 ENDS = [(os, "_exit"), (os, "abort"), (os, "kill")]  # functions that end the process, even without an error
 
 
-def in_limited_memory(function, *arguments):
-    """Return function(*arguments). On Linux, raise a MemoryError if the call takes more than MOST_MEMORY."""
+@contextmanager
+def limited_memory():
+    """On Linux, raise a MemoryError if the body of the with statement takes more than MOST_MEMORY."""
     if resource is None or not MEMORY_IN_USE.exists():
-        return function(*arguments)
+        yield
+        return
     in_use = int(MEMORY_IN_USE.read_text().split()[5]) * resource.getpagesize()
     before = resource.getrlimit(resource.RLIMIT_DATA)
     allowed = [limit for limit in before if limit != resource.RLIM_INFINITY]
     spare = bytearray(SPARE)
     resource.setrlimit(resource.RLIMIT_DATA, (min([in_use + MOST_MEMORY * 10**6, *allowed]), before[1]))
     try:
-        return function(*arguments)
+        yield
     finally:
         del spare  # first: without it, the next line could raise a MemoryError, too
         resource.setrlimit(resource.RLIMIT_DATA, before)
@@ -86,15 +88,16 @@ def over_limit(error) -> str:
 
 
 @contextmanager
-def patience():
-    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than PATIENCE.
+def patience(more=0.0):
+    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than PATIENCE and
+    these seconds.
 
     If somebody presses Ctrl+C, set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches it.
     """
     lock, over = threading.Lock(), threading.Event()
 
     def interrupt():
-        in_time = over.wait(PATIENCE)
+        in_time = over.wait(PATIENCE + more)
         while not in_time:  # repeat it: the solution may catch the first one
             with lock:
                 if not over.is_set():

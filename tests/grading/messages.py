@@ -1,7 +1,5 @@
 """Calls, values and errors as text for students."""
 
-import re
-import traceback
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import islice
@@ -13,8 +11,7 @@ from vpython import box, cylinder, sphere, vector
 
 from grading import limits
 from grading.handout import FUNCTIONS
-from grading.project_path import ROOT
-from support.start.preview import is_unwritten
+from support.start.output import in_one_line
 
 LABEL = 12  # columns of the labels of a message
 WIDTH = 62  # columns of the text to the right of them: a terminal has 80
@@ -24,6 +21,7 @@ DICTIONARIES = 1  # shown of a list of dictionaries
 ROWS = 4  # lines shown of a file
 LINES = 5  # lines shown of a result, and of an expected value
 MOST_CHARACTERS = 300  # shown of a text
+MOST_PARTS = 10_000  # of a value that is shown
 
 
 @dataclass(frozen=True)
@@ -101,15 +99,18 @@ def value_lines(name, value, keys) -> list[str]:
 def shown(value, digits=6) -> str:
     """Return a value as text: numbers with this number of digits, each dictionary of a list on its own line."""
     try:
-        return text_of(value, digits)
+        return text_of(value, digits, iter(range(MOST_PARTS)))
     except RecursionError:
         return f"a {type(value).__name__} that contains itself"
+    except StopIteration:
+        return f"a {type(value).__name__} with more than {MOST_PARTS} parts"
     except Exception:
         return f"a {type(value).__name__} that has no text"
 
 
-def text_of(value, digits) -> str:
-    """Return the same as shown, but let errors of the value pass."""
+def text_of(value, digits, parts) -> str:
+    """Return the same as shown, but let errors of the value pass. parts limits the number of its parts."""
+    next(parts)
     if isinstance(value, Wanted):
         return value.words
     if isinstance(value, bool) or value is None:
@@ -117,20 +118,23 @@ def text_of(value, digits) -> str:
     if isinstance(value, Real):
         return f"{value:.{digits}g}"
     if isinstance(value, vector):
-        return f"vector({', '.join(text_of(number, digits) for number in value.value)})"
+        return f"vector({', '.join(text_of(number, digits, parts) for number in value.value)})"
     if isinstance(value, sphere):
         return "a bob"
     if isinstance(value, (box, cylinder)):
         return "an axle" if isinstance(value, box) else "a cord"
     if isinstance(value, dict):
-        parts = [f"{text_of(key, digits)}: {text_of(part, digits)}" for key, part in islice(value.items(), MOST)]
-        return "{" + joined(parts, value, value.values()) + "}"
+        pairs = [
+            f"{text_of(key, digits, parts)}: {text_of(part, digits, parts)}"
+            for key, part in islice(value.items(), MOST)
+        ]
+        return "{" + joined(pairs, value, value.values()) + "}"
     if isinstance(value, list):
         most = DICTIONARIES if any(isinstance(part, dict) for part in value) else MOST
-        return "[" + joined([text_of(part, digits) for part in value[:most]], value, value) + "]"
+        return "[" + joined([text_of(part, digits, parts) for part in value[:most]], value, value) + "]"
     if isinstance(value, tuple):
         comma = "," if len(value) == 1 else ""
-        return "(" + joined([text_of(part, digits) for part in value[:MOST]], value, value) + comma + ")"
+        return "(" + joined([text_of(part, digits, parts) for part in value[:MOST]], value, value) + comma + ")"
     text = repr(value)
     return text if len(text) <= MOST_CHARACTERS else text[:MOST_CHARACTERS] + "..."
 
@@ -166,101 +170,31 @@ def message(pairs) -> str:
     return "\n".join(rows)
 
 
-class Place(NamedTuple):
-    """A line of a student's file that an error has passed."""
-
-    file: str  # below the project's folder
-    line: int
-    function: str  # "" for a line that is no Python
-    code: str
-
-
-def own_places(error) -> list[Place]:
-    """Return the places of an error in the student's own files; the last call comes last."""
-    places = [
-        Place(each.filename, each.lineno, each.name, each.line) for each in traceback.extract_tb(error.__traceback__)
-    ]
-    if isinstance(error, SyntaxError) and error.filename:
-        places.append(Place(error.filename, error.lineno, "", (error.text or "").strip()))
-    # ROOT is resolved, for example to the share behind a drive on Windows. "<string>" is no file.
-    files = [(Path(place.file).resolve(), place) for place in places if Path(place.file).is_absolute()]
-    return [
-        place._replace(file=file.relative_to(ROOT).as_posix())
-        for file, place in files
-        if file.is_relative_to(ROOT / "src")
-    ]
-
-
-def own_lines(error) -> list[str]:
-    """Return own_places as lines of text."""
+def own_lines(places) -> list[str]:
+    """Return places in a student's own files as lines of text."""
     lines = []
-    for file, line, function, code in own_places(error):
+    for file, line, function, code in places:
         lines += [f"{file}, line {line}{', in ' * bool(function)}{function}", f"    {code}"]
     return lines if len(lines) <= 8 else [*lines[:2], f"... ({len(lines) // 2} places in all)", *lines[-4:]]
 
 
-def end_of(error) -> tuple[str, list[str]]:
-    """Return, as (label, lines), how an error ended a call: the error itself, or where the grader stopped the call."""
-    limit = limits.over_limit(error)
-    if not limit:
-        return "it raised", raised(error)
-    is_late = isinstance(error, KeyboardInterrupt)
-    end = f"nothing, within {limits.PATIENCE:g} s; it was" if is_late else f"nothing; it {limit} and was"
-    return "came back", [f"{end} stopped here:", *own_lines(error)]
+def end_of(raised) -> tuple[str, list[str]]:
+    """Return, as (label, lines), how a call was stopped: by an error of its own, or by the grader at a limit."""
+    if not raised.limit:
+        return "it raised", error_lines(raised)
+    if not raised.kind:
+        return "came back", [f"nothing; it {raised.limit}."]
+    end = f"nothing, within {limits.PATIENCE:g} s; it was" if raised.ends else f"nothing; it {raised.limit} and was"
+    return "came back", [f"{end} stopped here:", *own_lines(raised.places)] if raised.places else [f"{end} stopped."]
 
 
-def raised(error) -> list[str]:
+def error_lines(raised) -> list[str]:
     """Return an error, and its places in the student's own lines, as lines of text."""
-    try:
-        text = f"{type(error).__name__}: {error}"
-    except Exception:
-        text = f"{type(error).__name__}, which has no text"
-    return [*text[:MOST_CHARACTERS].split("\n"), *own_lines(error)]
+    text = f"{raised.kind}, which has no text" if raised.text is None else f"{raised.kind}: {raised.text}"
+    return [*map(in_one_line, text[:MOST_CHARACTERS].split("\n")), *own_lines(raised.places)]
 
 
-def stub_of(error) -> str | None:
-    """Return the function that raised this error because it is not written yet, or None."""
-    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
-    code = frames[-1].f_code if isinstance(error, NotImplementedError) else None
-    return code.co_name if code and code.co_name in FUNCTIONS and is_unwritten(code) else None
-
-
-def line_of(error, file) -> str:
+def place_in(raised, file) -> str:
     """Return the last line of this file of src/ that an error has passed, as "FILE, line N"."""
-    lines = [f", line {place.line}" for place in own_places(error) if place.file == file]
+    lines = [f", line {place.line}" for place in raised.places if place.file == file]
     return file + "".join(lines[-1:])
-
-
-def culprit_of(error) -> str | None:
-    """Return the file of src/ that made an import fail, or None.
-
-    It lacks a function, or is missing itself, or is the first one of a circle, or has the last line that ran.
-    """
-    missing = re.match(r"cannot import name '(\w+)' from 'src\.", str(error))
-    if missing and missing[1] in FUNCTIONS:
-        return FUNCTIONS[missing[1]].file
-    if isinstance(error, ModuleNotFoundError) and error.name.startswith("src."):
-        return error.name.replace(".", "/") + ".py"
-    # The files whose import the error stopped: only their own lines, not those of functions that they called.
-    files = [place.file for place in own_places(error) if place.function in ("", "<module>")]
-    if is_circle(error):
-        order = [*{function.file: None for function in FUNCTIONS.values()}]
-        # In the order of the handout, it is the first file that imports from a later one.
-        return min(files, key=lambda file: order.index(file) if file in order else len(order), default=None)
-    return files[-1] if files else None
-
-
-def is_circle(error) -> bool:
-    """Return whether an import failed because files import from each other."""
-    return "circular import" in str(error)
-
-
-def import_hint(error) -> str:
-    """Return the hint for a failed import, or ""."""
-    if is_circle(error):
-        return f"Your files import each other in a circle. Remove the import in {culprit_of(error)}."
-    if isinstance(error, ModuleNotFoundError):
-        is_here = (ROOT / "src" / f"{error.name}.py").is_file()
-        not_here = "Is the name right? Is the module installed for this Python?"
-        return f"Write src.{error.name} in the import." if is_here else not_here
-    return ""

@@ -12,18 +12,16 @@ import json
 import os
 import sys
 import threading
-from collections import Counter
 from pathlib import Path
 from shutil import get_terminal_size
 
 import pytest
 
-from grading.grade import grade, lines, places
+from grading.grade import grade, words
 from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import SUITES
 from support.files.data_file import whole_file
 
-PRINTED = 10  # lines that are shown of what a solution has printed
 OUTCOME = "outcome of a check"  # the name under which a report has it
 JUDGING = {*SUITES.values(), "test_graded_suites", "test_watch"}  # the files of tests that judge solutions
 RAN: dict[str, Outcome] = {}  # the outcomes of this run's checks, by name, as they are reported
@@ -143,7 +141,7 @@ def pytest_sessionfinish(session):
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_terminal_summary(terminalreporter, config):
-    """Show the checks that fail below everything else, and the table below them."""
+    """Show what students read below everything else."""
     failed = terminalreporter.stats.get("failed", [])
     mistakes = [report for report in failed if name_of(report) in RAN]
     if mistakes:
@@ -152,42 +150,11 @@ def pytest_terminal_summary(terminalreporter, config):
     if mistakes:
         terminalreporter.stats["failed"] = failed
     terminalreporter.currentfspath = None  # no line is begun: or an empty one would be put in
-    if RAN:
-        show_places(terminalreporter)
-        show_mistakes(terminalreporter, mistakes)
-        terminalreporter.section("Grade")
-        for line, color in lines(RAN):
-            terminalreporter.line(line, **{color: True})
+    printed = {name_of(report): report.capstdout for report in mistakes}
+    for line, color in words(RAN, printed, get_terminal_size().columns) if RAN else []:
+        terminalreporter.line(line, **{color: True} if color else {})
     if hasattr(config, "not_written"):
         terminalreporter.write_line(config.not_written, red=True)
-
-
-def show_places(terminal) -> None:
-    """Show which functions are not written yet, each in a line."""
-    unwritten = places(RAN)
-    if unwritten:
-        terminal.section("Not written yet")
-        for function, place in unwritten.items():
-            terminal.line(f"{function} in {place}", yellow=True)
-
-
-def show_mistakes(terminal, mistakes) -> None:
-    """Show the first check that fails, and above it, from the last one on, how many more fail of each function."""
-    if not mistakes:
-        return
-    terminal.section("Failures")
-    first, *others = mistakes
-    more = Counter(CHECKS[name_of(report)].function for report in others)
-    for function, count in reversed(more.items()):
-        terminal.line(f"{count} more fail{'s' if count == 1 else ''}: {function}", red=True)
-    title, width = first.location[2], get_terminal_size().columns - 4
-    terminal.section(title if len(title) <= width else f"{title[: width - 3]}...", "_", red=True)
-    printed = first.capstdout.splitlines()
-    for line in printed[:PRINTED]:
-        terminal.line(f"printed     {line}")
-    if len(printed) > PRINTED:
-        terminal.line(f"printed     ... ({len(printed)} lines in all)")
-    terminal.line(RAN[name_of(first)].message)
 
 
 @pytest.hookimpl(trylast=True)

@@ -82,6 +82,15 @@ RIGHT = {
                 bob.pos = axle.pos + vector(sin(pend["theta"]), -cos(pend["theta"]), 0) * r_param
                 cord.axis = bob.pos - axle.pos
             """,
+        "the shapes turned": """\
+            for pend in pend_list:
+                omega, theta = angle_update(pend["omega"], pend["theta"], r_param, dt, g)
+                axle, bob, cord = pend["objects"]
+                turn = {"angle": theta - pend["theta"], "axis": vector(0, 0, 1), "origin": axle.pos}
+                bob.rotate(**turn)
+                cord.rotate(**turn)
+                pend["omega"], pend["theta"] = omega, theta
+            """,
         "the cord drawn from the bob": (
             "dt, g)",
             "dt, g); axle, bob, cord = pend['objects']; cord.pos, cord.axis = bob.pos, axle.pos - bob.pos",
@@ -173,6 +182,17 @@ RIGHT = {
                     rate(1 / DT)
                     newton_cradle_tick(cradle, R_PARAM, DT, G)
                     name.text = f"cradle, from {mag(scene.camera.pos):.1f} m"
+            """,
+        "a CSV of its own first": """\
+            from src.pds_helper import write_to_csv
+            rows = [{'mass': m, 'e': 1, 'theta': 0, 'omega': 0, 'color': 'red', 'texture': 'none'} for m in (1.0, 2.0)]
+            write_to_csv(rows)
+            while page.is_running():
+                if page.wants_cradle():
+                    pend_list = make_newton_cradle(__import__('support.constants').constants.NC_FP, R_PARAM, THETA_INIT)
+                    page.show(pend_list)
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
             """,
         "a list that stays": ("pend_list = make", "pend_list = vars(page).setdefault('list', []); pend_list[:] = make"),
     },

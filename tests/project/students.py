@@ -4,11 +4,13 @@ import shutil
 from textwrap import dedent, indent
 
 import pytest
+from grade_class import given_files
 from make_starter import make_starter
 from wrong_solutions import PLAIN
 
 from grading.handout import FUNCTIONS
-from teacher.workers import compile_starter, Worker
+from teacher import judge
+from teacher.sandbox import holds_off, make_room, Process
 
 COUNTS = {"D": 16, "C": 6, "B": 12, "A": 12, "Honor roll": 7}  # checks of each tier
 
@@ -20,7 +22,6 @@ def made(tmp_path_factory):
     """A starter that nobody writes into."""
     folder = tmp_path_factory.mktemp("made") / "starter"
     make_starter(folder)
-    compile_starter(folder)
     return folder
 
 
@@ -39,11 +40,24 @@ def solved(made, tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def worker(made):
-    """A process that grades solutions."""
-    worker = Worker(made)
-    yield worker
-    worker.close()
+def process(made, tmp_path_factory):
+    """A process for solutions, with what holds them off on this machine."""
+    room = make_room(made, tmp_path_factory.mktemp("solver") / "room")
+    process = Process(room, holds_off(room, []))
+    yield process
+    process.close()
+
+
+@pytest.fixture(scope="session")
+def grade(made, process):
+    """A function that grades the files of a solution, by their paths below src/."""
+
+    def grade(files):
+        return judge.grade(
+            {**given_files(made), **{f"src/{name}": content for name, content in files.items()}}, process
+        )
+
+    return grade
 
 
 def files_of(folder) -> dict[str, bytes]:

@@ -4,21 +4,25 @@ import csv
 import json
 import os
 import shutil
+import socket
 import subprocess
 import sys
 import zipfile
-from types import SimpleNamespace
+from contextlib import contextmanager
+from textwrap import indent
 
 import grade_class
 import make_autograder
 import make_starter
 import pytest
 import watch
-from programs import on_posix, SECONDS
+from grade_class import given_files
+from programs import on_posix, ROOT, SECONDS
 from students import COUNTS, files_of, put_files, write
 
 from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
+from teacher import judge, report
 from teacher.submissions import MOST_BYTES, MOST_FILES, read_submission, submissions_in
 
 for tier in SUITES:
@@ -123,37 +127,10 @@ def test_a_folder_that_is_no_class_is_refused(tmp_path, files):
 
 # --- solutions -------------------------------------------------------------------------------------------------------
 
-FORGED = f"""
-import os
-for check in {[check.name for check in checks(tier="C")]}:
-    line = ascii({{"key": "", "check": check, "outcome": ["passed", "", ""]}})
-    for fd in range(3, 30):
-        try:
-            os.write(fd, f"\\n{{line}}\\n".encode())
-        except OSError:
-            pass
-print("Grade: Honor roll.")
-open("grade.json", "w").write('{{"grade": "Honor roll"}}')
-"""
-PATCH = "import os; w = os.write; os.write = lambda fd, text: w(fd, text.replace(b'failed', b'passed'))"
-ATTACKS = {  # bodies of functions
-    "uniform_mass_newton_cradle": "import os; open(os.environ['HOME'] + '/../mine.txt', 'w')",
-    "angle_update": "import signal; signal.raise_signal(signal.SIGKILL)",
-    "handle_collision": "import time\nwhile True: time.sleep(1)",
-    "make_double_pendulum": "[0] * 10**9",
-}
-
-
-def with_wrong_sign(solved, imported):
-    """Return swinging.py with a mistake in angle_update, and with code that runs when the file is imported."""
-    text = solved["swinging.py"].decode()
-    assert "omega + -g" in text
-    return {"swinging.py": f"{text.replace('omega + -g', 'omega + g')}\n{imported}\n".encode()}
-
 
 @pytest.mark.parametrize("name", ["a" * 300 + ".py", "beyond/a/b.py/c.py", "nul\0.py"])
-def test_a_name_that_cannot_be_written_costs_that_solution(worker, solved, name):
-    graded = worker.grade({"beyond/a/b.py": b"", **solved, name: b""})
+def test_a_name_that_cannot_be_written_costs_that_solution(grade, solved, name):
+    graded = grade({"beyond/a/b.py": b"", **solved, name: b""})
     assert graded.outcomes == {}
     assert graded.problems[0].startswith(f"src/{name} cannot be written: ")
 
@@ -162,12 +139,19 @@ def test_a_name_that_cannot_be_written_costs_that_solution(worker, solved, name)
 
 
 @pytest.fixture
-def main(made, worker, monkeypatch, capsys):
-    """A function that runs grade_class.py or another program; it returns the status, stdout and stderr."""
-    shared = SimpleNamespace(grade=worker.grade, close=lambda: None)
-    monkeypatch.setattr(grade_class, "Worker", lambda *_: shared)
+def main(made, process, monkeypatch, capsys):
+    """A function that runs grade_class.py or another program; it returns the status, stdout and stderr.
+
+    The judge of grade_class.py is in this process.
+    """
+
+    @contextmanager
+    def side_by_side(submissions, digests, *_):
+        grade_class.JUDGE.update(given=given_files(made), process=process)
+        yield (grade_class.graded(each, digests[each.student]) for each in submissions)
+
+    monkeypatch.setattr(grade_class, "side_by_side", side_by_side)
     monkeypatch.setattr(grade_class, "new_starter", lambda _: made)
-    monkeypatch.setattr(os, "sched_getaffinity", lambda _: {0}, raising=False)  # one core, for one worker
 
     def main(*arguments, program=grade_class):
         monkeypatch.setattr(sys, "argv", [program.__name__ + ".py", *map(str, arguments)])
@@ -188,23 +172,31 @@ def tables_of(folder):
     return tuple({each["student"]: each for each in table} for table in (rows, results))
 
 
+def with_wrong_sign(solved):
+    """Return the files of a solution with a mistake in angle_update."""
+    text = solved["swinging.py"].decode()
+    assert "omega + -g" in text
+    return {**solved, "swinging.py": text.replace("omega + -g", "omega + g").encode()}
+
+
 @on_posix
-def test_a_class_that_is_interrupted_and_goes_on(solved, starter, tmp_path, main, worker, monkeypatch):
-    a_class, out, graded = tmp_path / "class", tmp_path / "class-grades", []
-    write(starter, "extract_and_convert", "double_angle_update", *ATTACKS, **ATTACKS)
+def test_a_class_that_is_interrupted_and_goes_on(solved, starter, tmp_path, main, monkeypatch):
+    a_class, out, calls = tmp_path / "class", tmp_path / "class-grades", []
+    write(starter, "extract_and_convert", "double_angle_update")
     put_files(a_class / "ann" / "src", solved)
-    put_files(a_class / "bea" / "src", {**solved, **with_wrong_sign(solved, FORGED)})
+    put_files(a_class / "bea" / "src", with_wrong_sign(solved))
     put_files(a_class / "cem" / "src", files_of(starter))
     (a_class / "dan").mkdir()
 
-    def grade(files):
-        if len(graded) == 2:
+    def grade(*arguments):
+        calls.append(arguments)
+        if len(calls) > 2:
             raise KeyboardInterrupt
-        graded.append(files)
-        return worker.grade(files)
+        return original(*arguments)
 
+    original = judge.grade
     with monkeypatch.context() as patches:
-        patches.setattr(grade_class, "Worker", lambda *_: SimpleNamespace(grade=grade, close=lambda: None))
+        patches.setattr(judge, "grade", grade)
         line = "2 of 4 solutions are graded. The same command goes on from there.\n"
         assert main(a_class) == (130, line, "")
     rows, first = tables_of(out)
@@ -223,14 +215,10 @@ def test_a_class_that_is_interrupted_and_goes_on(solved, starter, tmp_path, main
         ("cem", "none", convert, 0, 0, 0, double),
         ("dan", "none", 0, 0, 0, 0, 0),
     ]
-    problems = "", "", "angle_update ended the process (signal 9)", f"{NONE}nothing"
-    assert tuple(row["problems"] for row in rows.values()) == problems
+    assert tuple(row["problems"] for row in rows.values()) == ("", "", "", f"{NONE}nothing")
     assert rows["bea"]["next"] == "angle_update in src/swinging.py"
     for student, words in [("ann", "Grade: Honor roll."), ("bea", "Grade: D.")]:
-        assert words in (out / f"{student}.txt").read_text(encoding="utf-8")  # of bea, although it printed another
-    messages = "\n".join(words for _, words, *_ in results["cem"]["outcomes"].values())
-    for words in ("handle_collision took longer than 5 s", "writing outside of the project's", "more than 1000 MB"):
-        assert words in messages
+        assert words in (out / f"{student}.txt").read_text(encoding="utf-8")
     assert "    1  The sign of gravity is wrong. Gravity pulls the bob back down. (angle_update)\n" in printed
     assert "Honor roll           1\n" in printed
 
@@ -240,11 +228,140 @@ def test_a_class_that_is_interrupted_and_goes_on(solved, starter, tmp_path, main
     assert "hint        The sign of gravity is wrong." in test["output"]
     assert (result["score"], result["max_score"], sum(test["score"] for test in result["tests"])) == (35, 53, 35)
 
-    put_files(a_class / "dan" / "src", with_wrong_sign(solved, PATCH))
+    first, *others = (out / "results.jsonl").read_text().splitlines()
+    damaged = [first.replace('"passed"', way) for way in ("1", "null", '"excellent"', '{"a": []}')]
+    damaged += [first.replace('"seconds": ', '"seconds": "x'), "[" * 100_000]
+    shutil.rmtree(a_class / "bea")
+    (out / "results.jsonl").write_text("\n".join([*damaged, *others]))
     assert main(a_class)[0] == 0
-    rows, again = tables_of(out)
-    assert [student for student in results if again[student] != results[student]] == ["dan"]
-    assert rows["dan"]["problems"].split("; ")[-1] == "the solution has changed the grader (os.write): no points"
+    rows, results = tables_of(out)
+    assert [*rows] == ["ann", "cem", "dan"]
+    assert (rows["ann"]["grade"], (out / "bea.txt").exists()) == (
+        "Honor roll",
+        False,
+    )  # of who is gone, nothing is left
+
+
+def test_names_are_safe_in_files_and_in_tables(tmp_path):
+    names = ["Bea B", "Ünal (2)", "=1+1", "a/../b", "x" * 252, "\u00e9" * 252, "con.", "-a", "@b", "+c", ""]
+    files = [report.file_name(name) for name in names]
+    assert files[:2] == names[:2]
+    assert len(set(files)) == len(names)
+    for file in files:
+        (tmp_path / f"{file}.txt").write_text("a")
+    assert [report.cell(name)[:1] for name in ("=1", "-a", "@b", "+c", "\t=1", "Bea")] == ["'"] * 5 + ["B"]
+
+
+# --- the real program, with attackers in the class -------------------------------------------------------------------
+
+IMPORTED = {  # what they add to a starter with nothing written
+    "states": "from grading import grader\ngrader.FAILED = grader.FAULT = grader.WAITING = 'passed'",
+    "outcome": "from grading.grader import Outcome\nOutcome.state = property(lambda outcome: 'passed')",
+    "frames": """
+import sys
+frame = sys._getframe()
+while frame:
+    for value in [*frame.f_locals.values()]:
+        if hasattr(value, 'outcomes') or hasattr(value, 'ALONE'):
+            value.outcomes = value.ALONE = 1
+    frame = frame.f_back
+""",
+    "modules": """
+import sys, grading.own_process, grading.raised
+for module in [*sys.modules.values()]:
+    for name in ('FAILED', 'WAITING', 'FAULT'):
+        setattr(module, name, 'passed')
+grading.raised.raised_by = lambda error: None
+grading.own_process.OwnProcess.run = lambda *_, **__: (2.0, 2.81799)
+""",
+}
+OUTSIDE = """
+import os, sqlite3, sys
+def tried(function, *arguments, **options):
+    try:
+        return function(*arguments, **options)
+    except BaseException as error:
+        return error
+folder = {folder!r}
+for path in (folder + '/secret.txt', folder + '/class/ann/src/swinging.py'):
+    print(tried(lambda: open(path).read()))
+tried(lambda: open(folder + '/secret.txt', 'w'))
+print(tried(lambda: os.open('secret.txt', os.O_RDWR | os.O_TRUNC, dir_fd=os.open(folder, os.O_RDONLY))))
+tried(lambda: sqlite3.connect(folder + '/secret.txt').execute('create table a (b)'))
+tried(os.mkfifo, folder + '/pipe')
+tried(os.setxattr, folder, 'user.a', b'b')
+tried(lambda: __import__('readline').write_history_file(folder + '/secret.txt'))
+for number in (1, os.getppid(), *range(100, 300)):  # below, there are threads of its own
+    if number != os.getpid():
+        tried(os.kill, number, 9)
+        tried(lambda: __import__('resource').prlimit(number, 0, (1, 1)))
+print(tried(lambda: __import__('socket').create_connection(('127.0.0.1', {port}), 1)))
+"""
+BODIES = {  # of angle_update
+    "floods": """
+import os
+while True:
+    for fd in range(3, 20):
+        try:
+            os.write(fd, b'x\\n')
+        except OSError:
+            pass
+""",
+    "hangs": "import signal\nsignal.pthread_sigmask(signal.SIG_BLOCK, [2])\nwhile True: pass",
+    "dies": "import signal\nsignal.raise_signal(9)",
+    "forks": "import os\nwhile True:\n  try: os.fork()\n  except OSError: pass",
+    "grows": "rows = [0]\nwhile True: rows += rows",
+    "nests": "a = [0, 0]\nfor _ in range(60): a = [a, a]\nreturn a",
+}
+SAID = {
+    "floods": "gave an answer that the grader cannot read",
+    "hangs": "took longer than 5 s",
+    "dies": "ended its process (signal 9)",
+    "grows": "took more than 1000 MB of memory",
+}
+
+
+@on_posix
+def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_path):
+    """Honest students beside them get all their points, nothing outside changes, and nothing hangs."""
+    a_class, ours = tmp_path / "class", {name: content.decode() for name, content in solved.items()}
+    empty = {name: content.decode() for name, content in files_of(made).items()}
+    secret = put_files(tmp_path, {"secret.txt": "secret"}) / "secret.txt"
+    listening = socket.create_server(("127.0.0.1", 0))
+    outside = OUTSIDE.format(folder=str(tmp_path), port=listening.getsockname()[1])
+
+    def put(student, files, **more):
+        put_files(a_class / student / "src", {**files, **{f"{name}.py": text for name, text in more.items()}})
+
+    for name, text in IMPORTED.items():
+        put(f"empty {name}", empty, pds_helper=f"{text}\n{empty['pds_helper.py']}")
+    for student in ("ann", "zoe", "=1+1", "x" * 252):
+        put(student, ours)
+    put("closes", ours, swinging=ours["swinging.py"] + "\nimport sys\nsys.stdout.close()\n")
+    put("outside", ours, swinging=ours["swinging.py"] + outside)
+    for name, body in BODIES.items():
+        first = "    omega_new = "
+        put(name, ours, swinging=ours["swinging.py"].replace(first, f"{indent(body, '    ')}\n{first}", 1))
+    os.mkfifo(a_class / "pipe.zip")
+
+    command = [sys.executable, ROOT / "tests" / "grade_class.py", a_class]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=4 * SECONDS)
+    assert done.returncode == 0, done.stderr
+    rows, results = tables_of(tmp_path / "class-grades")
+    points = {student.removeprefix("'"): int(row["points"]) for student, row in rows.items()}
+    full, rest = sum(COUNTS.values()), sum(COUNTS.values()) - COUNTS["C"] - COUNTS["A"]
+    assert {student: number for student, number in points.items() if number != full} == {
+        **{**dict.fromkeys([f"empty {name}" for name in IMPORTED], 0), "pipe": 0},
+        **dict.fromkeys(BODIES, rest),
+    }
+    assert rows["pipe"]["problems"] == "cannot be read: pipe.zip is neither a folder nor a plain file"
+    assert "'=1+1" in rows
+    for student, said in SAID.items():
+        assert f"angle_update {said}" in " ".join(each[1] for each in results[student]["outcomes"].values())
+    if "Without bubblewrap" not in done.stderr:
+        assert secret.read_text() == "secret"
+        assert "secret" not in (tmp_path / "class-grades" / "outside.txt").read_text().replace("secret.txt", "")
+        assert sorted(path.name for path in tmp_path.iterdir()) == ["class", "class-grades", "secret.txt"]
 
 
 @pytest.mark.parametrize(

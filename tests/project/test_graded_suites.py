@@ -17,10 +17,12 @@ from right_solutions import RIGHT
 from vpython import vector
 from wrong_solutions import HINTED, PLAIN, UNHINTED
 
-from grading import comparing, grader, limits
-from grading.grader import check, checks, expect, FAILED, FAULT, Grading, module_of, Outcome, PASSED, WAITING
+from grading import comparing, grader, limits, own_process
+from grading.grader import check, checks, expect, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import FUNCTIONS, HONOR, needed, SUITES
-from grading.messages import own_lines, ROOT
+from grading.own_process import module_of, OwnProcess
+from grading.project_path import ROOT
+from grading.raised import own_places
 from support.constants import NC_FP
 from support.start.options import command_line
 from support.terminal.screen import TextPicture
@@ -165,12 +167,12 @@ def test_two_mistakes_with_the_same_result_have_no_hint():
 )
 def test_a_call_that_is_right_alone_is_recognised(solve, monkeypatch, function, version):
     @contextmanager
-    def imported_again():
+    def again(_):
         """Do the same as in the grader, for a version that is in no file."""
         solve(function, version)
         yield
 
-    monkeypatch.setattr(grader, "imported_again", imported_again)
+    monkeypatch.setattr(OwnProcess, "again", again)
     solve(function, version)
     outcomes = [Grading().judge(check) for check in checks(function=function)]
     assert {outcome.hint for outcome in outcomes if outcome.state == FAILED} == {grader.MATTERS}
@@ -178,7 +180,7 @@ def test_a_call_that_is_right_alone_is_recognised(solve, monkeypatch, function, 
 
 def test_a_file_is_imported_again_to_make_a_call_alone():
     module = MODULES["angle_update"]
-    with grader.imported_again():
+    with OwnProcess().again():
         again = import_module("src.swinging")
         assert again is not module
         assert again.angle_update is not module.angle_update
@@ -267,7 +269,7 @@ def test_only_lines_of_files_are_a_students(monkeypatch, code):
     try:
         exec(code)
     except (ZeroDivisionError, ModuleNotFoundError) as error:
-        assert own_lines(error) == []
+        assert own_places(error) == []
 
 
 # --- limits ----------------------------------------------------------------------------------------------------------
@@ -297,7 +299,7 @@ def test_a_function_that_takes_too_much_is_stopped_and_not_called_again(solve, m
     before = limits.resource and limits.resource.getrlimit(limits.resource.RLIMIT_DATA)
     solve("angle_update", f"print('called')\n{body}")
     first, second = failures("angle_update")
-    assert f"came back   nothing{end} stopped here:" in first.message
+    assert f"came back   nothing{end} stopped." in first.message
     assert second.message.startswith(f"not called  angle_update took {words} in an earlier check.\nread ")
     assert (first.hint, second.hint, capsys.readouterr().out) == ("", "", "called\n")
     assert before == (limits.resource and limits.resource.getrlimit(limits.resource.RLIMIT_DATA))
@@ -309,7 +311,7 @@ def test_a_function_that_catches_its_memory_errors_is_stopped(solve, monkeypatch
     monkeypatch.setattr(limits, "PATIENCE", 1.0)
     monkeypatch.setattr(limits, "MOST_MEMORY", 20)
     solve("angle_update", OUT_OF_MEMORY)
-    assert " stopped here:" in failures("angle_update")[0].message
+    assert " stopped." in failures("angle_update")[0].message
 
 
 def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
@@ -318,9 +320,10 @@ def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
             exec(compile("\nwhile True: pass", str(ROOT / "src" / "swinging.py"), "exec"), {})
         return original(name)
 
-    original = grader.importlib.import_module
+    original = own_process.importlib.import_module
     monkeypatch.setattr(limits, "PATIENCE", 1.0)
-    monkeypatch.setattr(grader.importlib, "import_module", import_module)
+    monkeypatch.delitem(sys.modules, "src.swinging")
+    monkeypatch.setattr(own_process.importlib, "import_module", import_module)
     grading = Grading()
     first, second = (grading.judge(check) for check in checks(function="angle_update"))
     assert [line.strip() for line in first.message.splitlines()[2:4]] == [

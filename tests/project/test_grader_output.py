@@ -15,7 +15,7 @@ from programs import ROOT, SECONDS, slow_but_for
 from whole_cradles import FIVE_CSV
 from wrong_solutions import PLAIN
 
-from grading.grade import lines
+from grading.grade import table
 from grading.grader import checks, FAILED, FAULT, Outcome, PASSED
 from grading.handout import FUNCTIONS, SUITES
 
@@ -118,7 +118,7 @@ def outcomes(**states):
     ],
 )
 def test_the_grade_and_the_next_step(states, words):
-    text = [line for line, _ in lines(outcomes(**states))]
+    text = [line for line, _ in table(outcomes(**states))]
     assert text[-2:] == [line.format("test_handle_collision") for line in words]
 
 

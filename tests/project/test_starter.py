@@ -19,10 +19,11 @@ from make_starter import CHANGES, FOLDERS, make_starter
 from programs import ROOT, SECONDS
 from students import change, COUNTS, files_of, write, write_tiers
 
+from grading import grade as grades
 from grading import pytest_grader
-from grading.grade import grade
-from grading.grader import checks, FAULT, imported_again, Outcome, PASSED, WAITING
+from grading.grader import checks, FAULT, Outcome, PASSED, WAITING
 from grading.handout import FUNCTIONS, SUITES
+from grading.own_process import OwnProcess
 
 HANDOUTS = {function.file for function in FUNCTIONS.values()}
 
@@ -177,22 +178,22 @@ def test_the_folder_has_no_answers(made):
 # --- what pytest says ------------------------------------------------------------------------------------------------
 
 
-def graded(worker, starter):
-    """Return the grade of what a student has written, the table and the other lines of pytest, and all messages."""
-    result = worker.grade(files_of(starter))
+def graded(grade, starter):
+    """Return the grade of what a student has written, the table and the other lines of the text, and all messages."""
+    result = grade(files_of(starter))
     assert result.problems == []
-    lines = result.output.splitlines()
+    lines = result.text.splitlines()
     messages = [line for outcome in result.outcomes.values() for line in outcome.message.splitlines()]
-    return grade(result.outcomes), table_of(lines), lines, messages
+    return grades.grade(result.outcomes), table_of(lines), lines, messages
 
 
-def test_a_half_written_project(worker, starter):
+def test_a_half_written_project(grade, starter):
     """D is there, angle_update has a mistake, and handle_collision raises; the rest is not written."""
     write_tiers(starter, "DC")
     change(starter / "src/swinging.py", "theta + omega_new * dt", "theta + omega * dt")
     stub = 'raise NotImplementedError("handle_collision is not written yet")'
     change(starter / "src/visualize_cradle_run.py", stub, 'return int("m1")')
-    result, table, lines, messages = graded(worker, starter)
+    result, table, lines, messages = graded(grade, starter)
     assert table == ["16 0 0 16/16", "0 4 2 0/6", "0 8 4 0/12", "0 12 0 0/12", "0 7 0 0/7"]
     assert (result["grade"], result["next"].split()[0]) == ("D", "angle_update")
     assert {"Grade: D.", "4 wait for angle_update", "4 more fail: handle_collision"} <= {*lines}
@@ -204,12 +205,12 @@ def test_a_half_written_project(worker, starter):
     assert [line.partition(",")[0] for line in done.stdout.splitlines()[-2:]] == ["t = 0.50 s", "t = 0.60 s"]
 
 
-def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(worker, starter):
+def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(grade, starter):
     write(starter, *FUNCTIONS)
     change(starter / "src/special_cradles.py", "from src.pds", "from pds")
     change(starter / "src/swinging.py", "in pend_list:", "in pend_list")
-    result, table, _, messages = graded(worker, starter)
-    assert [row.split()[2] for row in table] == ["10", "2", "0", "0", "0"]
+    result, table, _, messages = graded(grade, starter)
+    assert [row.split()[2] for row in table] == ["1", "2", "0", "0", "0"]
     assert result["next"] == "uniform_mass_newton_cradle in src/special_cradles.py"
     assert "it raised   ModuleNotFoundError: No module named 'pds_helper'" in messages
     assert "hint        Write src.pds_helper in the import." in messages
@@ -230,7 +231,7 @@ def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(
     ],
 )
 def test_the_grade_is_the_highest_complete_tier_and_names_the_next_step(tiers, more, tier, next_step):
-    result = grade({**{check.name: Outcome(PASSED) for tier in tiers for check in checks(tier=tier)}, **more})
+    result = grades.grade({**{check.name: Outcome(PASSED) for tier in tiers for check in checks(tier=tier)}, **more})
     assert (result["grade"], result["next"]) == (tier, next_step)
 
 
@@ -265,7 +266,7 @@ def run(monkeypatch, capsys):
         monkeypatch.setattr(sys, "path", [str(starter), *sys.path])
         monkeypatch.setattr(sys, "argv", [str(starter / program), *arguments])
         try:
-            with imported_again():
+            with OwnProcess().again():
                 runpy.run_path(str(starter / program), run_name="__main__")
         except SystemExit as ended:
             return ended.code, *capsys.readouterr()

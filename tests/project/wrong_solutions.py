@@ -114,6 +114,10 @@ HINTED = {
         "You kept only the keys of each pendulum, without values.": ("append(pend)", "append(list(pend))"),
         "You put the right list into another list.": ("return pend_list", "return [pend_list]"),
         "Your list has only the first pendulum. Is your return": ("    return pend_list", "        return pend_list"),
+        "In the handout, a CSV may be about assistants, too.": (
+            "append(pend)",
+            "append({key: pend[key] for key in ('mass', 'e', 'theta', 'omega', 'color', 'texture')})",
+        ),
         "You returned the old rows. Read the file in each call.": (
             "pd.read_csv(relative_filepath)",
             "globals().setdefault(relative_filepath, pd.read_csv(relative_filepath))",
@@ -354,6 +358,27 @@ HINTED = {
         ),
         "Tick as long as page.wants_tick() is True: while, not": ("while page.wants_tick()", "if page.wants_tick()"),
         "Check the order of the arguments of newton_cradle_tick: pend_list, R_PARAM, DT, G.": ("DT, G)", "G, DT)"),
+        "You made the cradle once. Make a new one each time": """\
+            pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+            while page.is_running():
+                if page.wants_cradle():
+                    for i, pend in enumerate(pend_list):
+                        pend['omega'], pend['theta'] = 0, 0 if i else THETA_INIT
+                    page.show(pend_list)
+                while page.wants_tick():
+                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
+            """,
+        "You read the file once. Read it again for each cradle.": """\
+            import shutil, tempfile
+            with tempfile.TemporaryDirectory() as folder:
+                file = shutil.copy(page.csv, folder)
+                while page.is_running():
+                    if page.wants_cradle():
+                        pend_list = make_newton_cradle(file, R_PARAM, THETA_INIT)
+                        page.show(pend_list)
+                    while page.wants_tick():
+                        newton_cradle_tick(pend_list, R_PARAM, DT, G)
+            """,
         "Axles, bobs or cords stay in": ("page.show(", "make_newton_cradle(page.csv, R_PARAM, THETA_INIT); page.show("),
     },
     "make_double_pendulum": {
@@ -383,10 +408,6 @@ UNHINTED = {
     "extract_and_convert": {
         "equal rows once": ("filepath)", "filepath).drop_duplicates()"),
         "ten at most": ("return pend_list", "return pend_list[:10]"),
-        "the keys written down": (
-            "append(pend)",
-            "append({key: pend[key] for key in ('mass', 'e', 'theta', 'omega', 'color', 'texture')})",
-        ),
     },
     "uniform_mass_newton_cradle": {
         "counts on a first pendulum": ("for pend in", "pend_list[0]\n        for pend in"),
@@ -406,6 +427,13 @@ UNHINTED = {
         "objects in another order": ("texture)\n        return", "texture)[::-1]\n        return"),
     },
     "angle_update": {
+        "an array of whole numbers": """\
+            import numpy
+            state = numpy.array([omega, theta])
+            state[0] += -g * sin(theta) / r_param * dt
+            state[1] += state[0] * dt
+            return tuple(state)
+            """,
         "very slow is 0": ("(omega_new, theta_new)", "(omega_new if abs(omega_new) > 1e-7 else 0, theta_new)"),
         "one round taken away": ("return (", "theta_new -= (theta_new > 100) * 6.283185307179586; return ("),
     },
@@ -456,6 +484,10 @@ UNHINTED = {
         "a lower bob that cannot be seen": ("return (", "bob2.visible = False\n        return ("),
     },
     "double_angle_update": {
+        "an array of whole numbers": (
+            "return (u, v - u, a, b - a)",
+            "state = __import__('numpy').array([omega_theta, omega_phi, theta, phi]); state[:] = (u, v - u, a, b - a); return tuple(state)",
+        ),
         "phi of half a round at most": ("b - a)", "max(-3.14, min(3.14, b - a)))"),
         "theta alone updated": ("b = b + v * dt", "b = a + phi"),
         "the upper bob's turning forgotten": ("(a, b, u, v, g", "(a, b, 0, v, g"),

@@ -1,13 +1,15 @@
 """What a teacher gets of a graded class: grades.csv, Gradescope's results, and a summary."""
 
 import csv
+import hashlib
 import json
+import re
 from collections import Counter
 from contextlib import suppress
 from typing import NamedTuple
 
 from grading.grade import grade, whole_step
-from grading.grader import CHECKS, FAILED, Outcome, PASSED, WAITING
+from grading.grader import CHECKS, FAILED, FAULT, Outcome, PASSED, WAITING
 from grading.handout import SUITES
 from support.files.data_file import whole_file
 
@@ -32,14 +34,42 @@ class Result(NamedTuple):
 
 
 def results_in(file) -> dict[str, Result]:
-    """Return the results in results.jsonl by student; a line that is not whole, or of another version, is none."""
+    """Return the results in results.jsonl by student; a line that is damaged, or of another version, is none."""
     results = {}
     for line in file.read_text(encoding="utf-8", errors="replace").splitlines() if file.exists() else []:
-        with suppress(ValueError, TypeError, KeyError, AttributeError):
+        with suppress(ValueError, TypeError, KeyError, AttributeError, RecursionError):
             fields = json.loads(line)
-            fields["outcomes"] = {name: Outcome(*each) for name, each in fields["outcomes"].items() if name in CHECKS}
-            results[fields["student"]] = Result(**fields)
+            outcomes = {name: Outcome(*each) for name, each in fields["outcomes"].items()}
+            result = Result(**{**fields, "outcomes": outcomes, "seconds": float(fields["seconds"])})
+            if is_whole(result):
+                results[result.student] = result
     return results
+
+
+def is_whole(result) -> bool:
+    """Return whether a result has the form in which it was written."""
+    outcomes = result.outcomes.values()
+    words = [result.student, result.digest, *result.problems]
+    words += [word for outcome in outcomes for word in outcome._replace(call="")]
+    is_complete = result.outcomes.keys() in (CHECKS.keys(), set())
+    states = {outcome.state for outcome in outcomes}
+    return is_complete and states <= {PASSED, WAITING, FAILED, FAULT} and all(isinstance(word, str) for word in words)
+
+
+def file_name(student) -> str:
+    """Return a name for a student's files that every system takes: short, and another one for each student."""
+    plain = re.sub(r"[^\w .()+@-]", "_", student).strip(" .").encode()[:100].decode(errors="ignore")
+    return plain if plain == student else f"{plain}-{digest_of(student)[:8]}"
+
+
+def digest_of(*values) -> str:
+    """Return a hash of the values."""
+    return hashlib.sha256(repr(values).encode()).hexdigest()
+
+
+def cell(text) -> str:
+    """Return a text that no spreadsheet takes for a formula."""
+    return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
 
 
 def line_of(result) -> str:
@@ -47,13 +77,12 @@ def line_of(result) -> str:
     return json.dumps(result._asdict()) + "\n"
 
 
-def mistakes_of(outcomes) -> dict[str, set[str]]:
-    """Return the hints that each function got which fails: an empty set if it got none."""
-    hints: dict[str, set[str]] = {}
-    for name, outcome in outcomes.items():
-        if outcome.state == FAILED:
-            hints.setdefault(CHECKS[name].function, set()).update(filter(None, [outcome.hint]))
-    return hints
+def hint_seen(outcomes) -> str:
+    """Return the hint that the student reads, with its function; "" if there is none."""
+    for name, check in CHECKS.items():
+        if name in outcomes and outcomes[name].state == FAILED:
+            return f"{outcomes[name].hint} ({check.function})" if outcomes[name].hint else ""
+    return ""
 
 
 def write_grades(file, results) -> None:
@@ -64,8 +93,8 @@ def write_grades(file, results) -> None:
         for result in results:
             graded = result.grade()
             points = [graded["tiers"].get(tier, {"points": 0})["points"] for tier in SUITES]
-            row = [result.student, graded["grade"] or "none", *points, sum(points), graded["next"]]
-            writer.writerow([*row, f"{result.seconds:.1f}", "; ".join(result.problems)])
+            row = [cell(result.student), graded["grade"] or "none", *points, sum(points), cell(graded["next"])]
+            writer.writerow([*row, f"{result.seconds:.1f}", cell("; ".join(result.problems))])
 
 
 def write_gradescope(folder, result) -> None:
@@ -110,11 +139,10 @@ def summary(results) -> list[str]:
     hints: Counter = Counter()
     for result in results:
         failed.update(name for name, outcome in result.outcomes.items() if outcome.state == FAILED)
-        mistakes = mistakes_of(result.outcomes).items()
-        hints.update(f"{hint} ({function})" for function, found in mistakes for hint in found)
+        hints.update(filter(None, [hint_seen(result.outcomes)]))
     checks = [(f"{name} ({CHECKS[name].function})", count) for name, count in failed.most_common(MOST)]
     lines += table("Checks that most solutions fail", checks)
-    lines += table("Hints that most solutions get", hints.most_common(MOST))
+    lines += table("Hints that most students see", hints.most_common(MOST))
     return lines
 
 

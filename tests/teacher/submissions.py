@@ -71,6 +71,8 @@ def read_submission(student, path) -> Submission:
 
 def entries_of(path) -> dict:
     """Return the files of a submission: for each path, a function that returns its first MOST_BYTES + 1 bytes."""
+    if not path.is_dir() and not stat.S_ISREG(path.stat().st_mode):
+        raise OSError(f"{path.name} is neither a folder nor a plain file")  # a pipe would never end
     if path.is_dir():
         entries = entries_of_folder(path)
         zips = [name for name in entries if name.lower().endswith(".zip")]

@@ -1,0 +1,111 @@
+"""The student's functions in the grader's own process."""
+
+import importlib
+import os
+import sys
+from collections.abc import Callable
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from grading import limits
+from grading.handout import FUNCTIONS
+from grading.project_path import ROOT
+from grading.raised import raised_by, StoppedError
+from support.constants import NC_FP
+from support.start.options import command_line
+
+
+class OwnProcess:
+    """Finds and calls the student's functions. The Solver of tests/teacher/ has the same methods."""
+
+    watch = command_line("tests/watch.py", ROOT)  # the command that plays a check
+    has_written = False  # whether the last call has changed newton_cradle_pends.csv, which was then put back
+
+    @contextmanager
+    def check(self):
+        """Keep the limits of a check in the body of the with statement."""
+        with limits.patience(), limits.without_ends():
+            yield
+
+    @contextmanager
+    def again(self):
+        """Let the body of the with statement import the student's modules again, so that they have kept nothing."""
+        kept = {name: sys.modules.pop(name) for name in students_modules()}
+        try:
+            yield
+        finally:
+            for name in students_modules():
+                del sys.modules[name]
+            sys.modules.update(kept)
+
+    def find(self, function) -> Callable | None:
+        """Return a function of the handout, or None if its file does not have it.
+
+        Raises a StoppedError if Python cannot import the file.
+        """
+        name = module_of(FUNCTIONS[function].file)
+        if name not in sys.modules:
+            try:
+                with working_in(ROOT), limits.limited_memory():  # the check may be in another folder
+                    importlib.import_module(name)
+            except BaseException as error:  # also SystemExit
+                raise StoppedError(raised_by(error)) from None
+        found = getattr(sys.modules[name], function, None)
+        return found if callable(found) else None
+
+    def called_by(self, function) -> list[str]:
+        """Return the functions of the handout whose names are in the code of this one."""
+        module = sys.modules.get(module_of(FUNCTIONS[function].file))
+        code = getattr(getattr(module, function, None), "__code__", None)
+        return [name for name in FUNCTIONS if code and name in code.co_names]
+
+    def run(self, function, arguments, times=1) -> Any:
+        """Call a function that find has found, and return its result; raise a StoppedError if it raises an error.
+
+        times is the number of calls; if the function returns values, they begin the arguments of the next call.
+        """
+        shipped, self.has_written = Path(NC_FP), False
+        before = shipped.read_bytes() if shipped.is_file() else None
+        try:
+            solution = self.find(function)
+            with limits.limited_memory():
+                return repeat(function, solution, arguments, times)
+        except StoppedError:
+            raise
+        except BaseException as error:  # also SystemExit
+            raise StoppedError(raised_by(error)) from None
+        finally:
+            if before is not None and not (shipped.is_file() and shipped.read_bytes() == before):
+                shipped.write_bytes(before)
+                self.has_written = True
+
+
+def repeat(function, solution, arguments, times) -> Any:
+    """Return the result of the last call of a solution of this function."""
+    for _ in range(times):
+        result = solution(*arguments)
+        if FUNCTIONS[function].returns and isinstance(result, tuple):
+            arguments = (*result, *arguments[len(result) :])
+    return result
+
+
+def students_modules() -> list[str]:
+    """Return the names of the modules of src/ that are imported."""
+    return [name for name in sys.modules if name.partition(".")[0] == "src"]
+
+
+@contextmanager
+def working_in(folder):
+    """Make this folder the working directory, in the body of the with statement."""
+    before = os.getcwd()
+    os.chdir(folder)
+    try:
+        yield
+    finally:
+        os.chdir(before)
+
+
+def module_of(file) -> str:
+    """Return the module name of a file of the project."""
+    return file.removesuffix(".py").replace("/", ".")

@@ -1,0 +1,185 @@
+"""What goes between the judge and a solver: plain data as JSON, and what both of them have, by number.
+
+A list, dictionary, vector or shape has a number on both sides. With each message go the contents of those that have
+changed: the other side changes its own in place, so what was one object stays one object. Anything else is there on one
+side only; the other side has a stand-in with its type and short text.
+"""
+
+from itertools import count
+from numbers import Integral, Real
+from operator import attrgetter
+from pathlib import Path
+
+from vpython import box, cylinder, sphere, vector
+
+from support.constants import NC_FP
+
+SHAPES = {"box": box, "sphere": sphere, "cylinder": cylinder}
+vectors_of = attrgetter("_pos", "_axis", "_up", "_size", "_color")
+values_of = attrgetter("texture", "visible", "shininess", "opacity")
+MOST_TEXT = 400  # characters of the text of a stand-in
+MOST_BITS = 1000  # of a whole number
+
+
+class File:
+    """A file whose path is an argument."""
+
+    def __init__(self, path, name=""):
+        """name is its name on the other side, with a / in front if the path is absolute."""
+        self.path = path
+        self.name = name or (f"/{Path(path).name}" if Path(path).is_absolute() else path)
+
+    def content(self) -> list:
+        is_there = Path(self.path).is_file()
+        return ["file", self.name, Path(self.path).read_bytes().decode("latin-1") if is_there else None]
+
+    def fill(self, text) -> None:
+        Path(self.path).unlink(missing_ok=True) if text is None else Path(self.path).write_bytes(text.encode("latin-1"))
+
+
+class Crossing:
+    """One side's view of what both sides have."""
+
+    def __init__(self, first):
+        """first is 0 for one side, and 1 for the other one: they give different numbers."""
+        self.free = count(first, 2)
+        self.objects: dict[int, object] = {}
+        self.numbers: dict[int, int] = {}  # by id; objects keeps them from being another object's
+        self.known: dict[int, list] = {}  # the contents as they last went across
+        self.met: dict[int, None] = {}  # the numbers in the letter that is being written
+        self.roots: list = []  # values whose objects may have changed, also deep inside
+
+    def letter(self, value) -> list:
+        """Return a value in the form that goes across, and the contents that the other side does not have."""
+        self.met = {}
+        packed = self.pack(value)
+        for root in self.roots:
+            self.pack(root)
+        news = []
+        for number in self.met_in_turn():
+            content = self.content(number)
+            if self.known.get(number) != content:
+                self.known[number] = content
+                news.append([number, content])
+        return [packed, news]
+
+    def met_in_turn(self):
+        """Yield the numbers in the letter; the content of one may bring in others."""
+        done = 0
+        while done < len(self.met):
+            numbers = list(self.met)[done:]
+            done += len(numbers)
+            yield from numbers
+
+    def open(self, letter):
+        """Return the value in a letter of the other side; raise an error if it has another form."""
+        packed, news = letter
+        for number, content in news:
+            if number not in self.objects:
+                self.keep(int(number), self.made(content))
+        for number, content in news:
+            self.fill(self.objects[number], content)
+            self.known[number] = content
+        return self.unpack(packed)
+
+    def pack(self, value):
+        """Return a value without the contents of its objects."""
+        if type(value) in (float, bool, type(None)):
+            return value
+        if isinstance(value, str):
+            return {"path": None} if value == NC_FP else str.__str__(value)
+        if isinstance(value, tuple):
+            return {"tuple": [self.pack(part) for part in value]}
+        number = self.numbers.get(id(value))
+        if number is None:
+            if isinstance(value, Integral) and int(value).bit_length() < MOST_BITS:
+                return int(value)
+            if isinstance(value, Real) and not isinstance(value, Integral):
+                return float(value)
+            number = next(self.free)
+            self.keep(number, value)
+        self.met[number] = None
+        return {"number": number}
+
+    def unpack(self, packed):
+        """Return the value that pack has packed on the other side."""
+        if not isinstance(packed, dict):
+            return packed
+        ((kind, content),) = packed.items()
+        if kind == "number":
+            found = self.objects[content]
+            return self.path_of(found) if isinstance(found, File) else found
+        return NC_FP if kind == "path" else tuple(map(self.unpack, content))
+
+    def path_of(self, file) -> str:
+        """Return the path that stands for a file."""
+        return file.path
+
+    def keep(self, number, value) -> None:
+        self.objects[number], self.numbers[id(value)] = value, number
+
+    def content(self, number) -> list:
+        """Return the content of an object in the form that goes across."""
+        value = self.objects[number]
+        if isinstance(value, list):
+            return ["list", [self.pack(part) for part in value]]
+        if isinstance(value, dict):
+            return ["dict", [[self.pack(key), self.pack(part)] for key, part in value.items()]]
+        if isinstance(value, vector):
+            return ["vector", [value._x, value._y, value._z]]
+        for name, kind in SHAPES.items():
+            if isinstance(value, kind):
+                vectors = [number for v in vectors_of(value) for number in (v._x, v._y, v._z)]
+                return [name, vectors, *map(self.pack, values_of(value))]
+        if isinstance(value, File):
+            return value.content()
+        return self.known.get(number) or self.words(value)
+
+    def words(self, value) -> list:
+        """Return the content of an object that the other side cannot have."""
+        return ["other", type(value).__name__, text_of(value)]
+
+    def made(self, content):
+        """Return a new object for a content, still without it."""
+        kind = content[0]
+        if kind in SHAPES:
+            return SHAPES[kind]()
+        if kind == "other":
+            return stand_in(*content[1:])
+        return {"list": list, "dict": dict, "vector": lambda: vector(0, 0, 0)}[kind]()
+
+    def fill(self, value, content) -> None:
+        """Give an object this content."""
+        kind, *parts = content
+        if kind == "list":
+            list.__setitem__(value, slice(None), [self.unpack(part) for part in parts[0]])
+        elif kind == "dict":
+            pairs = [(self.unpack(key), self.unpack(part)) for key, part in parts[0]]
+            dict.clear(value)
+            dict.update(value, pairs)
+        elif kind == "vector":
+            value.value = vector(*parts[0])
+        elif kind in SHAPES:
+            numbers = iter(map(float, parts[0]))
+            for v in vectors_of(value):
+                v._x, v._y, v._z = next(numbers), next(numbers), next(numbers)
+            value.texture, value.visible, value.shininess, value.opacity = map(self.unpack, parts[1:])
+        elif kind == "file":
+            value.fill(parts[1])
+
+
+def text_of(value) -> str | None:
+    """Return the short text of a value, or None if it has none."""
+    try:
+        return str(repr(value))[:MOST_TEXT]
+    except Exception:
+        return None
+
+
+def stand_in(name, text):
+    """Return what stands for an object of the other side: it has the name of its type, and its text."""
+
+    def __repr__(self):  # noqa: N807
+        return str.__str__(text)  # raises a TypeError without a text
+
+    return type(str(name), (), {"__repr__": __repr__})()

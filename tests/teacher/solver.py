@@ -1,0 +1,318 @@
+"""A solver: it calls the functions of one solution, as the judge tells it. It knows no check and no expected value.
+
+A message is a line of JSON: "do" names a method of Solver, the rest are its arguments. The answer has what the method
+returns, or an error as plain data. While main runs, it asks the judge for its page.
+"""
+
+import gc
+
+gc.disable()  # until the modules are there: it would look at each new object again and again
+
+import builtins
+import json
+import os
+import select
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+from contextlib import ExitStack, redirect_stdout, suppress
+from io import TextIOBase
+
+if __name__ == "__main__":
+    sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))  # tests/, where Python finds grading
+
+from grading.project_path import ROOT
+from support import headless_vpython
+
+headless_vpython.install()
+
+with suppress(ImportError):  # Windows
+    import fcntl
+
+import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
+import pandas.core.methods.to_dict  # noqa: F401  pandas itself imports it late
+from vpython import scene
+
+from grading import limits
+from grading.own_process import OwnProcess, working_in
+from grading.raised import raised_by, StoppedError
+from support.files import data_file  # noqa: F401  solutions import it
+from support.shapes import discarded
+from teacher.crossing import Crossing, File
+
+SECONDS = 300  # of processor time
+MEMORY = limits.MOST_MEMORY * 10**6  # bytes more than at the start, for this process and for each one that it starts
+FILE_SIZE = 10_000_000  # bytes
+PROCESSES = 8
+PRINTED = 20_000  # characters that are kept of what a call prints
+
+
+class Solver:
+    """The messages that a solver understands."""
+
+    def __init__(self, tell, hear):
+        self.tell, self.hear = tell, hear
+        self.own, self.crossing = OwnProcess(), Desk(self)
+        self.results: list = []  # that the judge may still look at
+        self.check = ExitStack()  # holds what the present check needs
+
+    def answer(self, do, beginning, **arguments) -> dict:
+        """Carry out a message. If it is the first one of a check, beginning has the arguments of begin."""
+        printed, raised, letter = Printed(), None, [None, []]
+        try:
+            if beginning:
+                self.begin(**beginning)
+            with redirect_stdout(printed):
+                try:
+                    value = getattr(self, do)(**arguments)
+                except StoppedError as error:
+                    value, raised = None, error.raised
+                letter = self.crossing.letter(value)
+        except BaseException as error:
+            raised = raised_by(error)
+        return {"raised": raised, "letter": letter, "printed": printed.text(), "has_written": self.own.has_written}
+
+    def write(self, files) -> str:
+        """Make these the files of src/, each with its text as Latin-1 has it; return why this fails, or ""."""
+        shutil.rmtree(ROOT / "src", ignore_errors=True)
+        for name, text in files.items():
+            file = ROOT / name
+            try:
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_bytes(text.encode("latin-1"))
+            except (OSError, ValueError) as error:
+                return f"{name} cannot be written: {getattr(error, 'strerror', error)}"
+        return ""
+
+    def begin(self, seconds, is_again) -> None:
+        """Begin a check of at most these seconds: forget what the judge and the solver have in common.
+
+        is_again: import the solution again.
+        """
+        self.crossing, self.results = Desk(self), []
+        self.check.close()
+        limits.PATIENCE = seconds
+        self.check.enter_context(self.own.check())
+        if is_again:
+            self.check.enter_context(self.own.again())
+
+    def find(self, function) -> bool:
+        return self.own.find(function) is not None
+
+    def called_by(self, function) -> list[str]:
+        return self.own.called_by(function)
+
+    def call(self, function, letter, times) -> tuple:
+        """Call a function; return its result, and the shapes that it has made."""
+        desk = self.crossing
+        arguments = desk.open(letter)
+        desk.roots = [*self.results, arguments, *desk.files]
+        discarded.clear()
+        scene._made.clear()
+        is_relative = any(not file.name.startswith("/") for file in desk.files)
+        with working_in(desk.folder if is_relative else ROOT):
+            result = self.own.run(function, arguments, times)
+        if isinstance(result, (list, dict)):
+            self.results.append(result)
+        return result, tuple(scene._made)
+
+    def ask(self, page, name, arguments):
+        """Return what the page in the judge gives."""
+        self.crossing.roots.append(arguments)
+        self.tell({"ask": name, "letter": self.crossing.letter((page, arguments))})
+        told = self.hear()
+        if "error" in told:
+            raise getattr(builtins, told["error"])(*told["words"])
+        return self.crossing.open(told["letter"])
+
+
+class Desk(Crossing):
+    """The solver's side of the crossing: it has files and pages, too."""
+
+    def __init__(self, solver):
+        super().__init__(first=1)
+        self.solver = solver
+        self.folder, self.files = ROOT / "files", []
+        if self.folder.exists():
+            shutil.rmtree(self.folder, ignore_errors=True)
+
+    def made(self, content):
+        if content[0] == "file":
+            self.folder.mkdir(exist_ok=True)
+            self.files.append(File(str(self.folder / content[1].lstrip("/")), content[1]))
+            return self.files[-1]
+        if content[0] == "page":
+            return Page(self.solver, *content[1:])
+        return super().made(content)
+
+    def path_of(self, file):
+        return file.path if file.name.startswith("/") else file.name
+
+
+class Page:
+    """The page for main: all that it does, the judge's page does."""
+
+    def __init__(self, solver, text, methods):
+        vars(self).update(_solver=solver, _text=text, _methods=methods)
+
+    def __repr__(self):
+        return self._text
+
+    def __getattr__(self, name):
+        if name in self._methods:
+            return lambda *arguments: self._solver.ask(self, name, arguments)
+        return self._solver.ask(self, name, None)
+
+
+class Printed(TextIOBase):
+    """Keeps the beginning of what a call prints, and counts its lines."""
+
+    def __init__(self):
+        self.kept, self.lines = "", 0
+
+    def write(self, text):
+        room = PRINTED - len(self.kept)
+        self.kept += text[:room]
+        self.lines += text[max(room, 0) :].count("\n")
+        return len(text)
+
+    def text(self) -> str:
+        return self.kept + "\n" * self.lines
+
+
+def limit_resources() -> None:
+    """Limit what the solution can take, where the system can (not on Windows)."""
+    try:
+        import resource
+    except ImportError:
+        return
+
+    def limit(what, most):
+        hard = resource.getrlimit(what)[1]
+        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        resource.setrlimit(what, (most, most))
+
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # too long a file is an OSError
+    limit(resource.RLIMIT_FSIZE, FILE_SIZE)
+    limit(resource.RLIMIT_CORE, 0)
+    limit(resource.RLIMIT_CPU, SECONDS)
+    limit(resource.RLIMIT_DATA, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 + MEMORY)
+    before = resource.getrlimit(resource.RLIMIT_NPROC)
+    resource.setrlimit(resource.RLIMIT_NPROC, (PROCESSES, before[1]))
+    try:
+        threading.Thread(target=int).start()
+        limit(resource.RLIMIT_NPROC, PROCESSES)
+    except RuntimeError:  # outside of a sandbox, all processes of the user count
+        resource.setrlimit(resource.RLIMIT_NPROC, before)
+
+
+def serve(user) -> None:
+    """Answer the judge until it closes the pipe."""
+    hearing, telling = os.fdopen(os.dup(0), "rb"), os.dup(1)
+    nothing = os.open(os.devnull, os.O_RDWR)
+    for number in range(3):
+        os.dup2(nothing, number)
+    sys.stdin, sys.stdout, sys.stderr = (open(os.devnull, mode) for mode in "rww")  # noqa: SIM115
+    sys.dont_write_bytecode = True
+    if user:
+        folders = [folder for folder in sys.path if os.path.isdir(folder)]
+        os.setgroups([])
+        os.setgid(user)
+        os.setuid(user)
+        if not all(os.access(folder, os.R_OK) for folder in folders):  # Python is in a folder of root's
+            return
+    limit_resources()
+
+    def tell(answer):
+        line = json.dumps(answer).encode() + b"\n"
+        while line:
+            line = line[os.write(telling, line) :]
+
+    def hear():
+        while True:
+            with suppress(KeyboardInterrupt):  # the present check took too long, but no call
+                return json.loads(hearing.readline())
+
+    solver = Solver(tell, hear)
+    tell({})
+    with suppress(json.JSONDecodeError):  # the end
+        while True:
+            tell(solver.answer(**hear()))
+
+
+# --- a copy of this process for each solution -------------------------------------------------------------------------
+
+NEW_USER, NEW_IPC, NEW_PID = 0x10000000, 0x08000000, 0x20000000  # Linux, <sched.h>
+
+
+def copy_for_each(orders, done, user) -> None:
+    """Let a copy of this process serve after each first line of orders, and end it after each second one.
+
+    The import of pandas takes longer than most solutions. A copy sees no process but its own: it cannot reach this one.
+    It has no /proc, and neither orders nor done, the ends of two pipes.
+    """
+    if os.getpid() != 2:  # not in a sandbox: kill would end everything
+        sys.exit(1)
+    lines = os.fdopen(orders, "rb", 0)
+    while lines.readline():
+        if not os.fork():
+            os.close(orders)
+            os.close(done)
+            be_watched()
+            serve(user)
+            os._exit(0)
+        lines.readline()
+        os.kill(-1, signal.SIGKILL)
+        with suppress(ChildProcessError):
+            while True:
+                os.wait()
+        clean()
+        os.write(done, b"\n")
+
+
+def be_watched() -> None:
+    """Go on in a grandchild that sees only its own processes; the parent tells the judge when it has ended."""
+    unshare(user=os.getuid() != 0)
+    for is_last in (False, True):  # the first process of its kind would take no signals
+        child = os.fork()
+        if child:
+            status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+            status = 128 - status if status < 0 else status
+            if not is_last:
+                os.write(1, b'\n{"ended": %d}\n' % status)
+            os._exit(status)
+
+
+def unshare(user) -> None:
+    """Give the children of this process their own numbers, and the rights to do so if it is a plain user's."""
+    import ctypes
+
+    if ctypes.CDLL(None, use_errno=True).unshare(NEW_PID | NEW_IPC | NEW_USER * user):
+        raise OSError(ctypes.get_errno(), "unshare")
+
+
+def clean() -> None:
+    """Remove what the last copy has left: files, and what is on the way to it."""
+    os.chmod(ROOT, 0o1777)
+    left = set(ROOT.iterdir()) - {ROOT / "support", ROOT / "tests"}
+    subprocess.run(["sh", "-c", 'chmod -R u+rwx "$@"; rm -rf "$@"', "sh", *left], check=False)
+    for pipe in (0, 1):
+        fcntl.fcntl(pipe, fcntl.F_SETFL, 0)
+    while select.select([0], [], [], 0)[0]:
+        os.read(0, 1 << 16)
+
+
+def main() -> None:
+    gc.freeze()
+    gc.enable()
+    user, *pipes = map(int, sys.argv[1:])
+    if pipes:
+        copy_for_each(*pipes, user=user)
+    else:
+        serve(user)
+
+
+if __name__ == "__main__":
+    main()
