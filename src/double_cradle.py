@@ -114,8 +114,7 @@ def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1
     acceleration, m1 and m2 (kg) are the masses of the upper and the lower bob. Each method is right that comes nearer
     to the exact motion with a shorter dt.
     """
-    # One step of the classical Runge-Kutta method: it averages four rates with the weights 1 : 2 : 2 : 1, one from the
-    # beginning of the step, two from its middle and one from its end.
+    # A step of the classical Runge-Kutta method: it averages four rates with the weights 1 : 2 : 2 : 1.
     k, mu = g / r_param, m2 / (m1 + m2)
     state = theta, theta + phi, omega_theta, omega_theta + omega_phi
     k1 = rates(state, k, mu)

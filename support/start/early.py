@@ -10,18 +10,12 @@ from importlib.machinery import PathFinder
 from types import ModuleType
 
 
-def end_on_interrupt(status=0, words="") -> None:
-    """Let Ctrl+C end the process immediately, with this status and these words, and no traceback.
+def end_on_interrupt(status=0) -> None:
+    """Let Ctrl+C end the process immediately, with this status and no traceback.
 
     VPython's own handler waits for its servers, which may be waiting for a browser.
     """
-
-    def end(*_):
-        with suppress(OSError):
-            os.write(1, words.encode())
-        os._exit(status)
-
-    signal.signal(signal.SIGINT, end)
+    signal.signal(signal.SIGINT, lambda *_: os._exit(status))
 
 
 def stop_on_signals() -> None:

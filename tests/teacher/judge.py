@@ -107,7 +107,7 @@ class Solver:
         arguments = tuple(map(self.with_file, arguments))
         self.crossing.roots = [*self.results, arguments]
         letter = self.crossing.letter(arguments)
-        result, _ = self.exchange("call", function=function, letter=letter, times=times)
+        result = self.exchange("call", function=function, letter=letter, times=times)
         if isinstance(result, (list, dict)):
             self.results.append(result)
         return result
@@ -126,7 +126,8 @@ class Solver:
 
     def close(self) -> None:
         """End the solution's process."""
-        self.process.end()
+        if self.is_open:
+            self.process.end()
         self.is_open = False
 
     def begin(self, is_again) -> None:
@@ -153,7 +154,7 @@ class Solver:
             while "ask" in answer:
                 self.send(self.page_says(**answer))
                 answer = self.hear()
-            raised, value = raised_in(answer["raised"]), self.crossing.open(answer["letter"])
+            raised, (value, _) = raised_in(answer["raised"]), self.crossing.open(answer["letter"])
             self.has_written = bool(answer["has_written"])
             print(str(answer["printed"]), end="")
         except KeyboardInterrupt:
@@ -173,8 +174,9 @@ class Solver:
         raise StoppedError(raised)
 
     def send(self, message) -> None:
-        self.process.stdin.write(json.dumps(message).encode() + b"\n")
-        self.process.stdin.flush()
+        line = json.dumps(message).encode() + b"\n"
+        while line:
+            line = line[self.process.stdin.write(line) :]
 
     def hear(self) -> dict:
         """Return the next message of the solver; raise an AnswerError if there is none, or if it is too long."""

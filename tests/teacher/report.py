@@ -9,7 +9,7 @@ from contextlib import suppress
 from typing import NamedTuple
 
 from grading.grade import grade, whole_step
-from grading.grader import CHECKS, FAILED, FAULT, Outcome, PASSED, WAITING
+from grading.grader import CHECKS, FAILED, Outcome, PASSED, WAITING
 from grading.handout import SUITES
 from support.files.data_file import whole_file
 
@@ -39,21 +39,16 @@ def results_in(file) -> dict[str, Result]:
     for line in file.read_text(encoding="utf-8", errors="replace").splitlines() if file.exists() else []:
         with suppress(ValueError, TypeError, KeyError, AttributeError, RecursionError):
             fields = json.loads(line)
-            outcomes = {name: Outcome(*each) for name, each in fields["outcomes"].items()}
-            result = Result(**{**fields, "outcomes": outcomes, "seconds": float(fields["seconds"])})
-            if is_whole(result):
-                results[result.student] = result
+            if fields.pop("sum") == digest_of(fields):
+                fields["outcomes"] = {name: Outcome(*each) for name, each in fields["outcomes"].items()}
+                results[fields["student"]] = Result(**fields)
     return results
 
 
-def is_whole(result) -> bool:
-    """Return whether a result has the form in which it was written."""
-    outcomes = result.outcomes.values()
-    words = [result.student, result.digest, *result.problems]
-    words += [word for outcome in outcomes for word in outcome._replace(call="")]
-    is_complete = result.outcomes.keys() in (CHECKS.keys(), set())
-    states = {outcome.state for outcome in outcomes}
-    return is_complete and states <= {PASSED, WAITING, FAILED, FAULT} and all(isinstance(word, str) for word in words)
+def line_of(result) -> str:
+    """Return a result as a line of results.jsonl, with a check sum."""
+    fields = json.loads(json.dumps(result._asdict()))
+    return json.dumps({**fields, "sum": digest_of(fields)}) + "\n"
 
 
 def file_name(student) -> str:
@@ -70,11 +65,6 @@ def digest_of(*values) -> str:
 def cell(text) -> str:
     """Return a text that no spreadsheet takes for a formula."""
     return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
-
-
-def line_of(result) -> str:
-    """Return a result as a line of results.jsonl."""
-    return json.dumps(result._asdict()) + "\n"
 
 
 def hint_seen(outcomes) -> str:

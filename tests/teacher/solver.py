@@ -60,7 +60,8 @@ class Solver:
 
     def answer(self, do, beginning, **arguments) -> dict:
         """Carry out a message. If it is the first one of a check, beginning has the arguments of begin."""
-        printed, raised, letter = Printed(), None, [None, []]
+        scene._made.clear()
+        printed, raised, letter = Printed(), None, [{"tuple": [None, None]}, []]
         try:
             if beginning:
                 self.begin(**beginning)
@@ -69,7 +70,7 @@ class Solver:
                     value = getattr(self, do)(**arguments)
                 except StoppedError as error:
                     value, raised = None, error.raised
-                letter = self.crossing.letter(value)
+                letter = self.crossing.letter((value, tuple(scene._made)))  # also the shapes that it has made
         except BaseException as error:
             raised = raised_by(error)
         return {"raised": raised, "letter": letter, "printed": printed.text(), "has_written": self.own.has_written}
@@ -104,19 +105,18 @@ class Solver:
     def called_by(self, function) -> list[str]:
         return self.own.called_by(function)
 
-    def call(self, function, letter, times) -> tuple:
-        """Call a function; return its result, and the shapes that it has made."""
+    def call(self, function, letter, times):
+        """Call a function, and return its result."""
         desk = self.crossing
         arguments = desk.open(letter)
         desk.roots = [*self.results, arguments, *desk.files]
         discarded.clear()
-        scene._made.clear()
         is_relative = any(not file.name.startswith("/") for file in desk.files)
         with working_in(desk.folder if is_relative else ROOT):
             result = self.own.run(function, arguments, times)
         if isinstance(result, (list, dict)):
             self.results.append(result)
-        return result, tuple(scene._made)
+        return result
 
     def ask(self, page, name, arguments):
         """Return what the page in the judge gives."""
