@@ -180,6 +180,6 @@ def stand_in(name, text):
     """Return what stands for an object of the other side: it has the name of its type, and its text."""
 
     def __repr__(self):  # noqa: N807
-        return str.__str__(text)  # raises a TypeError without a text
+        return text[:MOST_TEXT]  # raises a TypeError without a text
 
-    return type(str(name), (), {"__repr__": __repr__})()
+    return type(str(name)[:MOST_TEXT], (), {"__repr__": __repr__})()

@@ -23,7 +23,7 @@ SPARE = 3.0  # s that a solver has to say that a call took too long
 WHOLE = 120.0  # s for all checks of a solution
 LINE = 5_000_000  # bytes of an answer
 ALL = 20_000_000  # bytes that a solver tells in a call
-TEXT = 2000  # characters of a text that a solver tells
+TEXT, PRINTED = 2000, 30_000  # characters of a text that a solver tells, and of what a call prints
 
 
 class Graded(NamedTuple):
@@ -156,7 +156,7 @@ class Solver:
                 answer = self.hear()
             raised, (value, _) = raised_in(answer["raised"]), self.crossing.open(answer["letter"])
             self.has_written = bool(answer["has_written"])
-            print(str(answer["printed"]), end="")
+            print(str(answer["printed"])[:PRINTED], end="")
         except KeyboardInterrupt:
             if limits.PRESSED.is_set():
                 raise
@@ -236,5 +236,5 @@ def raised_in(fields) -> Raised | None:
     text, culprit = (None if part is None else str(part)[:TEXT] for part in (text, culprit))
     if stub is not None:
         FUNCTIONS[stub]
-    lines = tuple(Place(str(file), int(line), str(name), str(code)[:TEXT]) for file, line, name, code in places)
+    lines = tuple(Place(str(a)[:TEXT], int(line), str(b)[:TEXT], str(c)[:TEXT]) for a, line, b, c in places)
     return Raised(kind, text, lines, limit, bool(ends), stub, culprit, hint)

@@ -32,7 +32,7 @@ IN_SANDBOX = Path("/cradle")  # the solver's folder
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
 COPIES, BWRAP, USER, LIMITS = "copies", "bwrap", "user", "limits"  # what holds a solver off
-ALSO = "To hold this off, too: apt install bubblewrap."
+ALSO = "To hold this off, too, on Linux: apt install bubblewrap."
 # What a solution can do nevertheless. Where COPIES do not work, each solution has a sandbox and a start of its own.
 REMARKS = {
     COPIES: "",
@@ -72,10 +72,8 @@ class Process:
         if self.kind == COPIES:
             with suppress(OSError):  # stdout will show that it has ended
                 os.write(self.orders, b"\n")
-        self.stdin, self.stdout = (
-            self.process.stdin,
-            BufferedReader(FileIO(self.process.stdout.fileno(), closefd=False)),
-        )
+        self.stdin = self.process.stdin
+        self.stdout = BufferedReader(FileIO(self.process.stdout.fileno(), closefd=False))
 
     def start(self) -> None:
         """Start a process that waits for a solution."""
@@ -154,7 +152,8 @@ def bubblewrap(room, hidden) -> list[str]:
     python = [sys.prefix, sys.base_prefix, *site.getsitepackages(), site.getusersitepackages()]
     visible = [path for path in (*SYSTEM, *map(os.path.abspath, python)) if os.path.exists(path)]
     mounts = [["--ro-bind", path, path] for path in dict.fromkeys(visible)]
-    mounts += [["--tmpfs", str(folder)] for folder in {ROOT, *hidden}]
+    hidden = {str(folder) for folder in (ROOT, *hidden)}
+    mounts += [["--tmpfs", folder] for folder in hidden]
     mounts += [[*size_option(), "--perms", "1777", "--tmpfs", str(IN_SANDBOX)]]
     mounts += [["--ro-bind", str(room / name), str(IN_SANDBOX / name)] for name in ("support", "tests")]
     parents = {parent for mount in mounts for parent in Path(mount[-1]).parents}
@@ -162,7 +161,8 @@ def bubblewrap(room, hidden) -> list[str]:
     mounts.sort(key=lambda mount: (len(Path(mount[-1]).parts), "--dir" not in mount))  # the deeper one covers the other
     # Root makes the sandbox, and solver.py becomes another user in it: limits of root's processes have no effect.
     begin = ["bwrap", "--die-with-parent", *(ALONE if IS_ROOT else ["--unshare-all"]), "--dev", "/dev"]
-    return [*begin, *(word for mount in mounts for word in mount), "--remount-ro", "/dev", "--remount-ro", "/"]
+    end = [["--remount-ro", folder] for folder in (*hidden, "/dev", "/")]  # it can write only into its own folder
+    return [*begin, *(word for mount in mounts + end for word in mount)]
 
 
 @cache
