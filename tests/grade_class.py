@@ -14,7 +14,6 @@ if __name__ == "__main__":
     # While the modules are imported:
     signal.signal(signal.SIGINT, lambda *_: (print(STOPPED, flush=True), os._exit(130)))
 
-import atexit
 import gc
 import multiprocessing
 import threading
@@ -49,7 +48,8 @@ for tier in SUITES:
 @while_it_is_read()
 def main() -> None:
     """Grade the class; the status is 2 if an argument is wrong or a file cannot be written, and 130 after Ctrl+C."""
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.default_int_handler)
     options, paths, others = read_options()
     try:
         options.out.mkdir(parents=True, exist_ok=True)
@@ -63,7 +63,8 @@ def main() -> None:
     except OSError as error:
         if is_unread(error):
             raise  # while_it_is_read ends the program
-        refuse(f"{error.filename}: {error.strerror}" if error.filename else error.strerror or error)
+        file = error.filename2 or error.filename  # where a copy should be
+        refuse(f"{file}: {error.strerror}" if file else error.strerror or error)
 
 
 def read_options():
@@ -220,10 +221,15 @@ JUDGE: dict = {}  # what a judge needs to grade a solution
 
 
 def prepare(given, *of_process) -> None:
-    """Make this process a judge."""
+    """Make this process a judge. It ends with the main program, and the solution's process with it."""
+
+    def end(*_):
+        JUDGE["process"].close()
+        os._exit(1)
+
     JUDGE.update(given=given, process=Process(*of_process))
-    atexit.register(JUDGE["process"].close)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit())
+    signal.signal(signal.SIGTERM, end)
+    threading.Thread(target=lambda: end(multiprocessing.parent_process().join()), daemon=True).start()
     gc.freeze()
 
 
