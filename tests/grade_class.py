@@ -245,7 +245,7 @@ def graded(submission, digest) -> tuple[Result, str]:
 def write_text(folder, result, text) -> None:
     """Write the student's text: the problems, and what pytest would print."""
     lines = [result.student, *result.problems, "", text]
-    (folder / f"{file_name(result.student)}.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (folder / f"{file_name(result.student)}.txt").write_text("\n".join(lines) + "\n", "utf-8", "backslashreplace")
 
 
 def finish(options, results, count, others) -> None:

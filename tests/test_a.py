@@ -146,14 +146,13 @@ class Page:
     """The page for main in a check: it asks for cradles and ticks, round by round, and records the result."""
 
     METHODS, VALUES = ("is_running", "wants_cradle", "show", "wants_tick"), ("csv", "rule")  # for main
-    rule: dict = {}
 
     def __init__(self, *rounds, change=lambda pend_list: None, csv=NC_FP):
         """rounds has a pair for each pass of the outer loop: (wants a cradle, number of ticks).
 
         change(pend_list) is called when main shows a cradle.
         """
-        self.rounds, self.change, self.csv = rounds, change, csv
+        self.rounds, self.change, self.csv, self.rule = rounds, change, csv, {}
         self.begun, self.asked, self.ticks = 0, False, 0
         self.shown: list = []  # the cradles
         self.parts: list = []  # the objects of their pendula
@@ -191,7 +190,7 @@ def swings(ticks, r_param=R_PARAM, dt=DT, g=G):
     """
     states = [(0.0, THETA_INIT)]
     while len(states) <= ticks:
-        states.append(result_of("angle_update", *states[-1], r_param, dt, g))
+        states.append(result_of("angle_update", *states[-1], 2 * r_param, dt, 2 * g))  # the same motion
     return states
 
 

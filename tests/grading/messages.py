@@ -75,7 +75,7 @@ def plain(value):
         place = {"axle": tuple(axle.pos.value), "bob": tuple(bob.pos.value), "radius": bob.radius}
         return {**{name: value[name] for name in ("mass", "e", "theta", "omega")}, **place}
     if isinstance(value, str) and Path(value).is_file():
-        return PlainFile(value, Path(value).read_text(encoding="utf-8"))
+        return PlainFile(value, Path(value).read_text(encoding="utf-8", errors="replace"))
     return value
 
 

@@ -17,7 +17,8 @@ from support.constants import NC_FP
 SHAPES = {"box": box, "sphere": sphere, "cylinder": cylinder}
 vectors_of = attrgetter("_pos", "_axis", "_up", "_size", "_color")
 values_of = attrgetter("texture", "visible", "shininess", "opacity")
-MOST_TEXT = 400  # characters of the text of a stand-in
+MOST_TEXT = 2000  # characters of the text of a stand-in
+MOST_KEYS = 5000  # of a dictionary
 MOST_BITS = 1000  # of a whole number
 
 
@@ -154,15 +155,17 @@ class Crossing:
         if kind == "list":
             list.__setitem__(value, slice(None), [self.unpack(part) for part in parts[0]])
         elif kind == "dict":
+            if len(parts[0]) > MOST_KEYS:  # which may take quadratic time
+                raise ValueError("too many keys")
             pairs = [(self.unpack(key), self.unpack(part)) for key, part in parts[0]]
             dict.clear(value)
             dict.update(value, pairs)
         elif kind == "vector":
             value.value = vector(*parts[0])
         elif kind in SHAPES:
-            numbers = iter(map(float, parts[0]))
-            for v in vectors_of(value):
-                v._x, v._y, v._z = next(numbers), next(numbers), next(numbers)
+            numbers = [*map(float, parts[0])]
+            for i, v in enumerate(vectors_of(value)):
+                v._x, v._y, v._z = numbers[3 * i : 3 * i + 3]
             value.texture, value.visible, value.shininess, value.opacity = map(self.unpack, parts[1:])
         elif kind == "file":
             value.fill(parts[1])
@@ -176,10 +179,15 @@ def text_of(value) -> str | None:
         return None
 
 
+def in_short(text) -> str:
+    """Return the beginning of a text, with letters that every file takes."""
+    return str.__str__(text)[:MOST_TEXT].encode(errors="backslashreplace").decode()
+
+
 def stand_in(name, text):
     """Return what stands for an object of the other side: it has the name of its type, and its text."""
 
     def __repr__(self):  # noqa: N807
-        return text[:MOST_TEXT]  # raises a TypeError without a text
+        return in_short(text)  # raises a TypeError without a text
 
-    return type(str(name)[:MOST_TEXT], (), {"__repr__": __repr__})()
+    return type(in_short(name), (), {"__repr__": __repr__})()

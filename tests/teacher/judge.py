@@ -2,13 +2,14 @@
 
 import json
 import os
+import select
 import time
 from contextlib import contextmanager, redirect_stdout, suppress
 from io import StringIO
 from pathlib import Path
 from typing import NamedTuple
 
-from vpython import scene
+from vpython import scene, vector
 
 from grading import grader, limits
 from grading.comparing import OTHER_FORM
@@ -17,13 +18,14 @@ from grading.grader import CHECKS, FAULT, Grading, Outcome
 from grading.handout import FUNCTIONS
 from grading.raised import Place, Raised, StoppedError
 from support.constants import NC_FP
-from teacher.crossing import Crossing, File
+from teacher.crossing import Crossing, File, in_short
 
 SPARE = 3.0  # s that a solver has to say that a call took too long
 WHOLE = 120.0  # s for all checks of a solution
 LINE = 5_000_000  # bytes of an answer
 ALL = 20_000_000  # bytes that a solver tells in a call
-TEXT, PRINTED = 2000, 30_000  # characters of a text that a solver tells, and of what a call prints
+PART = select.PIPE_BUF if hasattr(select, "PIPE_BUF") else 1 << 16  # bytes that a pipe takes at once
+PRINTED, MOST_PLACES = 30_000, 2000  # characters of what a call prints, and lines of an error
 
 
 class Graded(NamedTuple):
@@ -49,8 +51,8 @@ def grade(files, process) -> Graded:
                 with redirect_stdout(StringIO()) as out:
                     grading.judge(check)
                 printed[check.name] = out.getvalue()
-        except ValueError as error:
-            return Graded({}, "\n".join(line for line, _ in words({}, {})), [str(error)])
+        except (ValueError, AnswerError, StoppedError, TimeoutError) as error:
+            return Graded({}, "\n".join(line for line, _ in words({}, {})), [f"{error}" or "the solver does not start"])
         finally:
             solver.close()
             grader.student = before
@@ -79,11 +81,8 @@ class Solver:
     @contextmanager
     def check(self):
         scene._made.clear()
-        if not self.is_open:
-            self.open()
-        with limits.patience(SPARE), limits.limited_memory():
-            self.begin(is_again=False)
-            yield
+        self.begin(is_again=False)
+        yield
 
     @contextmanager
     def again(self):
@@ -99,6 +98,7 @@ class Solver:
         return lambda *arguments: self.run(function, arguments)
 
     def called_by(self, function):
+        self.until = time.monotonic() + SPARE
         with suppress(StoppedError, *OTHER_FORM):
             return [str(name) for name in self.exchange("called_by", function=function)]
         return []
@@ -117,7 +117,7 @@ class Solver:
     def open(self) -> None:
         """Start a process; raise a ValueError if it cannot take the files."""
         self.process.begin()
-        self.is_open = True
+        self.is_open, self.heard, self.until = True, bytearray(), time.monotonic() + WHOLE
         self.found, self.told, self.beginning, self.crossing = set(), 0, None, Desk(first=0)
         self.hear()
         problem = self.exchange("write", files=self.files)
@@ -136,10 +136,12 @@ class Solver:
             self.open()
         self.crossing, self.results, self.files_given = Desk(first=0), [], {}
         seconds = min(limits.PATIENCE, max(0.1, self.latest - time.monotonic()))
-        self.beginning = {"seconds": seconds, "is_again": is_again}
+        self.beginning, self.until = {"seconds": seconds, "is_again": is_again}, time.monotonic() + seconds + SPARE
 
     def with_file(self, value):
-        """Return a value, or a File if it is the path of one; a solver gets the same path for the same text."""
+        """Return a value, a File if it is the path of one, or the copy of a vector, which a solution may change."""
+        if isinstance(value, vector):
+            return vector(value)
         if not isinstance(value, str) or value == NC_FP or not Path(value).is_file():
             return value
         return self.files_given.setdefault(value, File(value))
@@ -157,14 +159,10 @@ class Solver:
             raised, (value, _) = raised_in(answer["raised"]), self.crossing.open(answer["letter"])
             self.has_written = bool(answer["has_written"])
             print(str(answer["printed"])[:PRINTED], end="")
-        except KeyboardInterrupt:
-            if limits.PRESSED.is_set():
-                raise
+        except TimeoutError:
             raised = Raised("KeyboardInterrupt", limit=f"took longer than {limits.PATIENCE:g} s", ends=True)
         except AnswerError as error:
             raised = Raised(limit=f"{error}")
-        except OSError:
-            raised = Raised(limit=ended(self.process.status()))
         except OTHER_FORM:
             raised = Raised(limit="gave an answer that the grader cannot read")
         if raised is None:
@@ -174,24 +172,37 @@ class Solver:
         raise StoppedError(raised)
 
     def send(self, message) -> None:
-        line = json.dumps(message).encode() + b"\n"
-        while line:
-            line = line[self.process.stdin.write(line) :]
+        """Send a message; raise an AnswerError or a TimeoutError if the solver does not take it."""
+        line = memoryview(json.dumps(message).encode() + b"\n")
+        try:
+            while line:
+                self.wait([], [self.process.stdin])
+                line = line[os.write(self.process.stdin.fileno(), line[:PART]) :]
+        except BrokenPipeError:
+            raise AnswerError(ended(self.process.status())) from None
 
     def hear(self) -> dict:
-        """Return the next message of the solver; raise an AnswerError if there is none, or if it is too long."""
-        line = self.process.stdout.readline(LINE + 1)
-        self.told += len(line)
-        if max(len(line) / LINE, self.told / ALL) > 1:
-            raise AnswerError(f"gave back more than {LINE / 1e6:g} MB")
-        if line == b"\n":  # the line before is cut off, or there is none
-            line = self.process.stdout.readline(LINE)
-        if not line:
-            raise AnswerError(ended(self.process.status()))
-        message = json.loads(line)
+        """Return the next message of the solver; raise an AnswerError or a TimeoutError if there is none."""
+        while b"\n" not in self.heard:
+            self.wait([self.process.stdout], [])
+            part = os.read(self.process.stdout.fileno(), 1 << 16)
+            self.heard += part
+            self.told += len(part)
+            if max(len(self.heard) / LINE, self.told / ALL) > 1:
+                raise AnswerError(f"gave back more than {LINE / 1e6:g} MB")
+            if not part:
+                raise AnswerError(ended(self.process.status()))
+        line, _, self.heard = self.heard.partition(b"\n")
+        message = json.loads(line or b"{}")
         if "ended" in message:
             raise AnswerError(ended(int(message["ended"])))
-        return message
+        return message or self.hear()
+
+    def wait(self, *pipes) -> None:
+        """Wait until one of the pipes is ready; raise a TimeoutError if it is not in time. Windows can only go on."""
+        left = self.until - time.monotonic()
+        if left < 0 or os.name != "nt" and not any(select.select(*pipes, [], left)):
+            raise TimeoutError
 
     def page_says(self, ask, letter) -> dict:
         """Return the answer of a page to main."""
@@ -232,9 +243,8 @@ def raised_in(fields) -> Raised | None:
     if fields is None:
         return None
     kind, text, places, limit, ends, stub, culprit, hint = fields
-    kind, limit, hint = (str(part)[:TEXT] for part in (kind, limit, hint))
-    text, culprit = (None if part is None else str(part)[:TEXT] for part in (text, culprit))
     if stub is not None:
         FUNCTIONS[stub]
-    lines = tuple(Place(str(a)[:TEXT], int(line), str(b)[:TEXT], str(c)[:TEXT]) for a, line, b, c in places)
-    return Raised(kind, text, lines, limit, bool(ends), stub, culprit, hint)
+    lines = tuple(Place(in_short(a), int(line), in_short(b), in_short(c)) for a, line, b, c in places[:MOST_PLACES])
+    text, culprit = (None if part is None else in_short(part) for part in (text, culprit))
+    return Raised(in_short(kind), text, lines, in_short(limit), bool(ends), stub, culprit, in_short(hint))

@@ -12,6 +12,7 @@ from grading.grade import grade, whole_step
 from grading.grader import CHECKS, FAILED, Outcome, PASSED, WAITING
 from grading.handout import SUITES
 from support.files.data_file import whole_file
+from support.start.output import in_one_line
 
 MOST = 5  # lines of each list of the summary
 
@@ -138,4 +139,4 @@ def summary(results) -> list[str]:
 
 def table(title, rows) -> list[str]:
     """Return lines with this title and these (words, number) rows, or no lines if there are no rows."""
-    return ["", title, *(f"{count:>5}  {words}" for words, count in rows)] if rows else []
+    return ["", title, *(f"{count:>5}  {in_one_line(words)}" for words, count in rows)] if rows else []

@@ -15,7 +15,6 @@ import sys
 import tempfile
 from contextlib import suppress
 from functools import cache
-from io import BufferedReader, FileIO
 from pathlib import Path
 
 from grading.project_path import ROOT
@@ -72,8 +71,7 @@ class Process:
         if self.kind == COPIES:
             with suppress(OSError):  # stdout will show that it has ended
                 os.write(self.orders, b"\n")
-        self.stdin = self.process.stdin
-        self.stdout = BufferedReader(FileIO(self.process.stdout.fileno(), closefd=False))
+        self.stdin, self.stdout = self.process.stdin, self.process.stdout
 
     def start(self) -> None:
         """Start a process that waits for a solution."""
