@@ -313,6 +313,43 @@ while True:
     "grows": "rows = [0]\nwhile True: rows += rows",
     "nests": "a = [0, 0]\nfor _ in range(60): a = [a, a]\nreturn a",
 }
+ODD = {  # added to a file of a complete solution
+    "closes": ("swinging.py", "import sys\nsys.stdout.close()"),
+    "links": ("swinging.py", "import os\nos.symlink('/dev', os.environ['HOME'] + '/link')"),
+    "code": (
+        "pds_helper.py",
+        """
+import time
+class Function:
+    __call__ = lambda self, file: 5
+    @property
+    def __code__(self):
+        while True:
+            try:
+                time.sleep(100)
+            except BaseException:
+                pass
+extract_and_convert = Function()
+""",
+    ),
+    "letters": (
+        "pds_helper.py",
+        """
+class Odd:
+    __repr__ = lambda self: 'a\\ud800b'
+extract_and_convert = lambda file: Odd()
+""",
+    ),
+    "vectors": (
+        "double_cradle.py",
+        """
+original = make_double_pendulum
+def make_double_pendulum(axle_pos, r_param, theta, phi, color, texture):
+    axle_pos.x = color.x = 1e18
+    return original(axle_pos, r_param, 0, 0, color, texture)
+""",
+    ),
+}
 SAID = {
     "floods": "gave an answer that the grader cannot read",
     "hangs": "took longer than 5 s",
@@ -337,13 +374,15 @@ def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_pat
         put(f"empty {name}", empty, pds_helper=f"{text}\n{empty['pds_helper.py']}")
     for student in ("ann", "zoe", "=1+1", "x" * 252):
         put(student, ours)
-    put("closes", ours, swinging=ours["swinging.py"] + "\nimport sys\nsys.stdout.close()\n")
+    for name, (file, text) in ODD.items():
+        put_files(a_class / name / "src", {**ours, file: f"{ours[file]}\n{text}\n"})
     put("outside", ours, swinging=ours["swinging.py"] + outside)
     for name, body in BODIES.items():
         first = "    omega_new = "
         put(name, ours, swinging=ours["swinging.py"].replace(first, f"{indent(body, '    ')}\n{first}", 1))
     os.mkfifo(a_class / "pipe.zip")
 
+    device = os.stat(os.devnull).st_mode
     command = [sys.executable, ROOT / "tests" / "grade_class.py", a_class]
     done = subprocess.run(command, capture_output=True, text=True, timeout=4 * SECONDS)
     assert done.returncode == 0, done.stderr
@@ -352,12 +391,17 @@ def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_pat
     full, rest = sum(COUNTS.values()), sum(COUNTS.values()) - COUNTS["C"] - COUNTS["A"]
     assert {student: number for student, number in points.items() if number != full} == {
         **{**dict.fromkeys([f"empty {name}" for name in IMPORTED], 0), "pipe": 0},
-        **dict.fromkeys(BODIES, rest),
+        **{
+            **dict.fromkeys(BODIES, rest),
+            **dict.fromkeys(["code", "letters"], full - COUNTS["D"] - 4),
+            "vectors": full - 3,
+        },
     }
     assert rows["pipe"]["problems"] == "cannot be read: pipe.zip is neither a folder nor a plain file"
     assert "'=1+1" in rows
     for student, said in SAID.items():
         assert f"angle_update {said}" in " ".join(each[1] for each in results[student]["outcomes"].values())
+    assert os.stat(os.devnull).st_mode == device
     if "Without bubblewrap" not in done.stderr:
         assert secret.read_text() == "secret"
         assert "secret" not in (tmp_path / "class-grades" / "outside.txt").read_text().replace("secret.txt", "")
