@@ -88,16 +88,15 @@ def over_limit(error) -> str:
 
 
 @contextmanager
-def patience(more=0.0):
-    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than PATIENCE and
-    these seconds.
+def patience():
+    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than PATIENCE.
 
     If somebody presses Ctrl+C, set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches it.
     """
     lock, over = threading.Lock(), threading.Event()
 
     def interrupt():
-        in_time = over.wait(PATIENCE + more)
+        in_time = over.wait(PATIENCE)
         while not in_time:  # repeat it: the solution may catch the first one
             with lock:
                 if not over.is_set():

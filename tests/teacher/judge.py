@@ -37,31 +37,23 @@ class Graded(NamedTuple):
 
 
 def grade(files, process) -> Graded:
-    """Return what a solution achieves in a Process: its files by their paths in the project.
-
-    If a check ends with a fault of the grader, the solution is graded once more: a machine with too much to do can stop
-    a check in the grader's own code.
-    """
-    for _ in range(2):
-        solver, grading, printed = Solver(files, process), Grading(), {}
-        before, grader.student = grader.student, solver
-        try:
-            solver.open()
-            for check in CHECKS.values():
-                with redirect_stdout(StringIO()) as out:
-                    grading.judge(check)
-                printed[check.name] = out.getvalue()
-        except (ValueError, AnswerError, StoppedError, TimeoutError) as error:
-            return Graded({}, "\n".join(line for line, _ in words({}, {})), [f"{error}" or "the solver does not start"])
-        finally:
-            solver.close()
-            grader.student = before
-        faults = [name for name, outcome in grading.outcomes.items() if outcome.state == FAULT]
-        if not faults:
-            break
-    text = "\n".join(line for line, _ in words(grading.outcomes, printed))
-    outcomes = {check.name: grading.outcomes[check.name]._replace(call=None) for check in CHECKS.values()}
-    return Graded(outcomes, text, [f"a fault of the grader in {name}" for name in faults])
+    """Return what a solution achieves in a Process: its files by their paths in the project."""
+    solver, grading, printed, problems = Solver(files, process), Grading(), {}, []
+    before, grader.student = grader.student, solver
+    try:
+        solver.open()
+        for check in CHECKS.values():
+            with redirect_stdout(StringIO()) as out:
+                outcome = grading.judge(check)
+            printed[check.name] = out.getvalue()
+            problems += [f"a fault of the grader in {check.name}"] * (outcome.state == FAULT)
+    except (ValueError, StoppedError) as error:
+        problems = [f"{error}" or "the solver does not start"]
+    finally:
+        solver.close()
+        grader.student = before
+    outcomes = {name: grading.outcomes[name]._replace(call=None) for name in CHECKS if name in grading.outcomes}
+    return Graded(outcomes, "\n".join(line for line, _ in words(outcomes, printed)), problems)
 
 
 class Solver:
@@ -159,10 +151,8 @@ class Solver:
             raised, (value, _) = raised_in(answer["raised"]), self.crossing.open(answer["letter"])
             self.has_written = bool(answer["has_written"])
             print(str(answer["printed"])[:PRINTED], end="")
-        except TimeoutError:
-            raised = Raised("KeyboardInterrupt", limit=f"took longer than {limits.PATIENCE:g} s", ends=True)
-        except AnswerError as error:
-            raised = Raised(limit=f"{error}")
+        except StoppedError as error:
+            raised = error.raised
         except OTHER_FORM:
             raised = Raised(limit="gave an answer that the grader cannot read")
         if raised is None:
@@ -172,37 +162,37 @@ class Solver:
         raise StoppedError(raised)
 
     def send(self, message) -> None:
-        """Send a message; raise an AnswerError or a TimeoutError if the solver does not take it."""
+        """Send a message; raise a StoppedError if the solver does not take it."""
         line = memoryview(json.dumps(message).encode() + b"\n")
         try:
             while line:
                 self.wait([], [self.process.stdin])
                 line = line[os.write(self.process.stdin.fileno(), line[:PART]) :]
         except BrokenPipeError:
-            raise AnswerError(ended(self.process.status())) from None
+            raise StoppedError(ended(self.process.status())) from None
 
     def hear(self) -> dict:
-        """Return the next message of the solver; raise an AnswerError or a TimeoutError if there is none."""
+        """Return the next message of the solver; raise a StoppedError if there is none."""
         while b"\n" not in self.heard:
             self.wait([self.process.stdout], [])
             part = os.read(self.process.stdout.fileno(), 1 << 16)
             self.heard += part
             self.told += len(part)
             if max(len(self.heard) / LINE, self.told / ALL) > 1:
-                raise AnswerError(f"gave back more than {LINE / 1e6:g} MB")
+                raise StoppedError(Raised(limit=f"gave back more than {LINE / 1e6:g} MB"))
             if not part:
-                raise AnswerError(ended(self.process.status()))
+                raise StoppedError(ended(self.process.status()))
         line, _, self.heard = self.heard.partition(b"\n")
         message = json.loads(line or b"{}")
         if "ended" in message:
-            raise AnswerError(ended(int(message["ended"])))
+            raise StoppedError(ended(int(message["ended"])))
         return message or self.hear()
 
     def wait(self, *pipes) -> None:
-        """Wait until one of the pipes is ready; raise a TimeoutError if it is not in time. Windows can only go on."""
+        """Wait until one of the pipes is ready; raise a StoppedError if it is not in time. Windows can only go on."""
         left = self.until - time.monotonic()
         if left < 0 or os.name != "nt" and not any(select.select(*pipes, [], left)):
-            raise TimeoutError
+            raise StoppedError(Raised("KeyboardInterrupt", limit=f"took longer than {limits.PATIENCE:g} s", ends=True))
 
     def page_says(self, ask, letter) -> dict:
         """Return the answer of a page to main."""
@@ -227,15 +217,10 @@ class Desk(Crossing):
         return ["page", repr(value), list(value.METHODS)]
 
 
-class AnswerError(Exception):
-    """An answer of a solver that cannot be taken. Its text says how the call went over a limit."""
-
-
-def ended(status) -> str:
-    """Return how a process has ended in words."""
-    if status is None:
-        return "ended its answers"
-    return f"ended its process ({f'signal {status - 128}' if status > 128 else f'status {status}'})"
+def ended(status) -> Raised:
+    """Return what stopped a call if its process has ended with this status."""
+    words = "?" if status is None else f"signal {status - 128}" if status > 128 else f"status {status}"
+    return Raised(limit=f"ended its process ({words})")
 
 
 def raised_in(fields) -> Raised | None:
