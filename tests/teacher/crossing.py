@@ -179,15 +179,15 @@ def text_of(value) -> str | None:
         return None
 
 
-def in_short(text) -> str:
+def bounded(text) -> str:
     """Return the beginning of a text, with letters that every file takes."""
     return str.__str__(text)[:MOST_TEXT].encode(errors="backslashreplace").decode()
 
 
 def stand_in(name, text):
-    """Return what stands for an object of the other side: it has the name of its type, and its text."""
+    """Return a stand-in for an object of the other side, with the name of its type and its text."""
 
     def __repr__(self):  # noqa: N807
-        return in_short(text)  # raises a TypeError without a text
+        return bounded(text)  # raises a TypeError without a text
 
-    return type(in_short(name), (), {"__repr__": __repr__})()
+    return type(bounded(name), (), {"__repr__": __repr__})()

@@ -18,7 +18,7 @@ from grading.grader import CHECKS, FAULT, Grading, Outcome
 from grading.handout import FUNCTIONS
 from grading.raised import Place, Raised, StoppedError
 from support.constants import NC_FP
-from teacher.crossing import Crossing, File, in_short
+from teacher.crossing import bounded, Crossing, File
 
 SPARE = 3.0  # s that a solver has to say that a call took too long
 WHOLE = 120.0  # s for all checks of a solution
@@ -230,6 +230,6 @@ def raised_in(fields) -> Raised | None:
     kind, text, places, limit, ends, stub, culprit, hint = fields
     if stub is not None:
         FUNCTIONS[stub]
-    lines = tuple(Place(in_short(a), int(line), in_short(b), in_short(c)) for a, line, b, c in places[:MOST_PLACES])
-    text, culprit = (None if part is None else in_short(part) for part in (text, culprit))
-    return Raised(in_short(kind), text, lines, in_short(limit), bool(ends), stub, culprit, in_short(hint))
+    lines = tuple(Place(bounded(a), int(line), bounded(b), bounded(c)) for a, line, b, c in places[:MOST_PLACES])
+    text, culprit = (None if part is None else bounded(part) for part in (text, culprit))
+    return Raised(bounded(kind), text, lines, bounded(limit), bool(ends), stub, culprit, bounded(hint))
