@@ -23,7 +23,8 @@ from grading.handout import SUITES
 from support.files.data_file import whole_file
 
 OUTCOME = "outcome of a check"  # the name under which a report has it
-JUDGING = {*SUITES.values(), "test_graded_suites", "test_judge", "test_watch"}  # the files of tests that judge solutions
+# The files of tests that judge solutions:
+JUDGING = {*SUITES.values(), "test_graded_suites", "test_judge", "test_watch"}
 RAN: dict[str, Outcome] = {}  # the outcomes of this run's checks, by name, as they are reported
 TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes them
 
