@@ -22,7 +22,7 @@ headless_vpython.install()
 from vpython import color, mag, vector
 
 from grading.cradles import hang
-from grading.grader import checks, find, Grading, PASSED
+from grading.grader import checks, Grading, PASSED, student
 from grading.handout import FUNCTIONS, SUITES
 from grading.messages import error_lines
 from grading.own_process import module_of
@@ -136,7 +136,7 @@ def scene_of(call) -> Scene:
     """Return the scene of a call, with the function that was called."""
     function = FUNCTIONS[call.function]
     given = dict(zip(function.parameters.split(", "), call.arguments, strict=False))
-    scene = SCENES[call.function](find(call.function), given)
+    scene = SCENES[call.function](student.find(call.function), given)
     scene.scope = vars(sys.modules[module_of(function.file)])  # whose handle_two_bobs makes the hits
     return scene
 

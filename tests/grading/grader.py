@@ -114,7 +114,6 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), times=1) -
     if ALONE and len(CALLS) not in ALONE:
         return None
     expected, returns = ("expected", about(what, wanted)), FUNCTIONS[function].returns
-    find(function)
     result = run(call, arguments, expected, hints)
     if call.has_changed_a_file():
         lines = [("came back", "The file has changed."), ("expected", "The file stays as it is. Only read it.")]
@@ -138,25 +137,8 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), times=1) -
     return result
 
 
-def find(function) -> Callable:
-    """Return a student's function; raise WrongError if it is missing, or WaitError if another file is wrong."""
-    file, call = FUNCTIONS[function].file, Call(function)
-    try:
-        solution = student.find(function)
-    except StoppedError as error:
-        raised = error.raised
-        is_later = function != first_of(file)  # one mistake of the file costs its points only once
-        if is_later or raised.culprit != file and raised.culprit in {other.file for other in FUNCTIONS.values()}:
-            raise WaitError(raised.culprit or file, raised.limit) from None
-        raise stopped(call, f"Python cannot import {file}.", raised, hint=raised.hint) from None
-    if solution is None:
-        raise WrongError(f"{file} has no function {function}.", call, [])
-    return solution
-
-
 def result_of(function, *arguments) -> Any:
     """Return the result of a student's function that is correct: the check waits for it."""
-    find(function)
     return run(Call(function, arguments), arguments, ("expected", "a result"), ())
 
 
@@ -166,17 +148,25 @@ def first_of(file) -> str:
 
 
 def run(call, arguments, expected, hints) -> Any:
-    """Return the result of a student's function. Raise WrongError if it raises an error or goes over a limit, and
-    WaitError if it is not written yet, or calls a function that is not written yet.
+    """Return the result of a student's function. Raise WrongError if it is missing, raises an error or goes over a
+    limit, and WaitError if it is not written yet, calls a function that is not, or if another file is wrong.
     """
+    file = FUNCTIONS[call.function].file
     try:
         return student.run(call.function, arguments, call.times)
     except StoppedError as error:
         raised = error.raised
+    if raised.before == "missing":
+        raise WrongError(f"{file} has no function {call.function}.", Call(call.function), [])
+    if raised.before:
+        is_later = call.function != first_of(file)  # one mistake of the file costs its points only once
+        if is_later or raised.culprit != file and raised.culprit in {other.file for other in FUNCTIONS.values()}:
+            raise WaitError(raised.culprit or file, raised.limit)
+        raise stopped(Call(call.function), f"Python cannot import {file}.", raised, hint=raised.hint)
     if raised.stub not in (None, call.function):
         raise WaitError(raised.stub)
     if raised.stub and call.arguments == tuple(map(plain, arguments)):
-        place = place_in(raised, FUNCTIONS[raised.stub].file)
+        place = place_in(raised, file)
         raise WaitError(f"you to write {raised.stub} in {place}", place=place)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
     hint = "Your code ran up to this line. Now delete it." if raised.stub else hint_for(raised, None, hints)

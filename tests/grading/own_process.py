@@ -11,7 +11,7 @@ from typing import Any
 from grading import limits
 from grading.handout import FUNCTIONS
 from grading.project_path import ROOT
-from grading.raised import raised_by, StoppedError
+from grading.raised import Raised, raised_by, StoppedError
 from support.constants import NC_FP
 from support.start.options import command_line
 
@@ -39,20 +39,19 @@ class OwnProcess:
                 del sys.modules[name]
             sys.modules.update(kept)
 
-    def find(self, function) -> Callable | None:
-        """Return a function of the handout, or None if its file does not have it.
-
-        Raises a StoppedError if Python cannot import the file.
-        """
+    def find(self, function) -> Callable:
+        """Return a function of the handout; raise a StoppedError if its file lacks it, or cannot be imported."""
         name = module_of(FUNCTIONS[function].file)
         if name not in sys.modules:
             try:
                 with working_in(ROOT), limits.limited_memory():  # the check may be in another folder
                     importlib.import_module(name)
             except BaseException as error:  # also SystemExit
-                raise StoppedError(raised_by(error)) from None
+                raise StoppedError(raised_by(error)._replace(before="import")) from None
         found = getattr(sys.modules[name], function, None)
-        return found if callable(found) else None
+        if not callable(found):
+            raise StoppedError(Raised(before="missing"))
+        return found
 
     def called_by(self, function) -> list[str]:
         """Return the functions of the handout whose names are in the code of this one."""
@@ -61,7 +60,7 @@ class OwnProcess:
         return [name for name in FUNCTIONS if code and name in code.co_names]
 
     def run(self, function, arguments, times=1) -> Any:
-        """Call a function that find has found, and return its result; raise a StoppedError if it raises an error.
+        """Call a function of the handout, and return its result; raise a StoppedError if this fails.
 
         times is the number of calls; if the function returns values, they begin the arguments of the next call.
         """

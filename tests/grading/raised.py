@@ -33,6 +33,7 @@ class Raised(NamedTuple):
     stub: str | None = None  # the function that is not written yet
     culprit: str | None = None  # the file of src/ that made an import fail
     hint: str = ""  # for an import
+    before: str = ""  # why the function was not called: "import" if its file has failed, "missing" if it has none
 
 
 class StoppedError(Exception):

@@ -18,7 +18,7 @@ SHAPES = {"box": box, "sphere": sphere, "cylinder": cylinder}
 vectors_of = attrgetter("_pos", "_axis", "_up", "_size", "_color")
 values_of = attrgetter("texture", "visible", "shininess", "opacity")
 MOST_TEXT = 2000  # characters of the text of a stand-in
-MOST_KEYS = 5000  # of a dictionary
+MOST_KEYS = 5000  # of a dictionary: with equal hashes, they take quadratic time
 MOST_BITS = 1000  # of a whole number
 
 
@@ -31,8 +31,8 @@ class File:
         self.name = name or (f"/{Path(path).name}" if Path(path).is_absolute() else path)
 
     def content(self) -> list:
-        is_there = Path(self.path).is_file()
-        return ["file", self.name, Path(self.path).read_bytes().decode("latin-1") if is_there else None]
+        file = Path(self.path)
+        return ["file", self.name, file.read_bytes().decode("latin-1") if file.is_file() else None]
 
     def fill(self, text) -> None:
         Path(self.path).unlink(missing_ok=True) if text is None else Path(self.path).write_bytes(text.encode("latin-1"))
@@ -47,50 +47,33 @@ class Crossing:
         self.objects: dict[int, object] = {}
         self.numbers: dict[int, int] = {}  # by id; objects keeps them from being another object's
         self.known: dict[int, list] = {}  # the contents as they last went across
-        self.met: dict[int, None] = {}  # the numbers in the letter that is being written
         self.roots: list = []  # values whose objects may have changed, also deep inside
 
     def letter(self, value) -> list:
         """Return a value in the form that goes across, and the contents that the other side does not have."""
-        self.met = {}
-        packed = self.pack(value)
-        for root in self.roots:
-            self.pack(root)
-        news = []
-        for number in self.met_in_turn():
-            content = self.content(number)
-            if self.known.get(number) != content:
-                self.known[number] = content
-                news.append([number, content])
-        return [packed, news]
-
-    def met_in_turn(self):
-        """Yield the numbers in the letter; the content of one may bring in others."""
-        done = 0
-        while done < len(self.met):
-            numbers = list(self.met)[done:]
-            done += len(numbers)
-            yield from numbers
+        self.met: set[int] = set()  # the numbers in the letter
+        self.news: list[list] = []
+        return [[self.pack(each) for each in (value, *self.roots)][0], self.news]
 
     def open(self, letter):
         """Return the value in a letter of the other side; raise an error if it has another form."""
         packed, news = letter
         for number, content in news:
             if number not in self.objects:
-                self.keep(int(number), self.made(content))
+                self.keep(int(number), self.made(*content))
         for number, content in news:
-            self.fill(self.objects[number], content)
+            self.fill(self.objects[number], *content)
             self.known[number] = content
         return self.unpack(packed)
 
     def pack(self, value):
-        """Return a value without the contents of its objects."""
+        """Return a value without the contents of its objects, and put these into news if they have changed."""
         if type(value) in (float, bool, type(None)):
             return value
         if isinstance(value, str):
             return {"path": None} if value == NC_FP else str.__str__(value)
         if isinstance(value, tuple):
-            return {"tuple": [self.pack(part) for part in value]}
+            return {"tuple": [*map(self.pack, value)]}
         number = self.numbers.get(id(value))
         if number is None:
             if isinstance(value, Integral) and int(value).bit_length() < MOST_BITS:
@@ -99,7 +82,12 @@ class Crossing:
                 return float(value)
             number = next(self.free)
             self.keep(number, value)
-        self.met[number] = None
+        if number not in self.met:
+            self.met.add(number)  # first: an object may contain itself
+            content = self.content(number)
+            if self.known.get(number) != content:
+                self.known[number] = content
+                self.news.append([number, content])
         return {"number": number}
 
     def unpack(self, packed):
@@ -123,7 +111,7 @@ class Crossing:
         """Return the content of an object in the form that goes across."""
         value = self.objects[number]
         if isinstance(value, list):
-            return ["list", [self.pack(part) for part in value]]
+            return ["list", [*map(self.pack, value)]]
         if isinstance(value, dict):
             return ["dict", [[self.pack(key), self.pack(part)] for key, part in value.items()]]
         if isinstance(value, vector):
@@ -140,22 +128,18 @@ class Crossing:
         """Return the content of an object that the other side cannot have."""
         return ["other", type(value).__name__, text_of(value)]
 
-    def made(self, content):
+    def made(self, kind, *parts):
         """Return a new object for a content, still without it."""
-        kind = content[0]
-        if kind in SHAPES:
-            return SHAPES[kind]()
         if kind == "other":
-            return stand_in(*content[1:])
-        return {"list": list, "dict": dict, "vector": lambda: vector(0, 0, 0)}[kind]()
+            return stand_in(*parts)
+        return {"list": list, "dict": dict, "vector": lambda: vector(0, 0, 0), **SHAPES}[kind]()
 
-    def fill(self, value, content) -> None:
+    def fill(self, value, kind, *parts) -> None:
         """Give an object this content."""
-        kind, *parts = content
         if kind == "list":
-            list.__setitem__(value, slice(None), [self.unpack(part) for part in parts[0]])
+            list.__setitem__(value, slice(None), [*map(self.unpack, parts[0])])
         elif kind == "dict":
-            if len(parts[0]) > MOST_KEYS:  # which may take quadratic time
+            if len(parts[0]) > MOST_KEYS:
                 raise ValueError("too many keys")
             pairs = [(self.unpack(key), self.unpack(part)) for key, part in parts[0]]
             dict.clear(value)

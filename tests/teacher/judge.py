@@ -65,7 +65,6 @@ class Solver:
     def __init__(self, files, process):
         self.files = {name: content.decode("latin-1") for name, content in files.items()}
         self.process, self.is_open = process, False
-        self.found: set[str] = set()  # functions that the process has
         self.latest = time.monotonic() + WHOLE
 
     # --- as in OwnProcess ---
@@ -78,16 +77,8 @@ class Solver:
 
     @contextmanager
     def again(self):
-        self.found.clear()
         self.begin(is_again=True)
         yield
-        self.found.clear()
-
-    def find(self, function):
-        if function not in self.found and not self.exchange("find", function=function):
-            return None
-        self.found.add(function)
-        return lambda *arguments: self.run(function, arguments)
 
     def called_by(self, function):
         self.until = time.monotonic() + SPARE
@@ -98,7 +89,8 @@ class Solver:
     def run(self, function, arguments, times=1):
         arguments = tuple(map(self.with_file, arguments))
         self.crossing.roots = [*self.results, arguments]
-        letter = self.crossing.letter(arguments)
+        with self.understood():
+            letter = self.crossing.letter(arguments)
         result = self.exchange("call", function=function, letter=letter, times=times)
         if isinstance(result, (list, dict)):
             self.results.append(result)
@@ -110,7 +102,7 @@ class Solver:
         """Start a process; raise a ValueError if it cannot take the files."""
         self.process.begin()
         self.is_open, self.heard, self.until = True, bytearray(), time.monotonic() + WHOLE
-        self.found, self.told, self.beginning, self.crossing = set(), 0, None, Desk(first=0)
+        self.told, self.beginning, self.crossing = 0, None, Desk(first=0)
         self.hear()
         problem = self.exchange("write", files=self.files)
         if problem:
@@ -140,7 +132,7 @@ class Solver:
 
     def exchange(self, do, **arguments):
         """Return the value that the solver answers; raise a StoppedError if it is an error, or if there is none."""
-        try:
+        with self.understood():
             self.told = 0
             self.send({"do": do, "beginning": self.beginning, **arguments})
             self.beginning = None
@@ -151,15 +143,22 @@ class Solver:
             raised, (value, _) = raised_in(answer["raised"]), self.crossing.open(answer["letter"])
             self.has_written = bool(answer["has_written"])
             print(str(answer["printed"])[:PRINTED], end="")
-        except StoppedError as error:
-            raised = error.raised
+            if raised:
+                raise StoppedError(raised)
+        return value
+
+    @contextmanager
+    def understood(self):
+        """Run the body of the with statement; end the process if an answer is not in the agreed form, or at a limit."""
+        try:
+            yield
         except OTHER_FORM:
-            raised = Raised(limit="gave an answer that the grader cannot read")
-        if raised is None:
-            return value
-        if raised.limit:
             self.close()
-        raise StoppedError(raised)
+            raise StoppedError(Raised(limit="gave an answer that the grader cannot read")) from None
+        except StoppedError as error:
+            if error.raised.limit:
+                self.close()
+            raise
 
     def send(self, message) -> None:
         """Send a message; raise a StoppedError if the solver does not take it."""
@@ -167,21 +166,21 @@ class Solver:
         try:
             while line:
                 self.wait([], [self.process.stdin])
-                line = line[os.write(self.process.stdin.fileno(), line[:PART]) :]
+                line = line[os.write(self.process.stdin, line[:PART]) :]
         except BrokenPipeError:
-            raise StoppedError(ended(self.process.status())) from None
+            raise StoppedError(ended()) from None
 
     def hear(self) -> dict:
         """Return the next message of the solver; raise a StoppedError if there is none."""
         while b"\n" not in self.heard:
             self.wait([self.process.stdout], [])
-            part = os.read(self.process.stdout.fileno(), 1 << 16)
+            part = os.read(self.process.stdout, 1 << 16)
             self.heard += part
             self.told += len(part)
             if max(len(self.heard) / LINE, self.told / ALL) > 1:
                 raise StoppedError(Raised(limit=f"gave back more than {LINE / 1e6:g} MB"))
             if not part:
-                raise StoppedError(ended(self.process.status()))
+                raise StoppedError(ended())
         line, _, self.heard = self.heard.partition(b"\n")
         message = json.loads(line or b"{}")
         if "ended" in message:
@@ -217,19 +216,19 @@ class Desk(Crossing):
         return ["page", repr(value), list(value.METHODS)]
 
 
-def ended(status) -> Raised:
-    """Return what stopped a call if its process has ended with this status."""
-    words = "?" if status is None else f"signal {status - 128}" if status > 128 else f"status {status}"
-    return Raised(limit=f"ended its process ({words})")
+def ended(status=None) -> Raised:
+    """Return what stopped a call if its process has ended, with this exit status, or with minus the signal's number."""
+    words = "" if status is None else f" (signal {-status})" if status < 0 else f" (status {status})"
+    return Raised(limit=f"ended its process{words}")
 
 
 def raised_in(fields) -> Raised | None:
     """Return the error in an answer; raise an error if it has another form."""
     if fields is None:
         return None
-    kind, text, places, limit, ends, stub, culprit, hint = fields
+    kind, text, places, limit, ends, stub, culprit, hint, before = fields
     if stub is not None:
         FUNCTIONS[stub]
     lines = tuple(Place(bounded(a), int(line), bounded(b), bounded(c)) for a, line, b, c in places[:MOST_PLACES])
     text, culprit = (None if part is None else bounded(part) for part in (text, culprit))
-    return Raised(bounded(kind), text, lines, bounded(limit), bool(ends), stub, culprit, bounded(hint))
+    return Raised(bounded(kind), text, lines, bounded(limit), bool(ends), stub, culprit, bounded(hint), bounded(before))

@@ -10,6 +10,7 @@ import select
 import shutil
 import signal
 import site
+import socket
 import subprocess
 import sys
 import tempfile
@@ -26,7 +27,7 @@ SYSTEM = (
 )
 ALONE = ("--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try")
 FIRST_USER, USERS = 60_600, 500  # numbers that systems give to nobody
-LONGEST_END = 20.0  # s
+LONGEST = 20.0  # s, of the start of a process and of its end
 IN_SANDBOX = Path("/cradle")  # the solver's folder
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
@@ -48,9 +49,10 @@ def holds_off(room, hidden) -> str:
             continue
         process = Process(room, kind, hidden)
         process.begin()
-        says = process.stdout.readline()
-        process.end()
-        if says.startswith(b"{"):
+        is_ready = os.name == "nt" or select.select([process.stdout], [], [], LONGEST)[0]
+        says = is_ready and os.read(process.stdout, 1)
+        process.close()
+        if says == b"{":
             return kind
     raise OSError(0, "A process for solutions does not start")
 
@@ -62,20 +64,26 @@ class Process:
         """room is the folder that make_room has made. kind is one of REMARKS. The solver sees no hidden folder."""
         self.room, self.kind, self.hidden = room, kind, hidden
         self.user = FIRST_USER + os.getpid() % USERS if IS_ROOT and kind != LIMITS else 0
-        self.process, self.folder = None, None
+        self.process = self.folder = self.control = None
 
     def begin(self) -> None:
-        """Start a process for a solution: stdin and stdout lead to it."""
-        if self.process is None:
-            self.start()
-        if self.kind == COPIES:
+        """Start a process for a solution: the pipes stdin and stdout lead to it."""
+        (stdin, self.stdin), (self.stdout, stdout) = os.pipe(), os.pipe()
+        if self.kind != COPIES:
+            self.start(stdin, stdout)
+        else:
+            if self.process is None:
+                self.control, other = socket.socketpair()
+                self.control.settimeout(LONGEST)
+                self.start(subprocess.DEVNULL, subprocess.DEVNULL, other.fileno())
+                other.close()
             with suppress(OSError):  # stdout will show that it has ended
-                os.write(self.orders, b"\n")
-        self.stdin, self.stdout = self.process.stdin, self.process.stdout
+                socket.send_fds(self.control, [b"\n"], [stdin, stdout])
+        os.close(stdin)
+        os.close(stdout)
 
-    def start(self) -> None:
-        """Start a process that waits for a solution."""
-        ends: list[int] = []  # that the process has, too
+    def start(self, stdin, stdout, *control) -> None:
+        """Start a process: it serves, or lets a copy serve at each pair of pipes from the socket control."""
         if self.kind in (COPIES, BWRAP):
             folder, before = IN_SANDBOX, bubblewrap(self.room, self.hidden)
         else:
@@ -84,25 +92,29 @@ class Process:
             shutil.copytree(self.room, folder, dirs_exist_ok=True)
             if self.user:
                 os.chown(folder, self.user, self.user)
-        if self.kind == COPIES:
-            (orders, self.orders), (self.done, done) = os.pipe(), os.pipe()
-            ends = [orders, done]
-        python = [sys.executable, str(folder / "tests" / "teacher" / "solver.py"), *map(str, [self.user, *ends])]
+        python = [sys.executable, str(folder / "tests" / "teacher" / "solver.py"), *map(str, [self.user, *control])]
         environment = dict(os.environ) if os.name == "nt" else {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
         environment.update(HOME=str(folder), TMPDIR=str(folder), PYTHONUSERBASE=site.getuserbase())
         environment.update(PYTHONDONTWRITEBYTECODE="1", OPENBLAS_NUM_THREADS="1")
         # In a session of its own: Ctrl+C reaches only the program that tells it.
         self.process = subprocess.Popen(
             [*before, *python],
-            **{"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "bufsize": 0},
-            **{"env": environment, "cwd": "/" if before else folder, "start_new_session": True, "pass_fds": ends},
+            **{"stdin": stdin, "stdout": stdout, "stderr": subprocess.DEVNULL, "start_new_session": True},
+            **{"env": environment, "cwd": "/" if before else folder, "pass_fds": control},
         )
-        for end in ends:
-            os.close(end)
 
     def end(self) -> None:
         """End the solution's process and all that it has started."""
-        if self.process is None or self.kind == COPIES and self.copy_ends():
+        os.close(self.stdin)
+        os.close(self.stdout)
+        with suppress(OSError):
+            if self.kind == COPIES and self.control.send(b"\n") and self.control.recv(1):
+                return
+        self.close()
+
+    def close(self) -> None:
+        """End everything."""
+        if self.process is None:
             return
         if self.kind in (USER, LIMITS) and hasattr(os, "killpg"):
             with suppress(OSError):
@@ -111,38 +123,12 @@ class Process:
             who = {"user": self.user, "group": self.user, "extra_groups": []}
             subprocess.run(["sh", "-c", "kill -KILL -1"], **who, check=False, capture_output=True)
         self.process.kill()
-        with self.process:
-            self.process.wait()
+        self.process.wait()
         self.process = None
-        if self.kind == COPIES:
-            os.close(self.orders)
-            os.close(self.done)
-        if self.folder is not None:
+        if self.control:
+            self.control.close()
+        if self.folder:
             self.folder.cleanup()
-
-    def copy_ends(self) -> bool:
-        """Let the process end its copy; return whether it has done so. Nothing of the copy is left in stdout."""
-        try:
-            os.write(self.orders, b"\n")
-            if not select.select([self.done], [], [], LONGEST_END)[0] or not os.read(self.done, 1):
-                return False
-        except OSError:
-            return False
-        while select.select([self.process.stdout], [], [], 0)[0] and self.process.stdout.read(1 << 16):
-            pass
-        return True
-
-    def close(self) -> None:
-        """End everything."""
-        self.kind = BWRAP if self.kind == COPIES else self.kind
-        self.end()
-
-    def status(self) -> int | None:
-        """Return the exit status of a process that has just ended, as a shell has it, or None."""
-        with suppress(subprocess.TimeoutExpired):
-            status = self.process.wait(1.0)
-            return 128 - status if status < 0 else status
-        return None
 
 
 def bubblewrap(room, hidden) -> list[str]:

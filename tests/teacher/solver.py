@@ -12,9 +12,9 @@ import builtins
 import ctypes
 import json
 import os
-import select
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -28,9 +28,6 @@ from grading.project_path import ROOT
 from support import headless_vpython
 
 headless_vpython.install()
-
-with suppress(ImportError):  # Windows
-    import fcntl
 
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 import pandas.core.methods.to_dict  # noqa: F401  pandas itself imports it late
@@ -101,9 +98,6 @@ class Solver:
         if is_again:
             self.check.enter_context(self.own.again())
 
-    def find(self, function) -> bool:
-        return self.own.find(function) is not None
-
     def called_by(self, function) -> list[str]:
         return self.own.called_by(function)
 
@@ -140,14 +134,14 @@ class Desk(Crossing):
         if self.folder.exists():
             shutil.rmtree(self.folder, ignore_errors=True)
 
-    def made(self, content):
-        if content[0] == "file":
-            self.folder.mkdir(exist_ok=True)
-            self.files.append(File(str(self.folder / content[1].lstrip("/")), content[1]))
-            return self.files[-1]
-        if content[0] == "page":
-            return Page(self.solver, *content[1:])
-        return super().made(content)
+    def made(self, kind, *parts):
+        if kind == "page":
+            return Page(self.solver, *parts)
+        if kind != "file":
+            return super().made(kind, *parts)
+        self.folder.mkdir(exist_ok=True)
+        self.files.append(File(str(self.folder / parts[0].lstrip("/")), parts[0]))
+        return self.files[-1]
 
     def path_of(self, file):
         return file.path if file.name.startswith("/") else file.name
@@ -206,7 +200,12 @@ def limit_resources() -> None:
 
 
 def serve(user) -> None:
-    """Answer the judge until it closes the pipe."""
+    """Answer the judge, until it closes the pipe, in a child of this process; this one tells the judge how it ends."""
+    child = os.fork() if hasattr(os, "fork") else 0
+    if child:
+        status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+        os.write(1, b'\n{"ended": %d}\n' % status)
+        os._exit(0)
     sys.path[:0] = [str(ROOT)] * (str(ROOT) not in sys.path)
     hearing, telling = os.fdopen(os.dup(0), "rb"), os.dup(1)
     nothing = os.open(os.devnull, os.O_RDWR)
@@ -245,43 +244,35 @@ def serve(user) -> None:
 NEW_USER, NEW_IPC, NEW_PID = 0x10000000, 0x08000000, 0x20000000  # Linux, <sched.h>
 
 
-def copy_for_each(orders, done, user) -> None:
-    """Let a copy of this process serve after each first line of orders, and end it after each second one.
+def copy_for_each(control, user) -> None:
+    """Let a copy of this process serve at each pair of pipes from control, and end it at the next byte.
 
     The import of pandas takes longer than most solutions. A copy sees no process but its own: it cannot reach this one.
-    It has no /proc, and neither orders nor done, the ends of two pipes.
+    It has neither /proc nor control.
     """
     if os.getpid() != 2:  # not in a sandbox: kill would end everything
         sys.exit(1)
     sys.path.remove(str(ROOT))  # a copy can write there
-    lines = os.fdopen(orders, "rb", 0)
-    while lines.readline():
+    while pipes := socket.recv_fds(control, 1, 2)[1]:
         if not os.fork():
-            os.close(orders)
-            os.close(done)
-            be_watched()
-            serve(user)
+            control.close()
+            for number, pipe in enumerate(pipes):
+                os.dup2(pipe, number)
+                os.close(pipe)
+            unshare(user=os.getuid() != 0)
+            if not os.fork():  # the first process of its kind: with it, all others end
+                serve(user)
             os._exit(0)
-        lines.readline()
-        os.kill(-1, signal.SIGKILL)
-        with suppress(ChildProcessError):
-            while True:
-                os.wait()
+        for pipe in pipes:
+            os.close(pipe)
+        control.recv(1)
+        with suppress(ProcessLookupError):
+            while True:  # until no other process is left
+                os.kill(-1, signal.SIGKILL)
+                with suppress(ChildProcessError):
+                    os.waitpid(-1, os.WNOHANG)
         clean()
-        os.write(done, b"\n")
-
-
-def be_watched() -> None:
-    """Go on in a grandchild that sees only its own processes; the parent tells the judge when it has ended."""
-    unshare(user=os.getuid() != 0)
-    for is_last in (False, True):  # the first process of its kind would take no signals
-        child = os.fork()
-        if child:
-            status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-            status = 128 - status if status < 0 else status
-            if not is_last:
-                os.write(1, b'\n{"ended": %d}\n' % status)
-            os._exit(status)
+        control.send(b"\n")
 
 
 def unshare(user) -> None:
@@ -291,26 +282,18 @@ def unshare(user) -> None:
 
 
 def clean() -> None:
-    """Remove what the last copy has left: files, and what is on the way to it."""
+    """Remove the files that the last copy has left."""
     os.chmod(ROOT, 0o1777)
     left = set(ROOT.iterdir()) - {ROOT / "support", ROOT / "tests"}
     # Neither find nor rm follows a link.
     subprocess.run(["sh", "-c", 'find "$@" -type d -exec chmod u+rwx {} +; rm -rf "$@"', "sh", *left], check=False)
-    for pipe in (0, 1):
-        fcntl.fcntl(pipe, fcntl.F_SETFL, 0)
-    while select.select([0], [], [], 0)[0]:
-        os.read(0, 1 << 16)
-
-
-def main() -> None:
-    gc.freeze()
-    gc.enable()
-    user, *pipes = map(int, sys.argv[1:])
-    if pipes:
-        copy_for_each(*pipes, user=user)
-    else:
-        serve(user)
 
 
 if __name__ == "__main__":
-    main()
+    gc.freeze()
+    gc.enable()
+    user, *control = map(int, sys.argv[1:])
+    if control:
+        copy_for_each(socket.socket(fileno=control[0]), user)
+    else:
+        serve(user)
