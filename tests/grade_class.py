@@ -18,8 +18,8 @@ import gc
 import multiprocessing
 import threading
 import time
-from concurrent.futures import as_completed, ProcessPoolExecutor
-from contextlib import contextmanager, suppress
+from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
+from contextlib import closing, contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -32,7 +32,7 @@ from grading.grader import checks
 from grading.handout import SUITES
 from support.files.data_file import whole_file
 from support.start.options import OneLineParser
-from support.start.output import complain, in_one_line, is_unread, refuse, say, while_it_is_read
+from support.start.output import complain, in_one_line, is_unread, refuse, while_it_is_read
 from support.terminal.screen import progress_bar
 from teacher import judge
 from teacher.report import digest_of, file_name, line_of, Result, results_in, summary, write_grades, write_gradescope
@@ -55,7 +55,7 @@ def main() -> None:
         options.out.mkdir(parents=True, exist_ok=True)
         with TemporaryDirectory() as work, only_run_in(options.out):
             starter = options.starter or new_starter(Path(work) / "starter")
-            results = grade_all(paths, starter, options, Path(work) / "room")
+            results = grade_all(paths, starter, options, make_room(starter, Path(work) / "room"))
         finish(options, results, len(paths), others)
     except KeyboardInterrupt:
         print(STOPPED)
@@ -81,26 +81,25 @@ def read_options():
     folder = options.submissions.resolve()
     try:
         paths, others = submissions_in(folder)
-    except OSError as error:
-        parser.error(f"argument SUBMISSIONS: {options.submissions}: {error.strerror}")
-    except ValueError as error:
-        parser.error(f"argument SUBMISSIONS: {error}")
+    except (OSError, ValueError) as error:
+        words = f"{options.submissions}: {error.strerror}" if isinstance(error, OSError) else error
+        parser.error(f"argument SUBMISSIONS: {words}")
     for name, path in (("out", options.out), ("gradescope", options.gradescope)):
         if path and path.resolve().is_relative_to(folder):
             parser.error(f"argument --{name}: found '{path}', allowed is a folder outside of SUBMISSIONS")
     if options.starter and not (options.starter / "tests" / "grading").is_dir():
         parser.error(f"argument --starter: found '{options.starter}', allowed is a folder made by make_starter.py")
     for file in own_tests() if options.starter else ():  # the judges have those of this project
-        name = file.relative_to(ROOT)
-        if not (options.starter / name).is_file() or (options.starter / name).read_bytes() != file.read_bytes():
-            parser.error(f"argument --starter: {options.starter / name} is not the same as {file}")
+        theirs = options.starter / file.relative_to(ROOT)
+        if not theirs.is_file() or theirs.read_bytes() != file.read_bytes():
+            parser.error(f"argument --starter: {theirs} is not the same as {file}")
     options.out = options.out or folder.with_name(f"{folder.name}-grades")
     return options, paths, others
 
 
 def own_tests() -> list[Path]:
     """Return the files of the checks and of the grader."""
-    return [*(ROOT / "tests").glob("test_*.py"), *(ROOT / "tests" / "grading").glob("*.py")]
+    return sorted([*(ROOT / "tests").glob("test_*.py"), *(ROOT / "tests" / "grading").glob("*.py")])
 
 
 @contextmanager
@@ -141,8 +140,9 @@ def grade_all(paths, starter, options, room) -> list[Result]:
     Each result is kept in results.jsonl in the folder options.out, so the next run grades only what is new or changed.
     After Ctrl+C, it returns what is there.
     """
-    file, more = options.out / "results.jsonl", sorted([*own_tests(), *starter.rglob("support/**/*.py")])
-    grader = digest_of(given_files(starter), *(path.read_bytes() for path in more))
+    file, given = options.out / "results.jsonl", given_files(starter)
+    graders = [*own_tests(), *sorted(starter.rglob("support/**/*.py"))]
+    grader = digest_of(given, *(path.read_bytes() for path in graders))
     submissions = {student: read_submission(student, path) for student, path in paths.items()}
     digests = {student: digest_of(grader, *submission) for student, submission in submissions.items()}
     before = results_in(file)
@@ -154,63 +154,44 @@ def grade_all(paths, starter, options, room) -> list[Result]:
     with whole_file(file) as kept:
         kept.writelines(map(line_of, results.values()))
 
-    to_grade = [submission for student, submission in submissions.items() if student not in results]
+    to_grade = [(submissions[student], digest) for student, digest in digests.items() if student not in results]
     hidden = {path.parent for path in paths.values()} | {options.out.resolve(), starter.resolve()}
-    with (
-        open(file, "a", encoding="utf-8") as kept,
-        suppress(KeyboardInterrupt),
-        told_progress(len(to_grade)) as progress,
-        side_by_side(to_grade, digests, starter, room, hidden) as graded_ones,
-    ):
+    graded_ones = side_by_side(to_grade, given, room, hidden)
+    with open(file, "a", encoding="utf-8") as kept, suppress(KeyboardInterrupt), closing(graded_ones):
         for result, text in graded_ones:
             write_text(options.out, result, text)
             kept.write(line_of(result))
             kept.flush()
             results[result.student] = result
-            progress()
     return [results[student] for student in submissions if student in results]
 
 
-@contextmanager
-def told_progress(count):
-    """Yield a function to call after each of count solutions: a bar, or in a file a line now and then, shows it."""
-    done, over = 0, threading.Event()
+def side_by_side(to_grade, given, room, hidden):
+    """Grade each (submission, digest), a judge on each core; yield the results and the students' texts as they come.
 
-    def tell():
-        while not over.wait(TOLD):
-            complain(f"{done} of {count} solutions are graded.")
-
-    def one_more():
-        nonlocal done
-        done += 1
-        progress(done / count)
-
-    with progress_bar() as progress:
-        if not sys.stderr.isatty():
-            threading.Thread(target=tell, daemon=True).start()
-        try:
-            yield one_more
-        finally:
-            over.set()
-
-
-@contextmanager
-def side_by_side(submissions, digests, starter, room, hidden):
-    """Yield an iterator over the results and the students' texts, as they come; a judge for each core grades."""
-    if not submissions:
-        yield ()
+    A bar shows the progress, or in a file a line now and then.
+    """
+    if not to_grade:
         return
-    kind = holds_off(make_room(starter, room), hidden)
-    say(REMARKS[kind], sys.stderr, end="\n" if REMARKS[kind] else "")
-    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    fresh, of_judge = multiprocessing.get_context("spawn"), (given_files(starter), room, kind, hidden)
-    pool = ProcessPoolExecutor(count, fresh, initializer=prepare, initargs=of_judge)
+    kind = holds_off(room, hidden)
+    if REMARKS[kind]:
+        complain(REMARKS[kind])
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    count, fresh = len(to_grade), multiprocessing.get_context("spawn")
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the judges start so: Ctrl+C is for this process
-    pool.submit(int).result()
+    pool = ProcessPoolExecutor(cores, fresh, initializer=prepare, initargs=(given, room, kind, hidden))
+    left = {pool.submit(graded, *each) for each in to_grade}
     signal.signal(signal.SIGINT, before)
+    told = time.monotonic()
     try:
-        futures = [pool.submit(graded, submission, digests[submission.student]) for submission in submissions]
-        yield (future.result() for future in as_completed(futures))
+        with progress_bar() as progress:
+            while left:
+                done, left = wait(left, TOLD, FIRST_COMPLETED)
+                yield from (future.result() for future in done)
+                progress(1 - len(left) / count) if done else None
+                if not sys.stderr.isatty() and time.monotonic() > told + TOLD:
+                    complain(f"{count - len(left)} of {count} solutions are graded.")
+                    told = time.monotonic()
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
         for process in multiprocessing.active_children():

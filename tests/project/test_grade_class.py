@@ -8,7 +8,6 @@ import socket
 import subprocess
 import sys
 import zipfile
-from contextlib import contextmanager
 from textwrap import indent
 
 import grade_class
@@ -16,7 +15,6 @@ import make_autograder
 import make_starter
 import pytest
 import watch
-from grade_class import given_files
 from programs import on_posix, ROOT, SECONDS
 from students import COUNTS, files_of, put_files, write
 
@@ -145,10 +143,9 @@ def main(made, process, monkeypatch, capsys):
     The judge of grade_class.py is in this process.
     """
 
-    @contextmanager
-    def side_by_side(submissions, digests, *_):
-        grade_class.JUDGE.update(given=given_files(made), process=process)
-        yield (grade_class.graded(each, digests[each.student]) for each in submissions)
+    def side_by_side(to_grade, given, *_):
+        grade_class.JUDGE.update(given=given, process=process)
+        yield from (grade_class.graded(*each) for each in to_grade)
 
     monkeypatch.setattr(grade_class, "side_by_side", side_by_side)
     monkeypatch.setattr(grade_class, "new_starter", lambda _: made)
