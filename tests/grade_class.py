@@ -14,7 +14,6 @@ if __name__ == "__main__":
     # While the modules are imported:
     signal.signal(signal.SIGINT, lambda *_: (print(STOPPED, flush=True), os._exit(130)))
 
-import gc
 import multiprocessing
 import threading
 import time
@@ -211,7 +210,6 @@ def prepare(given, *of_process) -> None:
     JUDGE.update(given=given, process=Process(*of_process))
     signal.signal(signal.SIGTERM, end)
     threading.Thread(target=lambda: end(multiprocessing.parent_process().join()), daemon=True).start()
-    gc.freeze()
 
 
 def graded(submission, digest) -> tuple[Result, str]:

@@ -128,9 +128,9 @@ def test_a_folder_that_is_no_class_is_refused(tmp_path, files):
 
 @pytest.mark.parametrize("name", ["a" * 300 + ".py", "beyond/a/b.py/c.py", "nul\0.py"])
 def test_a_name_that_cannot_be_written_costs_that_solution(grade, solved, name):
-    graded = grade({"beyond/a/b.py": b"", **solved, name: b""})
-    assert graded.outcomes == {}
-    assert graded.problems[0].startswith(f"src/{name} cannot be written: ")
+    outcomes, _, problems = grade({"beyond/a/b.py": b"", **solved, name: b""})
+    assert outcomes == {}
+    assert problems[0].startswith("the files cannot be written: ")
 
 
 # --- the program -----------------------------------------------------------------------------------------------------

@@ -180,11 +180,11 @@ def test_the_folder_has_no_answers(made):
 
 def graded(grade, starter):
     """Return the grade of what a student has written, the table and the other lines of the text, and all messages."""
-    result = grade(files_of(starter))
-    assert result.problems == []
-    lines = result.text.splitlines()
-    messages = [line for outcome in result.outcomes.values() for line in outcome.message.splitlines()]
-    return grades.grade(result.outcomes), table_of(lines), lines, messages
+    outcomes, text, problems = grade(files_of(starter))
+    assert problems == []
+    lines = text.splitlines()
+    messages = [line for outcome in outcomes.values() for line in outcome.message.splitlines()]
+    return grades.grade(outcomes), table_of(lines), lines, messages
 
 
 def test_a_half_written_project(grade, starter):

@@ -25,17 +25,15 @@ MOST_BITS = 1000  # of a whole number
 class File:
     """A file whose path is an argument."""
 
-    def __init__(self, path, name=""):
-        """name is its name on the other side, with a / in front if the path is absolute."""
-        self.path = path
-        self.name = name or (f"/{Path(path).name}" if Path(path).is_absolute() else path)
+    def __init__(self, path, given, name):
+        """path is where it is, given is the argument, and name has a / in front if the argument is absolute."""
+        self.path, self.given, self.name = Path(path), given, name
 
     def content(self) -> list:
-        file = Path(self.path)
-        return ["file", self.name, file.read_bytes().decode("latin-1") if file.is_file() else None]
+        return ["file", self.name, self.path.read_bytes().decode("latin-1") if self.path.is_file() else None]
 
     def fill(self, text) -> None:
-        Path(self.path).unlink(missing_ok=True) if text is None else Path(self.path).write_bytes(text.encode("latin-1"))
+        self.path.unlink(missing_ok=True) if text is None else self.path.write_bytes(text.encode("latin-1"))
 
 
 class Crossing:
@@ -47,13 +45,18 @@ class Crossing:
         self.objects: dict[int, object] = {}
         self.numbers: dict[int, int] = {}  # by id; objects keeps them from being another object's
         self.known: dict[int, list] = {}  # the contents as they last went across
-        self.roots: list = []  # values whose objects may have changed, also deep inside
 
     def letter(self, value) -> list:
         """Return a value in the form that goes across, and the contents that the other side does not have."""
-        self.met: set[int] = set()  # the numbers in the letter
-        self.news: list[list] = []
-        return [[self.pack(each) for each in (value, *self.roots)][0], self.news]
+        packed, news, done = self.pack(value), [], set()
+        while left := self.objects.keys() - done:  # the content of one may bring in others
+            done |= left
+            for number in left:
+                content = self.content(self.objects[number], number)
+                if self.known.get(number) != content:
+                    self.known[number] = content
+                    news.append([number, content])
+        return [packed, news]
 
     def open(self, letter):
         """Return the value in a letter of the other side; raise an error if it has another form."""
@@ -67,28 +70,20 @@ class Crossing:
         return self.unpack(packed)
 
     def pack(self, value):
-        """Return a value without the contents of its objects, and put these into news if they have changed."""
+        """Return a value without the contents of its objects."""
         if type(value) in (float, bool, type(None)):
             return value
         if isinstance(value, str):
             return {"path": None} if value == NC_FP else str.__str__(value)
         if isinstance(value, tuple):
             return {"tuple": [*map(self.pack, value)]}
-        number = self.numbers.get(id(value))
-        if number is None:
+        if id(value) not in self.numbers:
             if isinstance(value, Integral) and int(value).bit_length() < MOST_BITS:
                 return int(value)
             if isinstance(value, Real) and not isinstance(value, Integral):
                 return float(value)
-            number = next(self.free)
-            self.keep(number, value)
-        if number not in self.met:
-            self.met.add(number)  # first: an object may contain itself
-            content = self.content(number)
-            if self.known.get(number) != content:
-                self.known[number] = content
-                self.news.append([number, content])
-        return {"number": number}
+            self.keep(next(self.free), value)
+        return {"number": self.numbers[id(value)]}
 
     def unpack(self, packed):
         """Return the value that pack has packed on the other side."""
@@ -97,19 +92,14 @@ class Crossing:
         ((kind, content),) = packed.items()
         if kind == "number":
             found = self.objects[content]
-            return self.path_of(found) if isinstance(found, File) else found
+            return found.given if isinstance(found, File) else found
         return NC_FP if kind == "path" else tuple(map(self.unpack, content))
-
-    def path_of(self, file) -> str:
-        """Return the path that stands for a file."""
-        return file.path
 
     def keep(self, number, value) -> None:
         self.objects[number], self.numbers[id(value)] = value, number
 
-    def content(self, number) -> list:
+    def content(self, value, number) -> list:
         """Return the content of an object in the form that goes across."""
-        value = self.objects[number]
         if isinstance(value, list):
             return ["list", [*map(self.pack, value)]]
         if isinstance(value, dict):
@@ -122,11 +112,9 @@ class Crossing:
                 return [name, vectors, *map(self.pack, values_of(value))]
         if isinstance(value, File):
             return value.content()
-        return self.known.get(number) or self.words(value)
-
-    def words(self, value) -> list:
-        """Return the content of an object that the other side cannot have."""
-        return ["other", type(value).__name__, text_of(value)]
+        if hasattr(type(value), "METHODS"):
+            return ["page", repr(value), [*value.METHODS]]
+        return self.known.get(number) or ["other", type(value).__name__, text_of(value)]
 
     def made(self, kind, *parts):
         """Return a new object for a content, still without it."""

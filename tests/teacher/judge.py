@@ -7,7 +7,6 @@ import time
 from contextlib import contextmanager, redirect_stdout, suppress
 from io import StringIO
 from pathlib import Path
-from typing import NamedTuple
 
 from vpython import scene, vector
 
@@ -28,16 +27,10 @@ PART = select.PIPE_BUF if hasattr(select, "PIPE_BUF") else 1 << 16  # bytes that
 PRINTED, MOST_PLACES = 30_000, 2000  # characters of what a call prints, and lines of an error
 
 
-class Graded(NamedTuple):
-    """What a solution has achieved."""
-
-    outcomes: dict[str, Outcome]  # by the names of the checks
-    text: str  # for the student
-    problems: list[str]
-
-
-def grade(files, process) -> Graded:
-    """Return what a solution achieves in a Process: its files by their paths in the project."""
+def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
+    """Return what a solution achieves in a Process: the outcomes by the names of the checks, the student's text, and
+    problems. files has the solution's files by their paths in the project.
+    """
     solver, grading, printed, problems = Solver(files, process), Grading(), {}, []
     before, grader.student = grader.student, solver
     try:
@@ -47,13 +40,13 @@ def grade(files, process) -> Graded:
                 outcome = grading.judge(check)
             printed[check.name] = out.getvalue()
             problems += [f"a fault of the grader in {check.name}"] * (outcome.state == FAULT)
-    except (ValueError, StoppedError) as error:
-        problems = [f"{error}" or "the solver does not start"]
+    except StoppedError as error:
+        problems = [f"the files cannot be written: {error.raised.text}" if error.raised.kind else "nothing starts"]
     finally:
         solver.close()
         grader.student = before
     outcomes = {name: grading.outcomes[name]._replace(call=None) for name in CHECKS if name in grading.outcomes}
-    return Graded(outcomes, "\n".join(line for line, _ in words(outcomes, printed)), problems)
+    return outcomes, "\n".join(line for line, _ in words(outcomes, printed)), problems
 
 
 class Solver:
@@ -88,25 +81,19 @@ class Solver:
 
     def run(self, function, arguments, times=1):
         arguments = tuple(map(self.with_file, arguments))
-        self.crossing.roots = [*self.results, arguments]
         with self.understood():
-            letter = self.crossing.letter(arguments)
-        result = self.exchange("call", function=function, letter=letter, times=times)
-        if isinstance(result, (list, dict)):
-            self.results.append(result)
-        return result
+            letter = self.desk.letter(arguments)
+        return self.exchange("call", function=function, letter=letter, times=times)
 
     # --- the other process ---
 
     def open(self) -> None:
-        """Start a process; raise a ValueError if it cannot take the files."""
+        """Start a process; raise a StoppedError if it cannot take the files."""
         self.process.begin()
         self.is_open, self.heard, self.until = True, bytearray(), time.monotonic() + WHOLE
-        self.told, self.beginning, self.crossing = 0, None, Desk(first=0)
+        self.told, self.beginning, self.desk = 0, None, Crossing(first=0)
         self.hear()
-        problem = self.exchange("write", files=self.files)
-        if problem:
-            raise ValueError(problem)
+        self.exchange("write", files=self.files)
 
     def close(self) -> None:
         """End the solution's process."""
@@ -118,7 +105,7 @@ class Solver:
         """Forget what both sides had: the next message tells the solver."""
         if not self.is_open:
             self.open()
-        self.crossing, self.results, self.files_given = Desk(first=0), [], {}
+        self.desk, self.files_given = Crossing(first=0), {}
         seconds = min(limits.PATIENCE, max(0.1, self.latest - time.monotonic()))
         self.beginning, self.until = {"seconds": seconds, "is_again": is_again}, time.monotonic() + seconds + SPARE
 
@@ -128,7 +115,8 @@ class Solver:
             return vector(value)
         if not isinstance(value, str) or value == NC_FP or not Path(value).is_file():
             return value
-        return self.files_given.setdefault(value, File(value))
+        name = f"/{Path(value).name}" if Path(value).is_absolute() else value
+        return self.files_given.setdefault(value, File(value, value, name))
 
     def exchange(self, do, **arguments):
         """Return the value that the solver answers; raise a StoppedError if it is an error, or if there is none."""
@@ -140,7 +128,7 @@ class Solver:
             while "ask" in answer:
                 self.send(self.page_says(**answer))
                 answer = self.hear()
-            raised, (value, _) = raised_in(answer["raised"]), self.crossing.open(answer["letter"])
+            raised, (value, _) = raised_in(answer["raised"]), self.desk.open(answer["letter"])
             self.has_written = bool(answer["has_written"])
             print(str(answer["printed"])[:PRINTED], end="")
             if raised:
@@ -195,10 +183,9 @@ class Solver:
 
     def page_says(self, ask, letter) -> dict:
         """Return the answer of a page to main."""
-        page, arguments = self.crossing.open(letter)
+        page, arguments = self.desk.open(letter)
         try:
             if arguments is not None and ask in page.METHODS:
-                self.crossing.roots.append(arguments)
                 said = getattr(page, ask)(*arguments)
             elif ask in page.VALUES:
                 said = self.with_file(getattr(page, ask))
@@ -206,14 +193,7 @@ class Solver:
                 raise AttributeError(f"'Page' object has no attribute '{ask}'")
         except Exception as error:
             return {"error": type(error).__name__, "words": [str(word) for word in error.args]}
-        return {"letter": self.crossing.letter(said)}
-
-
-class Desk(Crossing):
-    """The judge's side of the crossing: it has the pages for main."""
-
-    def words(self, value):
-        return ["page", repr(value), list(value.METHODS)]
+        return {"letter": self.desk.letter(said)}
 
 
 def ended(status=None) -> Raised:

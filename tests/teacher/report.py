@@ -26,13 +26,6 @@ class Result(NamedTuple):
     seconds: float
     problems: list[str]
 
-    def grade(self) -> dict:
-        """Return what --grade-json writes."""
-        return grade(self.outcomes)
-
-    def points(self) -> int:
-        return sum(outcome.state == PASSED for outcome in self.outcomes.values())
-
 
 def results_in(file) -> dict[str, Result]:
     """Return the results in results.jsonl by student; a line that is damaged, or of another version, is none."""
@@ -41,8 +34,8 @@ def results_in(file) -> dict[str, Result]:
         with suppress(ValueError, TypeError, KeyError, AttributeError, RecursionError):
             fields = json.loads(line)
             if fields.pop("sum") == digest_of(fields):
-                fields["outcomes"] = {name: Outcome(*each) for name, each in fields["outcomes"].items()}
-                results[fields["student"]] = Result(**fields)
+                outcomes = {name: Outcome(*each) for name, each in fields.pop("outcomes").items()}
+                results[fields["student"]] = Result(**fields, outcomes=outcomes)
     return results
 
 
@@ -68,24 +61,16 @@ def cell(text) -> str:
     return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
 
 
-def hint_seen(outcomes) -> str:
-    """Return the hint that the student reads, with its function; "" if there is none."""
-    for name, check in CHECKS.items():
-        if name in outcomes and outcomes[name].state == FAILED:
-            return f"{outcomes[name].hint} ({check.function})" if outcomes[name].hint else ""
-    return ""
-
-
 def write_grades(file, results) -> None:
     """Write grades.csv: a line for each student. Raises an OSError if this fails."""
     with whole_file(file) as out:
         writer = csv.writer(out)
         writer.writerow(["student", "grade", *SUITES, "points", "next", "seconds", "problems"])
-        for result in results:
-            graded = result.grade()
+        for student, _, outcomes, seconds, problems in results:
+            graded = grade(outcomes)
             points = [graded["tiers"].get(tier, {"points": 0})["points"] for tier in SUITES]
-            row = [cell(result.student), graded["grade"] or "none", *points, sum(points), cell(graded["next"])]
-            writer.writerow([*row, f"{result.seconds:.1f}", cell("; ".join(result.problems))])
+            row = [cell(student), graded["grade"] or "none", *points, sum(points), cell(graded["next"])]
+            writer.writerow([*row, f"{seconds:.1f}", cell("; ".join(problems))])
 
 
 def write_gradescope(folder, result) -> None:
@@ -93,50 +78,34 @@ def write_gradescope(folder, result) -> None:
 
     The keys are those of https://gradescope-autograders.readthedocs.io/en/latest/specs/.
     """
-    tests = []
+    tests, graded = [], grade(result.outcomes)
     for name, check in CHECKS.items():
         outcome = result.outcomes.get(name, Outcome(WAITING, "was not run"))
-        tests.append(
-            {
-                "name": f"{check.tier}: {check.function}: {check.title()}",
-                "score": int(outcome.state == PASSED),
-                "max_score": 1,
-                "output": outcome.message or "passed",
-                "visibility": "visible",
-            }
-        )
-    graded = result.grade()
+        title, score = f"{check.tier}: {check.function}: {check.title()}", int(outcome.state == PASSED)
+        seen = {"output": outcome.message or "passed", "visibility": "visible"}
+        tests.append({"name": title, "score": score, "max_score": 1, **seen})
     words = [f"Grade: {graded['grade'] or 'none yet'}.", f"Next: {whole_step(graded)}.", *result.problems]
-    content = {
-        "score": result.points(),
-        "max_score": len(tests),
-        "execution_time": round(result.seconds),
-        "output": "\n".join(words),
-        "visibility": "visible",
-        "tests": tests,
-    }
+    seen = {"output": "\n".join(words), "visibility": "visible"}
+    score = {"score": sum(test["score"] for test in tests), "max_score": len(tests)}
     folder.mkdir(parents=True, exist_ok=True)
     with whole_file(folder / "results.json") as out:
-        json.dump(content, out, indent=1)
+        json.dump({**score, "execution_time": round(result.seconds), **seen, "tests": tests}, out, indent=1)
         out.write("\n")
 
 
 def summary(results) -> list[str]:
     """Return the lines that a teacher reads in the end."""
-    grades = Counter(result.grade()["grade"] for result in results)
+    grades = Counter(grade(result.outcomes)["grade"] for result in results)
+    failed: Counter = Counter()
+    hints: Counter = Counter()  # that students read: only the first failure shows its hint
+    for result in results:
+        fails = [name for name in CHECKS if name in result.outcomes and result.outcomes[name].state == FAILED]
+        failed.update(f"{name} ({CHECKS[name].function})" for name in fails)
+        seen = [(result.outcomes[name].hint, CHECKS[name].function) for name in fails[:1]]
+        hints.update(f"{hint} ({function})" for hint, function in seen if hint)
     lines = ["grade        solutions"]
     lines += [f"{grade or 'none':<12} {grades[grade]:>9}" for grade in [*reversed(SUITES), None]]
-    failed: Counter = Counter()
-    hints: Counter = Counter()
-    for result in results:
-        failed.update(name for name, outcome in result.outcomes.items() if outcome.state == FAILED)
-        hints.update(filter(None, [hint_seen(result.outcomes)]))
-    checks = [(f"{name} ({CHECKS[name].function})", count) for name, count in failed.most_common(MOST)]
-    lines += table("Checks that most solutions fail", checks)
-    lines += table("Hints that most students see", hints.most_common(MOST))
+    for title, counts in (("Checks that most solutions fail", failed), ("Hints that most students see", hints)):
+        rows = [f"{count:>5}  {in_one_line(words)}" for words, count in counts.most_common(MOST)]
+        lines += ["", title, *rows] if rows else []
     return lines
-
-
-def table(title, rows) -> list[str]:
-    """Return lines with this title and these (words, number) rows, or no lines if there are no rows."""
-    return ["", title, *(f"{count:>5}  {in_one_line(words)}" for words, count in rows)] if rows else []

@@ -4,10 +4,6 @@ A message is a line of JSON: "do" names a method of Solver, the rest are its arg
 returns, or an error as plain data. While main runs, it asks the judge for its page.
 """
 
-import gc
-
-gc.disable()  # until the modules are there: it would look at each new object again and again
-
 import builtins
 import ctypes
 import json
@@ -53,8 +49,7 @@ class Solver:
 
     def __init__(self, tell, hear):
         self.tell, self.hear = tell, hear
-        self.own, self.crossing = OwnProcess(), Desk(self)
-        self.results: list = []  # that the judge may still look at
+        self.own, self.desk = OwnProcess(), Desk(self)
         self.check = ExitStack()  # holds what the present check needs
 
     def answer(self, do, beginning, **arguments) -> dict:
@@ -69,29 +64,25 @@ class Solver:
                     value = getattr(self, do)(**arguments)
                 except StoppedError as error:
                     value, raised = None, error.raised
-                letter = self.crossing.letter((value, tuple(scene._made)))  # also the shapes that it has made
+                letter = self.desk.letter((value, tuple(scene._made)))  # also the shapes that it has made
         except BaseException as error:
             raised = raised_by(error)
-        return {"raised": raised, "letter": letter, "printed": printed.getvalue(), "has_written": self.own.has_written}
+        text = printed.getvalue()[:PRINTED]
+        return {"raised": raised, "letter": letter, "printed": text, "has_written": self.own.has_written}
 
-    def write(self, files) -> str:
-        """Make these the files of src/, each with its text as Latin-1 has it; return why this fails, or ""."""
+    def write(self, files) -> None:
+        """Make these the files of src/, each with its text as Latin-1 has it."""
         shutil.rmtree(ROOT / "src", ignore_errors=True)
         for name, text in files.items():
-            file = ROOT / name
-            try:
-                file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_bytes(text.encode("latin-1"))
-            except (OSError, ValueError) as error:
-                return f"{name} cannot be written: {getattr(error, 'strerror', error)}"
-        return ""
+            (ROOT / name).parent.mkdir(parents=True, exist_ok=True)
+            (ROOT / name).write_bytes(text.encode("latin-1"))
 
     def begin(self, seconds, is_again) -> None:
         """Begin a check of at most these seconds: forget what the judge and the solver have in common.
 
         is_again: import the solution again.
         """
-        self.crossing, self.results = Desk(self), []
+        self.desk = Desk(self)
         self.check.close()
         limits.PATIENCE = seconds
         self.check.enter_context(self.own.check())
@@ -103,25 +94,18 @@ class Solver:
 
     def call(self, function, letter, times):
         """Call a function, and return its result."""
-        desk = self.crossing
-        arguments = desk.open(letter)
-        desk.roots = [*self.results, arguments, *desk.files]
+        arguments = self.desk.open(letter)
         discarded.clear()
-        is_relative = any(not file.name.startswith("/") for file in desk.files)
-        with working_in(desk.folder if is_relative else ROOT):
-            result = self.own.run(function, arguments, times)
-        if isinstance(result, (list, dict)):
-            self.results.append(result)
-        return result
+        with working_in(self.desk.folder if self.desk.is_relative else ROOT):
+            return self.own.run(function, arguments, times)
 
     def ask(self, page, name, arguments):
         """Return what the page in the judge gives."""
-        self.crossing.roots.append(arguments)
-        self.tell({"ask": name, "letter": self.crossing.letter((page, arguments))})
+        self.tell({"ask": name, "letter": self.desk.letter((page, arguments))})
         told = self.hear()
         if "error" in told:
             raise getattr(builtins, told["error"])(*told["words"])
-        return self.crossing.open(told["letter"])
+        return self.desk.open(told["letter"])
 
 
 class Desk(Crossing):
@@ -129,10 +113,8 @@ class Desk(Crossing):
 
     def __init__(self, solver):
         super().__init__(first=1)
-        self.solver = solver
-        self.folder, self.files = ROOT / "files", []
-        if self.folder.exists():
-            shutil.rmtree(self.folder, ignore_errors=True)
+        self.solver, self.folder, self.is_relative = solver, ROOT / "files", False
+        shutil.rmtree(self.folder, ignore_errors=True)
 
     def made(self, kind, *parts):
         if kind == "page":
@@ -140,11 +122,9 @@ class Desk(Crossing):
         if kind != "file":
             return super().made(kind, *parts)
         self.folder.mkdir(exist_ok=True)
-        self.files.append(File(str(self.folder / parts[0].lstrip("/")), parts[0]))
-        return self.files[-1]
-
-    def path_of(self, file):
-        return file.path if file.name.startswith("/") else file.name
+        path, is_absolute = self.folder / parts[0].lstrip("/"), parts[0].startswith("/")
+        self.is_relative |= not is_absolute
+        return File(path, str(path) if is_absolute else parts[0], parts[0])
 
 
 class Page:
@@ -163,10 +143,7 @@ class Page:
 
 
 class Printed(StringIO):
-    """Keeps the beginning of what a call prints. A solution cannot close it."""
-
-    def write(self, text):
-        return super().write(text[: max(0, PRINTED - self.tell())])
+    """What a call prints. A solution cannot close it."""
 
     def close(self):
         pass
@@ -179,24 +156,19 @@ def limit_resources() -> None:
     except ImportError:
         return
 
-    def limit(what, most):
-        hard = resource.getrlimit(what)[1]
-        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
-        resource.setrlimit(what, (most, most))
-
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # too long a file is an OSError
-    limit(resource.RLIMIT_FSIZE, FILE_SIZE)
-    limit(resource.RLIMIT_CORE, 0)
-    limit(resource.RLIMIT_CPU, SECONDS)
-    limit(resource.RLIMIT_DATA, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 + MEMORY)
-    limit(resource.RLIMIT_AS, ADDRESSES)
-    before = resource.getrlimit(resource.RLIMIT_NPROC)
-    resource.setrlimit(resource.RLIMIT_NPROC, (PROCESSES, before[1]))
-    try:
-        threading.Thread(target=int).start()
-        limit(resource.RLIMIT_NPROC, PROCESSES)
-    except RuntimeError:  # outside of a sandbox, all processes of the user count
-        resource.setrlimit(resource.RLIMIT_NPROC, before)
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 + MEMORY
+    table = {"FSIZE": FILE_SIZE, "CORE": 0, "CPU": SECONDS, "DATA": memory, "AS": ADDRESSES, "NPROC": PROCESSES}
+    for name, most in table.items():
+        what = getattr(resource, f"RLIMIT_{name}")
+        before = resource.getrlimit(what)
+        most = most if before[1] == resource.RLIM_INFINITY else min(most, before[1])
+        resource.setrlimit(what, (most, before[1]))
+        try:
+            threading.Thread(target=int).start()
+            resource.setrlimit(what, (most, most))
+        except RuntimeError:  # outside of a sandbox, all processes of the user count
+            resource.setrlimit(what, before)
 
 
 def serve(user) -> None:
@@ -206,13 +178,10 @@ def serve(user) -> None:
         status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
         os.write(1, b'\n{"ended": %d}\n' % status)
         os._exit(0)
-    sys.path[:0] = [str(ROOT)] * (str(ROOT) not in sys.path)
     hearing, telling = os.fdopen(os.dup(0), "rb"), os.dup(1)
     nothing = os.open(os.devnull, os.O_RDWR)
     for number in range(3):
         os.dup2(nothing, number)
-    sys.stdin, sys.stdout, sys.stderr = (open(os.devnull, mode) for mode in "rww")  # noqa: SIM115
-    sys.dont_write_bytecode = True
     if user:
         folders = [folder for folder in sys.path if os.path.isdir(folder)]
         os.setgroups([])
@@ -259,8 +228,9 @@ def copy_for_each(control, user) -> None:
             for number, pipe in enumerate(pipes):
                 os.dup2(pipe, number)
                 os.close(pipe)
-            unshare(user=os.getuid() != 0)
-            if not os.fork():  # the first process of its kind: with it, all others end
+            sys.path.insert(0, str(ROOT))
+            alone = NEW_PID | NEW_IPC | NEW_USER * (os.getuid() != 0)  # a plain user needs the last one for the others
+            if ctypes.CDLL(None).unshare(alone) == 0 and not os.fork():  # with the child, all of its processes end
                 serve(user)
             os._exit(0)
         for pipe in pipes:
@@ -275,12 +245,6 @@ def copy_for_each(control, user) -> None:
         control.send(b"\n")
 
 
-def unshare(user) -> None:
-    """Give the children of this process their own numbers, and the rights to do so if it is a plain user's."""
-    if ctypes.CDLL(None, use_errno=True).unshare(NEW_PID | NEW_IPC | NEW_USER * user):
-        raise OSError(ctypes.get_errno(), "unshare")
-
-
 def clean() -> None:
     """Remove the files that the last copy has left."""
     os.chmod(ROOT, 0o1777)
@@ -290,8 +254,6 @@ def clean() -> None:
 
 
 if __name__ == "__main__":
-    gc.freeze()
-    gc.enable()
     user, *control = map(int, sys.argv[1:])
     if control:
         copy_for_each(socket.socket(fileno=control[0]), user)

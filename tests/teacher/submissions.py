@@ -8,6 +8,7 @@ import re
 import stat
 import zipfile
 from collections import Counter
+from itertools import islice
 from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
@@ -73,26 +74,22 @@ def entries_of(path) -> dict:
     """Return the files of a submission: for each path, a function that returns its first MOST_BYTES + 1 bytes."""
     if not path.is_dir() and not stat.S_ISREG(path.stat().st_mode):
         raise OSError(f"{path.name} is neither a folder nor a plain file")  # a pipe would never end
-    if path.is_dir():
-        entries = entries_of_folder(path)
-        zips = [name for name in entries if name.lower().endswith(".zip")]
-        if len(zips) == 1 and not any(PurePosixPath(name).name in HANDOUTS for name in entries):
-            return entries_of_zip(path / zips[0])  # a .zip in the student's folder, as Moodle has it
-        return entries
-    return entries_of_zip(path)
+    entries = dict(islice(entries_of_folder(path) if path.is_dir() else entries_of_zip(path), MOST_ENTRIES + 1))
+    if len(entries) > MOST_ENTRIES:
+        raise OSError(f"it has more than {MOST_ENTRIES} files")
+    zips = [name for name in entries if name.lower().endswith(".zip")]
+    if path.is_dir() and len(zips) == 1 and not any(PurePosixPath(name).name in HANDOUTS for name in entries):
+        return entries_of(path / zips[0])  # a .zip in the student's folder, as Moodle has it
+    return entries
 
 
-def entries_of_folder(folder) -> dict:
-    """Return the plain files of a folder, as entries_of does. It does not follow links."""
-    entries = {}
+def entries_of_folder(folder):
+    """Yield the path and the function of each plain file, as in entries_of. It does not follow links."""
     for parent, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if is_own(name))
         for file in (Path(parent) / name for name in sorted(names)):
             if stat.S_ISREG(file.lstat().st_mode):  # no link, pipe or device
-                entries[file.relative_to(folder).as_posix()] = lambda file=file: beginning_of(file)
-            if len(entries) > MOST_ENTRIES:
-                raise OSError(f"it has more than {MOST_ENTRIES} files")
-    return entries
+                yield file.relative_to(folder).as_posix(), lambda file=file: beginning_of(file)
 
 
 def beginning_of(file) -> bytes:
@@ -101,17 +98,13 @@ def beginning_of(file) -> bytes:
         return opened.read(MOST_BYTES + 1)
 
 
-def entries_of_zip(file) -> dict:
-    """Return the files of a .zip, as entries_of does."""
+def entries_of_zip(file):
+    """Yield the path and the function of each file of a .zip, as in entries_of."""
     archive = zipfile.ZipFile(file)
-    if len(archive.infolist()) > MOST_ENTRIES:
-        raise OSError(f"it has more than {MOST_ENTRIES} files")
-    entries = {}
     for info in archive.infolist():
         name = PurePosixPath(info.filename.replace("\\", "/"))
         if not info.is_dir() and all(map(is_own, name.parts[:-1])):
-            entries[name.as_posix()] = lambda info=info: archive.open(info).read(MOST_BYTES + 1)
-    return entries
+            yield name.as_posix(), lambda info=info: archive.open(info).read(MOST_BYTES + 1)
 
 
 def is_own(folder) -> bool:
@@ -124,7 +117,7 @@ def select(student, entries) -> Submission:
     folders = Counter(str(path.parent) for path in map(PurePosixPath, entries) if path.name in HANDOUTS)
     if not folders:
         names = [*entries][:SHOWN]
-        found = ", ".join(names) + (" ..." if len(entries) > SHOWN else "") if names else "nothing"
+        found = ", ".join(names) + " ..." * (len(entries) > SHOWN) or "nothing"
         return Submission(student, {}, [f"none of the handout's files is there; found: {found}"])
 
     def rank(folder):  # the best one has the least rank
@@ -139,10 +132,8 @@ def select(student, entries) -> Submission:
         if sum(map(len, files.values())) <= MOST_BYTES:
             files[path.relative_to(best).as_posix()] = entries[path.as_posix()]()
     if len(paths) > MOST_FILES or sum(map(len, files.values())) > MOST_BYTES:
-        allowed = f"at most {MOST_FILES} Python files with {MOST_BYTES:,} bytes"
-        return Submission(
-            student, {}, [*problems, f"too large: found {len(paths)} Python files, allowed are {allowed}"]
-        )
+        allowed = f"allowed are at most {MOST_FILES} Python files with {MOST_BYTES:,} bytes"
+        return Submission(student, {}, [*problems, f"too large: found {len(paths)} Python files, {allowed}"])
     return Submission(student, files, problems + [told for file in HANDOUTS for told in missing(file, files)])
 
 
