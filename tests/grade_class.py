@@ -71,10 +71,8 @@ def read_options():
     parser = OneLineParser(description="Grade a whole class. Started again, it goes on from there.", allow_abbrev=False)
     add = parser.add_argument
     add("submissions", metavar="SUBMISSIONS", type=Path, help="a folder with a folder or a .zip for each student")
-    text = "the folder for grades.csv and a text for each student (default: SUBMISSIONS-grades)"
-    add("--out", metavar="FOLDER", type=Path, help=text)
-    text = "write DIR/STUDENT/results.json for each student, as Gradescope reads it"
-    add("--gradescope", metavar="DIR", type=Path, help=text)
+    add("--out", metavar="FOLDER", type=Path, help="the folder for the results (default: SUBMISSIONS-grades)")
+    add("--gradescope", metavar="DIR", type=Path, help="write DIR/STUDENT/results.json, as Gradescope reads it")
     add("--starter", metavar="FOLDER", type=Path, help="a starter that is already made (default: a new one)")
     options = parser.parse_args()
     folder = options.submissions.resolve()
@@ -158,7 +156,8 @@ def grade_all(paths, starter, options, room) -> list[Result]:
     graded_ones = side_by_side(to_grade, given, room, hidden)
     with open(file, "a", encoding="utf-8") as kept, suppress(KeyboardInterrupt), closing(graded_ones):
         for result, text in graded_ones:
-            write_text(options.out, result, text)
+            lines = "\n".join([result.student, *result.problems, "", text, ""])
+            (options.out / f"{file_name(result.student)}.txt").write_text(lines, "utf-8", "backslashreplace")
             kept.write(line_of(result))
             kept.flush()
             results[result.student] = result
@@ -219,12 +218,6 @@ def graded(submission, digest) -> tuple[Result, str]:
     outcomes, text, problems = judge.grade(files, JUDGE["process"])
     seconds = time.monotonic() - begin
     return Result(submission.student, digest, outcomes, seconds, submission.problems + problems), text
-
-
-def write_text(folder, result, text) -> None:
-    """Write the student's text: the problems, and what pytest would print."""
-    lines = [result.student, *result.problems, "", text]
-    (folder / f"{file_name(result.student)}.txt").write_text("\n".join(lines) + "\n", "utf-8", "backslashreplace")
 
 
 def finish(options, results, count, others) -> None:

@@ -185,7 +185,7 @@ def is_right_alone(check, number) -> bool:
     CALLS.clear()
     ALONE.append(number)
     try:
-        with student.check(), student.again(), redirect_stdout(StringIO()):
+        with student.check(is_again=True), redirect_stdout(StringIO()):
             check.ask()
     except BaseException:
         if limits.PRESSED.is_set():
@@ -246,7 +246,8 @@ class Grading:
         outcome = self.make(check)
         if outcome.state == FAILED and not self.hung:
             earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
-            wrong = [name for name in student.called_by(check.function) if name in earlier and self.is_wrong(name)]
+            called = student.called.get(check.function, [])
+            wrong = [name for name in called if name in earlier and self.is_wrong(name)]
             if wrong:  # the function uses others than those that the handout asks for
                 return waiting(", ".join(wrong))
         return outcome

@@ -4,7 +4,7 @@ import importlib
 import os
 import sys
 from collections.abc import Callable
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -22,10 +22,13 @@ class OwnProcess:
     watch = command_line("tests/watch.py", ROOT)  # the command that plays a check
     has_written = False  # whether the last call has changed newton_cradle_pends.csv, which was then put back
 
+    def __init__(self):
+        self.called: dict[str, list[str]] = {}  # the functions of the handout whose names are in the code of another one
+
     @contextmanager
-    def check(self):
-        """Keep the limits of a check in the body of the with statement."""
-        with limits.patience(), limits.without_ends():
+    def check(self, is_again=False):
+        """Keep the limits of a check in the body of the with statement. is_again: import the modules again."""
+        with limits.patience(), limits.without_ends(), self.again() if is_again else nullcontext():
             yield
 
     @contextmanager
@@ -53,12 +56,6 @@ class OwnProcess:
             raise StoppedError(Raised(before="missing"))
         return found
 
-    def called_by(self, function) -> list[str]:
-        """Return the functions of the handout whose names are in the code of this one."""
-        module = sys.modules.get(module_of(FUNCTIONS[function].file))
-        code = getattr(getattr(module, function, None), "__code__", None)
-        return [name for name in FUNCTIONS if code and name in code.co_names]
-
     def run(self, function, arguments, times=1) -> Any:
         """Call a function of the handout, and return its result; raise a StoppedError if this fails.
 
@@ -68,6 +65,8 @@ class OwnProcess:
         before = shipped.read_bytes() if shipped.is_file() else None
         try:
             solution = self.find(function)
+            names = getattr(getattr(solution, "__code__", None), "co_names", ())
+            self.called[function] = [name for name in FUNCTIONS if name in names]
             with limits.limited_memory():
                 return repeat(function, solution, arguments, times)
         except StoppedError:

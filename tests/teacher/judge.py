@@ -2,9 +2,8 @@
 
 import json
 import os
-import select
 import time
-from contextlib import contextmanager, redirect_stdout, suppress
+from contextlib import contextmanager, redirect_stdout
 from io import StringIO
 from pathlib import Path
 
@@ -23,7 +22,6 @@ SPARE = 3.0  # s that a solver has to say that a call took too long
 WHOLE = 120.0  # s for all checks of a solution
 LINE = 5_000_000  # bytes of an answer
 ALL = 20_000_000  # bytes that a solver tells in a call
-PART = select.PIPE_BUF if hasattr(select, "PIPE_BUF") else 1 << 16  # bytes that a pipe takes at once
 PRINTED, MOST_PLACES = 30_000, 2000  # characters of what a call prints, and lines of an error
 
 
@@ -57,27 +55,21 @@ class Solver:
 
     def __init__(self, files, process):
         self.files = {name: content.decode("latin-1") for name, content in files.items()}
-        self.process, self.is_open = process, False
+        self.process, self.is_open, self.called = process, False, {}
         self.latest = time.monotonic() + WHOLE
 
     # --- as in OwnProcess ---
 
     @contextmanager
-    def check(self):
+    def check(self, is_again=False):
         scene._made.clear()
-        self.begin(is_again=False)
+        if not self.is_open:
+            self.open()
+        self.desk, self.files_given = Crossing(first=0), {}
+        seconds = min(limits.PATIENCE, max(0.1, self.latest - time.monotonic()))
+        self.until = time.monotonic() + seconds + SPARE
+        self.beginning = {"seconds": seconds, "is_again": is_again}  # the next message tells the solver
         yield
-
-    @contextmanager
-    def again(self):
-        self.begin(is_again=True)
-        yield
-
-    def called_by(self, function):
-        self.until = time.monotonic() + SPARE
-        with suppress(StoppedError, *OTHER_FORM):
-            return [str(name) for name in self.exchange("called_by", function=function)]
-        return []
 
     def run(self, function, arguments, times=1):
         arguments = tuple(map(self.with_file, arguments))
@@ -101,14 +93,6 @@ class Solver:
             self.process.end()
         self.is_open = False
 
-    def begin(self, is_again) -> None:
-        """Forget what both sides had: the next message tells the solver."""
-        if not self.is_open:
-            self.open()
-        self.desk, self.files_given = Crossing(first=0), {}
-        seconds = min(limits.PATIENCE, max(0.1, self.latest - time.monotonic()))
-        self.beginning, self.until = {"seconds": seconds, "is_again": is_again}, time.monotonic() + seconds + SPARE
-
     def with_file(self, value):
         """Return a value, a File if it is the path of one, or the copy of a vector, which a solution may change."""
         if isinstance(value, vector):
@@ -128,12 +112,12 @@ class Solver:
             while "ask" in answer:
                 self.send(self.page_says(**answer))
                 answer = self.hear()
-            raised, (value, _) = raised_in(answer["raised"]), self.desk.open(answer["letter"])
             self.has_written = bool(answer["has_written"])
+            self.called = {function: list(names) for function, names in answer["called"].items()}
             print(str(answer["printed"])[:PRINTED], end="")
-            if raised:
-                raise StoppedError(raised)
-        return value
+            if answer["raised"] is not None:
+                raise StoppedError(raised_in(answer["raised"]))
+            return self.desk.open(answer["letter"])[0]
 
     @contextmanager
     def understood(self):
@@ -150,19 +134,14 @@ class Solver:
 
     def send(self, message) -> None:
         """Send a message; raise a StoppedError if the solver does not take it."""
-        line = memoryview(json.dumps(message).encode() + b"\n")
-        try:
-            while line:
-                self.wait([], [self.process.stdin])
-                line = line[os.write(self.process.stdin, line[:PART]) :]
-        except BrokenPipeError:
-            raise StoppedError(ended()) from None
+        with self.in_time() as line:
+            line.sendall(json.dumps(message).encode() + b"\n")
 
     def hear(self) -> dict:
         """Return the next message of the solver; raise a StoppedError if there is none."""
         while b"\n" not in self.heard:
-            self.wait([self.process.stdout], [])
-            part = os.read(self.process.stdout, 1 << 16)
+            with self.in_time() as line:
+                part = line.recv(1 << 16)
             self.heard += part
             self.told += len(part)
             if max(len(self.heard) / LINE, self.told / ALL) > 1:
@@ -175,11 +154,17 @@ class Solver:
             raise StoppedError(ended(int(message["ended"])))
         return message or self.hear()
 
-    def wait(self, *pipes) -> None:
-        """Wait until one of the pipes is ready; raise a StoppedError if it is not in time. Windows can only go on."""
-        left = self.until - time.monotonic()
-        if left < 0 or os.name != "nt" and not any(select.select(*pipes, [], left)):
-            raise StoppedError(Raised("KeyboardInterrupt", limit=f"took longer than {limits.PATIENCE:g} s", ends=True))
+    @contextmanager
+    def in_time(self):
+        """Yield the socket; raise a StoppedError if it is not ready in time, or if the other end is closed."""
+        self.process.line.settimeout(max(1e-3, self.until - time.monotonic()))
+        try:
+            yield self.process.line
+        except TimeoutError:
+            late = Raised("KeyboardInterrupt", limit=f"took longer than {limits.PATIENCE:g} s", ends=True)
+            raise StoppedError(late) from None
+        except OSError:
+            raise StoppedError(ended()) from None
 
     def page_says(self, ask, letter) -> dict:
         """Return the answer of a page to main."""
@@ -202,10 +187,8 @@ def ended(status=None) -> Raised:
     return Raised(limit=f"ended its process{words}")
 
 
-def raised_in(fields) -> Raised | None:
+def raised_in(fields) -> Raised:
     """Return the error in an answer; raise an error if it has another form."""
-    if fields is None:
-        return None
     kind, text, places, limit, ends, stub, culprit, hint, before = fields
     if stub is not None:
         FUNCTIONS[stub]

@@ -6,7 +6,6 @@ processes, no network. https://github.com/containers/bubblewrap
 
 import compileall
 import os
-import select
 import shutil
 import signal
 import site
@@ -15,7 +14,6 @@ import subprocess
 import sys
 import tempfile
 from contextlib import suppress
-from functools import cache
 from pathlib import Path
 
 from grading.project_path import ROOT
@@ -30,6 +28,11 @@ FIRST_USER, USERS = 60_600, 500  # numbers that systems give to nobody
 LONGEST = 20.0  # s, of the start of a process and of its end
 IN_SANDBOX = Path("/cradle")  # the solver's folder
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
+
+SOLVERS = (  # the files of tests/ that a solver needs
+    *(f"grading/{name}" for name in ("__init__", "handout", "limits", "own_process", "project_path", "raised")),
+    *(f"teacher/{name}" for name in ("__init__", "crossing", "solver")),
+)
 
 COPIES, BWRAP, USER, LIMITS = "copies", "bwrap", "user", "limits"  # what holds a solver off
 ALSO = "To hold this off, too, on Linux: apt install bubblewrap."
@@ -49,8 +52,10 @@ def holds_off(room, hidden) -> str:
             continue
         process = Process(room, kind, hidden)
         process.begin()
-        is_ready = os.name == "nt" or select.select([process.stdout], [], [], LONGEST)[0]
-        says = is_ready and os.read(process.stdout, 1)
+        process.line.settimeout(LONGEST)
+        says = b""
+        with suppress(OSError):
+            says = process.line.recv(1)
         process.close()
         if says == b"{":
             return kind
@@ -67,23 +72,19 @@ class Process:
         self.process = self.folder = self.control = None
 
     def begin(self) -> None:
-        """Start a process for a solution: the pipes stdin and stdout lead to it."""
-        (stdin, self.stdin), (self.stdout, stdout) = os.pipe(), os.pipe()
+        """Start a process for a solution: the socket line leads to it."""
         if self.kind != COPIES:
-            self.start(stdin, stdout)
-        else:
-            if self.process is None:
-                self.control, other = socket.socketpair()
-                self.control.settimeout(LONGEST)
-                self.start(subprocess.DEVNULL, subprocess.DEVNULL, other.fileno())
-                other.close()
-            with suppress(OSError):  # stdout will show that it has ended
-                socket.send_fds(self.control, [b"\n"], [stdin, stdout])
-        os.close(stdin)
-        os.close(stdout)
+            self.line = self.start()
+            return
+        if self.process is None:
+            self.control = self.start()
+            self.control.settimeout(LONGEST)
+        self.line, end = socket.socketpair()
+        with end, suppress(OSError):  # line will show that the process has ended
+            socket.send_fds(self.control, [b"\n"], [end.fileno()])
 
-    def start(self, stdin, stdout, *control) -> None:
-        """Start a process: it serves, or lets a copy serve at each pair of pipes from the socket control."""
+    def start(self) -> socket.socket:
+        """Start a process, and return the socket that leads to it."""
         if self.kind in (COPIES, BWRAP):
             folder, before = IN_SANDBOX, bubblewrap(self.room, self.hidden)
         else:
@@ -92,21 +93,23 @@ class Process:
             shutil.copytree(self.room, folder, dirs_exist_ok=True)
             if self.user:
                 os.chown(folder, self.user, self.user)
-        python = [sys.executable, str(folder / "tests" / "teacher" / "solver.py"), *map(str, [self.user, *control])]
+        line, end = socket.socketpair()
+        end.set_inheritable(True)
+        numbers = int(self.kind == COPIES), self.user, end.fileno()
+        python = [sys.executable, str(folder / "tests" / "teacher" / "solver.py"), *map(str, numbers)]
         environment = dict(os.environ) if os.name == "nt" else {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
         environment.update(HOME=str(folder), TMPDIR=str(folder), PYTHONUSERBASE=site.getuserbase())
         environment.update(PYTHONDONTWRITEBYTECODE="1", OPENBLAS_NUM_THREADS="1")
-        # In a session of its own: Ctrl+C reaches only the program that tells it.
-        self.process = subprocess.Popen(
-            [*before, *python],
-            **{"stdin": stdin, "stdout": stdout, "stderr": subprocess.DEVNULL, "start_new_session": True},
-            **{"env": environment, "cwd": "/" if before else folder, "pass_fds": control},
-        )
+        options = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
+        options.update({"close_fds": False} if os.name == "nt" else {"pass_fds": [end.fileno()]})
+        options.update(env=environment, cwd="/" if before else folder)
+        with end:  # in a session of its own: Ctrl+C reaches only the program that tells it
+            self.process = subprocess.Popen([*before, *python], start_new_session=True, **options)
+        return line
 
     def end(self) -> None:
         """End the solution's process and all that it has started."""
-        os.close(self.stdin)
-        os.close(self.stdout)
+        self.line.close()
         with suppress(OSError):
             if self.kind == COPIES and self.control.send(b"\n") and self.control.recv(1):
                 return
@@ -138,7 +141,9 @@ def bubblewrap(room, hidden) -> list[str]:
     mounts = [["--ro-bind", path, path] for path in dict.fromkeys(visible)]
     hidden = {str(folder) for folder in (ROOT, *hidden)}
     mounts += [["--tmpfs", folder] for folder in hidden]
-    mounts += [[*size_option(), "--perms", "1777", "--tmpfs", str(IN_SANDBOX)]]
+    known = subprocess.run(["bwrap", "--help"], capture_output=True, text=True, check=False).stdout
+    size = ["--size", str(SPACE)] if "--size" in known else []  # from version 0.8 on
+    mounts += [[*size, "--perms", "1777", "--tmpfs", str(IN_SANDBOX)]]
     mounts += [["--ro-bind", str(room / name), str(IN_SANDBOX / name)] for name in ("support", "tests")]
     parents = {parent for mount in mounts for parent in Path(mount[-1]).parents}
     mounts += [["--perms", "0755", "--dir", str(parent)] for parent in parents]
@@ -149,20 +154,12 @@ def bubblewrap(room, hidden) -> list[str]:
     return [*begin, *(word for mount in mounts + end for word in mount)]
 
 
-@cache
-def size_option() -> list[str]:
-    """Return the option that limits a folder in memory; before version 0.8, bubblewrap does not have it."""
-    known = subprocess.run(["bwrap", "--help"], capture_output=True, text=True, check=False).stdout
-    return ["--size", str(SPACE)] if "--size" in known else []
-
-
 def make_room(starter, folder) -> Path:
     """Make the folder that solvers share: the starter's support/, and what a solver needs of the grader."""
     shutil.copytree(starter / "support", folder / "support", ignore=shutil.ignore_patterns("__pycache__"))
-    names = ("__init__", "handout", "limits", "own_process", "project_path", "raised")
-    files = [ROOT / "tests" / "grading" / f"{name}.py" for name in names]
-    for file in [*files, *(Path(__file__).with_name(f"{name}.py") for name in ("__init__", "crossing", "solver"))]:
-        (folder / file.relative_to(ROOT)).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(file, folder / file.relative_to(ROOT))
+    for name in SOLVERS:
+        file = folder / "tests" / f"{name}.py"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / "tests" / f"{name}.py", file)
     compileall.compile_dir(folder, quiet=2)
     return folder

@@ -47,28 +47,35 @@ PRINTED = 20_000  # characters that are kept of what a call prints
 class Solver:
     """The messages that a solver understands."""
 
-    def __init__(self, tell, hear):
-        self.tell, self.hear = tell, hear
+    def __init__(self, line):
+        self.line, self.lines = line, line.makefile("rb")
         self.own, self.desk = OwnProcess(), Desk(self)
         self.check = ExitStack()  # holds what the present check needs
+
+    def tell(self, answer) -> None:
+        self.line.sendall(json.dumps(answer).encode() + b"\n")
+
+    def hear(self) -> dict:
+        while True:
+            with suppress(KeyboardInterrupt):  # the present check took too long, but no call
+                return json.loads(self.lines.readline())
 
     def answer(self, do, beginning, **arguments) -> dict:
         """Carry out a message. If it is the first one of a check, beginning has the arguments of begin."""
         scene._made.clear()
-        printed, raised, letter = Printed(), None, [{"tuple": [None, None]}, []]
+        printed, raised, letter = Printed(), None, None
         try:
             if beginning:
                 self.begin(**beginning)
             with redirect_stdout(printed):
-                try:
-                    value = getattr(self, do)(**arguments)
-                except StoppedError as error:
-                    value, raised = None, error.raised
+                value = getattr(self, do)(**arguments)
                 letter = self.desk.letter((value, tuple(scene._made)))  # also the shapes that it has made
+        except StoppedError as error:
+            raised = error.raised
         except BaseException as error:
             raised = raised_by(error)
-        text = printed.getvalue()[:PRINTED]
-        return {"raised": raised, "letter": letter, "printed": text, "has_written": self.own.has_written}
+        own = {"called": self.own.called, "has_written": self.own.has_written}
+        return {"raised": raised, "letter": letter, "printed": printed.getvalue()[:PRINTED], **own}
 
     def write(self, files) -> None:
         """Make these the files of src/, each with its text as Latin-1 has it."""
@@ -85,12 +92,7 @@ class Solver:
         self.desk = Desk(self)
         self.check.close()
         limits.PATIENCE = seconds
-        self.check.enter_context(self.own.check())
-        if is_again:
-            self.check.enter_context(self.own.again())
-
-    def called_by(self, function) -> list[str]:
-        return self.own.called_by(function)
+        self.check.enter_context(self.own.check(is_again))
 
     def call(self, function, letter, times):
         """Call a function, and return its result."""
@@ -171,17 +173,16 @@ def limit_resources() -> None:
             resource.setrlimit(what, before)
 
 
-def serve(user) -> None:
-    """Answer the judge, until it closes the pipe, in a child of this process; this one tells the judge how it ends."""
+def serve(user, number) -> None:
+    """Answer the judge, at the other end of the socket with this number, in a child of this process.
+
+    This process then tells the judge how the child has ended.
+    """
+    line = socket.socket(fileno=number)
     child = os.fork() if hasattr(os, "fork") else 0
     if child:
-        status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-        os.write(1, b'\n{"ended": %d}\n' % status)
+        line.sendall(b'\n{"ended": %d}\n' % os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
         os._exit(0)
-    hearing, telling = os.fdopen(os.dup(0), "rb"), os.dup(1)
-    nothing = os.open(os.devnull, os.O_RDWR)
-    for number in range(3):
-        os.dup2(nothing, number)
     if user:
         folders = [folder for folder in sys.path if os.path.isdir(folder)]
         os.setgroups([])
@@ -190,22 +191,11 @@ def serve(user) -> None:
         if not all(os.access(folder, os.R_OK) for folder in folders):  # Python is in a folder of root's
             return
     limit_resources()
-
-    def tell(answer):
-        line = json.dumps(answer).encode() + b"\n"
-        while line:
-            line = line[os.write(telling, line) :]
-
-    def hear():
-        while True:
-            with suppress(KeyboardInterrupt):  # the present check took too long, but no call
-                return json.loads(hearing.readline())
-
-    solver = Solver(tell, hear)
-    tell({"is_ready": True})
+    solver = Solver(line)
+    solver.tell({"is_ready": True})
     with suppress(json.JSONDecodeError):  # the end
         while True:
-            tell(solver.answer(**hear()))
+            solver.tell(solver.answer(**solver.hear()))
 
 
 # --- a copy of this process for each solution -------------------------------------------------------------------------
@@ -214,7 +204,7 @@ NEW_USER, NEW_IPC, NEW_PID = 0x10000000, 0x08000000, 0x20000000  # Linux, <sched
 
 
 def copy_for_each(control, user) -> None:
-    """Let a copy of this process serve at each pair of pipes from control, and end it at the next byte.
+    """Let a copy of this process serve each socket that comes from the socket control; end it at the next byte.
 
     The import of pandas takes longer than most solutions. A copy sees no process but its own: it cannot reach this one.
     It has neither /proc nor control.
@@ -222,19 +212,15 @@ def copy_for_each(control, user) -> None:
     if os.getpid() != 2:  # not in a sandbox: kill would end everything
         sys.exit(1)
     sys.path.remove(str(ROOT))  # a copy can write there
-    while pipes := socket.recv_fds(control, 1, 2)[1]:
+    while numbers := socket.recv_fds(control, 1, 1)[1]:
         if not os.fork():
             control.close()
-            for number, pipe in enumerate(pipes):
-                os.dup2(pipe, number)
-                os.close(pipe)
             sys.path.insert(0, str(ROOT))
             alone = NEW_PID | NEW_IPC | NEW_USER * (os.getuid() != 0)  # a plain user needs the last one for the others
             if ctypes.CDLL(None).unshare(alone) == 0 and not os.fork():  # with the child, all of its processes end
-                serve(user)
+                serve(user, *numbers)
             os._exit(0)
-        for pipe in pipes:
-            os.close(pipe)
+        os.close(*numbers)
         control.recv(1)
         with suppress(ProcessLookupError):
             while True:  # until no other process is left
@@ -254,8 +240,8 @@ def clean() -> None:
 
 
 if __name__ == "__main__":
-    user, *control = map(int, sys.argv[1:])
-    if control:
-        copy_for_each(socket.socket(fileno=control[0]), user)
+    copies, user, number = map(int, sys.argv[1:])
+    if copies:
+        copy_for_each(socket.socket(fileno=number), user)
     else:
-        serve(user)
+        serve(user, number)
