@@ -31,7 +31,7 @@ from grading.grader import checks
 from grading.handout import SUITES
 from support.files.data_file import whole_file
 from support.start.options import OneLineParser
-from support.start.output import complain, in_one_line, is_unread, refuse, while_it_is_read
+from support.start.output import complain, in_one_line, while_it_is_read
 from support.terminal.screen import progress_bar
 from teacher import judge
 from teacher.report import digest_of, file_name, line_of, Result, results_in, summary, write_grades, write_gradescope
@@ -53,17 +53,16 @@ def main() -> None:
     try:
         options.out.mkdir(parents=True, exist_ok=True)
         with TemporaryDirectory() as work, only_run_in(options.out):
-            starter = options.starter or new_starter(Path(work) / "starter")
+            starter = options.starter or Path(work) / "starter"
+            if not options.starter:
+                from make_starter import make_starter  # a folder for Gradescope, itself a starter, does not have it
+
+                make_starter(starter)
             results = grade_all(paths, starter, options, make_room(starter, Path(work) / "room"))
         finish(options, results, len(paths), others)
     except KeyboardInterrupt:
         print(STOPPED)
         sys.exit(130)
-    except OSError as error:
-        if is_unread(error):
-            raise  # while_it_is_read ends the program
-        file = error.filename2 or error.filename  # where a copy should be
-        refuse(f"{file}: {error.strerror}" if file else error.strerror or error)
 
 
 def read_options():
@@ -84,12 +83,11 @@ def read_options():
     for name, path in (("out", options.out), ("gradescope", options.gradescope)):
         if path and path.resolve().is_relative_to(folder):
             parser.error(f"argument --{name}: found '{path}', allowed is a folder outside of SUBMISSIONS")
-    if options.starter and not (options.starter / "tests" / "grading").is_dir():
-        parser.error(f"argument --starter: found '{options.starter}', allowed is a folder made by make_starter.py")
     for file in own_tests() if options.starter else ():  # the judges have those of this project
         theirs = options.starter / file.relative_to(ROOT)
         if not theirs.is_file() or theirs.read_bytes() != file.read_bytes():
-            parser.error(f"argument --starter: {theirs} is not the same as {file}")
+            allowed = f"allowed is a folder made by make_starter.py, with the same {file.relative_to(ROOT)}"
+            parser.error(f"argument --starter: found '{options.starter}', {allowed}")
     options.out = options.out or folder.with_name(f"{folder.name}-grades")
     return options, paths, others
 
@@ -115,14 +113,6 @@ def only_run_in(folder):
         raise OSError(error.errno, "another run of this program is at work here", str(folder)) from None
     finally:
         os.close(opened)
-
-
-def new_starter(folder) -> Path:
-    """Make a starter, and return its folder."""
-    from make_starter import make_starter  # a folder for Gradescope, which is a starter itself, does not have it
-
-    make_starter(folder)
-    return folder
 
 
 def given_files(starter) -> dict[str, bytes]:
@@ -174,10 +164,9 @@ def side_by_side(to_grade, given, room, hidden):
     kind = holds_off(room, hidden)
     if REMARKS[kind]:
         complain(REMARKS[kind])
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     count, fresh = len(to_grade), multiprocessing.get_context("spawn")
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the judges start so: Ctrl+C is for this process
-    pool = ProcessPoolExecutor(cores, fresh, initializer=prepare, initargs=(given, room, kind, hidden))
+    pool = ProcessPoolExecutor(mp_context=fresh, initializer=prepare, initargs=(given, room, kind, hidden))
     left = {pool.submit(graded, *each) for each in to_grade}
     signal.signal(signal.SIGINT, before)
     told = time.monotonic()

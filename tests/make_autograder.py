@@ -19,26 +19,8 @@ from support.start.output import in_one_line, while_it_is_read
 
 # Gradescope unpacks the file into source, beside submission, results and run_autograder:
 # https://gradescope-autograders.readthedocs.io/en/latest/specs/
-SETUP = """\
-#!/usr/bin/env bash
-set -e
-cd "$(dirname "$0")"
-python3 -c "import ensurepip, venv" || { apt-get update; apt-get install -y python3 python3-venv; }
-python3 -m venv ../venv
-../venv/bin/pip install -q --no-deps -r support/requirements.txt
-hash bwrap || { apt-get update; apt-get install -y bubblewrap; } || true  # a sandbox, where it is allowed
-"""
-RUN = """\
-#!/usr/bin/env bash
-set -e
-cd "$(dirname "$0")"
-rm -rf class grades gradescope
-mkdir -p class results
-cp -r submission class/submission
-venv/bin/python source/tests/grade_class.py class --out grades --gradescope gradescope --starter source
-cp gradescope/submission/results.json results/results.json
-"""
-SCRIPTS = {"setup.sh": SETUP, "run_autograder": RUN}
+TEACHER = ROOT / "tests" / "teacher"
+SCRIPTS = "setup.sh", "run_autograder"
 
 
 @while_it_is_read()
@@ -62,11 +44,9 @@ def make_autograder(file) -> None:
         folder = Path(work, "autograder")
         make_starter(folder)
         shutil.copy(ROOT / "tests" / "grade_class.py", folder / "tests")
-        shutil.copytree(
-            ROOT / "tests" / "teacher", folder / "tests" / "teacher", ignore=shutil.ignore_patterns("__*__")
-        )
-        for name, text in SCRIPTS.items():
-            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+        shutil.copytree(TEACHER, folder / "tests" / "teacher", ignore=shutil.ignore_patterns("__*__", *SCRIPTS))
+        for name in SCRIPTS:
+            (folder / name).write_text((TEACHER / name).read_text(encoding="utf-8"), encoding="utf-8", newline="\n")
             (folder / name).chmod(0o755)
         shutil.copy(shutil.make_archive(f"{folder}", "zip", folder), file)
 

@@ -56,59 +56,6 @@ CHANGES = [
     ("import box, cylinder, sphere\n", "import box, cylinder, sphere, vector\n"),
 ]
 
-README = """\
-# Newton's cradle
-
-![The page with the cradle, as it will be](support/pictures/page.png)
-
-This is the project of the handout. You write the missing functions. Each has a place with the mark *Write your code
-here*. `pytest` checks your functions and names the next one.
-
-**Install**, in this folder, with Python 3.10 or later:
-
-    python3 -m venv .venv && .venv/bin/pip install -q --no-deps -r support/requirements.txt
-    .venv/bin/pip install -q "pytest>=8.4"
-
-On Windows, type these lines one by one. If there is no `py`, type `python`. Everywhere below, type `.venv\\Scripts\\`
-in place of `.venv/bin/`.
-
-    py -m venv .venv
-    .venv\\Scripts\\pip install -q --no-deps -r support\\requirements.txt
-    .venv\\Scripts\\pip install -q "pytest>=8.4"
-
-**Write**, in this order:
-
-| for | function | in |
-|---|---|---|
-{rows}
-
-**Test** all functions, the functions of one grade, or these up to the first check that fails:
-
-    .venv/bin/pytest
-    .venv/bin/pytest --tier D
-    .venv/bin/pytest --tier D -x
-
-Some messages end with the command *watch*, which plays your mistake in the terminal.
-
-**See** your work: first the data, then the cradle in the browser or in the terminal. The cradle appears when you have
-written the functions for D. It swings with those for C, and its bobs collide with those for B and A. A line names the
-missing functions.
-
-    .venv/bin/python pds_tester.py
-    .venv/bin/python src/visualize_cradle_run.py
-    .venv/bin/python src/text_cradle_run.py
-
-When you have written the honor roll, see the double cradle:
-
-    .venv/bin/python src/visualize_double_cradle_run.py
-
-The programs run your functions. Change one, start the program again, and see the effect. The cradle's CSV is
-`newton_cradle_pends.csv`, in this folder.
-
-The honor roll has three more places without a check: `double_cradle_tick`, in which you decide how two double pendula
-collide, and the two calls in `main` of `src/visualize_double_cradle_run.py`.
-"""
-
 
 @while_it_is_read()
 def main() -> None:
@@ -144,9 +91,9 @@ def fill(folder) -> None:
     for path in [*map(Path, FILES), *(path for path in found if not UNUSED.intersection(path.parts))]:
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / path, folder / path)
-    rows = (f"| {function.tier} | `{name}` | `{function.file}` |" for name, function in FUNCTIONS.items())
+    rows = "\n".join(f"| {function.tier} | `{name}` | `{function.file}` |" for name, function in FUNCTIONS.items())
     texts = {
-        "README.md": README.format(rows="\n".join(rows)),
+        "README.md": Path(__file__).with_name("starter.md").read_text(encoding="utf-8").format(rows=rows),
         "pyproject.toml": (ROOT / "pyproject.toml").read_text(encoding="utf-8").partition("\n[tool.ruff]")[0],
         **{f"src/{path.name}": for_students(path) for path in (ROOT / "src").glob("*.py") if path.name not in UNUSED},
     }

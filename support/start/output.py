@@ -20,7 +20,7 @@ def while_it_is_read():
         sys.stdout.flush()  # here: at the end of Python, an error would be a traceback
     except OSError as error:
         if not is_unread(error):
-            refuse(f"{error.filename or 'The output'}: {error.strerror or error}")
+            refuse(f"{error.filename2 or error.filename or 'The output'}: {error.strerror or error}")
     finally:
         for stream in (sys.stdout, sys.stderr):
             try:

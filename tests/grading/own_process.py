@@ -23,7 +23,7 @@ class OwnProcess:
     has_written = False  # whether the last call has changed newton_cradle_pends.csv, which was then put back
 
     def __init__(self):
-        self.called: dict[str, list[str]] = {}  # the functions of the handout whose names are in the code of another one
+        self.called: dict[str, list[str]] = {}  # the names of functions of the handout in the code of each one
 
     @contextmanager
     def check(self, is_again=False):

@@ -148,7 +148,7 @@ def main(made, process, monkeypatch, capsys):
         yield from (grade_class.graded(*each) for each in to_grade)
 
     monkeypatch.setattr(grade_class, "side_by_side", side_by_side)
-    monkeypatch.setattr(grade_class, "new_starter", lambda _: made)
+    monkeypatch.setattr(make_starter, "make_starter", lambda folder: shutil.copytree(made, folder))
 
     def main(*arguments, program=grade_class):
         monkeypatch.setattr(sys, "argv", [program.__name__ + ".py", *map(str, arguments)])

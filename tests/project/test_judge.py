@@ -59,7 +59,7 @@ def judged(process, monkeypatch):
             solver.open()
             return outcomes_of(function)
         finally:
-            solver.close()
+            process.end()
 
     return judged
 

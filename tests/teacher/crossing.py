@@ -5,6 +5,7 @@ changed: the other side changes its own in place, so what was one object stays o
 side only; the other side has a stand-in with its type and short text.
 """
 
+from dataclasses import dataclass
 from itertools import count
 from numbers import Integral, Real
 from operator import attrgetter
@@ -17,23 +18,18 @@ from support.constants import NC_FP
 SHAPES = {"box": box, "sphere": sphere, "cylinder": cylinder}
 vectors_of = attrgetter("_pos", "_axis", "_up", "_size", "_color")
 values_of = attrgetter("texture", "visible", "shininess", "opacity")
-MOST_TEXT = 2000  # characters of the text of a stand-in
+MOST_TEXT, MOST_PRINTED = 2000, 20_000  # characters of the text of a stand-in, and of what a call prints
 MOST_KEYS = 5000  # of a dictionary: with equal hashes, they take quadratic time
 MOST_BITS = 1000  # of a whole number
 
 
+@dataclass(eq=False)
 class File:
     """A file whose path is an argument."""
 
-    def __init__(self, path, given, name):
-        """path is where it is, given is the argument, and name has a / in front if the argument is absolute."""
-        self.path, self.given, self.name = Path(path), given, name
-
-    def content(self) -> list:
-        return ["file", self.name, self.path.read_bytes().decode("latin-1") if self.path.is_file() else None]
-
-    def fill(self, text) -> None:
-        self.path.unlink(missing_ok=True) if text is None else self.path.write_bytes(text.encode("latin-1"))
+    path: Path
+    given: str  # the argument
+    name: str  # with a / in front if the argument is absolute
 
 
 class Crossing:
@@ -111,7 +107,7 @@ class Crossing:
                 vectors = [number for v in vectors_of(value) for number in (v._x, v._y, v._z)]
                 return [name, vectors, *map(self.pack, values_of(value))]
         if isinstance(value, File):
-            return value.content()
+            return ["file", value.name, value.path.read_bytes().decode("latin-1") if value.path.is_file() else None]
         if hasattr(type(value), "METHODS"):
             return ["page", repr(value), [*value.METHODS]]
         return self.known.get(number) or ["other", type(value).__name__, text_of(value)]
@@ -139,8 +135,10 @@ class Crossing:
             for i, v in enumerate(vectors_of(value)):
                 v._x, v._y, v._z = numbers[3 * i : 3 * i + 3]
             value.texture, value.visible, value.shininess, value.opacity = map(self.unpack, parts[1:])
+        elif kind == "file" and parts[1] is None:
+            value.path.unlink(missing_ok=True)
         elif kind == "file":
-            value.fill(parts[1])
+            value.path.write_bytes(parts[1].encode("latin-1"))
 
 
 def text_of(value) -> str | None:
@@ -158,8 +156,4 @@ def bounded(text) -> str:
 
 def stand_in(name, text):
     """Return a stand-in for an object of the other side, with the name of its type and its text."""
-
-    def __repr__(self):  # noqa: N807
-        return bounded(text)  # raises a TypeError without a text
-
-    return type(bounded(name), (), {"__repr__": __repr__})()
+    return type(bounded(name), (), {"__repr__": lambda _: bounded(text)})()  # repr raises a TypeError without a text

@@ -16,13 +16,12 @@ from grading.grader import CHECKS, FAULT, Grading, Outcome
 from grading.handout import FUNCTIONS
 from grading.raised import Place, Raised, StoppedError
 from support.constants import NC_FP
-from teacher.crossing import bounded, Crossing, File
+from teacher.crossing import bounded, Crossing, File, MOST_PRINTED
 
 SPARE = 3.0  # s that a solver has to say that a call took too long
 WHOLE = 120.0  # s for all checks of a solution
 LINE = 5_000_000  # bytes of an answer
-ALL = 20_000_000  # bytes that a solver tells in a call
-PRINTED, MOST_PLACES = 30_000, 2000  # characters of what a call prints, and lines of an error
+MOST_PLACES = 2000  # lines of an error
 
 
 def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
@@ -41,7 +40,7 @@ def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
     except StoppedError as error:
         problems = [f"the files cannot be written: {error.raised.text}" if error.raised.kind else "nothing starts"]
     finally:
-        solver.close()
+        process.end()
         grader.student = before
     outcomes = {name: grading.outcomes[name]._replace(call=None) for name in CHECKS if name in grading.outcomes}
     return outcomes, "\n".join(line for line, _ in words(outcomes, printed)), problems
@@ -55,7 +54,7 @@ class Solver:
 
     def __init__(self, files, process):
         self.files = {name: content.decode("latin-1") for name, content in files.items()}
-        self.process, self.is_open, self.called = process, False, {}
+        self.process, self.called = process, {}
         self.latest = time.monotonic() + WHOLE
 
     # --- as in OwnProcess ---
@@ -63,7 +62,7 @@ class Solver:
     @contextmanager
     def check(self, is_again=False):
         scene._made.clear()
-        if not self.is_open:
+        if self.process.line is None:
             self.open()
         self.desk, self.files_given = Crossing(first=0), {}
         seconds = min(limits.PATIENCE, max(0.1, self.latest - time.monotonic()))
@@ -72,26 +71,17 @@ class Solver:
         yield
 
     def run(self, function, arguments, times=1):
-        arguments = tuple(map(self.with_file, arguments))
-        with self.understood():
-            letter = self.desk.letter(arguments)
-        return self.exchange("call", function=function, letter=letter, times=times)
+        return self.exchange("call", tuple(map(self.with_file, arguments)), function=function, times=times)
 
     # --- the other process ---
 
     def open(self) -> None:
         """Start a process; raise a StoppedError if it cannot take the files."""
         self.process.begin()
-        self.is_open, self.heard, self.until = True, bytearray(), time.monotonic() + WHOLE
-        self.told, self.beginning, self.desk = 0, None, Crossing(first=0)
+        self.heard, self.until = bytearray(), time.monotonic() + WHOLE
+        self.beginning, self.desk = None, Crossing(first=0)
         self.hear()
-        self.exchange("write", files=self.files)
-
-    def close(self) -> None:
-        """End the solution's process."""
-        if self.is_open:
-            self.process.end()
-        self.is_open = False
+        self.exchange("write", None, files=self.files)
 
     def with_file(self, value):
         """Return a value, a File if it is the path of one, or the copy of a vector, which a solution may change."""
@@ -100,13 +90,15 @@ class Solver:
         if not isinstance(value, str) or value == NC_FP or not Path(value).is_file():
             return value
         name = f"/{Path(value).name}" if Path(value).is_absolute() else value
-        return self.files_given.setdefault(value, File(value, value, name))
+        return self.files_given.setdefault(value, File(Path(value), value, name))
 
-    def exchange(self, do, **arguments):
-        """Return the value that the solver answers; raise a StoppedError if it is an error, or if there is none."""
-        with self.understood():
-            self.told = 0
-            self.send({"do": do, "beginning": self.beginning, **arguments})
+    def exchange(self, do, value, **more):
+        """Return what the solver answers to a message with this value; raise a StoppedError if it is an error.
+
+        At a limit, or if the answer is not in the agreed form, its process is ended.
+        """
+        try:
+            self.send({"do": do, "beginning": self.beginning, "letter": self.desk.letter(value), **more})
             self.beginning = None
             answer = self.hear()
             while "ask" in answer:
@@ -114,22 +106,16 @@ class Solver:
                 answer = self.hear()
             self.has_written = bool(answer["has_written"])
             self.called = {function: list(names) for function, names in answer["called"].items()}
-            print(str(answer["printed"])[:PRINTED], end="")
+            print(str(answer["printed"])[:MOST_PRINTED], end="")
             if answer["raised"] is not None:
                 raise StoppedError(raised_in(answer["raised"]))
             return self.desk.open(answer["letter"])[0]
-
-    @contextmanager
-    def understood(self):
-        """Run the body of the with statement; end the process if an answer is not in the agreed form, or at a limit."""
-        try:
-            yield
         except OTHER_FORM:
-            self.close()
+            self.process.end()
             raise StoppedError(Raised(limit="gave an answer that the grader cannot read")) from None
         except StoppedError as error:
             if error.raised.limit:
-                self.close()
+                self.process.end()
             raise
 
     def send(self, message) -> None:
@@ -143,8 +129,7 @@ class Solver:
             with self.in_time() as line:
                 part = line.recv(1 << 16)
             self.heard += part
-            self.told += len(part)
-            if max(len(self.heard) / LINE, self.told / ALL) > 1:
+            if len(self.heard) > LINE:
                 raise StoppedError(Raised(limit=f"gave back more than {LINE / 1e6:g} MB"))
             if not part:
                 raise StoppedError(ended())
@@ -157,8 +142,10 @@ class Solver:
     @contextmanager
     def in_time(self):
         """Yield the socket; raise a StoppedError if it is not ready in time, or if the other end is closed."""
-        self.process.line.settimeout(max(1e-3, self.until - time.monotonic()))
         try:
+            if self.process.line is None:
+                raise BrokenPipeError
+            self.process.line.settimeout(max(1e-3, self.until - time.monotonic()))
             yield self.process.line
         except TimeoutError:
             late = Raised("KeyboardInterrupt", limit=f"took longer than {limits.PATIENCE:g} s", ends=True)
@@ -170,12 +157,10 @@ class Solver:
         """Return the answer of a page to main."""
         page, arguments = self.desk.open(letter)
         try:
-            if arguments is not None and ask in page.METHODS:
-                said = getattr(page, ask)(*arguments)
-            elif ask in page.VALUES:
-                said = self.with_file(getattr(page, ask))
-            else:
+            if ask not in page.METHODS + page.VALUES:
                 raise AttributeError(f"'Page' object has no attribute '{ask}'")
+            said = getattr(page, ask)
+            said = self.with_file(said if arguments is None else said(*arguments))
         except Exception as error:
             return {"error": type(error).__name__, "words": [str(word) for word in error.args]}
         return {"letter": self.desk.letter(said)}

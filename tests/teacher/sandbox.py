@@ -13,7 +13,7 @@ import socket
 import subprocess
 import sys
 import tempfile
-from contextlib import suppress
+from contextlib import closing, suppress
 from pathlib import Path
 
 from grading.project_path import ROOT
@@ -30,8 +30,8 @@ IN_SANDBOX = Path("/cradle")  # the solver's folder
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
 SOLVERS = (  # the files of tests/ that a solver needs
-    *(f"grading/{name}" for name in ("__init__", "handout", "limits", "own_process", "project_path", "raised")),
-    *(f"teacher/{name}" for name in ("__init__", "crossing", "solver")),
+    *(f"grading/{name}" for name in ("handout", "limits", "own_process", "project_path", "raised")),
+    *(f"teacher/{name}" for name in ("crossing", "solver")),
 )
 
 COPIES, BWRAP, USER, LIMITS = "copies", "bwrap", "user", "limits"  # what holds a solver off
@@ -53,13 +53,10 @@ def holds_off(room, hidden) -> str:
         process = Process(room, kind, hidden)
         process.begin()
         process.line.settimeout(LONGEST)
-        says = b""
-        with suppress(OSError):
-            says = process.line.recv(1)
-        process.close()
-        if says == b"{":
-            return kind
-    raise OSError(0, "A process for solutions does not start")
+        with closing(process), suppress(OSError):
+            if process.line.recv(1) == b"{":
+                return kind
+    raise OSError(0, "it does not start", "tests/teacher/solver.py")
 
 
 class Process:
@@ -70,9 +67,10 @@ class Process:
         self.room, self.kind, self.hidden = room, kind, hidden
         self.user = FIRST_USER + os.getpid() % USERS if IS_ROOT and kind != LIMITS else 0
         self.process = self.folder = self.control = None
+        self.line: socket.socket | None = None  # leads to the process of a solution
 
     def begin(self) -> None:
-        """Start a process for a solution: the socket line leads to it."""
+        """Start a process for a solution."""
         if self.kind != COPIES:
             self.line = self.start()
             return
@@ -96,20 +94,22 @@ class Process:
         line, end = socket.socketpair()
         end.set_inheritable(True)
         numbers = int(self.kind == COPIES), self.user, end.fileno()
-        python = [sys.executable, str(folder / "tests" / "teacher" / "solver.py"), *map(str, numbers)]
+        python = [sys.executable, "-B", str(folder / "tests" / "teacher" / "solver.py"), *map(str, numbers)]
         environment = dict(os.environ) if os.name == "nt" else {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
         environment.update(HOME=str(folder), TMPDIR=str(folder), PYTHONUSERBASE=site.getuserbase())
-        environment.update(PYTHONDONTWRITEBYTECODE="1", OPENBLAS_NUM_THREADS="1")
         options = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
         options.update({"close_fds": False} if os.name == "nt" else {"pass_fds": [end.fileno()]})
-        options.update(env=environment, cwd="/" if before else folder)
+        options.update(env={**environment, "OPENBLAS_NUM_THREADS": "1"}, cwd="/" if before else folder)
         with end:  # in a session of its own: Ctrl+C reaches only the program that tells it
             self.process = subprocess.Popen([*before, *python], start_new_session=True, **options)
         return line
 
     def end(self) -> None:
         """End the solution's process and all that it has started."""
+        if self.line is None:
+            return
         self.line.close()
+        self.line = None
         with suppress(OSError):
             if self.kind == COPIES and self.control.send(b"\n") and self.control.recv(1):
                 return
@@ -119,12 +119,11 @@ class Process:
         """End everything."""
         if self.process is None:
             return
-        if self.kind in (USER, LIMITS) and hasattr(os, "killpg"):
-            with suppress(OSError):
-                os.killpg(self.process.pid, signal.SIGKILL)
+        with suppress(OSError, AttributeError):  # Windows has no groups
+            os.killpg(self.process.pid, signal.SIGKILL)
         if self.kind == USER:  # also what has left the session
-            who = {"user": self.user, "group": self.user, "extra_groups": []}
-            subprocess.run(["sh", "-c", "kill -KILL -1"], **who, check=False, capture_output=True)
+            who = {"user": self.user, "group": self.user, "extra_groups": [], "stderr": subprocess.DEVNULL}
+            subprocess.run(["sh", "-c", "kill -KILL -1"], **who, check=False)
         self.process.kill()
         self.process.wait()
         self.process = None

@@ -26,22 +26,19 @@ from support import headless_vpython
 headless_vpython.install()
 
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
-import pandas.core.methods.to_dict  # noqa: F401  pandas itself imports it late
 from vpython import scene
 
 from grading import limits
 from grading.own_process import OwnProcess, working_in
 from grading.raised import raised_by, StoppedError
-from support.files import data_file  # noqa: F401  solutions import it
 from support.shapes import discarded
-from teacher.crossing import Crossing, File
+from teacher.crossing import Crossing, File, MOST_PRINTED
 
 SECONDS = 300  # of processor time
 MEMORY = limits.MOST_MEMORY * 10**6  # bytes more than at the start, for this process and for each one that it starts
 ADDRESSES = 2_500_000_000  # bytes, also of memory that processes share
 FILE_SIZE = 10_000_000  # bytes
 PROCESSES = 8
-PRINTED = 20_000  # characters that are kept of what a call prints
 
 
 class Solver:
@@ -63,7 +60,7 @@ class Solver:
     def answer(self, do, beginning, **arguments) -> dict:
         """Carry out a message. If it is the first one of a check, beginning has the arguments of begin."""
         scene._made.clear()
-        printed, raised, letter = Printed(), None, None
+        printed, raised, letter = StringIO(), None, None
         try:
             if beginning:
                 self.begin(**beginning)
@@ -74,10 +71,11 @@ class Solver:
             raised = error.raised
         except BaseException as error:
             raised = raised_by(error)
+        text = "" if printed.closed else printed.getvalue()[:MOST_PRINTED]
         own = {"called": self.own.called, "has_written": self.own.has_written}
-        return {"raised": raised, "letter": letter, "printed": printed.getvalue()[:PRINTED], **own}
+        return {"raised": raised, "letter": letter, "printed": text, **own}
 
-    def write(self, files) -> None:
+    def write(self, letter, files) -> None:
         """Make these the files of src/, each with its text as Latin-1 has it."""
         shutil.rmtree(ROOT / "src", ignore_errors=True)
         for name, text in files.items():
@@ -144,20 +142,11 @@ class Page:
         return self._solver.ask(self, name, None)
 
 
-class Printed(StringIO):
-    """What a call prints. A solution cannot close it."""
-
-    def close(self):
-        pass
-
-
 def limit_resources() -> None:
     """Limit what the solution can take, where the system can (not on Windows)."""
-    try:
-        import resource
-    except ImportError:
+    resource = limits.resource
+    if resource is None:
         return
-
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # too long a file is an OSError
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 + MEMORY
     table = {"FSIZE": FILE_SIZE, "CORE": 0, "CPU": SECONDS, "DATA": memory, "AS": ADDRESSES, "NPROC": PROCESSES}
@@ -204,7 +193,9 @@ NEW_USER, NEW_IPC, NEW_PID = 0x10000000, 0x08000000, 0x20000000  # Linux, <sched
 
 
 def copy_for_each(control, user) -> None:
-    """Let a copy of this process serve each socket that comes from the socket control; end it at the next byte.
+    """Let a copy of this process serve each socket that comes from the socket control.
+
+    At the next byte, the copy ends, and the files that it has left are removed.
 
     The import of pandas takes longer than most solutions. A copy sees no process but its own: it cannot reach this one.
     It has neither /proc nor control.
@@ -227,16 +218,11 @@ def copy_for_each(control, user) -> None:
                 os.kill(-1, signal.SIGKILL)
                 with suppress(ChildProcessError):
                     os.waitpid(-1, os.WNOHANG)
-        clean()
+        os.chmod(ROOT, 0o1777)
+        left = set(ROOT.iterdir()) - {ROOT / "support", ROOT / "tests"}
+        # Neither find nor rm follows a link.
+        subprocess.run(["sh", "-c", 'find "$@" -type d -exec chmod u+rwx {} +; rm -rf "$@"', "sh", *left], check=False)
         control.send(b"\n")
-
-
-def clean() -> None:
-    """Remove the files that the last copy has left."""
-    os.chmod(ROOT, 0o1777)
-    left = set(ROOT.iterdir()) - {ROOT / "support", ROOT / "tests"}
-    # Neither find nor rm follows a link.
-    subprocess.run(["sh", "-c", 'find "$@" -type d -exec chmod u+rwx {} +; rm -rf "$@"', "sh", *left], check=False)
 
 
 if __name__ == "__main__":

@@ -47,9 +47,8 @@ def submissions_in(folder) -> tuple[dict[str, Path], list[str]]:
             found[student] = path
         else:
             others.append(path.name)
-    if any((path / file).is_file() for path in (Path(folder), Path(folder) / "src") for file in HANDOUTS):
-        found = {}
-    if not found:
+    is_project = any((path / file).is_file() for path in (Path(folder), Path(folder) / "src") for file in HANDOUTS)
+    if is_project or not found:
         raise ValueError(f"found '{folder}', allowed is a folder with a folder or a .zip for each student")
     return found, others
 
@@ -114,17 +113,12 @@ def is_own(folder) -> bool:
 
 def select(student, entries) -> Submission:
     """Return the submission: the Python files of the folder that has most of the handout's files, best called src."""
-    folders = Counter(str(path.parent) for path in map(PurePosixPath, entries) if path.name in HANDOUTS)
+    folders = Counter(path.parent for path in map(PurePosixPath, entries) if path.name in HANDOUTS)
     if not folders:
         names = [*entries][:SHOWN]
         found = ", ".join(names) + " ..." * (len(entries) > SHOWN) or "nothing"
         return Submission(student, {}, [f"none of the handout's files is there; found: {found}"])
-
-    def rank(folder):  # the best one has the least rank
-        path = PurePosixPath(folder)
-        return -folders[folder], path.name != "src", len(path.parts), folder
-
-    best, *others = sorted(folders, key=rank)
+    best, *others = sorted(folders, key=lambda path: (-folders[path], path.name != "src", len(path.parts), path))
     problems = [f"took {best}, left {other}" for other in others]
     files: dict[str, bytes] = {}
     paths = [path for path in map(PurePosixPath, entries) if path.suffix == ".py" and path.is_relative_to(best)]
