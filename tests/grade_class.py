@@ -1,7 +1,6 @@
 """Grade a whole class: `python tests/grade_class.py SUBMISSIONS`.
 
-SUBMISSIONS has a folder or a .zip for each student. On each core, a judge grades one solution after the other. The
-solution itself runs in a process of its own, in a sandbox.
+SUBMISSIONS has a folder or a .zip for each student. A judge on each core grades solutions, which run in a sandbox.
 """
 
 import os
@@ -35,7 +34,7 @@ from support.start.output import complain, in_one_line, while_it_is_read
 from support.terminal.screen import progress_bar
 from teacher import judge
 from teacher.report import digest_of, file_name, line_of, Result, results_in, summary, write_grades, write_gradescope
-from teacher.sandbox import holds_off, make_room, Process, REMARKS
+from teacher.sandbox import holds_off, LEFT_OPEN, make_room, Process
 from teacher.submissions import read_submission, submissions_in
 
 TOLD = 10.0  # s between lines about the progress
@@ -100,11 +99,11 @@ def own_tests() -> list[Path]:
 @contextmanager
 def only_run_in(folder):
     """Keep other runs out of this folder, in the body of the with statement; raise an OSError if there is one."""
-    try:
-        import fcntl
-    except ImportError:  # Windows
+    if os.name == "nt":  # it has no such locks
         yield
         return
+    import fcntl
+
     opened = os.open(folder, os.O_RDONLY)
     try:
         fcntl.flock(opened, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -122,10 +121,9 @@ def given_files(starter) -> dict[str, bytes]:
 
 
 def grade_all(paths, starter, options, room) -> list[Result]:
-    """Grade the submissions, and return the results in their order.
+    """Grade the submissions, and return the results in their order; after Ctrl+C, those that are there.
 
     Each result is kept in results.jsonl in the folder options.out, so the next run grades only what is new or changed.
-    After Ctrl+C, it returns what is there.
     """
     file, given = options.out / "results.jsonl", given_files(starter)
     graders = [*own_tests(), *sorted(starter.rglob("support/**/*.py"))]
@@ -162,8 +160,8 @@ def side_by_side(to_grade, given, room, hidden):
     if not to_grade:
         return
     kind = holds_off(room, hidden)
-    if REMARKS[kind]:
-        complain(REMARKS[kind])
+    if LEFT_OPEN[kind]:
+        complain(f"Without bubblewrap, a solution can use {LEFT_OPEN[kind]}. On Linux: apt install bubblewrap.")
     count, fresh = len(to_grade), multiprocessing.get_context("spawn")
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the judges start so: Ctrl+C is for this process
     pool = ProcessPoolExecutor(mp_context=fresh, initializer=prepare, initargs=(given, room, kind, hidden))

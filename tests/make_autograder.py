@@ -17,8 +17,7 @@ from grading.project_path import ROOT
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 
-# Gradescope unpacks the file into source, beside submission, results and run_autograder:
-# https://gradescope-autograders.readthedocs.io/en/latest/specs/
+# Gradescope unpacks the file into source: https://gradescope-autograders.readthedocs.io/en/latest/specs/
 TEACHER = ROOT / "tests" / "teacher"
 SCRIPTS = "setup.sh", "run_autograder"
 

@@ -25,9 +25,7 @@ MOST_PLACES = 2000  # lines of an error
 
 
 def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
-    """Return what a solution achieves in a Process: the outcomes by the names of the checks, the student's text, and
-    problems. files has the solution's files by their paths in the project.
-    """
+    """Return the outcomes of a solution's files (by path) by the names of checks, the student's text, and problems."""
     solver, grading, printed, problems = Solver(files, process), Grading(), {}, []
     before, grader.student = grader.student, solver
     try:
@@ -93,10 +91,7 @@ class Solver:
         return self.files_given.setdefault(value, File(Path(value), value, name))
 
     def exchange(self, do, value, **more):
-        """Return what the solver answers to a message with this value; raise a StoppedError if it is an error.
-
-        At a limit, or if the answer is not in the agreed form, its process is ended.
-        """
+        """Return what the solver answers to a message with this value; raise a StoppedError if it gives no result."""
         try:
             self.send({"do": do, "beginning": self.beginning, "letter": self.desk.letter(value), **more})
             self.beginning = None

@@ -90,7 +90,6 @@ def write_gradescope(folder, result) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     with whole_file(folder / "results.json") as out:
         json.dump({**score, "execution_time": round(result.seconds), **seen, "tests": tests}, out, indent=1)
-        out.write("\n")
 
 
 def summary(results) -> list[str]:

@@ -35,19 +35,18 @@ SOLVERS = (  # the files of tests/ that a solver needs
 )
 
 COPIES, BWRAP, USER, LIMITS = "copies", "bwrap", "user", "limits"  # what holds a solver off
-ALSO = "To hold this off, too, on Linux: apt install bubblewrap."
-# What a solution can do nevertheless. Where COPIES do not work, each solution has a sandbox and a start of its own.
-REMARKS = {
+# What a solution can use nevertheless. Where COPIES do not work, each solution has a sandbox and a start of its own.
+LEFT_OPEN = {
     COPIES: "",
     BWRAP: "",
-    USER: f"Without bubblewrap, a solution can use the network, and read files that all users may read. {ALSO}",
-    LIMITS: f"Without bubblewrap, a solution can use the network and all of your files. {ALSO}",
+    USER: "the network, and files that all users may read",
+    LIMITS: "the network, and all of your files",
 }
 
 
 def holds_off(room, hidden) -> str:
-    """Return the first of REMARKS with which a process starts here; raise an OSError if there is none."""
-    for kind in REMARKS:
+    """Return the first of LEFT_OPEN with which a process starts here; raise an OSError if there is none."""
+    for kind in LEFT_OPEN:
         if kind in (COPIES, BWRAP) and shutil.which("bwrap") is None or kind == USER and not IS_ROOT:
             continue
         process = Process(room, kind, hidden)
@@ -63,11 +62,10 @@ class Process:
     """A process of solver.py for one solution after the other, and all that it starts."""
 
     def __init__(self, room, kind, hidden=()):
-        """room is the folder that make_room has made. kind is one of REMARKS. The solver sees no hidden folder."""
+        """room is the folder that make_room has made. kind is one of LEFT_OPEN. The solver sees no hidden folder."""
         self.room, self.kind, self.hidden = room, kind, hidden
         self.user = FIRST_USER + os.getpid() % USERS if IS_ROOT and kind != LIMITS else 0
-        self.process = self.folder = self.control = None
-        self.line: socket.socket | None = None  # leads to the process of a solution
+        self.process = self.folder = self.control = self.line = None  # line leads to the process of a solution
 
     def begin(self) -> None:
         """Start a process for a solution."""

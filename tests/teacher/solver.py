@@ -83,10 +83,7 @@ class Solver:
             (ROOT / name).write_bytes(text.encode("latin-1"))
 
     def begin(self, seconds, is_again) -> None:
-        """Begin a check of at most these seconds: forget what the judge and the solver have in common.
-
-        is_again: import the solution again.
-        """
+        """Begin a check of at most these seconds. is_again: import the solution again."""
         self.desk = Desk(self)
         self.check.close()
         limits.PATIENCE = seconds
@@ -163,10 +160,7 @@ def limit_resources() -> None:
 
 
 def serve(user, number) -> None:
-    """Answer the judge, at the other end of the socket with this number, in a child of this process.
-
-    This process then tells the judge how the child has ended.
-    """
+    """Answer the judge through the socket with this number, in a child; this process tells how the child has ended."""
     line = socket.socket(fileno=number)
     child = os.fork() if hasattr(os, "fork") else 0
     if child:
@@ -186,8 +180,6 @@ def serve(user, number) -> None:
         while True:
             solver.tell(solver.answer(**solver.hear()))
 
-
-# --- a copy of this process for each solution -------------------------------------------------------------------------
 
 NEW_USER, NEW_IPC, NEW_PID = 0x10000000, 0x08000000, 0x20000000  # Linux, <sched.h>
 

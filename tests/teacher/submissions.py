@@ -20,7 +20,6 @@ SKIPPED = {"__MACOSX", "__pycache__", "node_modules", "site-packages", "support"
 ARCHIVES = (".7z", ".bz2", ".gz", ".rar", ".tar", ".tgz", ".xz")
 MOST_BYTES, MOST_FILES = 1_000_000, 200  # of all Python files of a submission, and their number
 MOST_ENTRIES = 20_000  # files of any kind
-SHOWN = 4  # names that a problem lists
 
 
 class Submission(NamedTuple):
@@ -115,8 +114,7 @@ def select(student, entries) -> Submission:
     """Return the submission: the Python files of the folder that has most of the handout's files, best called src."""
     folders = Counter(path.parent for path in map(PurePosixPath, entries) if path.name in HANDOUTS)
     if not folders:
-        names = [*entries][:SHOWN]
-        found = ", ".join(names) + " ..." * (len(entries) > SHOWN) or "nothing"
+        found = ", ".join([*entries][:4]) + " ..." * (len(entries) > 4) or "nothing"
         return Submission(student, {}, [f"none of the handout's files is there; found: {found}"])
     best, *others = sorted(folders, key=lambda path: (-folders[path], path.name != "src", len(path.parts), path))
     problems = [f"took {best}, left {other}" for other in others]
