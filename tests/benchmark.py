@@ -19,6 +19,7 @@ from grading import project_path  # noqa: F401  finds the imports below
 
 vpython.baseObj._view_constructed = True  # VPython then believes that the page is open: no server, no browser
 
+from grading.cradles import csv_of
 from src import visualize_cradle_run
 from src.special_cradles import make_newton_cradle
 from src.visualize_cradle_run import newton_cradle_tick
@@ -35,84 +36,32 @@ TICKS = [DT * times for times in (1, 2, 5, 10, 20)]  # s
 STEPS = [1 / 200, 1 / 1000, 1 / 5000]  # s, of pymunk
 
 
-def csv_of(count) -> str:
-    """Return the CSV of count equal elastic pendula."""
-    return "mass,e,color,texture\n" + "1,1,red,metal\n" * count
-
-
-def cradle_of(count):
-    """Return the pend_list of count equal elastic pendula, the first one lifted."""
-    with tempfile.TemporaryDirectory() as folder:
-        csv = Path(folder, "cradle.csv")
-        csv.write_text(csv_of(count))
-        return make_newton_cradle(csv, R_PARAM, THETA_INIT)
-
-
-def one_by_one(pend_list, ticks) -> None:
-    """Do ticks by newton_cradle_tick, with the rule of the programs."""
-    for _ in range(ticks):
-        newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
-
-
-def at_once(pend_list, ticks, dt=DT) -> None:
-    """Do the same ticks, of dt (s), by many_ticks."""
-    scope = {**vars(visualize_cradle_run), "DT": dt}
-    if many_ticks(scope, pend_list, ticks, {"approaching_only": True}) is None:
-        raise ValueError("many_ticks does not know these functions: see tests/project/test_many_ticks.py")
-
-
-def cpu_time(make, run) -> float:
-    """Return the processor time (s) of run(made), with made = make(): the least of five."""
-    times = []
-    for _ in range(5):
-        made, start = make(), time.process_time()
-        run(made)
-        times.append(time.process_time() - start)
-    return min(times)
-
-
-def show_table(*rows) -> None:
-    """Print rows as a table in Markdown; the first row is the head."""
-    head, *others = ([str(cell) for cell in row] for row in rows)
-    for row in (head, ["---"] * len(head), *others):
-        print(f"| {' | '.join(row)} |")
-    print(flush=True)
-
-
-# --- ticks a second --------------------------------------------------------------------------------------------------
-
-
-def show_ticks() -> None:
-    """Print the number of ticks per second."""
-    rows = [("pendula", "newton_cradle_tick", "many_ticks", "times", "us a pendulum and tick")]
-    for count in COUNTS:
-        costs = []  # s for a tick
-        for function, pendulum_ticks in ((one_by_one, 20_000), (at_once, 1_000_000)):
-            ticks = pendulum_ticks // count
-            costs.append(cpu_time(partial(cradle_of, count), partial(function, ticks=ticks)) / ticks)
-        single, fast = costs
-        speeds = f"{1 / single:,.0f}", f"{1 / fast:,.0f}"
-        rows.append((count, *speeds, f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}"))
-    print("Ticks a second on VPython's objects; times: many_ticks against single ticks.\n")
-    show_table(*rows)
-
-
-# --- a minute of five pendula, and the same in pymunk ----------------------------------------------------------------
-
-
 class OurCradle:
-    """Five equal pendula, with many_ticks."""
+    """Equal elastic pendula, the first one lifted, by many_ticks."""
 
-    def __init__(self):
-        self.pend_list = cradle_of(5)
+    def __init__(self, count=5):
+        with tempfile.TemporaryDirectory() as folder:
+            csv = Path(folder, "cradle.csv")
+            csv.write_text(csv_of([{"mass": 1, "e": 1, "color": "red", "texture": "metal"}] * count))
+            self.pend_list = make_newton_cradle(csv, R_PARAM, THETA_INIT)
 
     def energy(self) -> float:
         """Return the kinetic and potential energy (J)."""
         return kinetic_energy(self.pend_list, R_PARAM) + potential_energy(self.pend_list, R_PARAM, G)
 
     def advance(self, dt, seconds) -> None:
-        """Move on by seconds, in ticks of dt (s)."""
-        at_once(self.pend_list, round(seconds / dt), dt)
+        """Move on by seconds, in ticks of dt (s), with the rule of the programs."""
+        scope = {**vars(visualize_cradle_run), "DT": dt}
+        if many_ticks(scope, self.pend_list, round(seconds / dt), {"approaching_only": True}) is None:
+            raise ValueError("many_ticks does not know these functions: see tests/project/test_many_ticks.py")
+
+
+class SingleTicks(OurCradle):
+    """The same pendula by newton_cradle_tick."""
+
+    def advance(self, dt, seconds) -> None:
+        for _ in range(round(seconds / dt)):
+            newton_cradle_tick(self.pend_list, R_PARAM, dt, G, approaching_only=True)
 
 
 class PymunkCradle:
@@ -142,6 +91,16 @@ class PymunkCradle:
             self.space.step(dt)
 
 
+def cpu_time(make, dt, seconds) -> float:
+    """Return the processor time (s) that a cradle takes for these simulated seconds: the least of five."""
+    times = []
+    for _ in range(5):
+        cradle, start = make(), time.process_time()
+        cradle.advance(dt, seconds)
+        times.append(time.process_time() - start)
+    return min(times)
+
+
 def energy_error(cradle, dt) -> float:
     """Return the largest energy error in a MINUTE, at each SAMPLE, as a part of the energy at the start."""
     start, error = cradle.energy(), 0.0
@@ -151,24 +110,31 @@ def energy_error(cradle, dt) -> float:
     return error
 
 
-def show_minutes() -> None:
-    """Print processor time and energy error of a minute, ours and pymunk's."""
-    rows = [("engine", "step", "processor time", "energy error")]
-    cradles = [("many_ticks", OurCradle, dt) for dt in TICKS]
-    cradles += [("pymunk, its own settings", PymunkCradle, dt) for dt in STEPS]
-    for engine, make, dt in cradles:
-        cpu = cpu_time(make, lambda cradle, dt=dt: cradle.advance(dt, MINUTE))
-        rows.append((engine, f"{1000 * dt:g} ms", f"{cpu:.3f} s", f"{energy_error(make(), dt):.2g}"))
-    print(f"{MINUTE:g} simulated seconds of five pendula. Energy error: the largest at any {SAMPLE:g} s.\n")
-    show_table(*rows)
+def show_row(*cells) -> None:
+    """Print cells as a row of a table in Markdown."""
+    print(f"| {' | '.join(map(str, cells))} |", flush=True)
 
 
 @while_it_is_read()
 def main() -> None:
     """Print all measurements."""
     OneLineParser(description="Measure the speed and the accuracy of the cradle.", allow_abbrev=False).parse_args()
-    show_ticks()
-    show_minutes()
+    print("Ticks a second on VPython's objects; times: many_ticks against single ticks.\n")
+    show_row("pendula", "newton_cradle_tick", "many_ticks", "times", "us a pendulum and tick")
+    show_row(*["---"] * 5)
+    for count in COUNTS:
+        few, many = 20_000 // count, 1_000_000 // count  # ticks
+        single = cpu_time(partial(SingleTicks, count), DT, few * DT) / few
+        fast = cpu_time(partial(OurCradle, count), DT, many * DT) / many
+        speeds = f"{1 / single:,.0f}", f"{1 / fast:,.0f}"
+        show_row(count, *speeds, f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}")
+    print(f"\n{MINUTE:g} simulated seconds of five pendula. Energy error: the largest at any {SAMPLE:g} s.\n")
+    show_row("engine", "step", "processor time", "energy error")
+    show_row(*["---"] * 4)
+    cradles = [("many_ticks", OurCradle, dt) for dt in TICKS]
+    for engine, make, dt in [*cradles, *(("pymunk, its own settings", PymunkCradle, dt) for dt in STEPS)]:
+        cpu = cpu_time(make, dt, MINUTE)
+        show_row(engine, f"{1000 * dt:g} ms", f"{cpu:.3f} s", f"{energy_error(make(), dt):.2g}")
 
 
 if __name__ == "__main__":

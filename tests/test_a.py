@@ -65,9 +65,7 @@ def test_each_pendulum_is_handled_with_the_one_after_it():
 
 @check("newton_cradle_tick", watched=True)
 def test_only_neighbours_are_pairs():
-    """We can approach the entire sequence of pendula in a pairwise manner, so we only consider the collision of two
-    pendula.
-    """
+    """In a pairwise manner, we only consider the collision of two pendula."""
     hints = [([3.0, 2.0, 1.0], "These large bobs all touch, but only neighbours are pairs.")]
     check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0], hints=hints)
 
@@ -123,9 +121,7 @@ def test_swings_come_before_collisions():
 
 @check("newton_cradle_tick", watched=True)
 def test_a_cradle_passes_the_swing_on():
-    """A Newton's cradle is a series of pendula that display a "chain reaction" when each pendulum knocks into the
-    pendulum next to it.
-    """
+    """A "chain reaction" when each pendulum knocks into the pendulum next to it."""
     cord, lift = 0.2, pi / 4
     pend_list = [hang(theta=-lift if i == 0 else 0.0, axle=(i * cord / 4, 0, 0), r_param=cord) for i in range(5)]
 
@@ -196,9 +192,7 @@ def swings(ticks, r_param=R_PARAM, dt=DT, g=G):
 
 @check("main")
 def test_the_cradle_is_made_and_shown():
-    """Use a helper function you wrote before to create the pend_list that you will use for the entire Newton's cradle.
-    Remember to use the appropriate constants from constants.py when calling this function!
-    """
+    """Use a helper function, with the constants from constants.py, to create the pend_list."""
     page = Page((True, 0))
 
     def see(_):
@@ -229,9 +223,7 @@ def test_the_cradle_is_made_and_shown():
 
 @check("main")
 def test_the_cradle_ticks():
-    """In the (partially provided) while loop (i.e., while the simulation is still running), call a helper function with
-    arguments from constants.py to perform a single tick of the Newton's cradle.
-    """
+    """In the while loop, call a helper function to perform a single tick of the Newton's cradle."""
     page = Page((True, 2), (False, 1))
     start, first, second, third = swings(3)
 
@@ -288,9 +280,7 @@ def check_the_file_is_read_each_time():
 
 @check("main")
 def test_each_cradle_that_is_wanted_is_a_new_one():
-    """It is the culmination of all the helper functions you have written, and creates the Newton's cradle visualisation
-    from data in the CSV file called newton_cradle_pends.csv which is stored in the variable NC_FP.
-    """
+    """Creates the Newton's cradle visualisation from data in the CSV file in NC_FP."""
     page = Page((True, 2), (True, 1))
     gone_on = "Your second cradle goes on where the first one was. Make a new one when the page wants one."
     hints = [

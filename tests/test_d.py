@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import cycle, islice
+from math import cos, sin
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -94,14 +95,12 @@ ROWS = [
 
 @check("extract_and_convert")
 def test_pend_list_is_a_list_of_dictionaries():
-    """In the list of dictionaries representation, each pendulum is represented by a dictionary in a list called
-    pend_list.
-    """
-    kind = Wanted(
-        "a list with 3 dictionaries",
-        lambda found: isinstance(found, list) and len(found) == 3 and all(isinstance(pend, dict) for pend in found),
-        like=[{}] * 3,
-    )
+    """Each pendulum is represented by a dictionary in a list called pend_list."""
+
+    def is_one(found):
+        return isinstance(found, list) and len(found) == 3 and all(isinstance(pend, dict) for pend in found)
+
+    kind = Wanted("a list with 3 dictionaries", is_one, like=[{}] * 3)
     hints = [
         (dict(enumerate(MIXED)), "You returned bad_rep. You need a list, without the keys 0, 1, 2."),
         (tuple(MIXED), "You returned a tuple. You need a list."),
@@ -114,9 +113,7 @@ def test_pend_list_is_a_list_of_dictionaries():
 
 @check("extract_and_convert")
 def test_a_row_is_a_pendulum():
-    """Each key is the name of a pendulum attribute and the value of a key is the value associated with that
-    attribute.
-    """
+    """The value of a key is the value associated with that attribute."""
     with files("mixed.csv", "seven.csv", "many.csv", "none.csv") as folder:
         expect("extract_and_convert", str(folder / "mixed.csv"), wanted=MIXED, hints=ROWS)
         expect("extract_and_convert", str(folder / "seven.csv"), wanted=SEVEN)
@@ -126,9 +123,7 @@ def test_a_row_is_a_pendulum():
 
 @check("extract_and_convert")
 def test_the_file_given_is_read():
-    """Creates and returns the list of pendulum dictionaries pend_list with the provided relative_filepath to a CSV file
-    representing a Newton's Cradle.
-    """
+    """Creates and returns pend_list with the provided relative_filepath to a CSV file."""
     with files("one.csv") as folder, working_in(folder):
         first = expect("extract_and_convert", "one.csv", wanted=[ONE], hints=[OTHER_FILE])
         (folder / "one.csv").write_text(FILES["two.csv"])
@@ -186,9 +181,7 @@ def check_uniform(function, *arguments, also=(), **changed):
 
 @check("uniform_mass_newton_cradle")
 def test_uniform_mass():
-    """Returns a pend_list corresponding to the pendulums in a CSV file located at relative_filepath using a helper
-    function from pds_helper.py, such that all the pendulum's mass values are assigned the value mass.
-    """
+    """All the pendulum's mass values are assigned the value mass."""
     also = [(uniform(MIXED, e=12.125), "You changed e, not mass.")]
     check_uniform("uniform_mass_newton_cradle", 12.125, mass=12.125, also=also)
     check_uniform("uniform_mass_newton_cradle", 0.5, mass=0.5)
@@ -196,22 +189,17 @@ def test_uniform_mass():
 
 @check("uniform_e_newton_cradle")
 def test_uniform_e():
-    """Returns a pend_list corresponding to the pendulums in a CSV file located at relative_filepath using a helper
-    function from pds_helper.py, such that all the pendulum's coefficients of restitution are assigned a provided e
-    value.
-    """
+    """All the pendulum's coefficients of restitution are assigned a provided e value."""
     also = [(uniform(MIXED, mass=0.0625), "You changed mass, not e.")]
     check_uniform("uniform_e_newton_cradle", 0.0625, e=0.0625, also=also)
     check_uniform("uniform_e_newton_cradle", 0, e=0)
     check_uniform("uniform_e_newton_cradle", 1, e=1)
 
 
-def is_number_for_a_file(found):
-    """Return whether this is an error about a number in place of a path."""
-    return isinstance(found, Raised) and re.search(r"\b(int|float)\b", str(found.text))
-
-
-NUMBER_FOR_A_FILE = (is_number_for_a_file, "uniform_e_newton_cradle takes relative_filepath first, then e_val.")
+NUMBER_FOR_A_FILE = (
+    lambda found: isinstance(found, Raised) and re.search(r"\b(int|float)\b", str(found.text)),
+    "uniform_e_newton_cradle takes relative_filepath first, then e_val.",
+)
 
 
 @check("elastic_newton_cradle")
@@ -240,25 +228,19 @@ def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6
 
 @check("make_newton_cradle")
 def test_a_cradle_keeps_the_files_values():
-    """Creates the list of pendulum dictionaries pend_list, using a helper function from pds_helper.py, with the unique
-    relative_filepath.
-    """
+    """Creates the list of pendulum dictionaries pend_list, with the unique relative_filepath."""
 
     def kept(pend):
         return {key: pend[key] for key in ("mass", "e", "color", "texture")}
 
-    what = "each pendulum"
-    expect_cradle(kept, what, [kept(row) for row in MIXED])
-    expect_cradle(kept, what, [kept(ONE)], file="one.csv", hints=[OTHER_FILE])
-    expect_cradle(kept, what, [kept(row) for row in SEVEN], file="seven.csv")
-    expect_cradle(kept, what, [kept(row) for row in MANY], file="many.csv")
+    for file, rows in (("mixed.csv", MIXED), ("one.csv", [ONE]), ("seven.csv", SEVEN), ("many.csv", MANY)):
+        hints = [OTHER_FILE] if file == "one.csv" else []
+        expect_cradle(kept, "each pendulum", [*map(kept, rows)], file=file, hints=hints)
 
 
 @check("make_newton_cradle")
 def test_the_first_pendulum_is_lifted():
-    """theta: the angle of the pendulum with respect to normal (perpendicular to the axle). It should be theta_init for
-    the first pendulum, and 0 for all the others.
-    """
+    """theta should be theta_init for the first pendulum, and 0 for all the others."""
     hints = [
         ([row["theta"] for row in MIXED], "These are the angles from the file."),
         ([0.6, 0.6, 0.6], "You lifted all pendula. Lift only the first one."),
@@ -269,15 +251,10 @@ def test_the_first_pendulum_is_lifted():
         ([0, 0, 0], "You did not lift the first pendulum."),
     ]
     expect_cradle(lambda pend: pend["theta"], "theta of each pendulum", [0.6, 0, 0], hints=hints)
-    for file, count, theta_init in [
-        ("one.csv", 1, -0.3),
-        ("mixed.csv", 3, 2.0),
-        ("seven.csv", 7, -2.0),
-        ("seven.csv", 7, 0),
-        ("many.csv", 40, 8.0),
-        ("mixed.csv", 3, 4e-8),
-    ]:
-        wanted = [theta_init, *[0] * (count - 1)]
+    counts = {"one": 1, "mixed": 3, "seven": 7, "many": 40}
+    angles = (-0.3, "one"), (2.0, "mixed"), (-2.0, "seven"), (0, "seven"), (8.0, "many"), (4e-8, "mixed")
+    for theta_init, name in angles:
+        file, wanted = f"{name}.csv", [theta_init, *[0] * (counts[name] - 1)]
         expect_cradle(lambda pend: pend["theta"], "theta of each pendulum", wanted, file=file, theta_init=theta_init)
 
 
@@ -295,21 +272,17 @@ def test_all_pendula_start_at_rest():
 def test_objects_are_axle_bob_and_cord():
     """objects: a tuple of (axle, bob, and cord) VPython object that are the parts of the pendulum."""
 
-    def is_one(found):
-        return all(
-            isinstance(objects, tuple)
-            and len(objects) == 3
-            and all(map(isinstance, objects, (box, sphere, cylinder)))
-            and all(part.visible for part in objects)
-            for objects in found
-        )
+    def is_one(objects):
+        are_three = isinstance(objects, tuple) and len(objects) == 3
+        kinds = box, sphere, cylinder
+        return are_three and all(map(isinstance, objects, kinds)) and all(part.visible for part in objects)
 
     def are_lists(found):
         return all(isinstance(objects, list) for objects in found)
 
     hints = [(are_lists, "You stored lists. You need tuples, as the helper function returns them.")]
-    what = "the tuple objects of each pendulum"
-    expect_cradle(lambda pend: pend["objects"], what, Wanted("a tuple (axle, bob, cord) for each", is_one), hints=hints)
+    wanted = Wanted("a tuple (axle, bob, cord) for each", lambda found: all(map(is_one, found)))
+    expect_cradle(lambda pend: pend["objects"], "the tuple objects of each pendulum", wanted, hints=hints)
 
     def strays(pend_list):
         return left_over(made, [part for pend in pend_list for part in pend["objects"]])
@@ -350,15 +323,10 @@ def test_axle_positions():
 
 @check("make_newton_cradle", watched=True)
 def test_bobs_hang_from_their_axles():
-    """Use one relevant helper function from pendulum.py in support/ to create the tuple of objects, which will be the
-    value of the key objects.
-    """
-
-    def bobs(thetas, r_param=R):
-        return [make_pendulum(vector(0, 0, 0), r_param, theta, vector(1, 1, 1), None)[1] for theta in thetas]
+    """Use one relevant helper function from pendulum.py to create the tuple of objects."""
 
     def places(thetas, r_param=R):
-        return [bob.pos for bob in bobs(thetas, r_param)]
+        return [vector(r_param * sin(theta), -r_param * cos(theta), 0) for theta in thetas]
 
     def place(pend):
         axle, bob, _ = pend["objects"]
@@ -367,7 +335,7 @@ def test_bobs_hang_from_their_axles():
     def is_another_length(found):
         return same(found[1].x, 0) and not same(found[1].mag, R) and found[1].mag > 0
 
-    exchanged = [bob.pos for theta in (0.6, 0, 0) for bob in bobs([R], theta)]
+    exchanged = [place for theta in (0.6, 0, 0) for place in places([R], theta)]
     hints = [
         (exchanged, "make_pendulum takes r_param first, then theta."),
         (places([0, 0, 0]), "Your first bob hangs straight down. make_pendulum needs its theta."),
@@ -385,8 +353,8 @@ def test_bobs_hang_from_their_axles():
 
     wanted = [[vector(0, 0, 0), place] for place in places([0.6, 0, 0])]
     expect_cradle(ends, "ends of the cord of each pendulum", wanted)
-    radii = [bob.radius for bob in bobs([0, 0, 0])]
-    expect_cradle(lambda pend: pend["objects"][1].radius, "radius (m) of each bob", radii)
+    radius = make_pendulum(vector(0, 0, 0), R, 0, vector(1, 1, 1), None)[1].radius
+    expect_cradle(lambda pend: pend["objects"][1].radius, "radius (m) of each bob", [radius] * 3)
 
 
 @check("make_newton_cradle")

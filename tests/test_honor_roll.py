@@ -50,9 +50,7 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
 
 @check("make_double_pendulum", watched=True)
 def test_bobs_are_where_the_angles_say():
-    """Define a make_double_pendulum() with correctly calculated positions for all the components; take in a THETA_INIT
-    as well as a PHI_INIT to define both angles of your double pendulum.
-    """
+    """Define a make_double_pendulum() with correctly calculated positions for all the components."""
 
     def see(objects):
         axle, bob1, _, bob2, _ = objects
@@ -82,9 +80,7 @@ def test_bobs_are_where_the_angles_say():
 
 @check("make_double_pendulum", watched=True)
 def test_cords_hold_the_bobs():
-    """The first pendulum (cord1 and bob1) starts oscillating with angle theta and the second pendulum attached to it
-    (cord2 and bob2) starts oscillating with angle phi.
-    """
+    """The second pendulum (cord2 and bob2) is attached to the first one (cord1 and bob1)."""
 
     def see(objects):
         _, _, cord1, _, cord2 = objects
@@ -179,9 +175,7 @@ SWINGS = [
 
 @check("double_angle_update", watched=True)
 def test_a_tenth_of_a_second_of_swinging():
-    """The first pendulum starts oscillating with angle theta and the second pendulum attached to it starts oscillating
-    with angle phi.
-    """
+    """The first pendulum oscillates with angle theta, and the second one with angle phi."""
     for (theta, phi, *masses), end in SWINGS:
 
         def is_near(found, end=end):

@@ -1,7 +1,7 @@
 """The grader: the checks, the calls of the students' functions, and the outcomes. pytest_grader.py runs it in pytest.
 
 A check is a function in test_d.py, test_c.py, test_b.py, test_a.py or test_honor_roll.py with @check("...") above it.
-The decorator names the function of the handout that it checks. Its docstring, a sentence of the handout, is its title.
+The decorator names the function of the handout that it checks. Its docstring, in words of the handout, is its title.
 It calls the function through expect, which compares the result, or the changed arguments, with the expected ones. The
 code of the function does not matter.
 """
@@ -40,7 +40,7 @@ class Check(NamedTuple):
         return FUNCTIONS[self.function].tier
 
     def title(self) -> str:
-        """Return its sentence of the handout, without line breaks."""
+        """Return its docstring, without line breaks."""
         return " ".join(self.ask.__doc__.split())
 
 
@@ -78,10 +78,6 @@ class WrongError(Exception):
         """lines are the (label, text) pairs below the call in the message. hung says how the call went over a limit."""
         super().__init__(wrong)
         self.call, self.lines, self.hint, self.hung, self.playable = call, lines, hint, hung, playable
-
-    def message(self, *more) -> str:
-        """Return the message, with more (label, text) pairs at its end."""
-        return message([("wrong", f"{self}"), ("called", self.call.lines()), *self.lines, ("hint", self.hint), *more])
 
 
 class WaitError(Exception):
@@ -284,10 +280,10 @@ class Grading:
             self.hung[name] = name, error.hung
         elif called and self.asks_again and is_right_alone(check, len(CALLS)):
             error.hint = MATTERS
-        lines, call = [where_to_read(check)], error.call if check.watched and error.playable else None
-        if call:
-            lines.append(("watch", f"{student.watch} {check.name}"))
-        return Outcome(FAILED, error.message(*lines), call, hint=error.hint)
+        call = error.call if check.watched and error.playable else None
+        rows = [("wrong", f"{error}"), ("called", error.call.lines()), *error.lines, ("hint", error.hint)]
+        watch = ("watch", f"{student.watch} {check.name}" if call else "")
+        return Outcome(FAILED, message([*rows, where_to_read(check), watch]), call, hint=error.hint)
 
 
 def waiting(cause, place="") -> Outcome:

@@ -3,12 +3,12 @@
 This is for mistakes. It is no protection from a student who means harm.
 """
 
-import builtins
 import os
 import signal
 import threading
-from contextlib import contextmanager
+from contextlib import contextmanager, ExitStack
 from pathlib import Path
+from unittest.mock import Mock, patch
 
 try:
     import resource
@@ -23,8 +23,6 @@ MEMORY_IN_USE = Path("/proc/self/statm")  # Linux has it; its sixth number count
 
 LATE = threading.Event()  # set if the grader stopped a check
 PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
-
-ENDS = [(os, "_exit"), (os, "abort"), (os, "kill")]  # functions that end the process, even without an error
 
 
 @contextmanager
@@ -51,33 +49,24 @@ def without_ends():
 
     A process that the body starts can end as it likes.
     """
-    kept = [(module, name, getattr(module, name)) for module, name in [*ENDS, (builtins, "input")]]
-    for module, name, function in kept[:-1]:
-        setattr(module, name, refusal(f"os.{name}", function))
-    builtins.input = no_answer
-    try:
+    no_answer = EOFError("input() waits for somebody, but nobody answers in a check")
+    with ExitStack() as stack:
+        stack.enter_context(patch("builtins.input", Mock(side_effect=no_answer)))
+        for name in ("_exit", "abort", "kill"):  # of os: they end the process, even without an error
+            stack.enter_context(patch.object(os, name, refusal(name, getattr(os, name))))
         yield
-    finally:
-        for module, name, function in kept:
-            setattr(module, name, function)
 
 
 def refusal(name, end):
-    """Return a function that takes the place of end in this process."""
+    """Return a function that takes the place of this function of os in this process."""
     process = os.getpid()
 
     def refused(*arguments):
-        ends_another = os.getpid() != process or (name == "os.kill" and arguments[:1] != (process,))
-        if ends_another:
+        if os.getpid() != process or (name == "kill" and arguments[:1] != (process,)):
             return end(*arguments)
-        raise SystemExit(f"{name}({', '.join(map(str, arguments))})")
+        raise SystemExit(f"os.{name}({', '.join(map(str, arguments))})")
 
     return refused
-
-
-def no_answer(*_):
-    """Take the place of input."""
-    raise EOFError("input() waits for somebody, but nobody answers in a check")
 
 
 def over_limit(error) -> str:
@@ -94,15 +83,17 @@ def patience():
     If somebody presses Ctrl+C, set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches it.
     """
     lock, over = threading.Lock(), threading.Event()
+    # It also ends a sleep. On Windows, any thread can send the signal.
+    kill = getattr(signal, "pthread_kill", lambda _, number: signal.raise_signal(number))
 
     def interrupt():
-        in_time = over.wait(PATIENCE)
-        while not in_time:  # repeat it: the solution may catch the first one
+        seconds = PATIENCE
+        while not over.wait(seconds):
             with lock:
                 if not over.is_set():
                     LATE.set()
-                    interrupt_main_thread()
-            in_time = over.wait(0.5)
+                    kill(threading.main_thread().ident, signal.SIGINT)
+            seconds = 0.5  # the solution may catch the first one
 
     def on_interrupt(*_):
         if not LATE.is_set():
@@ -121,11 +112,3 @@ def patience():
         signal.signal(signal.SIGINT, before)
         if PRESSED.is_set():
             raise KeyboardInterrupt
-
-
-def interrupt_main_thread() -> None:
-    """Do the same as Ctrl+C: this also ends a sleep. On Windows, any thread can send the signal."""
-    if hasattr(signal, "pthread_kill"):
-        signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
-    else:
-        signal.raise_signal(signal.SIGINT)

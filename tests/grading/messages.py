@@ -119,22 +119,15 @@ def text_of(value, digits, parts) -> str:
         return f"{value:.{digits}g}"
     if isinstance(value, vector):
         return f"vector({', '.join(text_of(number, digits, parts) for number in value.value)})"
-    if isinstance(value, sphere):
-        return "a bob"
-    if isinstance(value, (box, cylinder)):
-        return "an axle" if isinstance(value, box) else "a cord"
+    if isinstance(value, (box, sphere, cylinder)):
+        return "an axle" if isinstance(value, box) else "a bob" if isinstance(value, sphere) else "a cord"
     if isinstance(value, dict):
-        pairs = [
-            f"{text_of(key, digits, parts)}: {text_of(part, digits, parts)}"
-            for key, part in islice(value.items(), MOST)
-        ]
-        return "{" + joined(pairs, value, value.values()) + "}"
-    if isinstance(value, list):
-        most = DICTIONARIES if any(isinstance(part, dict) for part in value) else MOST
-        return "[" + joined([text_of(part, digits, parts) for part in value[:most]], value, value) + "]"
-    if isinstance(value, tuple):
-        comma = "," if len(value) == 1 else ""
-        return "(" + joined([text_of(part, digits, parts) for part in value[:MOST]], value, value) + comma + ")"
+        rows = [[text_of(each, digits, parts) for each in pair] for pair in islice(value.items(), MOST)]
+        return "{" + joined([f"{key}: {part}" for key, part in rows], value, value.values()) + "}"
+    if isinstance(value, (list, tuple)):
+        most = DICTIONARIES if isinstance(value, list) and any(isinstance(part, dict) for part in value) else MOST
+        text = joined([text_of(part, digits, parts) for part in value[:most]], value, value)
+        return f"[{text}]" if isinstance(value, list) else f"({text}{',' * (len(value) == 1)})"
     text = repr(value)
     return text if len(text) <= MOST_CHARACTERS else text[:MOST_CHARACTERS] + "..."
 

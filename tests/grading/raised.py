@@ -51,9 +51,8 @@ def raised_by(error) -> Raised:
     except Exception:
         text = None
     places, ends = tuple(own_places(error)), isinstance(error, (SystemExit, KeyboardInterrupt))
-    culprit = culprit_of(error, text, places)
-    hint = import_hint(error, text, culprit)
-    return Raised(type(error).__name__, text, places, limits.over_limit(error), ends, stub_of(error), culprit, hint)
+    failed = import_failure(error, text or "", [place.file for place in places if place.function in ("", "<module>")])
+    return Raised(type(error).__name__, text, places, limits.over_limit(error), ends, stub_of(error), *failed)
 
 
 def own_places(error) -> list[Place]:
@@ -79,36 +78,25 @@ def stub_of(error) -> str | None:
     return code.co_name if code and code.co_name in FUNCTIONS and is_unwritten(code) else None
 
 
-def culprit_of(error, text, places) -> str | None:
-    """Return the file of src/ that made an import fail, or None.
+def import_failure(error, text, files) -> tuple[str | None, str]:
+    """Return the file of src/ that made an import fail, or None, and a hint, or "".
 
-    It lacks a function, or is missing itself, or is the first one of a circle, or has the last line that ran.
+    It lacks a function, or is missing itself, or is the first one of a circle, or has the last line that ran. files are
+    those whose import the error stopped.
     """
-    missing = re.match(r"cannot import name '(\w+)' from 'src\.", text or "")
+    missing = re.match(r"cannot import name '(\w+)' from 'src\.", text)
     if missing and missing[1] in FUNCTIONS:
-        return FUNCTIONS[missing[1]].file
-    if isinstance(error, ModuleNotFoundError) and (error.name or "").startswith("src."):
-        return error.name.replace(".", "/") + ".py"
-    # The files whose import the error stopped: only their own lines, not those of functions that they called.
-    files = [place.file for place in places if place.function in ("", "<module>")]
-    if is_circle(text):
+        return FUNCTIONS[missing[1]].file, ""
+    if "circular import" in text:
         order = [*{function.file: None for function in FUNCTIONS.values()}]
         # In the order of the handout, it is the first file that imports from a later one.
-        return min(files, key=lambda file: order.index(file) if file in order else len(order), default=None)
-    return files[-1] if files else None
-
-
-def is_circle(text) -> bool:
-    """Return whether an import failed because files import from each other."""
-    return "circular import" in (text or "")
-
-
-def import_hint(error, text, culprit) -> str:
-    """Return the hint for a failed import, or ""."""
-    if is_circle(text):
-        return f"Your files import each other in a circle. Remove the import in {culprit}."
-    if isinstance(error, ModuleNotFoundError):
-        is_here = (ROOT / "src" / f"{error.name}.py").is_file()
-        not_here = "Is the name right? Is the module installed for this Python?"
-        return f"Write src.{error.name} in the import." if is_here else not_here
-    return ""
+        culprit = min(files, key=lambda file: order.index(file) if file in order else len(order), default=None)
+        return culprit, f"Your files import each other in a circle. Remove the import in {culprit}."
+    last = files[-1] if files else None
+    if not isinstance(error, ModuleNotFoundError):
+        return last, ""
+    if (error.name or "").startswith("src."):
+        last = error.name.replace(".", "/") + ".py"
+    is_here = (ROOT / "src" / f"{error.name}.py").is_file()
+    not_here = "Is the name right? Is the module installed for this Python?"
+    return last, f"Write src.{error.name} in the import." if is_here else not_here
