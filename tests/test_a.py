@@ -6,7 +6,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from grading.comparing import same
-from grading.cradles import csv_of, each, hang, LEFT_OVER, left_over, MIXED, R, row, shapes_made, touching
+from grading.cradles import csv_of, each, hang, LEFT_OVER, left_over, MIXED, R, row, shapes, touching
 from grading.grader import check, expect, result_of
 from grading.messages import Wanted
 from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
@@ -192,7 +192,7 @@ def swings(ticks, r_param=R_PARAM, dt=DT, g=G):
 
 @check("main")
 def test_the_cradle_is_made_and_shown():
-    """Use a helper function, with the constants from constants.py, to create the pend_list."""
+    """Use a helper function you wrote before to create the pend_list."""
     page = Page((True, 0))
 
     def see(_):
@@ -223,7 +223,7 @@ def test_the_cradle_is_made_and_shown():
 
 @check("main")
 def test_the_cradle_ticks():
-    """In the while loop, call a helper function to perform a single tick of the Newton's cradle."""
+    """In the while loop, call a helper function to perform a single tick."""
     page = Page((True, 2), (False, 1))
     start, first, second, third = swings(3)
 
@@ -280,7 +280,7 @@ def check_the_file_is_read_each_time():
 
 @check("main")
 def test_each_cradle_that_is_wanted_is_a_new_one():
-    """Creates the Newton's cradle visualisation from data in the CSV file in NC_FP."""
+    """Creates the Newton's cradle visualisation from data in the CSV file."""
     page = Page((True, 2), (True, 1))
     gone_on = "Your second cradle goes on where the first one was. Make a new one when the page wants one."
     hints = [
@@ -290,8 +290,8 @@ def test_each_cradle_that_is_wanted_is_a_new_one():
     what = "omega and theta before the last tick, omega and theta after the last tick"
     expect("main", page, wanted=swings(1), see=lambda _: page.states[-2:], what=what, hints=hints)
     page = Page((True, 1), (True, 0))
-    with shapes_made() as made:
-        expect("main", page, see=lambda _: left_over(made, page.parts), **LEFT_OVER)
+    old = shapes()
+    expect("main", page, see=lambda _: left_over(old, page.parts), **LEFT_OVER)
     check_the_file_is_read_each_time()
 
 

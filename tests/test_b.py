@@ -73,13 +73,13 @@ MISTAKES = [
 
 @check("handle_collision", watched=True)
 def test_handle_collision():
-    """Returns a tuple of the new angular velocities of both bobs (new_omega1, new_omega2)."""
+    """Returns a tuple of the new angular velocities of both bobs."""
     expect("handle_collision", *HIT, 0.4, wanted=AFTER, hints=MISTAKES)
 
 
 @check("handle_collision", watched=True)
 def test_collisions_from_elastic_to_inelastic():
-    """If e = 0, it is a perfectly inelastic collision, and if e = 1, a perfectly elastic one."""
+    """If e = 0, it is a perfectly inelastic collision; if e = 1, elastic."""
     for arguments, wanted in COLLISIONS:
         hints = [(arguments[1:3], "These are the old velocities.")]
         expect("handle_collision", *arguments, 0.4, wanted=wanted, hints=hints)
@@ -87,14 +87,14 @@ def test_collisions_from_elastic_to_inelastic():
 
 @check("handle_collision", watched=True)
 def test_the_cord_length_does_not_matter():
-    """We need to convert omega to linear velocities v = R omega, and back to angular velocities."""
+    """Convert omega to linear velocities v = R omega, and back."""
     for r_param in (0.2, 1.0, 3.0):
         expect("handle_collision", *HIT, r_param, wanted=AFTER)
 
 
 @check("handle_collision", watched=True)
 def test_laws_of_the_collision():
-    """The system should conserve kinetic energy in an elastic collision, and linear momentum."""
+    """The system should conserve kinetic energy and linear momentum."""
     omega1, omega2 = 2.5, -1.5
     for m1, m2 in [(1.0, 1.0), (0.2, 5.0), (7.0, 0.1)]:
         momentum, energy = m1 * omega1 + m2 * omega2, m1 * omega1**2 + m2 * omega2**2
@@ -184,7 +184,7 @@ def test_masses_and_omegas_are_those_of_each():
 
 @check("handle_two_bobs", watched=True)
 def test_bobs_that_touch_collide():
-    """Check if both bobs are at most 1.05 times the sum of the bobs' radii apart."""
+    """Check if the bobs are at most 1.05 times the sum of their radii apart."""
     touch = "The bobs touch, but no omega has changed."
     check_places(HITS, 0, 0, touch)
     check_places(HITS, 0, 0, touch, apart=0.2)
@@ -302,7 +302,7 @@ def test_omegas_are_updated_and_nothing_else():
 
 @check("handle_two_bobs")
 def test_earlier_calls_do_not_matter():
-    """Handles the pairwise interactions between two bobs, including checking for collisions."""
+    """Handles the pairwise interactions between two bobs."""
     pend1, pend2 = pair()
     for wanted in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
         expect("handle_two_bobs", pend1, pend2, 4.0, wanted=wanted, **omegas(pend1, pend2))

@@ -5,7 +5,7 @@ from math import cos, pi, sin
 from vpython import vector
 
 from grading.comparing import same
-from grading.cradles import each, hang, LEFT_OVER, left_over, R, shapes_made, touching
+from grading.cradles import each, hang, LEFT_OVER, left_over, R, shapes, touching
 from grading.grader import check, expect
 from grading.messages import Wanted
 from grading.raised import Raised
@@ -71,7 +71,7 @@ def nearly(mistaken):
 
 @check("angle_update", watched=True)
 def test_angle_update():
-    """Takes in angle theta and angular velocity omega and updates them for a given timestep dt."""
+    """Takes in theta and omega and updates them for a given timestep dt."""
     hints = [(nearly(mistaken), sentence) for mistaken, sentence in MISTAKES]
     expect("angle_update", *STEP, wanted=AFTER, hints=hints)
 
@@ -150,22 +150,21 @@ def test_every_pendulum_swings_once():
 def test_bobs_and_cords_move():
     """Updates the angle and position of the pendulum components."""
     pend_list, after = swinging_row(3)
-    shapes = [pend["objects"] for pend in pend_list]
+    parts_of = [pend["objects"] for pend in pend_list]
 
     def see(_):
-        return [(axle.pos, bob.pos, ends(cord)) for axle, bob, cord in shapes]
+        return [(axle.pos, bob.pos, ends(cord)) for axle, bob, cord in parts_of]
 
     def ends(cord):  # a student may draw it from either end
         return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: end.y)
 
-    axles = [vector(axle.pos) for axle, _, _ in shapes]
+    axles = [vector(axle.pos) for axle, _, _ in parts_of]
     cords = [vector(0.5 * sin(theta), -0.5 * cos(theta), 0) for _, theta in after]
     wanted = [(axle, axle + cord, [axle + cord, axle]) for axle, cord in zip(axles, cords, strict=True)]
     what = "axle, bob and ends of the cord of each pendulum"
-    with shapes_made() as made:
-        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=wanted, see=see, what=what)
-        parts = [part for objects in shapes for part in objects]
-        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, see=lambda _: left_over(made, parts), **LEFT_OVER)
+    old, parts = shapes(), [part for objects in parts_of for part in objects]
+    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=wanted, see=see, what=what)
+    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, see=lambda _: left_over(old, parts), **LEFT_OVER)
 
 
 @check("full_swing_update")
@@ -196,7 +195,7 @@ def test_a_swing_changes_nothing_else():
 
 @check("full_swing_update", watched=True)
 def test_a_swing_is_no_collision():
-    """You will focus on the functionality of each individual pendulum: how each pendulum swings."""
+    """The functionality of each individual pendulum: how each pendulum swings."""
     omegas = [1.0, -1.0, 0.5]
     pend_list = touching(*omegas)
     collided = "Your bobs collided. full_swing_update only swings them."

@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 from vpython import box, color, cylinder, sphere, textures, vector
 
 from grading.comparing import same
-from grading.cradles import csv_of, LEFT_OVER, left_over, MIXED, MIXED_CSV, R, shapes_made
+from grading.cradles import csv_of, LEFT_OVER, left_over, MIXED, MIXED_CSV, R, shapes
 from grading.grader import check, expect
 from grading.messages import Wanted
 from grading.own_process import working_in
@@ -123,7 +123,7 @@ def test_a_row_is_a_pendulum():
 
 @check("extract_and_convert")
 def test_the_file_given_is_read():
-    """Creates and returns pend_list with the provided relative_filepath to a CSV file."""
+    """Creates and returns pend_list with the provided relative_filepath."""
     with files("one.csv") as folder, working_in(folder):
         first = expect("extract_and_convert", "one.csv", wanted=[ONE], hints=[OTHER_FILE])
         (folder / "one.csv").write_text(FILES["two.csv"])
@@ -189,7 +189,7 @@ def test_uniform_mass():
 
 @check("uniform_e_newton_cradle")
 def test_uniform_e():
-    """All the pendulum's coefficients of restitution are assigned a provided e value."""
+    """All the pendulum's coefficients of restitution are assigned the e value."""
     also = [(uniform(MIXED, mass=0.0625), "You changed mass, not e.")]
     check_uniform("uniform_e_newton_cradle", 0.0625, e=0.0625, also=also)
     check_uniform("uniform_e_newton_cradle", 0, e=0)
@@ -228,7 +228,7 @@ def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6
 
 @check("make_newton_cradle")
 def test_a_cradle_keeps_the_files_values():
-    """Creates the list of pendulum dictionaries pend_list, with the unique relative_filepath."""
+    """Creates the list of pendulum dictionaries from relative_filepath."""
 
     def kept(pend):
         return {key: pend[key] for key in ("mass", "e", "color", "texture")}
@@ -240,7 +240,7 @@ def test_a_cradle_keeps_the_files_values():
 
 @check("make_newton_cradle")
 def test_the_first_pendulum_is_lifted():
-    """theta should be theta_init for the first pendulum, and 0 for all the others."""
+    """theta should be theta_init for the first pendulum, 0 for all the others."""
     hints = [
         ([row["theta"] for row in MIXED], "These are the angles from the file."),
         ([0.6, 0.6, 0.6], "You lifted all pendula. Lift only the first one."),
@@ -285,9 +285,10 @@ def test_objects_are_axle_bob_and_cord():
     expect_cradle(lambda pend: pend["objects"], "the tuple objects of each pendulum", wanted, hints=hints)
 
     def strays(pend_list):
-        return left_over(made, [part for pend in pend_list for part in pend["objects"]])
+        return left_over(old, [part for pend in pend_list for part in pend["objects"]])
 
-    with files("mixed.csv") as folder, working_in(folder), shapes_made() as made:
+    old = shapes()
+    with files("mixed.csv") as folder, working_in(folder):
         expect("make_newton_cradle", "mixed.csv", R, 0.6, see=strays, **LEFT_OVER)
 
 
@@ -323,7 +324,7 @@ def test_axle_positions():
 
 @check("make_newton_cradle", watched=True)
 def test_bobs_hang_from_their_axles():
-    """Use one relevant helper function from pendulum.py to create the tuple of objects."""
+    """Use one relevant helper function to create the tuple of objects."""
 
     def places(thetas, r_param=R):
         return [vector(r_param * sin(theta), -r_param * cos(theta), 0) for theta in thetas]

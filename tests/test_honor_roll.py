@@ -5,7 +5,7 @@ from math import cos, pi, sin
 
 from vpython import box, cylinder, sphere, textures, vector
 
-from grading.cradles import LEFT_OVER, left_over, shapes_made
+from grading.cradles import LEFT_OVER, left_over, shapes
 from grading.grader import check, expect
 from grading.messages import Wanted
 from support.pendulum import make_pendulum
@@ -44,13 +44,13 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
         (lambda found: isinstance(found, tuple) and len(found) == 5, "Check the order and kinds of your objects."),
     ]
     check_double_pendulum(None, "", 0.7, 0.4, wanted, hints)
-    with shapes_made() as made:
-        check_double_pendulum(lambda objects: left_over(made, objects), theta=0.7, phi=0.4, **LEFT_OVER)
+    old = shapes()
+    check_double_pendulum(lambda objects: left_over(old, objects), theta=0.7, phi=0.4, **LEFT_OVER)
 
 
 @check("make_double_pendulum", watched=True)
 def test_bobs_are_where_the_angles_say():
-    """Define a make_double_pendulum() with correctly calculated positions for all the components."""
+    """Correctly calculated positions for all the components."""
 
     def see(objects):
         axle, bob1, _, bob2, _ = objects
@@ -80,7 +80,7 @@ def test_bobs_are_where_the_angles_say():
 
 @check("make_double_pendulum", watched=True)
 def test_cords_hold_the_bobs():
-    """The second pendulum (cord2 and bob2) is attached to the first one (cord1 and bob1)."""
+    """The second pendulum (cord2 and bob2) is attached to the first one."""
 
     def see(objects):
         _, _, cord1, _, cord2 = objects
@@ -175,7 +175,7 @@ SWINGS = [
 
 @check("double_angle_update", watched=True)
 def test_a_tenth_of_a_second_of_swinging():
-    """The first pendulum oscillates with angle theta, and the second one with angle phi."""
+    """The two pendula oscillate with the angles theta and phi."""
     for (theta, phi, *masses), end in SWINGS:
 
         def is_near(found, end=end):

@@ -1,11 +1,8 @@
 """Cradles for the checks and the tests: CSV text, and pendula made by hand, without src/."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager, ExitStack
 from operator import itemgetter
-from unittest.mock import patch
 
-from vpython import box, color, cylinder, sphere, vector
+from vpython import color, scene, vector
 
 from support.pendulum import make_pendulum
 from support.shapes import discarded
@@ -54,20 +51,10 @@ def touching(*omegas, radius=R / 8):
     return pend_list
 
 
-@contextmanager
-def shapes_made() -> Iterator[list]:
-    """Yield a list that gets each box, sphere and cylinder made in the body of the with statement."""
-    made: list = []
-    discarded.clear()  # or make_shape would use old shapes
-    with ExitStack() as stack:
-        for kind in (box, sphere, cylinder):
-
-            def make(shape, original=kind.__init__, **attributes):
-                original(shape, **attributes)
-                made.append(shape)
-
-            stack.enter_context(patch.object(kind, "__init__", make))
-        yield made
+def shapes() -> set[int]:
+    """Return the ids of the shapes in the scene. From now on, make_shape makes new ones."""
+    discarded.clear()
+    return set(map(id, scene.objects))
 
 
 # Options of expect for the number of left_over.
@@ -78,12 +65,12 @@ LEFT_OVER = {
 }
 
 
-def left_over(made, parts) -> int:
-    """Return how many shapes of made stay in the scene and look like one of parts, but are none of them.
+def left_over(old, parts) -> int:
+    """Return how many shapes of the scene look like one of parts, but are none of them, and not in old.
 
-    parts are the objects of pendula. Shapes of another thickness are for show, for example a frame.
+    old is from shapes(), parts are the objects of pendula. Shapes of another thickness are for show: a frame.
     """
     kinds = {(type(part), *part.size.value[1:]) for part in parts}
-    own = {id(part) for part in parts}
-    looks = [(type(shape), *shape.size.value[1:]) for shape in made if shape.visible and id(shape) not in own]
+    own = old | set(map(id, parts))
+    looks = [(type(shape), *shape.size.value[1:]) for shape in scene.objects if id(shape) not in own]
     return sum(look in kinds for look in looks)

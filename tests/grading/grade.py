@@ -89,12 +89,9 @@ def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
 
 
 def rule(title, sign, columns) -> str:
-    """Return a title with a line of signs on both sides, as pytest draws it; a long title is cut off."""
-    if len(title) > columns - 4:
-        title = f"{title[: columns - 7]}..."
-    side = sign * max((columns - len(title) - 2) // 2, 1)
-    line = f"{side} {title} {side}"
-    return line + sign * (len(line) < columns)
+    """Return a title with a line of signs on both sides; a long title is cut off."""
+    title = title if len(title) <= columns - 4 else f"{title[: columns - 7]}..."
+    return f" {title} ".center(columns, sign)
 
 
 def table(outcomes) -> list[tuple[str, str]]:

@@ -68,7 +68,11 @@ class OwnProcess:
             names = getattr(getattr(solution, "__code__", None), "co_names", ())
             self.called[function] = [name for name in FUNCTIONS if name in names]
             with limits.limited_memory():
-                return repeat(function, solution, arguments, times)
+                for _ in range(times):
+                    result = solution(*arguments)
+                    if FUNCTIONS[function].returns and isinstance(result, tuple):
+                        arguments = (*result, *arguments[len(result) :])
+                return result
         except StoppedError:
             raise
         except BaseException as error:  # also SystemExit
@@ -77,15 +81,6 @@ class OwnProcess:
             if before is not None and not (shipped.is_file() and shipped.read_bytes() == before):
                 shipped.write_bytes(before)
                 self.has_written = True
-
-
-def repeat(function, solution, arguments, times) -> Any:
-    """Return the result of the last call of a solution of this function."""
-    for _ in range(times):
-        result = solution(*arguments)
-        if FUNCTIONS[function].returns and isinstance(result, tuple):
-            arguments = (*result, *arguments[len(result) :])
-    return result
 
 
 def students_modules() -> list[str]:

@@ -10,7 +10,7 @@ from programs import BOBS, end, first_lines, on_posix, open_cradle, QUIETLY, run
 from vpython import mag
 from whole_cradles import check_places, distances, GOOD, hang_double, HEADER, PERIOD, velocities
 
-from grading.cradles import left_over, MIXED, MIXED_CSV, shapes_made
+from grading.cradles import left_over, MIXED, MIXED_CSV, shapes
 from src import double_cradle
 from src.double_collisions import collide_pairs, handle_two_double_bobs, keep_apart, touching_pairs
 from src.double_cradle import double_angle_update, double_cradle_tick, double_swing_update, make_double_newton_cradle
@@ -69,9 +69,9 @@ def test_make_double_newton_cradle(tmp_path):
     """The first pendulum starts at (theta_init, phi_init), the others hang; no shape of the single cradle is left."""
     file = tmp_path / "mixed.csv"
     file.write_text(MIXED_CSV)
-    with shapes_made() as made:
-        pend_list = make_double_newton_cradle(str(file), 0.4, 0.6, -0.4)
-    assert not left_over(made, [shape for pend in pend_list for shape in pend["objects"]])
+    old = shapes()
+    pend_list = make_double_newton_cradle(str(file), 0.4, 0.6, -0.4)
+    assert not left_over(old, [shape for pend in pend_list for shape in pend["objects"]])
     for i, (pend, row) in enumerate(zip(pend_list, MIXED, strict=True)):
         angles = {"theta": 0.6, "phi": -0.4} if i == 0 else {"theta": 0, "phi": 0}
         assert pend == {**row, **angles, "omega": 0, "phi_omega": 0, "objects": pend["objects"]}

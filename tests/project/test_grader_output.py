@@ -96,7 +96,7 @@ def test_a_mistake_is_the_last_message_and_fits_on_a_screen(student):
     assert status == 1
     assert len(rows) <= 45 + 11  # with the printed lines
     assert section(rows, "Failures") == ["3 more fail: handle_collision"]
-    title = "Use one relevant helper function from pendulum.py in support/ to create t..."
+    title = "Use one relevant helper function to create the tuple of objects."
     shown = section(rows, title)
     assert shown[:11] == [*(f"printed     row {i}" for i in range(10)), "printed     ... (25 lines in all)"]
     assert shown[12] == "called      make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.6)"

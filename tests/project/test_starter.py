@@ -64,7 +64,7 @@ def test_a_starter_is_made_all_waits_and_with_the_solutions_all_is_green(tmp_pat
     best = {"grade": "Honor roll", "next": "nothing is left to write", "more": "show it to someone"}
     assert result == {"tiers": tiers, **best}
     assert table_of(lines) == [f"{count} 0 0 {count}/{count}" for count in COUNTS.values()]
-    assert (status, len(lines) <= 25, "Left out" in "".join(lines)) == (0, True, False)
+    assert (status, len(lines) <= 25) == (0, True)
 
 
 # --- the folder ------------------------------------------------------------------------------------------------------
