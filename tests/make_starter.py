@@ -40,7 +40,7 @@ PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at
 
 # Names that go beyond the handout, and the first words of what a docstring says about them, at its end.
 BEYOND = (
-    "(?:BUFFER|EXACT_FLOATS|approaching_only|check_cradle|cleaned|collide_pairs|keep_apart|many_ticks|pairwise|version)"
+    "BUFFER|EXACT_FLOATS|approaching_only|check_cradle|cleaned|collide_pairs|keep_apart|many_ticks|pairwise|version"
 )
 ABOUT = "(?:Spaces around|Raises a ValueError|With approaching_only|page.rule)"
 # Changes of all files of src/: they have the lines of the handout, and nothing beyond it.
@@ -48,8 +48,8 @@ CHANGES = [
     (r"\bcleaned\((\w+)\)", r"\1"),
     (rf"(?:# .*\n)* *from \S+ import (?:{BEYOND}|, )+\n", ""),
     ("import BUFFER, ", "import "),
-    (rf"(?:# .*\n)*{BEYOND} = .*\n\n\n", "\n"),
-    (rf", (?:\*\*)?{BEYOND}(?:=\w+)?(?=\))", ""),
+    (rf"(?:# .*\n)*(?:{BEYOND}) = .*\n\n\n", "\n"),
+    (rf", (?:\*\*)?(?:{BEYOND})(?:=\w+)?(?=\))", ""),
     (rf'\n\n    {ABOUT}[^"]*(?=""")', ""),
     (rf'\n    {ABOUT}[^"]*(?=\n    """)', ""),
     ("from math import sin\n", "from math import cos, sin\n\nfrom vpython import vector\n"),

@@ -245,33 +245,29 @@ def test_the_cradle_ticks():
     expect("main", page, wanted=wanted, see=lambda _: page.states, what=what, hints=hints)
 
 
-# The file's rows for the first cradle, and for the second one.
-OLD, NEW = MIXED[:2], [{**row, "mass": row["mass"] + 1} for row in MIXED]
-
-
 def check_the_file_is_read_each_time():
     """Check the masses of two cradles; the file changes between them."""
+    before, after = MIXED[:2], [{**row, "mass": row["mass"] + 1} for row in MIXED]
+    old, new = ([row["mass"] for row in rows] for rows in (before, after))
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         file, masses = Path(folder) / "cradle.csv", []
 
         def show(pend_list):
             masses.append([pend["mass"] for pend in pend_list])
-            file.write_text(csv_of(NEW))
+            file.write_text(csv_of(after))
             for pend in pend_list:
                 pend["mass"] += 100
 
-        def is_new(found):
-            old, new = ([row["mass"] for row in rows] for rows in (OLD, NEW))
-            # A main that reads another file than page.csv finds no change in it.
+        def is_new(found):  # a main that reads another file than page.csv finds no change in it
             return same(found[1], new if same(found[0], old) else found[0]) and len(found) == 2
 
-        file.write_text(csv_of(OLD))
+        file.write_text(csv_of(before))
         page = Page((True, 0), (True, 0), change=show, csv=str(file))
         once = "You made the cradle once. Make a new one each time the page wants one."
         read_once = "You read the file once. Read it again for each cradle."
         hints = [
             (lambda found: same(found[1], [mass + 100 for mass in found[0]]), once),
-            (lambda found: same(found[1], [row["mass"] for row in OLD]), read_once),
+            (lambda found: same(found[1], old), read_once),
         ]
         wanted = Wanted("for each cradle, those that the file has then", is_new)
         what = "masses of the first cradle, and of the second one"

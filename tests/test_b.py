@@ -148,18 +148,16 @@ def check_places(wanted, theta1, theta2, fact, apart=1.0):
 
 # Two bobs with different values, their omegas after the hit, and the results of common mistakes; by hand.
 MEETING = {"values1": {"omega": 3.0, "mass": 2.0, "e": 0.25}, "values2": {"omega": 1.0, "mass": 6.0, "e": 0.25}}
-MET, MEETING_HINTS = (
-    (1.125, 1.625),
-    [
-        ((1.75, 2.25), "This is the result with equal masses."),
-        ((2.375, 2.875), "You exchanged the masses."),
-        ((2.875, 2.375), "This is the result with exchanged omegas."),
-        ((0.1875, 0.9375), "This is the result with omega2 = 0, but omega of pend2 is 1."),
-        ((0.0, 2.0), "This is the result with e = 1, but e of pend1 is 0.25."),
-        ((1.5, 1.5), "This is the result with e = 0, but e of pend1 is 0.25."),
-        ((1.625, 1.125), "You exchanged the new omegas of pend1 and pend2."),
-    ],
-)
+MET = (1.125, 1.625)
+MEETING_HINTS = [
+    ((1.75, 2.25), "This is the result with equal masses."),
+    ((2.375, 2.875), "You exchanged the masses."),
+    ((2.875, 2.375), "This is the result with exchanged omegas."),
+    ((0.1875, 0.9375), "This is the result with omega2 = 0, but omega of pend2 is 1."),
+    ((0.0, 2.0), "This is the result with e = 1, but e of pend1 is 0.25."),
+    ((1.5, 1.5), "This is the result with e = 0, but e of pend1 is 0.25."),
+    ((1.625, 1.125), "You exchanged the new omegas of pend1 and pend2."),
+]
 
 
 def is_other_order(found):

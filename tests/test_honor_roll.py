@@ -34,12 +34,9 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
     def is_one(found):
         return isinstance(found, tuple) and len(found) == 5 and all(map(isinstance, found, kinds))
 
-    def is_single(found):
-        return isinstance(found, tuple) and len(found) == 3
-
     wanted = Wanted("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one, like=(None,) * 5)
     hints = [
-        (is_single, "You returned a single pendulum."),
+        (lambda found: isinstance(found, tuple) and len(found) == 3, "You returned a single pendulum."),
         (lambda found: isinstance(found, list), "You returned a list. You need a tuple."),
         (lambda found: isinstance(found, tuple) and len(found) == 5, "Check the order and kinds of your objects."),
     ]

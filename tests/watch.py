@@ -93,10 +93,6 @@ def made_cradle(solution, given):
         return Scene(solution(str(file), given["r_param"], given["theta_init"]), given["r_param"])
 
 
-def made_double_pendulum(solution, given):
-    return Scene([{"objects": solution(*given.values())}], given["r_param"])
-
-
 def one_pendulum(_, given):
     from src.swinging import swing_update  # it uses angle_update
 
@@ -182,7 +178,7 @@ SCENES = {
     "handle_collision": two_that_meet,
     "handle_two_bobs": two_bobs,
     "newton_cradle_tick": row_of_pendula,
-    "make_double_pendulum": made_double_pendulum,
+    "make_double_pendulum": lambda solution, given: Scene([{"objects": solution(*given.values())}], given["r_param"]),
     "double_angle_update": one_double_pendulum,
 }
 
@@ -198,8 +194,7 @@ def main() -> None:
     parser = OneLineParser(description="Watch a check in the terminal.", allow_abbrev=False)
     parser.add_argument("check", metavar="CHECK", type=names, help="its name, for example test_angle_update")
     seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
-    text = "duration in seconds (default: %(default)g)"
-    parser.add_argument("--seconds", metavar="S", type=seconds, default=10.0, help=text)
+    parser.add_argument("--seconds", metavar="S", type=seconds, default=10.0, help="duration (default: %(default)g)")
     options = parser.parse_args()
 
     outcome = Grading().judge(all_checks[options.check])

@@ -79,7 +79,7 @@ def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
         more = Counter(check.function for check in others)
         for function, count in reversed(more.items()):
             lines.append((f"{count} more fail{'s' if count == 1 else ''}: {function}", "red"))
-        lines.append((rule(first.title(), "_", columns), "red"))
+        lines.append((rule(first.title, "_", columns), "red"))
         rows = [in_one_line(row) for row in printed.get(first.name, "").splitlines()]
         lines += [(f"printed     {row}", "") for row in rows[:PRINTED]]
         if len(rows) > PRINTED:

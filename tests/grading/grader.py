@@ -18,7 +18,7 @@ import pandas  # noqa: F401  its first import is slow, and would count as time o
 from grading import limits
 from grading.comparing import both, fits, has_form_of, hint_for, mistake_in, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
-from grading.messages import about, Call, end_of, message, place_in, plain, shown
+from grading.messages import about, Call, end_of, message, plain, shown
 from grading.own_process import OwnProcess
 from grading.raised import StoppedError
 
@@ -26,22 +26,13 @@ from grading.raised import StoppedError
 
 
 class Check(NamedTuple):
+    name: str
+    title: str
+    tier: str
     function: str  # the name of the function that is checked
     ask: Callable  # calls the function; raises WrongError or WaitError
     watched: bool  # whether watch.py can play it
     others_wait: bool  # for it, if their functions use this one
-
-    @property
-    def name(self) -> str:
-        return self.ask.__name__
-
-    @property
-    def tier(self) -> str:
-        return FUNCTIONS[self.function].tier
-
-    def title(self) -> str:
-        """Return its docstring, without line breaks."""
-        return " ".join(self.ask.__doc__.split())
 
 
 CHECKS: dict[str, Check] = {}  # by name, in the order of the suites
@@ -55,7 +46,8 @@ def check(function, watched=False, others_wait=True) -> Callable:
 
     def add(ask):
         ask.is_check = True
-        CHECKS[ask.__name__] = Check(function, ask, watched, others_wait)
+        own = ask.__name__, ask.__doc__, FUNCTIONS[function].tier
+        CHECKS[ask.__name__] = Check(*own, function, ask, watched, others_wait)
         return ask
 
     return add
@@ -162,7 +154,7 @@ def run(call, arguments, expected, hints) -> Any:
     if raised.stub not in (None, call.function):
         raise WaitError(raised.stub)
     if raised.stub and call.arguments == tuple(map(plain, arguments)):
-        place = place_in(raised, file)
+        place = file + "".join([f", line {place.line}" for place in raised.places if place.file == file][-1:])
         raise WaitError(f"you to write {raised.stub} in {place}", place=place)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
     hint = "Your code ran up to this line. Now delete it." if raised.stub else hint_for(raised, None, hints)

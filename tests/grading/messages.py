@@ -185,9 +185,3 @@ def error_lines(raised) -> list[str]:
     """Return an error, and its places in the student's own lines, as lines of text."""
     text = f"{raised.kind}, which has no text" if raised.text is None else f"{raised.kind}: {raised.text}"
     return [*map(in_one_line, text[:MOST_CHARACTERS].split("\n")), *own_lines(raised.places)]
-
-
-def place_in(raised, file) -> str:
-    """Return the last line of this file of src/ that an error has passed, as "FILE, line N"."""
-    lines = [f", line {place.line}" for place in raised.places if place.file == file]
-    return file + "".join(lines[-1:])

@@ -95,7 +95,7 @@ class Item(pytest.Item):
             pytest.fail(outcome.message, pytrace=False)
 
     def reportinfo(self):
-        return self.path, self.check.ask.__code__.co_firstlineno - 1, self.check.title()
+        return self.path, self.check.ask.__code__.co_firstlineno - 1, self.check.title
 
 
 @pytest.hookimpl(tryfirst=True)  # before the terminal shows the report

@@ -191,7 +191,7 @@ def test_a_file_is_imported_again_to_make_a_call_alone():
 
 
 def test_each_check_has_a_sentence_of_its_own():
-    titles = [check.title() for check in CHECKS]
+    titles = [check.title for check in CHECKS]
     assert len(set(titles)) == len(titles)
     assert not set(titles) & {check.name for check in CHECKS}
 

@@ -81,7 +81,7 @@ def write_gradescope(folder, result) -> None:
     tests, graded = [], grade(result.outcomes)
     for name, check in CHECKS.items():
         outcome = result.outcomes.get(name, Outcome(WAITING, "was not run"))
-        title, score = f"{check.tier}: {check.function}: {check.title()}", int(outcome.state == PASSED)
+        title, score = f"{check.tier}: {check.function}: {check.title}", int(outcome.state == PASSED)
         seen = {"output": outcome.message or "passed", "visibility": "visible"}
         tests.append({"name": title, "score": score, "max_score": 1, **seen})
     words = [f"Grade: {graded['grade'] or 'none yet'}.", f"Next: {whole_step(graded)}.", *result.problems]
