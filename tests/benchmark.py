@@ -29,7 +29,6 @@ from support.energy import kinetic_energy, potential_energy
 from support.start.options import OneLineParser
 from support.start.output import while_it_is_read
 
-COUNTS = 5, 50, 500  # pendula
 MINUTE = 60.0  # s, simulated
 SAMPLE = 0.01  # s between two measurements of the energy
 TICKS = [DT * times for times in (1, 2, 5, 10, 20)]  # s
@@ -37,9 +36,10 @@ STEPS = [1 / 200, 1 / 1000, 1 / 5000]  # s, of pymunk
 
 
 class OurCradle:
-    """Equal elastic pendula, the first one lifted, by many_ticks."""
+    """Equal elastic pendula, the first one lifted, by many_ticks or by newton_cradle_tick."""
 
-    def __init__(self, count=5):
+    def __init__(self, count=5, at_once=True):
+        self.at_once = at_once
         with tempfile.TemporaryDirectory() as folder:
             csv = Path(folder, "cradle.csv")
             csv.write_text(csv_of([{"mass": 1, "e": 1, "color": "red", "texture": "metal"}] * count))
@@ -51,17 +51,11 @@ class OurCradle:
 
     def advance(self, dt, seconds) -> None:
         """Move on by seconds, in ticks of dt (s), with the rule of the programs."""
-        scope = {**vars(visualize_cradle_run), "DT": dt}
-        if many_ticks(scope, self.pend_list, round(seconds / dt), {"approaching_only": True}) is None:
-            raise ValueError("many_ticks does not know these functions: see tests/project/test_many_ticks.py")
-
-
-class SingleTicks(OurCradle):
-    """The same pendula by newton_cradle_tick."""
-
-    def advance(self, dt, seconds) -> None:
-        for _ in range(round(seconds / dt)):
+        ticks, scope = round(seconds / dt), {**vars(visualize_cradle_run), "DT": dt}
+        for _ in range(0 if self.at_once else ticks):
             newton_cradle_tick(self.pend_list, R_PARAM, dt, G, approaching_only=True)
+        if self.at_once and many_ticks(scope, self.pend_list, ticks, {"approaching_only": True}) is None:
+            raise ValueError("many_ticks does not know these functions: see tests/project/test_many_ticks.py")
 
 
 class PymunkCradle:
@@ -122,9 +116,9 @@ def main() -> None:
     print("Ticks a second on VPython's objects; times: many_ticks against single ticks.\n")
     show_row("pendula", "newton_cradle_tick", "many_ticks", "times", "us a pendulum and tick")
     show_row(*["---"] * 5)
-    for count in COUNTS:
+    for count in (5, 50, 500):
         few, many = 20_000 // count, 1_000_000 // count  # ticks
-        single = cpu_time(partial(SingleTicks, count), DT, few * DT) / few
+        single = cpu_time(partial(OurCradle, count, at_once=False), DT, few * DT) / few
         fast = cpu_time(partial(OurCradle, count), DT, many * DT) / many
         speeds = f"{1 / single:,.0f}", f"{1 / fast:,.0f}"
         show_row(count, *speeds, f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}")

@@ -22,11 +22,9 @@ from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 
 FILES = [
-    *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"),
-    "tests/watch.py",
+    *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml", "tests/watch.py"),
     *(f"tests/{suite}.py" for suite in SUITES.values()),
 ]
-FOLDERS = ["src", "support", "tests/grading"]
 # Pictures of the READMEs, and files with answers: src/README.md, the fast path, the collisions of the double cradle.
 UNUSED = {
     *("__pycache__", "README.md", "double.png", "experiment.png", "swing.png"),
@@ -39,17 +37,15 @@ STUDENTS_FUNCTIONS = {*FUNCTIONS, "double_cradle_tick"}
 PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
 
 # Names that go beyond the handout, and the first words of what a docstring says about them, at its end.
-BEYOND = (
-    "BUFFER|EXACT_FLOATS|approaching_only|check_cradle|cleaned|collide_pairs|keep_apart|many_ticks|pairwise|version"
-)
+MORE = "BUFFER|EXACT_FLOATS|approaching_only|check_cradle|cleaned|collide_pairs|keep_apart|many_ticks|pairwise|version"
 ABOUT = "(?:Spaces around|Raises a ValueError|With approaching_only|page.rule)"
 # Changes of all files of src/: they have the lines of the handout, and nothing beyond it.
 CHANGES = [
     (r"\bcleaned\((\w+)\)", r"\1"),
-    (rf"(?:# .*\n)* *from \S+ import (?:{BEYOND}|, )+\n", ""),
+    (rf"(?:# .*\n)* *from \S+ import (?:{MORE}|, )+\n", ""),
     ("import BUFFER, ", "import "),
-    (rf"(?:# .*\n)*(?:{BEYOND}) = .*\n\n\n", "\n"),
-    (rf", (?:\*\*)?(?:{BEYOND})(?:=\w+)?(?=\))", ""),
+    (rf"(?:# .*\n)*(?:{MORE}) = .*\n\n\n", "\n"),
+    (rf", (?:\*\*)?(?:{MORE})(?:=\w+)?(?=\))", ""),
     (rf'\n\n    {ABOUT}[^"]*(?=""")', ""),
     (rf'\n    {ABOUT}[^"]*(?=\n    """)', ""),
     ("from math import sin\n", "from math import cos, sin\n\nfrom vpython import vector\n"),
@@ -87,7 +83,12 @@ def make_starter(folder) -> None:
 
 def fill(folder) -> None:
     """Write all files of the starter into an empty folder."""
-    found = [path.relative_to(ROOT) for name in FOLDERS for path in (ROOT / name).rglob("*") if path.is_file()]
+    found = [
+        path.relative_to(ROOT)
+        for name in ("src", "support", "tests/grading")
+        for path in (ROOT / name).rglob("*")
+        if path.is_file()
+    ]
     for path in [*map(Path, FILES), *(path for path in found if not UNUSED.intersection(path.parts))]:
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / path, folder / path)

@@ -201,23 +201,20 @@ def test_the_cradle_is_made_and_shown():
     def length_of_cord(pend):
         return pend["objects"][2].axis.mag if "objects" in pend else None
 
-    def made(theta_init, r_param=R_PARAM):
-        def is_made(found):
-            rows = [(0 if i else theta_init, abs(r_param)) for i in range(len(found[0]))]
-            return rows and same(found, [rows])
-
-        return is_made
+    def is_made(found, theta_init=THETA_INIT, r_param=R_PARAM):
+        rows = [(0 if i else theta_init, abs(r_param)) for i in range(len(found[0]))]
+        return rows and same(found, [rows])
 
     hints = [
         ([], "You showed no cradle. Give your pend_list to page.show."),
         ([[]], "You gave page.show no pend_list, or an empty one."),
         (lambda found: found[0][0][1] is None, "Your pendula have no objects. make_newton_cradle makes them."),
-        (made(R_PARAM, THETA_INIT), "make_newton_cradle takes R_PARAM first, then THETA_INIT."),
-        (made(degrees(THETA_INIT)), "THETA_INIT is in radians already. Do not convert it."),
+        (lambda found: is_made(found, R_PARAM, THETA_INIT), "make_newton_cradle takes R_PARAM first, then THETA_INIT."),
+        (lambda found: is_made(found, degrees(THETA_INIT)), "THETA_INIT is in radians already. Do not convert it."),
     ]
     what = "theta and cord length of each pendulum on the page"
     words = f"({THETA_INIT:g}, {R_PARAM:g}) for the first one, (0, {R_PARAM:g}) for the others"
-    wanted = Wanted(words, made(THETA_INIT), like=[[]])
+    wanted = Wanted(words, is_made, like=[[]])
     expect("main", page, wanted=wanted, see=see, what=what, hints=hints)
 
 
@@ -279,10 +276,7 @@ def test_each_cradle_that_is_wanted_is_a_new_one():
     """Creates the Newton's cradle visualisation from data in the CSV file."""
     page = Page((True, 2), (True, 1))
     gone_on = "Your second cradle goes on where the first one was. Make a new one when the page wants one."
-    hints = [
-        (swings(3)[2:], gone_on),
-        (swings(1)[:1] * 2, "Your second cradle does not tick."),
-    ]
+    hints = [(swings(3)[2:], gone_on), (swings(1)[:1] * 2, "Your second cradle does not tick.")]
     what = "omega and theta before the last tick, omega and theta after the last tick"
     expect("main", page, wanted=swings(1), see=lambda _: page.states[-2:], what=what, hints=hints)
     page = Page((True, 1), (True, 0))

@@ -213,26 +213,19 @@ def test_bobs_that_do_not_touch_go_on():
         check_places(MISSES, 0, 0, far.format(apart), apart)
     check_places(MISSES, 0.28, -0.28, "Here bob 2 is to the left of bob 1. The bobs do not touch.")
     check_places(MISSES, -0.3, 0.3, "Here the axles are close, but the bobs are not. Only the bobs count.")
-    diagonal = "These bobs are {} times the sum of their radii apart, on a diagonal."
-    check_places(MISSES, 1.5, 1.64, diagonal.format(1.15))
-    check_places(MISSES, 1.64, 1.5, diagonal.format(1.15))
+    for thetas in ((1.5, 1.64), (1.64, 1.5)):
+        check_places(MISSES, *thetas, "These bobs are 1.15 times the sum of their radii apart, on a diagonal.")
     check_places(MISSES, 2.05, 2.45, "Here one bob is 1.24 times the sum of the radii above the other one.")
-    above = "These bobs are above their axles. They do not touch."
-    check_places(MISSES, 2.0, 1.93, above)
+    check_places(MISSES, 2.0, 1.93, "These bobs are above their axles. They do not touch.")
 
 
 @check("handle_two_bobs", watched=True)
 def test_both_radii_count():
     """You can access positions and radii of VPython objects with bob.pos and bob.radius."""
     check_pair(HITS)
-    for wanted, apart, radius1, radius2 in (
-        (HITS, 1.0, 0.9, 0.2),
-        (HITS, 1.0, 0.2, 0.9),
-        (MISSES, 1.0, 0.2, 0.7),
-        (MISSES, 1.0, 0.7, 0.2),
-        (MISSES, 1.0, 0.05, 0.05),
-        (HITS, 3.1, 2.0, 1.0),
-    ):
+    hits = [(HITS, *sizes) for sizes in ((1.0, 0.9, 0.2), (1.0, 0.2, 0.9), (3.1, 2.0, 1.0))]
+    misses = [(MISSES, *sizes) for sizes in ((1.0, 0.2, 0.7), (1.0, 0.7, 0.2), (1.0, 0.05, 0.05))]
+    for wanted, apart, radius1, radius2 in hits + misses:
         fact = f"The sum of the radii is {radius1 + radius2:g}, and the bobs are {apart:g} apart."
         check_pair(wanted, apart, radius1, radius2, hints=[(MISSES if wanted == HITS else HITS, fact)])
 

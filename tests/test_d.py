@@ -63,6 +63,13 @@ def is_shipped(found):
     return isinstance(found, list) and len(found) == len(read_cells(NC_FP)) - 1 not in (1, 3)
 
 
+def are_three(found):
+    return isinstance(found, list) and len(found) == 3 and all(isinstance(pend, dict) for pend in found)
+
+
+THREE = Wanted("a list with 3 dictionaries", are_three, like=[{}] * 3)
+
+
 def values_of(first, key):
     """Return a function that returns the values of key in the pend_list first, and in its own argument."""
     return lambda last: ([pend[key] for pend in first], [pend[key] for pend in last])
@@ -96,11 +103,6 @@ ROWS = [
 @check("extract_and_convert")
 def test_pend_list_is_a_list_of_dictionaries():
     """Each pendulum is represented by a dictionary in a list called pend_list."""
-
-    def is_one(found):
-        return isinstance(found, list) and len(found) == 3 and all(isinstance(pend, dict) for pend in found)
-
-    kind = Wanted("a list with 3 dictionaries", is_one, like=[{}] * 3)
     hints = [
         (dict(enumerate(MIXED)), "You returned bad_rep. You need a list, without the keys 0, 1, 2."),
         (tuple(MIXED), "You returned a tuple. You need a list."),
@@ -108,17 +110,15 @@ def test_pend_list_is_a_list_of_dictionaries():
         (lambda found: type(found).__name__ == "DataFrame", "You returned the dataframe df."),
     ]
     with files("mixed.csv") as folder:
-        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=kind, hints=[*hints, *ROWS])
+        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=THREE, hints=[*hints, *ROWS])
 
 
 @check("extract_and_convert")
 def test_a_row_is_a_pendulum():
     """The value of a key is the value associated with that attribute."""
     with files("mixed.csv", "seven.csv", "many.csv", "none.csv") as folder:
-        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=MIXED, hints=ROWS)
-        expect("extract_and_convert", str(folder / "seven.csv"), wanted=SEVEN)
-        expect("extract_and_convert", str(folder / "many.csv"), wanted=MANY)
-        expect("extract_and_convert", str(folder / "none.csv"), wanted=[])
+        for name, rows in (("mixed", MIXED), ("seven", SEVEN), ("many", MANY), ("none", [])):
+            expect("extract_and_convert", str(folder / f"{name}.csv"), wanted=rows, hints=ROWS * (name == "mixed"))
 
 
 @check("extract_and_convert")
@@ -170,9 +170,8 @@ def check_uniform(function, *arguments, also=(), **changed):
     ]
     with files(*FILES) as folder, working_in(folder):
         first = expect(function, "mixed.csv", *arguments, wanted=right, hints=hints)
-        expect(function, "seven.csv", *arguments, wanted=uniform(SEVEN, **changed))
-        expect(function, "many.csv", *arguments, wanted=uniform(MANY, **changed))
-        expect(function, "none.csv", *arguments, wanted=[])
+        for name, rows in (("seven", SEVEN), ("many", MANY), ("none", [])):
+            expect(function, f"{name}.csv", *arguments, wanted=uniform(rows, **changed))
         what = f"each {key} from the first call, each {key} from this call"
         both = {"see": values_of(first, key), "what": what, "wanted": ([value] * 3, [value])}
         hints = [(lambda found: OTHER_FILE[0](found[1]), OTHER_FILE[1])]
@@ -295,31 +294,33 @@ def test_objects_are_axle_bob_and_cord():
 @check("make_newton_cradle", watched=True)
 def test_axle_positions():
     """The axle position of the ith pendulum can be defined as axle_pos = vector((-0.1+r_param/4 * i), r_param/5, 0)."""
+
+    def place(pend):
+        return pend["objects"][0].pos
+
     # r_param, and by hand the distance and the height of the axles (m).
     for r_param, apart, height in ((0.3, 0.075, 0.06), (1.0, 0.25, 0.2)):
 
         def places(left, apart, height):
             return [vector(left + apart * i, height, 0) for i in range(3)]
 
-        right = -0.1, apart, height
         hints = [
             (
                 lambda found: same(found, [found[0]] * 3),
                 "All axles are in one place. Does i count the pendula? Do you round r_param/4?",
             ),
-            (places(-0.1 + apart, *right[1:]), "You counted the pendula from 1. Let i start at 0."),
-            (places(0, *right[1:]), "You forgot the -0.1."),
-            (places(0.1, *right[1:]), "The sign of 0.1 is wrong."),
+            (places(-0.1 + apart, apart, height), "You counted the pendula from 1. Let i start at 0."),
+            (places(0, apart, height), "You forgot the -0.1."),
+            (places(0.1, apart, height), "The sign of 0.1 is wrong."),
             (places(0, -0.1 + apart, height), "Check your brackets: i must multiply only r_param/4."),
             (places(-0.1, apart, 0), "You forgot the height of the axles, r_param/5."),
             (places(-0.1, apart, -height), "The sign of y is wrong. The axles must be above 0."),
             (places(-0.1, height, apart), "You mixed up r_param/4 and r_param/5."),
             (places(-0.1, -apart, height), "Your row goes to the left. It must go to the right."),
         ]
-        what = "position of each axle"
-        expect_cradle(lambda pend: pend["objects"][0].pos, what, places(*right), r_param=r_param, hints=hints)
+        expect_cradle(place, "position of each axle", places(-0.1, apart, height), r_param=r_param, hints=hints)
     seven = [vector(x, 0.08, 0) for x in (-0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]  # R is 0.4 m
-    expect_cradle(lambda pend: pend["objects"][0].pos, "position of each axle", seven, file="seven.csv")
+    expect_cradle(place, "position of each axle", seven, file="seven.csv")
 
 
 @check("make_newton_cradle", watched=True)
@@ -374,21 +375,18 @@ def test_bobs_have_the_color_and_texture_of_their_row():
         ([(color, None) for color, _ in mixed], "Your bobs have no textures."),
         (lambda found: found[0][1] == "metal", "You used the name of a texture. TEXTURE_MAP has the texture itself."),
     ]
+    seven, many = [white, red, red, *others, white], [(value, image) for (_, value), (_, image) in LOOKS]
     expect_cradle(seen, "color and texture of each bob", mixed, hints=hints)
-    seven = [white, red, red, *others, white]
     expect_cradle(seen, "color and texture of each bob", seven, file="seven.csv")
-    many = [(value, image) for (_, value), (_, image) in LOOKS]
     expect_cradle(seen, "color and texture of each bob", many, file="many.csv")
 
 
 @check("make_newton_cradle")
 def test_the_pend_list_is_returned():
     """Return the updated pend_list."""
-    words = "a list with 3 dictionaries"
-    is_list = Wanted(words, lambda found: isinstance(found, list) and len(found) == 3, like=[{}] * 3)
     hints = [(lambda found: isinstance(found, dict), "You returned one pendulum. You need the whole pend_list.")]
     with files("mixed.csv") as folder, working_in(folder):
-        first = expect("make_newton_cradle", "mixed.csv", R, 0.6, wanted=is_list, hints=hints)
+        first = expect("make_newton_cradle", "mixed.csv", R, 0.6, wanted=THREE, hints=hints)
         what = "first theta from the first call, first theta from this call"
         thetas = {"see": lambda second: (first[0]["theta"], second[0]["theta"]), "what": what, "wanted": (0.6, -0.3)}
         one_list = ((-0.3, -0.3), "Your second call has changed the list from the first one. Make a new list.")

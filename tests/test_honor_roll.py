@@ -17,8 +17,8 @@ AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
 
 def check_double_pendulum(see, what, theta, phi, wanted, hints=(), cord=CORD, texture=textures.wood):
     """Check what see(objects) returns for a double pendulum."""
-    arguments = AXLE, cord, theta, phi, RED, texture
-    expect("make_double_pendulum", *arguments, wanted=wanted, see=see, what=what, hints=hints)
+    given = {"wanted": wanted, "see": see, "what": what, "hints": hints}
+    expect("make_double_pendulum", AXLE, cord, theta, phi, RED, texture, **given)
 
 
 def arm(angle):
@@ -148,10 +148,7 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
 
         theta, phi = wanted
         other_angle = "The second value is wrong: phi counts from the upper cord, not from straight down."
-        known = [
-            ((-theta, -phi), "Both accelerations have the wrong sign."),
-            ((theta, theta + phi), other_angle),
-        ]
+        known = [((-theta, -phi), "Both accelerations have the wrong sign."), ((theta, theta + phi), other_angle)]
         # In the other states, a missing term gives the same numbers.
         hints = known if state == ACCELERATIONS[0][0] else []
         what = "change of omega_theta / dt, change of omega_phi / dt"

@@ -29,7 +29,7 @@ from grading.raised import raised_by
 from support.constants import DT, G
 from support.cradle.cradle import Cradle
 from support.files.cradle_csv import to_number
-from support.pendulum import show_pendulum
+from support.pendulum import show_double_pendulum, show_pendulum
 from support.start.early import stop_on_signals
 from support.start.options import allowed, OneLineParser
 from support.start.output import is_unread, while_it_is_read
@@ -138,12 +138,10 @@ def two_bobs(solution, given):
 
 def one_double_pendulum(solution, given):
     from src.double_cradle import make_double_pendulum
-    from support.pendulum import show_double_pendulum
 
     r_param, state = given["r_param"], [*given.values()][:4]
     masses = [given[name] for name in ("m1", "m2") if name in given]
-    objects = make_double_pendulum(vector(0, 0, 0), r_param, given["theta"], given["phi"], color.white, None)
-    pend = {"objects": objects}
+    pend = {"objects": make_double_pendulum(vector(0, 0, 0), r_param, *state[2:], color.white, None)}
 
     def tick():
         state[:] = solution(*state, r_param, DT, given["g"], *masses)

@@ -60,17 +60,13 @@ def whole_step(graded) -> str:
     return "; ".join(filter(None, (graded["next"], graded["more"])))
 
 
-def places(outcomes) -> dict[str, str]:
-    """Return the place of each function that is not written yet, in the order of the handout."""
-    return {check.function: outcomes[check.name].place for check in made_checks(outcomes) if outcomes[check.name].place}
-
-
 def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
     """Return what a student reads about outcomes, as lines of text, each with its color or "".
 
     printed has the output of the student's code by the names of the checks that fail. columns is the width of rules.
     """
-    unwritten = [(f"{function} in {place}", "yellow") for function, place in places(outcomes).items()]
+    made = [(check.function, outcomes[check.name].place) for check in made_checks(outcomes)]
+    unwritten = [(f"{function} in {place}", "yellow") for function, place in dict.fromkeys(made) if place]
     lines = [(rule("Not written yet", "=", columns), ""), *unwritten] if unwritten else []
     mistakes = [check for check in made_checks(outcomes) if outcomes[check.name].state in (FAILED, FAULT)]
     if mistakes:
@@ -112,6 +108,8 @@ def table(outcomes) -> list[tuple[str, str]]:
     causes = Counter(outcome.cause for outcome in outcomes.values() if outcome.cause and not outcome.place)
     rows += [(f"{count} wait for {cause}", "yellow") for cause, count in causes.items()]
     fails = any(outcome.state == FAILED for outcome in outcomes.values())
-    in_message = fails and not places(outcomes)  # the message above has the place in the handout
+    in_message = fails and not any(
+        outcome.place for outcome in outcomes.values()
+    )  # the message above has the place in the handout
     step = graded["next"] if in_message else whole_step(graded)
     return [*rows, *((line, "bold") for line in [*verdict, f"Next:  {step}."])]

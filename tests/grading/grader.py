@@ -10,6 +10,7 @@ import importlib
 import traceback
 from collections.abc import Callable
 from contextlib import redirect_stdout
+from errno import ENOSPC
 from io import StringIO
 from typing import Any, NamedTuple
 
@@ -18,7 +19,7 @@ import pandas  # noqa: F401  its first import is slow, and would count as time o
 from grading import limits
 from grading.comparing import both, fits, has_form_of, hint_for, mistake_in, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
-from grading.messages import about, Call, end_of, message, plain, shown
+from grading.messages import about, Call, end_of, message, plain, PlainFile, shown
 from grading.own_process import OwnProcess
 from grading.raised import StoppedError
 
@@ -86,8 +87,6 @@ student: Any = OwnProcess()  # has the student's functions; for a class, a Solve
 CALLS: list[Call] = []  # of the current check
 ALONE: list[int] = []  # the number of the only call that expect makes, if there is one: is_right_alone
 
-RETURNS_NOTHING = "Does your function reach a return with a value? (append returns None.)"
-
 
 def expect(function, *arguments, wanted, see=None, what="", hints=(), times=1) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
@@ -103,14 +102,15 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), times=1) -
         return None
     expected, returns = ("expected", about(what, wanted)), FUNCTIONS[function].returns
     result = run(call, arguments, expected, hints)
-    if call.has_changed_a_file():
+    if any(isinstance(before, PlainFile) and plain(before.path) != before for before in call.arguments):
         lines = [("came back", "The file has changed."), ("expected", "The file stays as it is. Only read it.")]
         raise WrongError(f"{function} has changed the file at relative_filepath.", call, lines)
     if student.has_written and function != "main":  # the handout lets main write it
         lines = [("came back", "Your code changed newton_cradle_pends.csv. It is restored now.")]
         raise WrongError(f"{function} writes a file.", call, [*lines, ("expected", "Your function writes no file.")])
     if result is None and returns:
-        raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected], RETURNS_NOTHING)
+        hint = "Does your function reach a return with a value? (append returns None.)"
+        raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected], hint)
     try:
         found = see(result) if see else result
     except OTHER_FORM as error:
@@ -257,8 +257,8 @@ class Grading:
             if error.hung:
                 self.hung[FUNCTIONS[check.function].file] = str(error), error.hung
             return waiting(str(error), error.place)
-        except BaseException:
-            if limits.PRESSED.is_set():
+        except BaseException as error:
+            if limits.PRESSED.is_set() or getattr(error, "errno", 0) == ENOSPC:
                 raise
             lines = ["This is a fault of the grader, not of your code. Please show it to your teacher."]
             return Outcome(FAULT, "\n".join([*lines, traceback.format_exc().rstrip()]))

@@ -62,9 +62,6 @@ class Call(NamedTuple):
                 words.append(f"{name}={shown(value)}")
         return [f"{self.function}({', '.join(words)})", *below]
 
-    def has_changed_a_file(self) -> bool:
-        return any(isinstance(before, PlainFile) and plain(before.path) != before for before in self.arguments)
-
 
 def plain(value):
     """Return a plain copy of an argument: a file with its text, pendula without objects."""
@@ -90,9 +87,8 @@ def value_lines(name, value, keys) -> list[str]:
             rows[ROWS - 1 :] = [f"... ({len(rows)} lines in all)"]
         return [f"{name} is the path of {Path(value.path).name}:", *(f"    {row}" for row in rows)]
     if isinstance(value, list):
-        more = [f"... ({len(value)} in all)"] if len(value) > PENDULA else []
         lines = [line for i, pend in enumerate(value[:PENDULA]) for line in value_lines(f"{name}[{i}]", pend, keys)]
-        return [*lines, *more]
+        return [*lines, *[f"... ({len(value)} in all)"] * (len(value) > PENDULA)]
     return [f"{name}: " + ", ".join(f"{key} {shown(value[key])}" for key in keys)]
 
 

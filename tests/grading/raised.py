@@ -57,18 +57,14 @@ def raised_by(error) -> Raised:
 
 def own_places(error) -> list[Place]:
     """Return the places of an error in the student's own files."""
-    places = [
-        Place(each.filename, each.lineno, each.name, each.line) for each in traceback.extract_tb(error.__traceback__)
-    ]
+    frames = traceback.extract_tb(error.__traceback__)
+    places = [Place(frame.filename, frame.lineno, frame.name, frame.line) for frame in frames]
     if isinstance(error, SyntaxError) and error.filename:
         places.append(Place(error.filename, error.lineno, "", (error.text or "").strip()))
     # ROOT is resolved, for example to the share behind a drive on Windows. "<string>" is no file.
     files = [(Path(place.file).resolve(), place) for place in places if Path(place.file).is_absolute()]
-    return [
-        place._replace(file=file.relative_to(ROOT).as_posix())
-        for file, place in files
-        if file.is_relative_to(ROOT / "src")
-    ]
+    own = [(file, place) for file, place in files if file.is_relative_to(ROOT / "src")]
+    return [place._replace(file=file.relative_to(ROOT).as_posix()) for file, place in own]
 
 
 def stub_of(error) -> str | None:

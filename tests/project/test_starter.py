@@ -15,7 +15,7 @@ from unittest.mock import Mock
 
 import pandas as pd
 import pytest
-from make_starter import CHANGES, FOLDERS, make_starter
+from make_starter import CHANGES, make_starter
 from programs import ROOT, SECONDS
 from students import change, COUNTS, files_of, write, write_tiers
 
@@ -101,7 +101,7 @@ def test_the_folder_has_the_handouts_files_the_programs_and_the_graded_tests_alo
     suites = {f"{suite}.py" for suite in SUITES.values()}
     assert {path.name for path in made.glob("tests/*")} - {"__pycache__"} == suites | {"grading", "watch.py"}
     assert not [*made.rglob("many_ticks.py")]
-    for file in (path for folder in FOLDERS[1:] for path in (made / folder).rglob("*.*") if path.suffix != ".pyc"):
+    for file in [*made.glob("support/**/*.py"), *made.glob("tests/grading/*.py")]:
         assert file.read_bytes() == (ROOT / file.relative_to(made)).read_bytes()
 
 
