@@ -37,7 +37,7 @@ from teacher.crossing import Crossing, File, MOST_PRINTED
 SECONDS = 300  # of processor time
 MEMORY = limits.MOST_MEMORY * 10**6  # bytes more than at the start, for this process and for each one that it starts
 ADDRESSES = 2_500_000_000  # bytes, also of memory that processes share
-FILE_SIZE = 10_000_000  # bytes
+FILE_SIZE, FILES = 10_000_000, 64  # bytes, and the number of open files
 PROCESSES = 8
 
 
@@ -146,8 +146,8 @@ def limit_resources() -> None:
         return
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # too long a file is an OSError
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 + MEMORY
-    table = {"FSIZE": FILE_SIZE, "CORE": 0, "CPU": SECONDS, "DATA": memory, "AS": ADDRESSES, "NPROC": PROCESSES}
-    for name, most in table.items():
+    table = {"FSIZE": FILE_SIZE, "NOFILE": FILES, "CPU": SECONDS, "DATA": memory, "AS": ADDRESSES, "NPROC": PROCESSES}
+    for name, most in {"CORE": 0, **table}.items():
         what = getattr(resource, f"RLIMIT_{name}")
         before = resource.getrlimit(what)
         most = most if before[1] == resource.RLIM_INFINITY else min(most, before[1])
