@@ -29,8 +29,7 @@ from support.energy import kinetic_energy, potential_energy
 from support.start.options import OneLineParser
 from support.start.output import while_it_is_read
 
-MINUTE = 60.0  # s, simulated
-SAMPLE = 0.01  # s between two measurements of the energy
+MINUTE, SAMPLE = 60.0, 0.01  # s: simulated, and between two measurements of the energy
 TICKS = [DT * times for times in (1, 2, 5, 10, 20)]  # s
 STEPS = [1 / 200, 1 / 1000, 1 / 5000]  # s, of pymunk
 

@@ -1,6 +1,7 @@
 """Grading a class: how submissions are read, what a solution costs its student, and what the teacher gets."""
 
 import csv
+import errno
 import json
 import os
 import shutil
@@ -9,6 +10,7 @@ import subprocess
 import sys
 import zipfile
 from textwrap import indent
+from unittest.mock import Mock
 
 import grade_class
 import make_autograder
@@ -131,6 +133,13 @@ def test_a_name_that_cannot_be_written_costs_that_solution(grade, solved, name):
     outcomes, _, problems = grade({"beyond/a/b.py": b"", **solved, name: b""})
     assert outcomes == {}
     assert problems[0].startswith("the files cannot be written: ")
+
+
+def test_a_full_disk_stops_the_class(grade, solved, monkeypatch):
+    """It costs no student a point."""
+    monkeypatch.setattr("test_d.TemporaryDirectory", Mock(side_effect=OSError(errno.ENOSPC, "Full")))
+    with pytest.raises(OSError, match="Full"):
+        grade(solved)
 
 
 # --- the program -----------------------------------------------------------------------------------------------------

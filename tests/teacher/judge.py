@@ -6,6 +6,7 @@ import time
 from contextlib import contextmanager, redirect_stdout
 from io import StringIO
 from pathlib import Path
+from tempfile import gettempdir
 
 from vpython import scene, vector
 
@@ -37,6 +38,8 @@ def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
             problems += [f"a fault of the grader in {check.name}"] * (outcome.state == FAULT)
     except StoppedError as error:
         problems = [f"the files cannot be written: {error.raised.text}" if error.raised.kind else "nothing starts"]
+    except OSError as error:  # the disk is full: the class stops
+        raise OSError(error.errno, error.strerror, gettempdir()) from None
     finally:
         process.end()
         grader.student = before
