@@ -299,9 +299,8 @@ def test_in_the_cradle_bobs_collide():
         return same(omegas, [0.0] * (len(omegas) - 1) + [10.0])
 
     page = Page((True, 1), change=push)
-    hints = [
-        (lambda omegas: is_passed_on(omegas[::-1]), "Your bobs do not collide. full_swing_update only swings them.")
-    ]
+    only_swings = "Your bobs do not collide. full_swing_update only swings them."
+    hints = [(lambda omegas: is_passed_on(omegas[::-1]), only_swings)]
     wanted = Wanted("10 for the last pendulum, 0 for all others", is_passed_on)
     see = {"see": lambda _: [pend["omega"] for pend in page.shown[0]], "what": "omega of each pendulum"}
     expect("main", page, wanted=wanted, **see, hints=hints)

@@ -141,9 +141,10 @@ class Solver:
     def in_time(self):
         """Yield the socket; raise a StoppedError if it is not ready in time, or if the other end is closed."""
         try:
-            if self.process.line is None:
-                raise BrokenPipeError
-            self.process.line.settimeout(max(1e-3, self.until - time.monotonic()))
+            left = self.until - time.monotonic()
+            if self.process.line is None or left <= 0:
+                raise TimeoutError if left <= 0 else BrokenPipeError
+            self.process.line.settimeout(left)
             yield self.process.line
         except TimeoutError:
             late = Raised("KeyboardInterrupt", limit=f"took longer than {limits.PATIENCE:g} s", ends=True)
