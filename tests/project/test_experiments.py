@@ -117,9 +117,8 @@ def run(kind, key, csv):
     wall = Wall(csv, *[30] * len(KINDS[kind].angles), kind=KINDS[kind])
     questions = wall.viewer.questions
     [number] = [i for i, experiment in enumerate(questions.experiments) if experiment.key == key]
-    wall.viewer.give("ask first", True)
-    wall.viewer.give("experiment", number + 1)  # in the menu, after your CSV
-    wall.wait()
+    wall.give("ask first", True)
+    wall.give("experiment", number + 1)  # in the menu, after your CSV
     wall.viewer.give("answer", [key, questions.experiments[number].explained])
     wall.wait(questions.experiments[number].seconds + 0.1)
     assert questions.measurement.is_over

@@ -15,9 +15,7 @@ ANGLES, VELOCITIES = "Angles theta (rad)", "Velocities omega (rad/s)"
 def choose(wall, choice):
     """Choose a graph as a person does."""
     assert choice in wall.panel.graph.choices
-    wall.panel.graph.selected = choice
-    wall.panel.graph.bind(wall.panel.graph)
-    wall.wait()
+    wall.use(wall.panel.graph, selected=choice)
 
 
 def drawn(wall):
@@ -92,16 +90,14 @@ def test_the_double_cradle_has_graphs_of_both_cords(csv):
     assert drawn(wall)["1"][0] == [0, pytest.approx(wall.viewer.angles[1])]
 
 
-def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wall, csv):
+def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wall):
     choose(wall, ANGLES)
-    csv.write_text(HEADER + GOOD.replace("red", "green") * (MOST + 3))
-    wall.wait(0.5)
+    wall.save(HEADER + GOOD.replace("red", "green") * (MOST + 3))
     assert wall.panel.graph.selected == ANGLES
     assert list(drawn(wall)) == [str(number) for number in range(1, MOST + 1)]  # the first ones
     assert color_of(wall, "1") == (0, 1, 0)
     choose(wall, "Phase picture of bob 7: omega over theta")
-    csv.write_text(HEADER + GOOD * 2)
-    wall.wait(1)
+    wall.save(HEADER + GOOD * 2)
     assert wall.panel.graph.selected == ENERGY
     assert set(drawn(wall)) == set(ENERGIES)
 

@@ -3,8 +3,7 @@
 import re
 
 import pytest
-from vpython import vector
-from wall import set_slider, Wall
+from wall import Wall
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from support.cradle.double_cradle import DoubleCradle
@@ -54,8 +53,8 @@ def test_main_makes_an_experiment_from_its_csv_and_it_is_lifted_as_its_text_says
 
 
 def test_back_at_your_csv_all_is_as_you_had_set_it(wall):
-    set_slider(wall.panel.angles[0], 20)
-    set_slider(wall.panel.lifted, 0.4)
+    wall.use(wall.panel.angles[0].slider, value=20)
+    wall.use(wall.panel.lifted.slider, value=0.4)
     wall.use(wall.panel.collisions, selected="inelastic, e = 0")
     wall.viewer.cradle.mass = 3.0
     for number in (HEAVY, ONE, None):
@@ -66,8 +65,7 @@ def test_back_at_your_csv_all_is_as_you_had_set_it(wall):
 
 def test_the_sliders_and_keys_change_an_experiment_too(wall):
     choose(wall, TWO)
-    set_slider(wall.panel.angles[0], 10)
-    wall.wait()
+    wall.use(wall.panel.angles[0].slider, value=10)
     assert wall.lifts() == [10, 10, 0, 0, 0]
     wall.press("3")
     assert wall.lifts() == [10, 10, 10, 0, 0]
@@ -184,14 +182,14 @@ def test_the_box_asks_at_once_and_takes_the_question_back(wall):
 
 
 CHANGES = {
-    "angle": lambda wall: set_slider(wall.panel.angles[0], 10),
+    "angle": lambda wall: wall.use(wall.panel.angles[0].slider, value=10),
     "lift": lambda wall: wall.press("4"),
     "collisions": lambda wall: wall.use(wall.panel.collisions, selected="inelastic, e = 0"),
-    "separating": lambda wall: wall.viewer.give("separating", True),
-    "drag": lambda wall: wall.mouse("mousedown", vector(wall.viewer.cradle.bobs()[4].pos)),
-    "edit": lambda wall: wall.viewer.give("edit", [0, "mass", "2"]),
-    "delete": lambda wall: wall.viewer.give("delete", 0),
-    "file": lambda wall: (wall.file.write_text(HEADER + GOOD * 6), wall.wait(1)),
+    "separating": lambda wall: wall.give("separating", True),
+    "drag": lambda wall: wall.mouse("mousedown", wall.viewer.cradle.bobs()[4].pos),
+    "edit": lambda wall: wall.give("edit", [0, "mass", "2"]),
+    "delete": lambda wall: wall.give("delete", 0),
+    "file": lambda wall: wall.save(HEADER + GOOD * 6),
 }
 
 

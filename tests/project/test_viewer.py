@@ -5,17 +5,16 @@ Time passes only when a test moves its own wall clock.
 
 import re
 from itertools import pairwise
-from math import copysign, pi
-from types import SimpleNamespace
+from math import pi
 from unittest.mock import Mock
 
 import pytest
 from vpython import baseObj, cylinder, scene, vector, wtext
-from wall import set_slider, Wall
+from wall import Wall
 from whole_cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD, thetas
 
 from src import visualize_cradle_run
-from support.constants import G, R_PARAM, THETA_INIT
+from support.constants import G, R_PARAM
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.real_time import FRAME
 from support.files.cradle_csv import POLL
@@ -37,7 +36,7 @@ def test_pause_and_run(wall):
 
 @pytest.mark.parametrize("speed", [0.1, 1, 2])
 def test_step_moves_by_one_frame_while_paused(wall, speed):
-    set_slider(wall.panel.speed, speed)
+    wall.use(wall.panel.speed.slider, value=speed)
     wall.click(wall.panel.pause)
     ticks = wall.viewer.motion.ticks
     wall.panel.step.bind()
@@ -55,7 +54,7 @@ def test_restart(wall):
 
 @pytest.mark.parametrize("speed", [0.1, 1, 2])
 def test_speed(wall, speed):
-    set_slider(wall.panel.speed, speed)
+    wall.use(wall.panel.speed.slider, value=speed)
     wall.wait(2)
     assert wall.time() == pytest.approx(2 * speed, abs=0.05 * speed)
     assert f">{speed:.1f}x<" in wall.panel.speed.text.text
@@ -63,19 +62,16 @@ def test_speed(wall, speed):
 
 def test_release_angle(wall):
     wall.wait(1)
-    set_slider(wall.panel.angles[0], 75)
-    wall.wait()
+    wall.use(wall.panel.angles[0].slider, value=75)
     assert (wall.lifts(), wall.time()) == ([75, 0, 0, 0, 0], 0)
     assert ">75&deg;<" in wall.panel.angles[0].text.text
-    set_slider(wall.panel.angles[0], 12.5)
-    wall.wait()
+    wall.use(wall.panel.angles[0].slider, value=12.5)
     assert ">12.5&deg;<" in wall.panel.angles[0].text.text
 
 
 def test_bobs_lifted(wall):
     """The slider goes from none to all, and always snaps to a whole number of bobs."""
-    set_slider(wall.panel.lifted, 0.55)
-    wall.wait()
+    wall.use(wall.panel.lifted.slider, value=0.55)
     assert wall.lifts() == [30, 30, 30, 0, 0]
     assert wall.panel.lifted.slider.value == 0.6
     assert ">3 of 5<" in wall.panel.lifted.text.text
@@ -121,8 +117,9 @@ def test_a_digit_lifts_this_number_of_bobs(wall, digit, lifted):
 
 def test_a_callback_only_queues(wall):
     """The event comes in another thread, in the middle of a tick."""
-    thetas = wall.thetas()
-    set_slider(wall.panel.angles[0], 75)
+    thetas, slider = wall.thetas(), wall.panel.angles[0].slider
+    slider.value = 75
+    slider.bind(slider)
     wall.panel.pause.bind()
     assert (wall.thetas(), wall.viewer.running) == (thetas, True)
     wall.wait()
@@ -138,43 +135,35 @@ def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     assert ranges == [(0, 180, 1), (-180, 180, 1)]
     labels = re.findall('<span class="label">(.*?)</span>', "".join(texts))
     assert labels == ["Experiment", "Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions", "Graph"]
-    set_slider(theta, 75)
-    set_slider(phi, -40)
-    wall.wait()
+    wall.use(theta.slider, value=75)
+    wall.use(phi.slider, value=-40)
     assert wall.viewer.angles == thetas([75, -40])
-    first = wall.viewer.cradle.pend_list[0]
-    outwards = copysign(1, THETA_INIT)
-    assert (first["theta"], first["phi"]) == pytest.approx((outwards * 75 * pi / 180, -outwards * 40 * pi / 180))
+    assert [wall.values(key)[0] for key in ("theta", "phi")] == pytest.approx(thetas([75, -40]))
 
 
-@pytest.mark.parametrize("after", ["restart", "reload", "page"])
-def test_settings_stay(wall, csv, after):
-    set_slider(wall.panel.speed, 0.5)
+AFTER = {
+    "restart": lambda wall: wall.press("r"),
+    "reload": lambda wall: wall.save(FIVE_CSV.replace("red", "blue")),
+    "page": lambda wall: wall.give("show again"),
+}
+
+
+@pytest.mark.parametrize("after", AFTER)
+def test_settings_stay(wall, after):
+    wall.use(wall.panel.speed.slider, value=0.5)
     wall.use(wall.panel.separating, checked=True)
     wall.use(wall.panel.collisions, selected="inelastic, e = 0")
     wall.press(" ")
-    if after == "reload":
-        csv.write_text(HEADER + GOOD * 2)
-        wall.wait(3 * POLL)
-    elif after == "page":
-        wall.viewer.give("show again")
-        wall.wait()
-    else:
-        wall.press("r")
+    AFTER[after](wall)
     assert (wall.viewer.pace.speed, wall.viewer.separating, wall.viewer.running) == (0.5, True, False)
-    assert wall.values("e") == [0] * (2 if after == "reload" else 5)
+    assert wall.values("e") == [0] * 5
     assert wall.panel.pause.text == "Run"
 
 
 def test_the_time_that_a_page_takes_to_open_does_not_count(wall, monkeypatch):
     """The page opens slowly."""
-
-    def wait_for_page():
-        wall.now += 5
-
-    monkeypatch.setattr(wall.viewer, "wait_for_page", wait_for_page)
-    wall.viewer.give("show again")
-    wall.wait()
+    monkeypatch.setattr(wall.viewer, "wait_for_page", lambda: setattr(wall, "now", wall.now + 5))
+    wall.give("show again")
     assert wall.viewer.motion.ticks == 0
 
 
@@ -194,8 +183,7 @@ def test_the_program_ends_after_its_last_message_is_sent(wall, monkeypatch):
 def test_a_bob_is_dragged_along_its_arc_and_let_go(wall, paused):
     if paused:
         wall.panel.pause.bind()
-    set_slider(wall.panel.lifted, 0)
-    wall.wait()
+    wall.use(wall.panel.lifted.slider, value=0)
     axle, bob = wall.viewer.cradle.axles()[4], wall.viewer.cradle.bobs()[4]
     wall.mouse("mousedown", vector(bob.pos) + vector(bob.radius / 2, 0, 0))
     wall.mouse("mousemove", axle.pos + vector(1, -1, 0))
@@ -227,8 +215,7 @@ def test_a_click_beside_the_bobs_takes_none(wall):
 @pytest.mark.parametrize(("radii", "taken"), [(1.4, 4), (-1.4, 3)])
 def test_a_finger_beside_a_bob_takes_the_nearest_one(wall, radii, taken):
     wall.panel.pause.bind()
-    set_slider(wall.panel.lifted, 0)
-    wall.wait()
+    wall.use(wall.panel.lifted.slider, value=0)
     bob = wall.viewer.cradle.bobs()[4]
     wall.mouse("mousedown", vector(bob.pos) + vector(radii * bob.radius, 0, 0))
     assert wall.viewer.cradle.hand.held == taken
@@ -236,69 +223,52 @@ def test_a_finger_beside_a_bob_takes_the_nearest_one(wall, radii, taken):
 
 def test_the_foremost_of_two_bobs_under_the_mouse_is_taken(wall):
     """The view is along the row."""
-    set_slider(wall.panel.lifted, 0)
-    wall.wait()
-    bob = wall.viewer.cradle.bobs()[2]
-    scene.mouse.ray = vector(-1, 0, 0)
-    scene.bound["mousedown"](SimpleNamespace(pos=vector(bob.pos)))
-    wall.wait()
+    wall.use(wall.panel.lifted.slider, value=0)
+    wall.mouse("mousedown", wall.viewer.cradle.bobs()[2].pos, (-1, 0, 0))
     assert wall.viewer.cradle.hand.held == 4
-    scene.bound["mousemove"](SimpleNamespace(pos=vector(1, 1, 1)))  # no point in the plane of swing is under the mouse
-    wall.wait()
+    wall.mouse("mousemove", vector(1, 1, 1), (-1, 0, 0))  # no point in the plane of swing is under the mouse
     assert wall.lifts() == [0] * 5
 
 
 def test_a_bob_follows_the_mouse_in_a_slanting_view_too(wall):
-    set_slider(wall.panel.lifted, 0)
+    wall.use(wall.panel.lifted.slider, value=0)
     wall.click(wall.panel.pause)
-    axle, ray = wall.viewer.cradle.axles()[0], vector(-0.3, -0.2, -1)
-
-    def seen(x, y):  # a point in front of the plane of swing
-        return SimpleNamespace(pos=axle.pos + vector(x, y, 0) - 0.3 * ray)
-
-    scene.mouse.ray = ray
-    scene.bound["mousedown"](seen(0, -R_PARAM))
-    scene.bound["mousemove"](seen(-1, -1))
-    wall.wait(0.5)
+    axle, ray = wall.viewer.cradle.axles()[0], (-0.3, -0.2, -1)
+    wall.mouse("mousedown", axle.pos + vector(0, -R_PARAM, 0), ray)
+    wall.mouse("mousemove", axle.pos + vector(-1, -1, 0), ray)
     assert wall.lifts() == [45, 0, 0, 0, 0]
 
 
 # --- the file --------------------------------------------------------------------------------------------------------
 
 
-def test_a_saved_csv_makes_a_new_cradle(wall, csv):
+def test_a_saved_csv_makes_a_new_cradle(wall):
     wall.wait(1)
     wall.press("3")
-    csv.write_text(HEADER + "2.0,0.5,0,0,blue,wood\n" * 2)
-    wall.wait(3 * POLL)
+    wall.save(HEADER + "2.0,0.5,0,0,blue,wood\n" * 2)
     assert wall.values("mass") == [2, 2]
     assert wall.time() < 3 * POLL
     assert ">2 of 2<" in wall.panel.lifted.text.text
-    csv.write_text(FIVE_CSV)
-    wall.wait(3 * POLL)
+    wall.save(FIVE_CSV)
     assert ">3 of 5<" in wall.panel.lifted.text.text  # the old settings, where they are possible again
 
 
-def test_a_csv_saved_while_paused_is_shown(wall, csv):
+def test_a_csv_saved_while_paused_is_shown(wall):
     wall.click(wall.panel.pause)
-    csv.write_text(HEADER + GOOD * 9)
-    wall.wait(3 * POLL)
+    wall.save(HEADER + GOOD * 9)
     assert (len(wall.viewer.cradle.bobs()), wall.time()) == (9, 0)
     axles = wall.viewer.cradle.axles()
     rails = [shape for shape in wall.viewer.scenery.frame if type(shape) is cylinder and shape.axis.y == 0]
     assert all(rail.axis.x > axles[-1].pos.x - axles[0].pos.x for rail in rails)
 
 
-def test_a_broken_csv_shows_its_error_until_it_is_good_again(wall, csv):
+def test_a_broken_csv_shows_its_error_until_it_is_good_again(wall):
     """Also while an experiment is shown, which stays."""
-    wall.viewer.give("experiment", 5)
-    wall.wait(0.3)
-    csv.write_text(FIVE_CSV + GOOD.replace("red", "<b>pink"))
-    wall.wait(3 * POLL)
+    wall.give("experiment", 5)
+    wall.save(FIVE_CSV + GOOD.replace("red", "<b>pink"))
     assert "cradle.csv, line 7, column color: found &#x27;&lt;b&gt;pink&#x27;, allowed" in wall.panel.error.text
     assert (wall.time() > 0.3, wall.values("mass")) == (True, [5, 1, 1, 1, 1])  # the old one swings on
-    csv.write_text(FIVE_CSV)
-    wall.wait(3 * POLL)
+    wall.save(FIVE_CSV)
     assert (wall.panel.error.text, wall.values("mass")) == ("", [1] * 5)
 
 
@@ -326,8 +296,7 @@ def test_a_percentage_is_at_most_999_and_0_of_0_is_0(wall):
     wall.wait()
     assert wall.readout()["energy"] == "&gt; 999 %"
     assert wall.readout()["momentum"] == f"{1e6 * R_PARAM:+.2e} kg m/s &rarr;"
-    set_slider(wall.panel.lifted, 0)
-    wall.wait()
+    wall.use(wall.panel.lifted.slider, value=0)
     assert wall.percents() == ["0.0 %", "0.0 %", "0.0 %"]
 
 
@@ -400,8 +369,7 @@ def test_a_reloaded_page_shows_the_first_view_and_restarts(wall):
     wall.wait(1)
     first = (components(scene.forward), components(scene.center), scene.range)
     scene.forward, scene.center, scene.range = vector(1, 0, -1), vector(1, 1, 1), 5
-    wall.viewer.give("show again")
-    wall.wait()
+    wall.give("show again")
     assert (components(scene.forward), components(scene.center), scene.range) == first
     assert wall.time() == 0
 
@@ -411,11 +379,9 @@ def test_a_swing_above_the_frame_is_in_view_until_the_next_restart(wall):
     scene.bound["resize"]()
     wall.wait()
     near = scene.range
-    set_slider(wall.panel.angles[0], 150)
-    wall.wait()
+    wall.use(wall.panel.angles[0].slider, value=150)
     assert scene.range > 1.2 * near
-    set_slider(wall.panel.angles[0], 45)
-    wall.wait()
+    wall.use(wall.panel.angles[0].slider, value=45)
     assert scene.range == near
 
 
