@@ -6,7 +6,7 @@ from math import inf, pi, sqrt
 from unittest.mock import patch
 
 import pytest
-from programs import BOBS, end, first_lines, on_posix, open_cradle, QUIETLY, running, slow_but_for, with_vpython
+from programs import BOBS, end, first_lines, open_cradle, QUIETLY, running, slow_but_for
 from vpython import mag
 from whole_cradles import check_places, distances, GOOD, hang_double, HEADER, PERIOD, velocities
 
@@ -274,8 +274,6 @@ def test_a_tick_handles_each_pair_from_left_to_right():
     assert tick(row, 1, 1e-7) == [(0, 1, 2), (0, 0, 1)]
 
 
-@with_vpython
-@on_posix
 def test_the_page_shows_the_double_cradle_until_the_tab_is_closed(page, program):
     (program.parents[1] / "newton_cradle_pends.csv").write_text(HEADER + GOOD * 3)
     with running(program.with_name("visualize_double_cradle_run.py")) as process:

@@ -14,8 +14,6 @@ from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from src.pds_helper import extract_and_convert
 
-pytestmark = programs.needs_vpython
-
 # Put the cradle back to its start, with the settings with which the page opens, and let it run. A click by Playwright
 # waits for two pictures: slow without a graphics card.
 PUT_BACK = """() => {
