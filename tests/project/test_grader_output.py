@@ -1,15 +1,12 @@
 """The output of `pytest` in a student's folder, on 80 columns: missing functions, and mistakes."""
 
-import os
 import re
-import subprocess
-import sys
 from math import ceil
 from pathlib import Path
 from textwrap import dedent
 
 import pytest
-from programs import SECONDS, slow_but_for
+from programs import python, slow_but_for
 from students import change, write
 from wrong_solutions import PLAIN
 
@@ -18,14 +15,12 @@ from grading.grader import checks, FAILED, Outcome, PASSED
 from grading.handout import FUNCTIONS, SUITES
 
 COLUMNS = 80
+PYTEST = ("-m", "pytest", "-p", "no:cacheprovider")
 
 
 def run(folder, *options):
     """Return the exit status of pytest in a folder, and its output as rows of a terminal."""
-    environment = {name: value for name, value in os.environ.items() if name != "PYTEST_ADDOPTS"}
-    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *options]
-    environment["COLUMNS"] = str(COLUMNS)
-    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=2 * SECONDS)
+    done = python(*PYTEST, *options, folder=folder, PYTEST_ADDOPTS="", COLUMNS=str(COLUMNS))
     assert done.stderr == ""
     rows = []
     for line in done.stdout.splitlines():
@@ -101,8 +96,7 @@ def test_code_that_ends_the_program_and_a_thread_that_does_not_end_leave_the_tab
 def test_a_file_that_hides_a_module_is_named(starter, name):
     (starter / name).parent.mkdir(exist_ok=True)
     (starter / name).write_text("x = 1\n")
-    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider"]
-    done = subprocess.run(command, cwd=starter, capture_output=True, text=True, timeout=2 * SECONDS)
+    done = python(*PYTEST, folder=starter)
     file, module = Path(name.removesuffix("/__init__.py")), Path(name.removesuffix("/__init__.py")).stem
     line = f"{file} hides the module {module} from Python and its packages. Rename it.\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", line)

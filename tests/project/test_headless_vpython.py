@@ -5,12 +5,10 @@ programs in its own process, without a browser. test_page_again.py tests the pic
 """
 
 import json
-import subprocess
-import sys
 from importlib.machinery import PathFinder
 
 import pytest
-from programs import ROOT, SECONDS
+from programs import python
 
 from support import headless_vpython
 
@@ -110,15 +108,14 @@ def outcome(program):
     except Exception as error:
         return "refused: " + type(error).__name__
 
-json.dump([outcome(program) for program in json.load(sys.stdin)], sys.stdout, default=repr)
+json.dump([outcome(program) for program in json.loads(sys.argv[2])], sys.stdout, default=repr)
 """
 
 
 def outcomes(side):
     """Return the results of all programs on this side, from its own process."""
-    command, words = [sys.executable, "-c", RUNNER, side], json.dumps(VALUES + REFUSED)
-    options = {"cwd": ROOT, "text": True, "timeout": SECONDS, "check": True}
-    done = subprocess.run(command, input=words, stdout=subprocess.PIPE, **options)
+    done = python("-c", RUNNER, side, json.dumps(VALUES + REFUSED))
+    assert done.returncode == 0, done.stderr
     return dict(zip(VALUES + REFUSED, json.loads(done.stdout), strict=True))
 
 

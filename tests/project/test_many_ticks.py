@@ -1,8 +1,6 @@
 """many_ticks gives the same bits as the loop of main, on plain numbers; if this is not certain, it does nothing."""
 
-import os
 import random
-import subprocess
 import sys
 from cmath import rect
 from collections import OrderedDict
@@ -12,7 +10,7 @@ from math import cos, inf, pi, sin
 from types import FunctionType, SimpleNamespace
 
 import pytest
-from programs import ROOT, slow_but_for
+from programs import OF_TESTS, python, ROOT, slow_but_for
 from vpython import mag, vector
 from whole_cradles import do_at_once
 
@@ -395,6 +393,5 @@ for seed in range(count):
 @pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
 @pytest.mark.parametrize("count", slow_but_for([5], [5, 20]))
 def test_cradles_of_vpython_itself_end_in_the_same_bits(count):
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    done = subprocess.run([sys.executable, "-c", PROGRAM, str(count)], env=environment, capture_output=True)
-    assert done.returncode == 0, done.stderr.decode()
+    done = python("-c", PROGRAM, count, **OF_TESTS)
+    assert done.returncode == 0, done.stderr

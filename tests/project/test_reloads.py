@@ -1,12 +1,9 @@
 """Many reloads of the CSV, on VPython itself: they leave the number of its objects and its memory as they were."""
 
 import json
-import os
-import subprocess
-import sys
 
 import pytest
-from programs import needs_vpython, ROOT
+from programs import needs_vpython, OF_TESTS, python
 from whole_cradles import GOOD, HEADER
 
 pytestmark = needs_vpython
@@ -46,10 +43,8 @@ def test_reloads_leave_nothing_behind(tmp_path):
     looks = [(5, "red,metal"), (7, "blue,wood"), (1, "white,none"), (6, "cyan,earth")]
     texts = [HEADER + GOOD + f"2,1,0,0,{look}\n" * count for count, look in looks]
     csv.write_text(texts[0])
-    command = [sys.executable, "-c", PROGRAM, str(csv), str(reloads), *texts]
-    path = os.pathsep.join(map(str, (ROOT, ROOT / "tests", ROOT / "tests" / "project")))
-    environment = {**os.environ, "PYTHONPATH": path}
-    done = subprocess.run(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True, check=True)
+    done = python("-c", PROGRAM, csv, reloads, *texts, **OF_TESTS)
+    assert done.returncode == 0, done.stderr
     (objects_early, *_, objects_late), (early, middle, late) = zip(*json.loads(done.stdout).values(), strict=True)
     assert objects_late == objects_early
     # Memory that is not used again would come to megabytes; pandas before 3.0 itself keeps a little of each file it has
