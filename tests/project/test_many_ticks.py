@@ -4,13 +4,12 @@ import random
 import sys
 from cmath import rect
 from collections import OrderedDict
-from importlib.machinery import PathFinder
 from importlib.util import module_from_spec, spec_from_file_location
 from math import cos, inf, pi, sin
 from types import FunctionType, SimpleNamespace
 
 import pytest
-from programs import OF_TESTS, python, ROOT, slow_but_for
+from programs import OF_TESTS, python, ROOT, slow_but_for, with_vpython
 from vpython import mag, vector
 from whole_cradles import do_at_once
 
@@ -390,7 +389,7 @@ for seed in range(count):
 """
 
 
-@pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
+@with_vpython
 @pytest.mark.parametrize("count", slow_but_for([5], [5, 20]))
 def test_cradles_of_vpython_itself_end_in_the_same_bits(count):
     done = python("-c", PROGRAM, count, **OF_TESTS)
