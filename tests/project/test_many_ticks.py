@@ -273,7 +273,6 @@ def test_the_fast_path_steps_back_after_a_change_in_a_file(edit, tmp_path):
 
 
 SAME = {  # changes without effect: (file, old code, new code)
-    "nothing": (),
     "no docstring": (SWINGING, '    """Swing every pendulum of the cradle for dt (s)."""\n', ""),
     "annotations": (SWINGING, "(pend_list, r_param, dt, g)", "(pend_list: list, r_param: float, dt, g)"),
     "one more function": (CRADLE, TICK, "def friction():\n    pass\n\n\n" + TICK),

@@ -7,7 +7,7 @@ from html import unescape
 
 import pytest
 from wall import Wall
-from whole_cradles import components, FIVE_CSV, GOOD, HEADER
+from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from src import pds_helper, visualize_cradle_run
 from src.pds_helper import extract_and_convert
@@ -84,7 +84,7 @@ def test_main_makes_the_cradle_of_an_edited_cell(opened, csv):
     command(opened, "edit", [4, "e", "0.5"])
     command(opened, "edit", [2, "color", "blue"])
     assert (opened.values("mass"), opened.values("e")) == ([1, 2.5, 1, 1, 1], [1, 1, 1, 1, 0.5])
-    assert components(opened.viewer.cradle.bobs()[2].color) == components(COLOR_MAP["blue"])
+    assert opened.viewer.cradle.bobs()[2].color == COLOR_MAP["blue"]
     assert csv.read_text() == FIVE_CSV
 
 

@@ -11,13 +11,15 @@ from unittest.mock import Mock
 import pytest
 from vpython import baseObj, cylinder, scene, vector, wtext
 from wall import Wall
-from whole_cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD, thetas
+from whole_cradles import FIVE_CSV, GOOD, HEADER, PERIOD, thetas
 
 from src import visualize_cradle_run
-from support.constants import G, R_PARAM
+from support.constants import COLOR_MAP, G, R_PARAM
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.real_time import FRAME
 from support.files.cradle_csv import POLL
+from support.files.data_file import EVERY
+from support.page.motion_graph import ENERGIES, ENERGY, HIDING, INTERVAL, MOST, NOTHING, PHASE, PHASE_SHOWN, SHOWN
 from support.page.scenery import FORWARD
 
 
@@ -34,16 +36,6 @@ def test_pause_and_run(wall):
     assert wall.time() == pytest.approx(2, abs=4 * FRAME)  # the simulation does not catch up after the pause
 
 
-@pytest.mark.parametrize("speed", [0.1, 1, 2])
-def test_step_moves_by_one_frame_while_paused(wall, speed):
-    wall.use(wall.panel.speed.slider, value=speed)
-    wall.click(wall.panel.pause)
-    ticks = wall.viewer.motion.ticks
-    wall.panel.step.bind()
-    wall.wait(1)
-    assert wall.viewer.motion.ticks - ticks == round(speed * FRAME / wall.viewer.cradle.dt)
-
-
 def test_restart(wall):
     at_start = wall.thetas()
     wall.wait(PERIOD)
@@ -54,10 +46,16 @@ def test_restart(wall):
 
 @pytest.mark.parametrize("speed", [0.1, 1, 2])
 def test_speed(wall, speed):
+    """While paused, a step moves the cradle by one frame."""
     wall.use(wall.panel.speed.slider, value=speed)
     wall.wait(2)
     assert wall.time() == pytest.approx(2 * speed, abs=0.05 * speed)
     assert f">{speed:.1f}x<" in wall.panel.speed.text.text
+    wall.click(wall.panel.pause)
+    ticks = wall.viewer.motion.ticks
+    wall.panel.step.bind()
+    wall.wait(1)
+    assert wall.viewer.motion.ticks - ticks == round(speed * FRAME / wall.viewer.cradle.dt)
 
 
 def test_release_angle(wall):
@@ -155,13 +153,6 @@ def test_settings_stay(wall, after):
     assert (wall.viewer.pace.speed, wall.viewer.separating, wall.viewer.running) == (0.5, True, False)
     assert wall.values("e") == [0] * 5
     assert wall.panel.pause.text == "Run"
-
-
-def test_the_time_that_a_page_takes_to_open_does_not_count(wall, monkeypatch):
-    """The page opens slowly."""
-    monkeypatch.setattr(wall.viewer, "wait_for_page", lambda: setattr(wall, "now", wall.now + 5))
-    wall.give("show again")
-    assert wall.viewer.motion.ticks == 0
 
 
 def test_the_program_ends_after_its_last_message_is_sent(wall, monkeypatch):
@@ -355,20 +346,22 @@ def test_the_view_is_reset_with_a_button_and_a_key_and_comes_back_from_far_away(
     for reset in (lambda: wall.click(wall.panel.view), lambda: wall.press("v")):
         scene.forward, scene.range = vector(0, 0, -1), 1.5 * scene.range
         reset()
-        assert components(scene.forward) == components(FORWARD)
+        assert scene.forward == FORWARD
         assert scene.range == wall.viewer.scenery.home[1]
     scene.range = 1e3
     wall.wait()
     assert scene.range < 10
 
 
-def test_a_reloaded_page_shows_the_first_view_and_restarts(wall):
+def test_a_reloaded_page_shows_the_first_view_and_restarts(wall, monkeypatch):
+    """The page opens slowly: this time does not count."""
     wall.wait(1)
-    first = (components(scene.forward), components(scene.center), scene.range)
+    first = (vector(scene.forward), vector(scene.center), scene.range)
+    monkeypatch.setattr(wall.viewer, "wait_for_page", lambda: setattr(wall, "now", wall.now + 5))
     scene.forward, scene.center, scene.range = vector(1, 0, -1), vector(1, 1, 1), 5
     wall.give("show again")
-    assert (components(scene.forward), components(scene.center), scene.range) == first
-    assert wall.time() == 0
+    assert (scene.forward, scene.center, scene.range) == first
+    assert wall.viewer.motion.ticks == 0
 
 
 def test_a_swing_above_the_frame_is_in_view_until_the_next_restart(wall):
@@ -400,3 +393,111 @@ def test_numbers_change_ten_times_a_second(wall):
         wall.do_frame()
         seen.append((wall.panel.readout.text, wall.viewer.graph.curves["total"].data))
     assert 8 <= sum(now[0] != before[0] and now[1] != before[1] for before, now in pairwise(seen)) <= 10
+
+
+# --- the graph -------------------------------------------------------------------------------------------------------
+
+ANGLES, VELOCITIES = "Angles theta (rad)", "Velocities omega (rad/s)"
+
+
+def choose(wall, choice):
+    """Choose a graph as a person does."""
+    assert choice in wall.panel.graph.choices
+    wall.use(wall.panel.graph, selected=choice)
+
+
+def drawn(wall):
+    """Return the points of the curves that have any, by the curves' labels."""
+    return {curve.label: curve.data for curve in wall.viewer.graph.curves.values() if curve.data}
+
+
+def color_of(wall, name):
+    return wall.viewer.graph.curves[name].color
+
+
+def recorded(wall, column):
+    """Return the recorded values of a column, by their times (s)."""
+    at = wall.viewer.recording.columns.index(column)
+    return {row[0]: row[at] for row in wall.viewer.recording.rows}
+
+
+def test_the_graph_shows_the_energies_of_the_last_ten_seconds(csv):
+    """Its points are always at the same times, so they do not shake."""
+    csv.write_text(HEADER + GOOD)
+    single = Wall(csv)
+    single.wait(SHOWN + 2)
+    assert single.panel.graph.selected == ENERGY
+    assert list(drawn(single)) == ["kinetic", "potential", "total"]
+    kinetic, potential, total = drawn(single).values()
+    graph = single.viewer.graph.graph
+    assert graph.xmax - graph.xmin == SHOWN
+    times = [t for t, _ in total]
+    assert times == pytest.approx([INTERVAL * round(t / INTERVAL) for t in times])
+    assert times[0] == pytest.approx(graph.xmin, abs=2 * INTERVAL)
+    assert times[-1] == pytest.approx(SHOWN + 2, abs=2 * INTERVAL)
+    for (t, k), (_, p), (_, both) in zip(kinetic, potential, total, strict=True):
+        assert k + p == pytest.approx(both)
+        assert 0 <= t - graph.xmin <= SHOWN
+    assert len({(*color_of(single, name).value,) for name in ENERGIES}) == 3
+
+
+def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(csv):
+    colors = ["red", "cyan", "orange"]
+    csv.write_text(HEADER + "".join(GOOD.replace("red", color) for color in colors))
+    wall = Wall(csv)
+    for choice, key in ((ANGLES, "theta"), (VELOCITIES, "omega")):
+        choose(wall, choice)
+        wall.wait(0.5)
+        assert list(drawn(wall)) == ["1", "2", "3"]
+        for number, color in zip("123", colors, strict=True):
+            values = recorded(wall, f"{key}_{number}")
+            assert all(values[t] == value for t, value in drawn(wall)[number])
+            assert color_of(wall, number) == COLOR_MAP[color]
+
+
+def test_the_phase_picture_is_that_of_one_bob(wall):
+    choose(wall, "Phase picture of bob 1: omega over theta")
+    wall.wait(PHASE_SHOWN + 1)
+    assert list(drawn(wall)) == [PHASE]
+    points = drawn(wall)[PHASE]
+    assert len(points) == pytest.approx(PHASE_SHOWN / EVERY, abs=2)
+    assert points[-1] == [[*recorded(wall, f"{key}_1").values()][-1] for key in ("theta", "omega")]
+    assert color_of(wall, PHASE) == COLOR_MAP["red"]
+
+
+def test_the_double_cradle_has_graphs_of_both_cords(csv):
+    csv.write_text(HEADER + GOOD * 2)
+    wall = Wall(csv, 45, 20, kind=DoubleCradle)
+    assert wall.panel.graph.choices == [
+        *(ENERGY, "Angles theta (rad)", "Angles phi (rad)", "Velocities omega (rad/s)", "Velocities phi_omega (rad/s)"),
+        *("Phase picture of bob 1: omega over theta", "Phase picture of bob 1: phi_omega over phi"),
+        *("Phase picture of bob 2: omega over theta", "Phase picture of bob 2: phi_omega over phi"),
+        NOTHING,
+    ]
+    choose(wall, "Angles phi (rad)")
+    assert drawn(wall)["1"][0] == [0, pytest.approx(wall.viewer.angles[1])]
+
+
+def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wall):
+    choose(wall, ANGLES)
+    wall.save(HEADER + GOOD.replace("red", "green") * (MOST + 3))
+    assert wall.panel.graph.selected == ANGLES
+    assert list(drawn(wall)) == [str(number) for number in range(1, MOST + 1)]  # the first ones
+    assert color_of(wall, "1") == COLOR_MAP["green"]
+    choose(wall, "Phase picture of bob 7: omega over theta")
+    wall.save(HEADER + GOOD * 2)
+    assert wall.panel.graph.selected == ENERGY
+    assert set(drawn(wall)) == set(ENERGIES)
+
+
+def test_no_graph_is_hidden_and_sends_nothing_and_a_restart_empties_it(wall):
+    wall.wait(1)
+    choose(wall, NOTHING)
+    wall.wait(1)
+    assert wall.viewer.graph.style.text == HIDING
+    assert not drawn(wall)
+    choose(wall, ENERGY)
+    assert wall.viewer.graph.style.text == ""
+    assert len(drawn(wall)["total"]) == pytest.approx(2 / INTERVAL, abs=2)  # it shows what was recorded meanwhile
+    wall.click(wall.panel.restart)
+    assert [len(points) for points in drawn(wall).values()] == [1, 1, 1]
