@@ -302,15 +302,11 @@ def test_a_function_that_catches_its_memory_errors_is_stopped(solve, monkeypatch
 
 
 def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
-    def import_module(name):
-        if name == "src.swinging":
-            exec(compile("\nwhile True: pass", str(ROOT / "src" / "swinging.py"), "exec"), {})
-        return original(name)
-
-    original = own_process.importlib.import_module
+    code = compile("\nwhile True: pass", str(ROOT / "src" / "swinging.py"), "exec")
+    imports = {"src.swinging": lambda _: exec(code, {})}
     monkeypatch.setattr(limits, "PATIENCE", 1.0)
     monkeypatch.delitem(sys.modules, "src.swinging")
-    monkeypatch.setattr(own_process.importlib, "import_module", import_module)
+    monkeypatch.setattr(own_process.importlib, "import_module", lambda name: imports.get(name, import_module)(name))
     grading = Grading()
     first, second = (grading.judge(check) for check in checks(function="angle_update"))
     assert [line.strip() for line in first.message.splitlines()[2:4]] == [

@@ -49,9 +49,8 @@ def shake_hands(port, query, **origin):
     return connection.sock, answer.status
 
 
-def open_tab(address):
+def open_tab(port, key):
     """Return the connection of a tab of the page with this address."""
-    port, key = parts(address)
     connection, status = shake_hands(port + 1, f"?key={key}&tab=mine", Origin=f"http://localhost:{port}")
     assert status == 101
     return connection
@@ -174,13 +173,12 @@ def test_connections_and_requests_without_sense_change_nothing(port, key):
 def test_a_tab_whose_browser_crashes_ends_the_program():
     """In the middle of a message. Before that, a message that would fill the memory closes the tab."""
     with running() as process:
-        address = first_lines(process)
-        port, key = parts(address)
+        port, key = parts(first_lines(process))
         get(port, f"/?key={key}")
-        with open_tab(address) as tab:
+        with open_tab(port, key) as tab:
             tab.sendall(bytes([0x81, 0x80 | 127]) + (local_server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4))
             assert tab.recv(1) == b""
-        with open_tab(address) as tab:
+        with open_tab(port, key) as tab:
             tab.sendall(b"\x81\xff")
         assert end(process) == QUIETLY
 

@@ -8,8 +8,8 @@ from programs import ROOT
 
 # The handout's modules in its order: a module may import only earlier ones.
 HANDOUT = (
-    *("pds_helper", "special_cradles", "swinging", "visualize_cradle_run"),
-    *("double_collisions", "double_cradle", "visualize_double_cradle_run"),
+    *("src.pds_helper", "src.special_cradles", "src.swinging", "src.visualize_cradle_run"),
+    *("src.double_collisions", "src.double_cradle", "src.visualize_double_cradle_run"),
 )
 PROGRAM = "src.text_cradle_run"
 # The other rooms that the modules of a room, or one module, may import.
@@ -57,15 +57,12 @@ def test_a_module_imports_only_allowed_rooms(name):
     assert rooms <= MAY_IMPORT.get(name, MAY_IMPORT[room_of(name)]) | {room_of(name)}
 
 
-@pytest.mark.parametrize("number", range(len(HANDOUT)))
-def test_a_module_of_the_handout_imports_earlier_ones(number):
-    of_src = {name for name in imports_of(f"src.{HANDOUT[number]}") if name.startswith("src.")}
-    assert of_src <= {f"src.{name}" for name in HANDOUT[:number]}
-
-
-def test_all_modules_of_src_are_the_handouts_or_known_to_be_more():
-    names = {name for name in MODULES if room_of(name) == "src"}
-    assert names == {*(f"src.{name}" for name in HANDOUT), PROGRAM}
+def test_a_module_of_the_handout_imports_earlier_ones_and_only_one_program_is_no_module_of_it():
+    earlier = set()
+    for name in HANDOUT:
+        assert {other for other in imports_of(name) if room_of(other) == "src"} <= earlier, name
+        earlier.add(name)
+    assert {name for name in MODULES if room_of(name) == "src"} == {*HANDOUT, PROGRAM}
 
 
 def test_imports_have_no_circle():

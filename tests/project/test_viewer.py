@@ -31,17 +31,10 @@ def test_pause_and_run(wall):
     wall.wait(1)
     assert wall.thetas() == paused
     wall.panel.pause.bind()
+    assert not wall.viewer.running  # it only queues: VPython calls it in another thread, in the middle of a tick
     wall.wait(1)
     assert (wall.panel.pause.text, wall.panel.step.disabled) == ("Pause", True)
     assert wall.time() == pytest.approx(2, abs=4 * FRAME)  # the simulation does not catch up after the pause
-
-
-def test_restart(wall):
-    at_start = wall.thetas()
-    wall.wait(PERIOD)
-    assert wall.viewer.motion.trains.lines()
-    wall.click(wall.panel.restart)
-    assert (wall.thetas(), wall.time(), wall.viewer.motion.trains.lines()) == (at_start, 0, [])
 
 
 @pytest.mark.parametrize("speed", [0.1, 1, 2])
@@ -108,17 +101,6 @@ def test_keys_do_what_the_buttons_do(wall, monkeypatch, key, command):
     wall.press(key, ctrl=True)  # that is the browser's
     wall.press(key, alt=True)
     assert given == [(command, None)]
-
-
-def test_a_callback_only_queues(wall):
-    """The event comes in another thread, in the middle of a tick."""
-    thetas, slider = wall.thetas(), wall.panel.angles[0].slider
-    slider.value = 75
-    slider.bind(slider)
-    wall.panel.pause.bind()
-    assert (wall.thetas(), wall.viewer.running) == (thetas, True)
-    wall.wait()
-    assert (wall.lifts()[0], wall.viewer.running) == (75, False)
 
 
 def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
@@ -230,7 +212,7 @@ def test_a_bob_follows_the_mouse_in_a_slanting_view_too(wall):
 # --- the file --------------------------------------------------------------------------------------------------------
 
 
-def test_a_saved_csv_makes_a_new_cradle(wall):
+def test_a_saved_csv_makes_a_new_cradle_also_while_paused(wall):
     wall.wait(1)
     wall.press("3")
     wall.save(HEADER + "2.0,0.5,0,0,blue,wood\n" * 2)
@@ -239,9 +221,6 @@ def test_a_saved_csv_makes_a_new_cradle(wall):
     assert ">2 of 2<" in wall.panel.lifted.text.text
     wall.save(FIVE_CSV)
     assert ">3 of 5<" in wall.panel.lifted.text.text  # the old settings, where they are possible again
-
-
-def test_a_csv_saved_while_paused_is_shown(wall):
     wall.click(wall.panel.pause)
     wall.save(HEADER + GOOD * 9)
     assert (len(wall.viewer.cradle.bobs()), wall.time()) == (9, 0)
@@ -296,13 +275,16 @@ def test_slow_motion_is_shown(wall):
     assert wall.readout()["t"].endswith(" s x0.4")
 
 
-def test_the_impacts(wall):
+def test_the_impacts_until_a_restart(wall):
+    at_start = wall.thetas()
     wall.wait(0.9 * PERIOD)
     title, *lines = re.sub("<.*?>", "", wall.panel.impacts.text).splitlines()
     assert title == "Impacts"
     assert re.fullmatch(r"t = \d\.\d\d s  5-4-3-2-1", lines[0])
     assert lines[-1] == f"t = {wall.viewer.motion.trains.trains[0].begin:.2f} s  1-2-3-4-5"
     assert wall.viewer.motion.trains.trains[0].begin == pytest.approx(PERIOD / 4, rel=0.05)
+    wall.click(wall.panel.restart)
+    assert (wall.thetas(), wall.time(), wall.viewer.motion.trains.lines()) == (at_start, 0, [])
 
 
 def test_a_note_says_that_a_bob_swings_through_others(wall):
