@@ -393,7 +393,6 @@ def put(key, value):
         (MAKE, put("objects", []), "set objects of pendulum 2 to a list; it must be a tuple of parts."),
         (MAKE, lambda pend_list: pend_list[4].pop("omega") or pend_list, "set omega of pendulum 5 to nothing; it must"),
         (TICK, list.pop, "made 4 pendula from 5; it must keep their number."),
-        (TICK, put("omega", None), "set omega of pendulum 2 to None; it must be a finite number."),
         (TICK, put("omega", nan), "set omega of pendulum 2 to nan; it must be a finite number."),
         (TICK, put("theta", (1, 2)), "set theta of pendulum 2 to (1, 2); it must be a finite number."),
     ],

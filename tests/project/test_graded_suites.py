@@ -257,10 +257,9 @@ def test_a_strange_result_is_shown_in_a_few_lines(solve, body):
 def test_only_lines_of_files_are_a_students(monkeypatch, code):
     """Not "<string>", and not Python's import code, even if the tests start in src/."""
     monkeypatch.chdir(ROOT / "src")
-    try:
+    with pytest.raises((ZeroDivisionError, ModuleNotFoundError)) as raised:
         exec(code)
-    except (ZeroDivisionError, ModuleNotFoundError) as error:
-        assert own_places(error) == []
+    assert own_places(raised.value) == []
 
 
 # --- limits ----------------------------------------------------------------------------------------------------------

@@ -113,16 +113,15 @@ json.dump([outcome(program) for program in json.loads(sys.argv[2])], sys.stdout,
 """
 
 
-def outcomes(side):
-    """Return the results of all programs on this side, from its own process."""
-    done = python("-c", RUNNER, side, json.dumps(VALUES + REFUSED))
-    assert done.returncode == 0, done.stderr
-    return dict(zip(VALUES + REFUSED, json.loads(done.stdout), strict=True))
-
-
 @pytest.fixture(scope="module")
 def both():
-    return outcomes("headless"), outcomes("vpython")
+    """The results of all programs on both sides, each from its own process."""
+    sides = []
+    for side in ("headless", "vpython"):
+        done = python("-c", RUNNER, side, json.dumps(VALUES + REFUSED))
+        assert done.returncode == 0, done.stderr
+        sides.append(dict(zip(VALUES + REFUSED, json.loads(done.stdout), strict=True)))
+    return sides
 
 
 def flat(value):
