@@ -96,7 +96,6 @@ FORM = re.compile(
     r"read        handout, [^\n]+(\nwatch       [^\n]+ tests[/\\]watch\.py \w+)?",
     re.DOTALL,
 )
-MOST_ROWS = 17  # of a message; then pytest prints at most 45 (tests/project/test_grader_output.py)
 
 HINTS, OTHERS = (
     {(function, words): version for function, mistakes in table.items() for words, version in mistakes.items()}
@@ -118,8 +117,8 @@ def test_a_wrong_solution_fails_its_own_checks_and_its_mistake_is_named(solve, f
         assert FORM.fullmatch(outcome.message), outcome.message
         assert "grader" not in outcome.message
         assert f"\nhint        {outcome.hint}\n" in outcome.message or not outcome.hint
-    first = failed[0].message
-    assert sum(ceil(len(line) / 80) for line in first.splitlines()) <= MOST_ROWS, first
+    first = failed[0].message  # at 17 rows, pytest prints at most 45 (tests/project/test_grader_output.py)
+    assert sum(ceil(len(line) / 80) for line in first.splitlines()) <= 17, first
     hints = [outcome.hint for outcome in failed if outcome.hint]
     assert any(hint.startswith(words) for hint in hints) if (function, words) in HINTS else not hints, hints
 

@@ -254,18 +254,13 @@ def test_the_program_ends_when_the_time_to_come_back_is_over(monkeypatch):
     clock, tab = Clock(monkeypatch), SimpleNamespace(name="first", takes_over=False)
     access = Access(lambda: None)
     assert access.key != Access(None).key  # each start has its own
-
-    class Handler:
-        mimes: dict = {}
-        path = f"/?key={access.key}"
-        do_GET = print  # noqa: N815
-
+    handler = type("Handler", (), {"mimes": {}, "path": f"/?key={access.key}", "do_GET": print})
     assert access.admit(tab)
     clock.pass_time(100)
     access.tab_closed(tab)
     for _ in range(4):
         clock.pass_time(0.8 * RETURN)
-        local_server.own_files_only(Handler, access, "", None)().do_GET()
+        local_server.own_files_only(handler, access, "", None)().do_GET()
     assert access.admit(tab)
     clock.pass_time(100)
     access.tab_closed(tab)
