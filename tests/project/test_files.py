@@ -329,12 +329,11 @@ def test_only_a_file_that_may_be_written_is_replaced_and_the_message_has_the_giv
 def live(file):
     """A watched file with the text old, and a function that checks it again."""
     file.write_text("old\n")
-    now = 0.0
-    live_file = LiveFile(file, lambda: now)
+    times = [0.0]
+    live_file = LiveFile(file, lambda: times[-1])
 
     def look(seconds=POLL * 1.01):
-        nonlocal now
-        now += seconds
+        times.append(times[-1] + seconds)
         return live_file.changed()
 
     return file, live_file, look

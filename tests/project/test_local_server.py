@@ -303,15 +303,12 @@ class Protocol:
         asyncio.run(self.onMessage(data, False))
 
 
-MENU = SimpleNamespace(choices=["a", "b"])
-
-
 @pytest.fixture
 def connect(monkeypatch):
     """A function that connects a tab with this name to a websocket for one tab. Object 2 is a menu."""
     monkeypatch.setattr(Protocol, "changes", ["a1a1", "a1b2", "a1c3"])
-    access = Access(lambda: None)
-    return partial(one_tab_only(Protocol, access, {2: MENU}), key=access.key)
+    access, menu = Access(lambda: None), SimpleNamespace(choices=["a", "b"])
+    return partial(one_tab_only(Protocol, access, {2: menu}), key=access.key)
 
 
 def test_each_change_reaches_the_last_tab(connect):

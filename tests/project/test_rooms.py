@@ -27,9 +27,10 @@ FILES = [file for folder in ("src", "support") for file in sorted((ROOT / folder
 MODULES = {".".join(file.relative_to(ROOT).with_suffix("").parts): file for file in FILES if file.stem != "__init__"}
 
 
-def imported(tree) -> set[str]:
-    """Return the project's modules that this syntax tree imports."""
-    names = set()
+def imports_of(name) -> set[str]:
+    """Return the project's modules that this module imports, without those for a start as a program."""
+    tree, names = ast.parse(MODULES[name].read_text(encoding="utf-8")), set()
+    tree.body = [node for node in tree.body if not (isinstance(node, ast.If) and "__main__" in ast.unparse(node.test))]
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             names |= {alias.name for alias in node.names}
@@ -37,13 +38,6 @@ def imported(tree) -> set[str]:
             assert node.level == 0, "the project's imports say where they start"
             names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
     return names & MODULES.keys()
-
-
-def imports_of(name) -> set[str]:
-    """Return the project's modules that this module imports, without those for a start as a program."""
-    tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
-    tree.body = [node for node in tree.body if not (isinstance(node, ast.If) and "__main__" in ast.unparse(node.test))]
-    return imported(tree)
 
 
 def room_of(name) -> str:
@@ -66,7 +60,7 @@ def test_a_module_of_the_handout_imports_earlier_ones_and_only_one_program_is_no
 
 
 def test_imports_have_no_circle():
-    graph = {name: imported(ast.parse(file.read_text(encoding="utf-8"))) for name, file in MODULES.items()}
+    graph = {name: imports_of(name) for name in MODULES}
     assert len(list(TopologicalSorter(graph).static_order())) == len(MODULES)  # a CycleError names the circle
 
 
