@@ -150,17 +150,15 @@ def test_only_a_terminal_that_can_move_its_cursor_shows_pictures(monkeypatch, te
     assert players.has_terminal() == (is_terminal and term != "dumb")
 
 
-@pytest.mark.parametrize("angle", [180, 90, -30])
-@pytest.mark.parametrize("count", [1, 5, 50])
-def test_the_lines_fit_into_a_terminal_of_any_size(tmp_path, monkeypatch, count, angle):
-    motion = make_swing(tmp_path, HEADER + GOOD * count, angle=angle, lift=count).motion
+def test_the_lines_fit_into_a_terminal_of_any_size(tmp_path, monkeypatch):
+    motion = make_swing(tmp_path, angle=170).motion
     motion.trains.add(1.0, 0, 1, True)
-    for rows, columns in product([1, 2, 3, 4, 14, 17, 18, 19], [1, 2, 6, 7, 11, 20, 40, 60]):
+    for rows, columns in product([1, 2, 3, 4, 17, 18, 19], [1, 2, 6, 7, 11, 40]):
         monkeypatch.setattr("shutil.get_terminal_size", lambda size=(columns, rows): os.terminal_size(size))
         for remark in ("", "Write next: handle_collision."):
             lines = screen.screen(motion, TextPicture(), "x0.6", remark)
             assert 1 <= len(lines) <= rows
-            assert (max(map(len, lines)) <= columns, "".join(lines).isascii()) == (True, True)
+            assert max(map(len, lines)) <= columns
             assert lines[0] == motion.reading()[:columns].rstrip()
             assert ("Impacts" in lines) == (rows >= 18 and columns >= 7)
 
@@ -185,12 +183,12 @@ def test_a_screen_has_numbers_remark_picture_and_impacts(tmp_path, monkeypatch, 
 # --- the picture -----------------------------------------------------------------------------------------------------
 
 
-def draw(*thetas, picture=None):
-    """Return the picture, 80 columns and 20 rows, of equal pendula at these angles (degrees)."""
+def draw(*thetas, columns=80, rows=20, picture=None):
+    """Return the picture of equal pendula at these angles (degrees)."""
     pend_list = [hang(theta=radians(theta), axle=(i * R / 4, 0, 0)) for i, theta in enumerate(thetas)]
     axles, bobs, cords = ([pend["objects"][part] for pend in pend_list] for part in range(3))
     cradle = SimpleNamespace(reach=R, axles=lambda: axles, bobs=lambda: bobs, cords=lambda: cords)
-    return (picture or TextPicture()).lines(cradle, 80, 20)
+    return (picture or TextPicture()).lines(cradle, columns, rows)
 
 
 def test_each_bob_is_in_its_place_on_a_cord_in_its_direction():
@@ -211,6 +209,12 @@ def test_the_space_above_the_axles_comes_into_view_and_stays():
     lines = draw(180, picture=picture)
     assert (lines[0].strip(), lines[8].strip(), len(lines)) == ("(1)", "=+=", 17)
     assert len(draw(0, picture=picture)) == 17
+
+
+def test_a_picture_fits_and_is_ascii():
+    for count, theta, columns, rows in product([1, 5, 50], [-180, -90, 30], [20, 80], [3, 14]):
+        lines = draw(*[theta] * count, columns=columns, rows=rows)
+        assert (len(lines) <= rows, max(map(len, lines)) <= columns, "".join(lines).isascii()) == (True, True, True)
 
 
 @pytest.mark.parametrize(("count", "name"), [(1, "(1)"), (3, "(3)"), (12, "(12)"), (13, "O"), (20, "O")])
