@@ -6,7 +6,7 @@ import signal
 import subprocess
 
 import pytest
-from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, new_page, PROGRAM
+from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, needs_vpython, new_page, PROGRAM
 from students import grade, made, process, solved, starter  # noqa: F401  fixtures
 from wall import Wall
 from whole_cradles import FIVE_CSV
@@ -22,9 +22,10 @@ for name in ("SIGHUP", "SIGINT", "SIGQUIT"):
 
 
 def pytest_itemcollected(item):
-    """Mark the tests that open a page."""
+    """Mark the tests that open a page; the program of a page needs VPython, and gets signals."""
     if {"page", "shared"}.intersection(item.fixturenames):
-        item.add_marker(pytest.mark.browser)
+        for mark in (pytest.mark.browser, *needs_vpython):
+            item.add_marker(mark)
 
 
 @pytest.fixture
@@ -71,21 +72,16 @@ def firefox(driver):
     with subprocess.Popen(["Xvfb", "-displayfd", "1"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as screen:
         try:
             display = {**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"}
-            browser = launch_firefox(driver, display)
+            program = {"channel": "moz-firefox", "executable_path": FIREFOX}
+            browser = driver.firefox.launch(**program, headless=False, env=display)
             yield browser
             browser.close()
+        except Exception as error:  # one that Playwright cannot speak with, as 1.60 cannot with 140, fails only in CI
+            if "unknown command" not in str(error) or "CI" in os.environ:
+                raise
+            pytest.skip("Playwright does not know this version of Firefox")
         finally:
             screen.terminate()
-
-
-def launch_firefox(driver, environment):
-    """Start Firefox. One that Playwright cannot speak with, as 1.60 cannot with 140, is no reason to fail but in CI."""
-    try:
-        return driver.firefox.launch(channel="moz-firefox", executable_path=FIREFOX, headless=False, env=environment)
-    except Exception as error:
-        if "unknown command" not in str(error) or "CI" in os.environ:
-            raise
-        pytest.skip("Playwright does not know this version of Firefox")
 
 
 @pytest.fixture

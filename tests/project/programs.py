@@ -30,6 +30,7 @@ ARGUMENTS = [
     *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
 ]
 SECONDS = 60  # after which something that is waited for counts as never coming
+OF_TESTS = {"PYTHONPATH": os.pathsep.join(sys.path)}  # the environment of a program that imports modules of the tests
 
 with_vpython = pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
 on_posix = pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS")
@@ -41,6 +42,12 @@ def slow_but_for(kept, values):
     each = {value: value if isinstance(value, tuple) else (value,) for value in values}
     assert {*kept} <= {*each}
     return [value if value in kept else pytest.param(*each[value], marks=pytest.mark.slow) for value in each]
+
+
+def python(*arguments, folder=ROOT, **environment):
+    """Run Python with these arguments in this folder; return the process, which has ended."""
+    command, environment = [sys.executable, *map(str, arguments)], {**os.environ, **environment}
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=2 * SECONDS)
 
 
 def copy_project(folder, csv) -> Path:

@@ -6,12 +6,11 @@ from math import inf, pi, sqrt
 from unittest.mock import patch
 
 import pytest
-from programs import BOBS, end, first_lines, on_posix, open_cradle, QUIETLY, running, slow_but_for, with_vpython
+from programs import BOBS, end, first_lines, open_cradle, QUIETLY, running, slow_but_for
 from vpython import mag
 from whole_cradles import check_places, distances, GOOD, hang_double, HEADER, PERIOD, velocities
 
 from grading.cradles import left_over, MIXED, MIXED_CSV, shapes
-from src import double_cradle
 from src.double_collisions import collide_pairs, handle_two_double_bobs, keep_apart, touching_pairs
 from src.double_cradle import double_angle_update, double_cradle_tick, double_swing_update, make_double_newton_cradle
 from support.constants import BUFFER, COLOR_MAP, DOUBLE_DT, G, PHI_INIT, R_PARAM, TEXTURE_MAP, THETA_INIT
@@ -46,7 +45,7 @@ def tick(pend_list, ticks, dt=DOUBLE_DT):
         hits.append(collide_pairs(*arguments))
         return hits[-1]
 
-    with patch.object(double_cradle, "collide_pairs", note):
+    with patch("src.double_cradle.collide_pairs", note):
         for _ in range(ticks):
             double_cradle_tick(pend_list, R_PARAM, dt, G)
     return [(number, *pair) for number, pairs in enumerate(hits) for pair in pairs]
@@ -117,7 +116,8 @@ def test_the_normal_modes_of_small_swings(sign):
 
 def test_a_tick_has_more_steps_only_if_a_cord_turns_far(monkeypatch):
     steps = []
-    monkeypatch.setattr(double_cradle, "double_angle_update", lambda *a: steps.append(a[5]) or double_angle_update(*a))
+    update = "src.double_cradle.double_angle_update"
+    monkeypatch.setattr(update, lambda *given: steps.append(given[5]) or double_angle_update(*given))
     tick(make_row(5, -2.5, 0.5), 1500)  # equal masses, from far up
     assert steps == [DOUBLE_DT] * 7500
     steps.clear()
@@ -274,8 +274,6 @@ def test_a_tick_handles_each_pair_from_left_to_right():
     assert tick(row, 1, 1e-7) == [(0, 1, 2), (0, 0, 1)]
 
 
-@with_vpython
-@on_posix
 def test_the_page_shows_the_double_cradle_until_the_tab_is_closed(page, program):
     (program.parents[1] / "newton_cradle_pends.csv").write_text(HEADER + GOOD * 3)
     with running(program.with_name("visualize_double_cradle_run.py")) as process:

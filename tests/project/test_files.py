@@ -1,30 +1,238 @@
-"""Files: each is written whole or not at all; one that you edit is noticed; the recorded data."""
+"""Files: CSVs, read or refused, edited and written; each is written whole or not at all; the recorded data."""
 
 import errno
 import io
 import os
+import random
 import re
 import subprocess
 import sys
 import threading
 from collections import deque
+from contextlib import suppress
+from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
 from programs import on_posix, ROOT
+from vpython import color, textures, vector
+from whole_cradles import GOOD, HEADER
 
 from grading.cradles import MIXED, MIXED_CSV
 from src.pds_helper import extract_and_convert, write_to_csv
-from support.files.cradle_csv import LiveFile, POLL, read_cells
+from src.special_cradles import make_newton_cradle
+from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
+from support.files.cradle_csv import check_cradle, clean_copy, LARGEST, LiveFile, POLL, read_cells, Snapshot
 from support.files.data_file import check_record, data_writer, EVERY, Recording, REMEMBERED, whole_file
+from support.page.table import cells_of, with_cell, with_numbers, with_rows
+
+# --- CSVs ------------------------------------------------------------------------------------------------------------
+
+# extract_and_convert refuses these files, too. The message comes after the name of the file.
+UNREADABLE = {
+    "blank": ("\ufeff\ufeff\n  \n\n", ": is empty, the first line must name the columns"),
+    "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte, allowed is text only, saved as UTF-8"),
+    "latin-1": (b"mass\n1\nros\xe9\n", ", line 3: found byte 0xe9, allowed is text only, saved as UTF-8"),
+    "too many cells": (
+        "mass,e\n1,1\n1,1,7\n",
+        ", line 3: found 3 cells, allowed are at most 2, as in line 1; a comma starts a new cell, also inside a number",
+    ),
+    "semicolons and decimal commas": (
+        "mass;e\n1,0;1,0\n",
+        ", line 2: found 3 cells, allowed are at most 1, as in line 1; separate cells with commas, not semicolons",
+    ),
+    "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit (131072)"),
+    "large": (" " * (LARGEST + 1), ": cannot be read as a CSV file: found more than 10 MB, allowed are at most 10 MB"),
+}
+
+ALLOWED = {
+    "mass": "allowed is a number from 1e-300 to 1e6 (kg)",
+    "e": "allowed is a number from 0 to 1",
+    "color": f"allowed is one of {', '.join(COLOR_MAP)}",
+    "texture": f"allowed is one of {', '.join(TEXTURE_MAP)}",
+}
+NEEDS = "a cradle needs one column of each of mass, e, color, texture"
+
+# Readable files that give no cradle.
+NO_CRADLE = {
+    "header only": (HEADER, ": names columns but has no pendulum, a cradle needs at least one row below them"),
+    "tabs": (
+        "mass\te\n1\t1\n",
+        f", line 1, column mass: found 'mass\\te'; {NEEDS}; separate cells with commas, not tabs",
+    ),
+    "two columns mass": ("mass,mass\n", f", line 1, column mass: found 'mass', 'mass'; {NEEDS}"),
+    "a long line": ("x" * 1000 + "\n", f", line 1, column mass: found '{'x' * 299}...; {NEEDS}"),
+    "row too short": (HEADER + "1,1,0,0,red\n", f", line 2, column texture: found nothing, {ALLOWED['texture']}"),
+    "too many pendula": (  # the row after them, with a cell that is too long for a CSV, is not even read
+        HEADER + "\n" + GOOD * 1001 + '"' + "x" * 200_000,
+        ", line 1003: found pendulum 1001, allowed are at most 1000, which already move in slow motion on the page",
+    ),
+    "after blank lines and a cell of two lines": (
+        'note,mass,e,color,texture\n   \n\n"one\ntwo",1,1,red,none\nx,0,1,red,none\n',
+        f", line 6, column mass: found '0', {ALLOWED['mass']}",
+    ),
+}
+
+
+def cell(column, text):
+    """Return a CSV with this text in this column of its third line."""
+    values = {"mass": "1", "e": "1", "theta": "0", "omega": "0", "color": "red", "texture": "none", column: text}
+    return HEADER + GOOD + ",".join(values.values()) + "\n"
+
+
+for column, text in [
+    *(("mass", text) for text in ("heavy", "nan", "1e7", "0", "1e-310", "1_000", "\u0663")),
+    *(("e", "-0.1"), ("e", "1.01"), ("e", "nan"), ("color", "mauve"), ("texture", "velvet")),
+]:
+    words = f", line 3, column {column}: found {text!r}, {ALLOWED[column]}"
+    NO_CRADLE[f"{column} {text}"] = (cell(column, text), words)
+
+
+@pytest.fixture
+def save(tmp_path):
+    """A function that puts text or bytes into a file and returns the file's path."""
+
+    def save(content):
+        file = tmp_path / "cradle.csv"
+        file.write_bytes(content.encode() if isinstance(content, str) else content)
+        return str(file)
+
+    return save
+
+
+def complaint(function, *arguments):
+    with pytest.raises(ValueError) as caught:
+        function(*arguments)
+    return str(caught.value)
+
+
+@pytest.mark.parametrize("mistake", {**UNREADABLE, **NO_CRADLE})
+def test_a_csv_is_refused_with_the_place_of_its_mistake(mistake, save):
+    content, message = {**UNREADABLE, **NO_CRADLE}[mistake]
+    filepath = save(content)
+    assert complaint(make_newton_cradle, filepath, R_PARAM, 0) == filepath + message
+    if mistake in UNREADABLE:
+        assert complaint(extract_and_convert, filepath) == filepath + message
+
+
+@on_posix
+def test_a_missing_file_a_folder_a_pipe_and_a_device_are_refused_at_once(tmp_path):
+    """A pipe may have no writer, and /dev/zero never ends."""
+    os.mkfifo(pipe := tmp_path / "pipe.csv")
+    found = "found a pipe or a device, allowed is a file"
+    reasons = {tmp_path / "missing.csv": "No such file or directory", tmp_path: "Is a directory", pipe: found}
+    for file, reason in {**reasons, Path("/dev/zero"): found}.items():
+        assert complaint(extract_and_convert, file) == f"{file}: cannot be read as a CSV file: {reason}"
+
+
+PADDED = "\n".join("  " + line.replace(",", " ,\t ") + "  " for line in MIXED_CSV.splitlines())
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        MIXED_CSV.replace("mass", '\ufeff\ufeff"\ufeffmass"').replace("2.5", "\ufeff2.5"),
+        MIXED_CSV.replace("\n", "\r\n\r\n").rstrip("\r\n"),
+        PADDED,
+        "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.splitlines()),
+        MIXED_CSV.replace("red", ' "red" '),
+        MIXED_CSV.replace(",", "\u00a0,\u00a0") + '""\n\u00a0\n',
+    ],
+    ids=["marks", "windows", "spaces", "order", "quotes", "hard spaces"],
+)
+def test_a_csv_is_read_however_a_program_has_written_it(content, save):
+    filepath = save(content)
+    assert extract_and_convert(filepath) == MIXED
+    assert [pend["mass"] for pend in make_newton_cradle(filepath, R_PARAM, 0)] == [1.5, 2.5, 0.5]
+
+
+def test_a_clean_copy_stays_as_the_file_was(save):
+    """Its path is a plain one, and a student's own pd.read_csv finds no space in it."""
+    filepath = save(PADDED)
+    snapshot = Snapshot(filepath)
+    os.remove(filepath)
+    with clean_copy(snapshot) as copy:
+        assert (type(copy), Path(copy).name) == (str, "cradle.csv")
+        assert Path(copy).read_text().split() == MIXED_CSV.split()
+    assert not Path(copy).exists()
+
+
+def test_the_smallest_and_the_largest_cradle_are_allowed(save):
+    for content in (HEADER + GOOD, HEADER + GOOD * 1000, cell("e", "0"), cell("e", "1"), cell("mass", "1e-300")):
+        check_cradle(save(content))
+
+
+def test_a_number_for_the_check_is_a_number_for_pandas(save):
+    """The check reads the text of a cell itself. A cell that it accepts must not become text in pend_list."""
+    source, accepted = random.Random(1), []
+    for _ in range(800):
+        text = "".join(source.choices("0123456789.eE+-x ", k=source.randint(1, 6)))
+        with suppress(ValueError):
+            check_cradle(Snapshot("cradle.csv", f"mass,e,color,texture\n{text},1,red,none\n".encode()))
+            accepted.append(text)
+    assert len(accepted) > 80
+    for text in accepted:  # each in a file of its own: a column has one type
+        [pend_dict] = extract_and_convert(Snapshot("cradle.csv", f"mass\n{text}\n".encode()))
+        assert isinstance(pend_dict["mass"], (int, float)) and pend_dict["mass"] == float(text), text
+
+
+def test_the_maps_have_all_names_of_vpython_and_none_for_a_plain_bob():
+    """test_headless_vpython.py compares the colors of the stand-in with those of VPython."""
+    for namespace, names in ((color, COLOR_MAP), (textures, TEXTURE_MAP)):
+        public = {name: value for name, value in vars(namespace).items() if name[0] != "_"}
+        values = {name: getattr(namespace, name) for name, value in public.items() if isinstance(value, (str, vector))}
+        assert {**values, **({"none": None} if namespace is textures else {})} == names
+
+
+def test_an_edit_leaves_the_other_cells_and_the_file_as_they_are(save):
+    """test_table.py has the edits themselves."""
+    text = 'note,mass , e\n"a, b",1.50,1\nshort\n'
+    original = Snapshot(save(text))
+    _, rows = cells_of(original)
+    longer = with_rows(original, [*rows, rows[-1]])
+    edited = with_numbers(with_cell(longer, 1, "e", "x,y"), "mass", [1.5, 0.1 + 0.2])
+    rows = [["a, b", "1.50", "1"], ["short", "0.30000000000000004", "x,y"], ["short", "", ""]]
+    assert (str(edited), cells_of(edited)) == (str(original), (["note", "mass", "e"], rows))
+    assert Path(original.filepath).read_text() == text
+
+
+def test_write_to_csv_keeps_each_number_to_the_last_bit(tmp_path):
+    """A careless reader loses the last bit of some of these."""
+    source, file = random.Random(2), tmp_path / "cradle.csv"
+    numbers = [0.1 + 0.2, 1 / 3, 5e-324, 1.7976931348623157e308, -0.0]
+    numbers += [source.uniform(-1, 1) * 10.0 ** source.randint(-30, 30) for _ in range(2000)]
+    pend_list = [{**MIXED[0], "theta": theta, "omega": -theta} for theta in numbers]
+    write_to_csv(pend_list, file)
+    assert list(map(repr, extract_and_convert(file))) == list(map(repr, pend_list))
+
+
+def test_write_to_csv_makes_a_column_of_each_key_but_objects_and_leaves_pend_list_alone(tmp_path, save):
+    """Also of a key that only some pendula have, and with text in any language."""
+    pend_list, file = make_newton_cradle(save(MIXED_CSV), R_PARAM, 0.25), tmp_path / "written.csv"
+    pend_list[1]["note"] = "schön, \u03c9"
+    before = [dict(pend_dict) for pend_dict in pend_list]
+    write_to_csv(pend_list, file)
+    assert pend_list == before
+    assert file.read_text(encoding="utf-8").splitlines() == [
+        *("mass,e,theta,omega,color,texture,note", "1.5,0.9,0.25,0,red,metal,"),
+        *('2.5,0.8,0,0,blue,none,"schön, \u03c9"', "0.5,0.7,0,0,yellow,wood,"),
+    ]
+
+
+def test_write_to_csv_writes_a_header_for_an_empty_list_and_by_default_the_shipped_file(tmp_path):
+    write_to_csv([], file := tmp_path / "cradle.csv")
+    assert (file.read_text(), extract_and_convert(file)) == (HEADER, [])
+    assert write_to_csv.__defaults__ == (NC_FP,)
+    assert os.path.isabs(NC_FP)  # from any folder
+    assert make_newton_cradle(NC_FP, R_PARAM, 0)
+
+
+# --- whole files -----------------------------------------------------------------------------------------------------
 
 
 def contents(folder):
     """Return the text of each file in this folder, by its name."""
     return {path.name: path.read_text() for path in folder.iterdir()}
-
-
-# --- whole files -----------------------------------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -121,12 +329,11 @@ def test_only_a_file_that_may_be_written_is_replaced_and_the_message_has_the_giv
 def live(file):
     """A watched file with the text old, and a function that checks it again."""
     file.write_text("old\n")
-    now = 0.0
-    live_file = LiveFile(file, lambda: now)
+    times = [0.0]
+    live_file = LiveFile(file, lambda: times[-1])
 
     def look(seconds=POLL * 1.01):
-        nonlocal now
-        now += seconds
+        times.append(times[-1] + seconds)
         return live_file.changed()
 
     return file, live_file, look

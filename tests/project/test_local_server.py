@@ -49,9 +49,8 @@ def shake_hands(port, query, **origin):
     return connection.sock, answer.status
 
 
-def open_tab(address):
+def open_tab(port, key):
     """Return the connection of a tab of the page with this address."""
-    port, key = parts(address)
     connection, status = shake_hands(port + 1, f"?key={key}&tab=mine", Origin=f"http://localhost:{port}")
     assert status == 101
     return connection
@@ -174,13 +173,12 @@ def test_connections_and_requests_without_sense_change_nothing(port, key):
 def test_a_tab_whose_browser_crashes_ends_the_program():
     """In the middle of a message. Before that, a message that would fill the memory closes the tab."""
     with running() as process:
-        address = first_lines(process)
-        port, key = parts(address)
+        port, key = parts(first_lines(process))
         get(port, f"/?key={key}")
-        with open_tab(address) as tab:
+        with open_tab(port, key) as tab:
             tab.sendall(bytes([0x81, 0x80 | 127]) + (local_server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4))
             assert tab.recv(1) == b""
-        with open_tab(address) as tab:
+        with open_tab(port, key) as tab:
             tab.sendall(b"\x81\xff")
         assert end(process) == QUIETLY
 
@@ -256,18 +254,13 @@ def test_the_program_ends_when_the_time_to_come_back_is_over(monkeypatch):
     clock, tab = Clock(monkeypatch), SimpleNamespace(name="first", takes_over=False)
     access = Access(lambda: None)
     assert access.key != Access(None).key  # each start has its own
-
-    class Handler:
-        mimes: dict = {}
-        path = f"/?key={access.key}"
-        do_GET = print  # noqa: N815
-
+    handler = type("Handler", (), {"mimes": {}, "path": f"/?key={access.key}", "do_GET": print})
     assert access.admit(tab)
     clock.pass_time(100)
     access.tab_closed(tab)
     for _ in range(4):
         clock.pass_time(0.8 * RETURN)
-        local_server.own_files_only(Handler, access, "", None)().do_GET()
+        local_server.own_files_only(handler, access, "", None)().do_GET()
     assert access.admit(tab)
     clock.pass_time(100)
     access.tab_closed(tab)
@@ -310,15 +303,12 @@ class Protocol:
         asyncio.run(self.onMessage(data, False))
 
 
-MENU = SimpleNamespace(choices=["a", "b"])
-
-
 @pytest.fixture
 def connect(monkeypatch):
     """A function that connects a tab with this name to a websocket for one tab. Object 2 is a menu."""
     monkeypatch.setattr(Protocol, "changes", ["a1a1", "a1b2", "a1c3"])
-    access = Access(lambda: None)
-    return partial(one_tab_only(Protocol, access, {2: MENU}), key=access.key)
+    access, menu = Access(lambda: None), SimpleNamespace(choices=["a", "b"])
+    return partial(one_tab_only(Protocol, access, {2: menu}), key=access.key)
 
 
 def test_each_change_reaches_the_last_tab(connect):

@@ -1,18 +1,15 @@
 """many_ticks gives the same bits as the loop of main, on plain numbers; if this is not certain, it does nothing."""
 
-import os
 import random
-import subprocess
 import sys
 from cmath import rect
 from collections import OrderedDict
-from importlib.machinery import PathFinder
 from importlib.util import module_from_spec, spec_from_file_location
 from math import cos, inf, pi, sin
 from types import FunctionType, SimpleNamespace
 
 import pytest
-from programs import ROOT, slow_but_for
+from programs import OF_TESTS, python, ROOT, slow_but_for, with_vpython
 from vpython import mag, vector
 from whole_cradles import do_at_once
 
@@ -276,7 +273,6 @@ def test_the_fast_path_steps_back_after_a_change_in_a_file(edit, tmp_path):
 
 
 SAME = {  # changes without effect: (file, old code, new code)
-    "nothing": (),
     "no docstring": (SWINGING, '    """Swing every pendulum of the cradle for dt (s)."""\n', ""),
     "annotations": (SWINGING, "(pend_list, r_param, dt, g)", "(pend_list: list, r_param: float, dt, g)"),
     "one more function": (CRADLE, TICK, "def friction():\n    pass\n\n\n" + TICK),
@@ -392,9 +388,8 @@ for seed in range(count):
 """
 
 
-@pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
+@with_vpython
 @pytest.mark.parametrize("count", slow_but_for([5], [5, 20]))
 def test_cradles_of_vpython_itself_end_in_the_same_bits(count):
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    done = subprocess.run([sys.executable, "-c", PROGRAM, str(count)], env=environment, capture_output=True)
-    assert done.returncode == 0, done.stderr.decode()
+    done = python("-c", PROGRAM, count, **OF_TESTS)
+    assert done.returncode == 0, done.stderr

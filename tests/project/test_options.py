@@ -130,8 +130,7 @@ def test_an_angle_is_rounded_to_a_billionth_of_a_degree(monkeypatch):
 
 def arguments_after(wall, command, value):
     """Return the arguments of the viewer's command after it has carried out this command."""
-    wall.viewer.give(command, value)
-    wall.wait()
+    wall.give(command, value)
     return (wall.viewer.arguments() or [])[1:]
 
 

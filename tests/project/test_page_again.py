@@ -13,8 +13,6 @@ from whole_cradles import GOOD, HEADER
 
 from support.constants import R_PARAM
 
-pytestmark = programs.needs_vpython
-
 
 @pytest.fixture
 def started(page, program):

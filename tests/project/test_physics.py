@@ -10,7 +10,7 @@ from math import cos, degrees, pi, radians, sqrt
 import pytest
 from programs import slow_but_for
 from vpython import color, cylinder, sphere, textures
-from whole_cradles import components, distances, do_at_once
+from whole_cradles import distances, do_at_once
 
 from grading.cradles import hang
 from src.visualize_cradle_run import handle_two_bobs
@@ -80,8 +80,8 @@ def test_a_discarded_shape_is_hidden_and_used_again(monkeypatch):
     assert not ball.visible
     assert type(shapes.make_shape(cylinder)) is cylinder
     assert shapes.make_shape(sphere, radius=3) is ball
-    looks = (ball.visible, ball.radius, components(ball.color), ball.texture, ball.shininess)
-    assert looks == (True, 3, (1, 1, 1), None, sphere().shininess)
+    looks = (ball.visible, ball.radius, ball.color, ball.texture, ball.shininess)
+    assert looks == (True, 3, color.white, None, sphere().shininess)
 
 
 # --- hits ------------------------------------------------------------------------------------------------------------

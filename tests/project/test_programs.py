@@ -12,7 +12,7 @@ from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pytest
-from programs import copy_project, on_posix, ROOT, SECONDS, with_vpython
+from programs import copy_project, on_posix, python, ROOT, with_vpython
 from whole_cradles import FIVE_CSV, go_on
 
 import pds_tester
@@ -25,14 +25,6 @@ from support.start.early import import_later, import_now, stop_on_signals
 from support.start.output import complain, say, while_it_is_read
 
 # --- the start -------------------------------------------------------------------------------------------------------
-
-
-def python(*arguments, folder=ROOT, **environment):
-    """Run Python with these arguments in this folder."""
-    command = [sys.executable, *map(str, arguments)]
-    return subprocess.run(
-        command, cwd=folder, env={**os.environ, **environment}, capture_output=True, text=True, timeout=2 * SECONDS
-    )
 
 
 @pytest.mark.parametrize(

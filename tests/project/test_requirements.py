@@ -7,7 +7,7 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 
 import pytest
-from programs import BOBS, end, first_lines, on_posix, open_cradle, QUIETLY, ROOT, running, with_vpython
+from programs import BOBS, end, first_lines, open_cradle, QUIETLY, ROOT, running, with_vpython
 
 from support.constants import R_PARAM
 
@@ -54,8 +54,6 @@ def test_the_short_list_has_what_pyproject_names_and_each_package_has_an_upper_b
     assert all("<" in bounds for bounds in LISTED.values())
 
 
-@with_vpython
-@on_posix
 def test_the_page_works_with_the_short_list_alone(page, program, tmp_path):
     """In an environment with the packages of the Python that runs the tests; one that it does not have is left out."""
     venv.create(tmp_path / "environment", symlinks=True)

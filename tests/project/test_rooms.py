@@ -8,12 +8,11 @@ from programs import ROOT
 
 # The handout's modules in its order: a module may import only earlier ones.
 HANDOUT = (
-    *("pds_helper", "special_cradles", "swinging", "visualize_cradle_run"),
-    *("double_collisions", "double_cradle", "visualize_double_cradle_run"),
+    *("src.pds_helper", "src.special_cradles", "src.swinging", "src.visualize_cradle_run"),
+    *("src.double_collisions", "src.double_cradle", "src.visualize_double_cradle_run"),
 )
 PROGRAM = "src.text_cradle_run"
-START = "support.page.page"  # the programs with a page import it first
-# The other rooms that the modules of a room may import.
+# The other rooms that the modules of a room, or one module, may import.
 MAY_IMPORT = {
     "support": set(),
     "support.files": {"support"},
@@ -22,14 +21,16 @@ MAY_IMPORT = {
     "support.page": {"support", "support.files", "support.cradle", "support.start"},
     "support.terminal": {"support", "support.files", "support.cradle", "support.start"},
     "src": {"support", "support.files"},
+    PROGRAM: {"support", "support.files", "support.cradle", "support.start", "support.terminal"},
 }
 FILES = [file for folder in ("src", "support") for file in sorted((ROOT / folder).rglob("*.py"))]
 MODULES = {".".join(file.relative_to(ROOT).with_suffix("").parts): file for file in FILES if file.stem != "__init__"}
 
 
-def imported(tree) -> set[str]:
-    """Return the project's modules that this syntax tree imports."""
-    names = set()
+def imports_of(name) -> set[str]:
+    """Return the project's modules that this module imports, without those for a start as a program."""
+    tree, names = ast.parse(MODULES[name].read_text(encoding="utf-8")), set()
+    tree.body = [node for node in tree.body if not (isinstance(node, ast.If) and "__main__" in ast.unparse(node.test))]
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             names |= {alias.name for alias in node.names}
@@ -39,41 +40,27 @@ def imported(tree) -> set[str]:
     return names & MODULES.keys()
 
 
-def imports_of(name) -> set[str]:
-    """Return the project's modules that this module imports, without those for a start as a program."""
-    tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
-    tree.body = [node for node in tree.body if not (isinstance(node, ast.If) and "__main__" in ast.unparse(node.test))]
-    return imported(tree)
-
-
 def room_of(name) -> str:
     return name.rpartition(".")[0]
 
 
-@pytest.mark.parametrize("name", sorted(MODULES.keys() - {PROGRAM}))
+@pytest.mark.parametrize("name", sorted(MODULES))
 def test_a_module_imports_only_allowed_rooms(name):
+    """So a starting point knows one way of showing a cradle: in the browser, or in the terminal."""
     rooms = {room_of(other) for other in imports_of(name)}
-    assert rooms <= MAY_IMPORT[room_of(name)] | {room_of(name)}
+    assert rooms <= MAY_IMPORT.get(name, MAY_IMPORT[room_of(name)]) | {room_of(name)}
 
 
-def test_the_starting_points_know_one_way_of_showing_a_cradle_each():
-    assert "support.terminal" not in {room_of(other) for other in imports_of(START)}
-    assert "support.page" not in {room_of(other) for other in imports_of(PROGRAM)}
-
-
-@pytest.mark.parametrize("number", range(len(HANDOUT)))
-def test_a_module_of_the_handout_imports_earlier_ones(number):
-    of_src = {name for name in imports_of(f"src.{HANDOUT[number]}") if name.startswith("src.")}
-    assert of_src <= {f"src.{name}" for name in HANDOUT[:number]}
-
-
-def test_all_modules_of_src_are_the_handouts_or_known_to_be_more():
-    names = {name for name in MODULES if room_of(name) == "src"}
-    assert names == {*(f"src.{name}" for name in HANDOUT), PROGRAM}
+def test_a_module_of_the_handout_imports_earlier_ones_and_only_one_program_is_no_module_of_it():
+    earlier = set()
+    for name in HANDOUT:
+        assert {other for other in imports_of(name) if room_of(other) == "src"} <= earlier, name
+        earlier.add(name)
+    assert {name for name in MODULES if room_of(name) == "src"} == {*HANDOUT, PROGRAM}
 
 
 def test_imports_have_no_circle():
-    graph = {name: imported(ast.parse(file.read_text(encoding="utf-8"))) for name, file in MODULES.items()}
+    graph = {name: imports_of(name) for name in MODULES}
     assert len(list(TopologicalSorter(graph).static_order())) == len(MODULES)  # a CycleError names the circle
 
 

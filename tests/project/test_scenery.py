@@ -5,7 +5,6 @@ from math import cos, pi, sin, tan
 
 import pytest
 from vpython import box, cross, cylinder, dot, mag, norm, scene, vector
-from whole_cradles import components
 
 from grading.cradles import hang, R
 from support.page.scenery import FARTHEST, NEAREST, Scenery, TEXT
@@ -52,7 +51,7 @@ def largest(points):
 def test_every_swing_up_to_the_horizontal_is_in_view(count, size):
     frame = surround(count, size=size).frame
     corners = [
-        shape.pos + vector(*(side * part / 2 for side, part in zip(sides, components(shape.size), strict=True)))
+        shape.pos + vector(*(side * part / 2 for side, part in zip(sides, shape.size.value, strict=True)))
         for shape in frame
         if type(shape) is box
         for sides in [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
@@ -85,7 +84,7 @@ def test_a_turned_and_zoomed_view_is_kept_while_the_cradle_has_the_same_size():
     assert scene.range == 7
     surround(6, scenery=scenery)
     assert scene.range < 7
-    assert components(scene.forward) == (0, 0, -1)
+    assert scene.forward == vector(0, 0, -1)
 
 
 @pytest.mark.parametrize(
@@ -98,7 +97,7 @@ def test_the_view_stays_at_the_cradle_neither_too_near_nor_too_far(zoomed, zoom,
     scene.range, scene.center = zoomed * near, center + moved * near * vector(0, 1, 0)
     scenery.limit_view()
     assert scene.range == pytest.approx(zoom * near)
-    assert components(scene.center - center) == pytest.approx((0, way * near, 0))
+    assert (scene.center - center).value == pytest.approx([0, way * near, 0])
 
 
 def test_the_frame_carries_the_axles():

@@ -6,8 +6,8 @@ import re
 from html import unescape
 
 import pytest
-from wall import set_slider, Wall
-from whole_cradles import components, FIVE_CSV, GOOD, HEADER
+from wall import Wall
+from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from src import pds_helper, visualize_cradle_run
 from src.pds_helper import extract_and_convert
@@ -55,7 +55,7 @@ def test_nothing_of_a_folded_table_is_sent(wall):
     """A page that was loaded again has folded it."""
     wall.wait(0.3)
     assert (wall.viewer.table.rows.text, wall.viewer.table.now.text) == ("", "")
-    for fold in (lambda: command(wall, "table", False), lambda: wall.viewer.give("show again")):
+    for fold in (lambda: command(wall, "table", False), lambda: wall.give("show again")):
         command(wall, "table", True)
         assert (column(wall, "mass"), len(data(wall.viewer.table.now))) == (["1.0"] * 5, 10)
         fold()
@@ -64,7 +64,7 @@ def test_nothing_of_a_folded_table_is_sent(wall):
 
 
 def test_the_table_shows_pend_list_as_it_is_now(opened):
-    set_slider(opened.panel.lifted, 0.4)
+    opened.use(opened.panel.lifted.slider, value=0.4)
     opened.wait(0.3)
     now = data(opened.viewer.table.now)
     assert list(now) == [f"{key}_{i}" for key in ("theta", "omega") for i in range(1, 6)]
@@ -84,11 +84,11 @@ def test_main_makes_the_cradle_of_an_edited_cell(opened, csv):
     command(opened, "edit", [4, "e", "0.5"])
     command(opened, "edit", [2, "color", "blue"])
     assert (opened.values("mass"), opened.values("e")) == ([1, 2.5, 1, 1, 1], [1, 1, 1, 1, 0.5])
-    assert components(opened.viewer.cradle.bobs()[2].color) == components(COLOR_MAP["blue"])
+    assert opened.viewer.cradle.bobs()[2].color == COLOR_MAP["blue"]
     assert csv.read_text() == FIVE_CSV
 
 
-def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(opened, csv):
+def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(opened):
     opened.wait(0.3)
     command(opened, "edit", [3, "mass", "<b>"])
     mistake = {"3,mass": ["<b>", "mass: allowed is a number from 1e-300 to 1e6 (kg)"]}
@@ -99,8 +99,7 @@ def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(opened, csv)
     command(opened, "edit", [3, "mass", " 0.5 "])
     assert (mistakes(opened), opened.values("mass")[3], opened.values("e")[0]) == ({}, 0.5, 0.25)
     command(opened, "edit", [1, "e", "2"])
-    csv.write_text(HEADER + GOOD * 3)  # a saved file replaces it all
-    opened.wait(1)
+    opened.save(HEADER + GOOD * 3)  # a saved file replaces it all
     assert (opened.values("mass"), mistakes(opened)) == ([1, 1, 1], {})
 
 
@@ -116,8 +115,7 @@ def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(opened, csv)
     words = "mass: allowed is at most 1e6 times the smallest mass, in a double cradle"
     assert mistakes(double) == {"3,mass": ["9e-7 ", words]}
     command(double, "edit", [3, "mass", "1e-6"])
-    csv.write_text(HEADER + GOOD + GOOD.replace("1.0", "1e-7", 1))
-    double.wait(1)
+    double.save(HEADER + GOOD + GOOD.replace("1.0", "1e-7", 1))
     assert double.values("mass") == [1, 1, 1, 1e-6, 1]
     assert "in a double cradle" in double.panel.error.text
 
@@ -159,12 +157,10 @@ def test_an_edit_takes_the_masses_and_e_that_are_shown(opened):
 
 
 def test_an_edited_experiment_keeps_its_bobs_lifted(opened):
-    opened.viewer.give("experiment", 4)
-    opened.wait()
+    opened.give("experiment", 4)
     command(opened, "edit", [2, "mass", "2"])
     assert opened.lifts() == [45, 0, 0, 0, 45]
-    opened.viewer.give("experiment", 2)
-    opened.wait()
+    opened.give("experiment", 2)
     command(opened, "add", None)
     assert opened.lifts() == [45, 45, 0, 0, 0, 0]
 
@@ -190,8 +186,7 @@ def test_write_to_my_csv_writes_the_pendula_of_the_table_with_write_to_csv(opene
     """Not to your file at once: it may fail."""
     paths, write = [], pds_helper.write_to_csv
     monkeypatch.setattr(pds_helper, "write_to_csv", lambda pends, path: paths.append(path) or write(pends, path))
-    csv.write_text(FIVE_CSV.replace("texture\n", "texture,note\n").replace("metal\n", "metal,mine\n"))
-    opened.wait(1)
+    opened.save(FIVE_CSV.replace("texture\n", "texture,note\n").replace("metal\n", "metal,mine\n"))
     command(opened, "edit", [1, "mass", "2.5"])
     opened.use(opened.panel.collisions, selected="inelastic, e = 0")
     assert opened.viewer.arguments() is None  # no file has this cradle
@@ -209,8 +204,7 @@ def test_an_experiment_is_written_only_if_you_press_the_button(opened, csv):
     """The page then shows the pendula of your file: --mass and the menu belonged to the old file."""
     opened.viewer.cradle.mass = 3.0
     opened.use(opened.panel.collisions, selected="inelastic, e = 0")
-    opened.viewer.give("experiment", 5)
-    opened.wait(1)
+    opened.give("experiment", 5)
     assert csv.read_text() == FIVE_CSV
     opened.click(opened.viewer.table.write)
     assert [row["mass"] for row in extract_and_convert(csv)] == [5, 1, 1, 1, 1]

@@ -29,7 +29,6 @@ from support.pendulum import from_lift
 from support.terminal import players, screen
 from support.terminal.screen import TextPicture
 
-PROGRAM = ROOT / "src" / "text_cradle_run.py"
 HOME, TAKEN, RESTORED = "\x1b[H", screen.TAKE, screen.GIVE_BACK
 
 
@@ -121,7 +120,7 @@ def on_a_terminal(command, steps):
 
 @on_posix
 def test_on_a_terminal_a_picture_moves_through_ctrl_z_until_ctrl_c(csv):
-    program = shlex.join([sys.executable, str(PROGRAM), str(csv), "--angle", "40"])
+    program = shlex.join([sys.executable, str(ROOT / "src" / "text_cradle_run.py"), str(csv), "--angle", "40"])
     printed = on_a_terminal(
         f'{program}; echo "stopped: $?"; fg; echo "ended: $?"',
         [(lambda text: text.count(HOME) > 8, b"\x1a"), (lambda text: HOME in text.partition("stopped:")[2], b"\x03")],

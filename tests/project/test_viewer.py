@@ -5,20 +5,21 @@ Time passes only when a test moves its own wall clock.
 
 import re
 from itertools import pairwise
-from math import copysign, pi
-from types import SimpleNamespace
+from math import pi
 from unittest.mock import Mock
 
 import pytest
 from vpython import baseObj, cylinder, scene, vector, wtext
-from wall import set_slider, Wall
-from whole_cradles import components, FIVE_CSV, GOOD, HEADER, PERIOD, thetas
+from wall import Wall
+from whole_cradles import FIVE_CSV, GOOD, HEADER, PERIOD, thetas
 
 from src import visualize_cradle_run
-from support.constants import G, R_PARAM, THETA_INIT
+from support.constants import COLOR_MAP, G, R_PARAM
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.real_time import FRAME
 from support.files.cradle_csv import POLL
+from support.files.data_file import EVERY
+from support.page.motion_graph import ENERGIES, ENERGY, HIDING, INTERVAL, MOST, NOTHING, PHASE, PHASE_SHOWN, SHOWN
 from support.page.scenery import FORWARD
 
 
@@ -30,14 +31,23 @@ def test_pause_and_run(wall):
     wall.wait(1)
     assert wall.thetas() == paused
     wall.panel.pause.bind()
+    assert not wall.viewer.running  # it only queues: VPython calls it in another thread, in the middle of a tick
     wall.wait(1)
     assert (wall.panel.pause.text, wall.panel.step.disabled) == ("Pause", True)
     assert wall.time() == pytest.approx(2, abs=4 * FRAME)  # the simulation does not catch up after the pause
 
 
 @pytest.mark.parametrize("speed", [0.1, 1, 2])
-def test_step_moves_by_one_frame_while_paused(wall, speed):
-    set_slider(wall.panel.speed, speed)
+def test_speed_and_slow_motion(wall, speed):
+    """While paused, a step moves the cradle by one frame."""
+    wall.use(wall.panel.speed.slider, value=speed)
+    wall.wait(2)
+    assert wall.time() == pytest.approx(2 * speed, abs=0.05 * speed)
+    assert f">{speed:.1f}x<" in wall.panel.speed.text.text
+    assert wall.readout()["t"].endswith(" s")
+    wall.viewer.pace.kept_up = 0.4
+    wall.wait()
+    assert wall.readout()["t"].endswith(" s x0.4")
     wall.click(wall.panel.pause)
     ticks = wall.viewer.motion.ticks
     wall.panel.step.bind()
@@ -45,40 +55,24 @@ def test_step_moves_by_one_frame_while_paused(wall, speed):
     assert wall.viewer.motion.ticks - ticks == round(speed * FRAME / wall.viewer.cradle.dt)
 
 
-def test_restart(wall):
-    at_start = wall.thetas()
-    wall.wait(PERIOD)
-    assert wall.viewer.motion.trains.lines()
-    wall.click(wall.panel.restart)
-    assert (wall.thetas(), wall.time(), wall.viewer.motion.trains.lines()) == (at_start, 0, [])
-
-
-@pytest.mark.parametrize("speed", [0.1, 1, 2])
-def test_speed(wall, speed):
-    set_slider(wall.panel.speed, speed)
-    wall.wait(2)
-    assert wall.time() == pytest.approx(2 * speed, abs=0.05 * speed)
-    assert f">{speed:.1f}x<" in wall.panel.speed.text.text
-
-
 def test_release_angle(wall):
     wall.wait(1)
-    set_slider(wall.panel.angles[0], 75)
-    wall.wait()
+    wall.use(wall.panel.angles[0].slider, value=75)
     assert (wall.lifts(), wall.time()) == ([75, 0, 0, 0, 0], 0)
     assert ">75&deg;<" in wall.panel.angles[0].text.text
-    set_slider(wall.panel.angles[0], 12.5)
-    wall.wait()
+    wall.use(wall.panel.angles[0].slider, value=12.5)
     assert ">12.5&deg;<" in wall.panel.angles[0].text.text
 
 
 def test_bobs_lifted(wall):
-    """The slider goes from none to all, and always snaps to a whole number of bobs."""
-    set_slider(wall.panel.lifted, 0.55)
-    wall.wait()
+    """The slider goes from none to all, and always snaps to a whole number of bobs. A digit lifts this number."""
+    wall.use(wall.panel.lifted.slider, value=0.55)
     assert wall.lifts() == [30, 30, 30, 0, 0]
     assert wall.panel.lifted.slider.value == 0.6
     assert ">3 of 5<" in wall.panel.lifted.text.text
+    for digit, lifted in (("2", 2), ("9", 5)):
+        wall.press(digit)
+        assert wall.lifts() == [30] * lifted + [0] * (5 - lifted)
 
 
 def test_collisions(wall):
@@ -104,29 +98,12 @@ def test_the_box_of_a_fixed_rule_is_fixed_and_says_so(csv, monkeypatch):
 
 @pytest.mark.parametrize(("key", "command"), [(" ", "pause"), ("right", "step"), ("r", "restart")])
 def test_keys_do_what_the_buttons_do(wall, monkeypatch, key, command):
-    given = []
-    monkeypatch.setattr(wall.viewer, "give", lambda *command: given.append(command))
+    monkeypatch.setattr(wall.viewer, "give", Mock())
     wall.press(key)
     wall.press("x")
     wall.press(key, ctrl=True)  # that is the browser's
     wall.press(key, alt=True)
-    assert given == [(command, None)]
-
-
-@pytest.mark.parametrize(("digit", "lifted"), [("2", 2), ("9", 5)])
-def test_a_digit_lifts_this_number_of_bobs(wall, digit, lifted):
-    wall.press(digit)
-    assert wall.lifts() == [30] * lifted + [0] * (5 - lifted)
-
-
-def test_a_callback_only_queues(wall):
-    """The event comes in another thread, in the middle of a tick."""
-    thetas = wall.thetas()
-    set_slider(wall.panel.angles[0], 75)
-    wall.panel.pause.bind()
-    assert (wall.thetas(), wall.viewer.running) == (thetas, True)
-    wall.wait()
-    assert (wall.lifts()[0], wall.viewer.running) == (75, False)
+    wall.viewer.give.assert_called_once_with(command, None)
 
 
 def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
@@ -138,44 +115,29 @@ def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     assert ranges == [(0, 180, 1), (-180, 180, 1)]
     labels = re.findall('<span class="label">(.*?)</span>', "".join(texts))
     assert labels == ["Experiment", "Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions", "Graph"]
-    set_slider(theta, 75)
-    set_slider(phi, -40)
-    wall.wait()
+    wall.use(theta.slider, value=75)
+    wall.use(phi.slider, value=-40)
     assert wall.viewer.angles == thetas([75, -40])
-    first = wall.viewer.cradle.pend_list[0]
-    outwards = copysign(1, THETA_INIT)
-    assert (first["theta"], first["phi"]) == pytest.approx((outwards * 75 * pi / 180, -outwards * 40 * pi / 180))
+    assert [wall.values(key)[0] for key in ("theta", "phi")] == pytest.approx(thetas([75, -40]))
 
 
-@pytest.mark.parametrize("after", ["restart", "reload", "page"])
-def test_settings_stay(wall, csv, after):
-    set_slider(wall.panel.speed, 0.5)
+AFTER = {
+    "restart": lambda wall: wall.press("r"),
+    "reload": lambda wall: wall.save(FIVE_CSV.replace("red", "blue")),
+    "page": lambda wall: wall.give("show again"),
+}
+
+
+@pytest.mark.parametrize("after", AFTER)
+def test_settings_stay(wall, after):
+    wall.use(wall.panel.speed.slider, value=0.5)
     wall.use(wall.panel.separating, checked=True)
     wall.use(wall.panel.collisions, selected="inelastic, e = 0")
     wall.press(" ")
-    if after == "reload":
-        csv.write_text(HEADER + GOOD * 2)
-        wall.wait(3 * POLL)
-    elif after == "page":
-        wall.viewer.give("show again")
-        wall.wait()
-    else:
-        wall.press("r")
+    AFTER[after](wall)
     assert (wall.viewer.pace.speed, wall.viewer.separating, wall.viewer.running) == (0.5, True, False)
-    assert wall.values("e") == [0] * (2 if after == "reload" else 5)
+    assert wall.values("e") == [0] * 5
     assert wall.panel.pause.text == "Run"
-
-
-def test_the_time_that_a_page_takes_to_open_does_not_count(wall, monkeypatch):
-    """The page opens slowly."""
-
-    def wait_for_page():
-        wall.now += 5
-
-    monkeypatch.setattr(wall.viewer, "wait_for_page", wait_for_page)
-    wall.viewer.give("show again")
-    wall.wait()
-    assert wall.viewer.motion.ticks == 0
 
 
 def test_the_program_ends_after_its_last_message_is_sent(wall, monkeypatch):
@@ -194,8 +156,7 @@ def test_the_program_ends_after_its_last_message_is_sent(wall, monkeypatch):
 def test_a_bob_is_dragged_along_its_arc_and_let_go(wall, paused):
     if paused:
         wall.panel.pause.bind()
-    set_slider(wall.panel.lifted, 0)
-    wall.wait()
+    wall.use(wall.panel.lifted.slider, value=0)
     axle, bob = wall.viewer.cradle.axles()[4], wall.viewer.cradle.bobs()[4]
     wall.mouse("mousedown", vector(bob.pos) + vector(bob.radius / 2, 0, 0))
     wall.mouse("mousemove", axle.pos + vector(1, -1, 0))
@@ -227,8 +188,7 @@ def test_a_click_beside_the_bobs_takes_none(wall):
 @pytest.mark.parametrize(("radii", "taken"), [(1.4, 4), (-1.4, 3)])
 def test_a_finger_beside_a_bob_takes_the_nearest_one(wall, radii, taken):
     wall.panel.pause.bind()
-    set_slider(wall.panel.lifted, 0)
-    wall.wait()
+    wall.use(wall.panel.lifted.slider, value=0)
     bob = wall.viewer.cradle.bobs()[4]
     wall.mouse("mousedown", vector(bob.pos) + vector(radii * bob.radius, 0, 0))
     assert wall.viewer.cradle.hand.held == taken
@@ -236,69 +196,49 @@ def test_a_finger_beside_a_bob_takes_the_nearest_one(wall, radii, taken):
 
 def test_the_foremost_of_two_bobs_under_the_mouse_is_taken(wall):
     """The view is along the row."""
-    set_slider(wall.panel.lifted, 0)
-    wall.wait()
-    bob = wall.viewer.cradle.bobs()[2]
-    scene.mouse.ray = vector(-1, 0, 0)
-    scene.bound["mousedown"](SimpleNamespace(pos=vector(bob.pos)))
-    wall.wait()
+    wall.use(wall.panel.lifted.slider, value=0)
+    wall.mouse("mousedown", wall.viewer.cradle.bobs()[2].pos, (-1, 0, 0))
     assert wall.viewer.cradle.hand.held == 4
-    scene.bound["mousemove"](SimpleNamespace(pos=vector(1, 1, 1)))  # no point in the plane of swing is under the mouse
-    wall.wait()
+    wall.mouse("mousemove", vector(1, 1, 1), (-1, 0, 0))  # no point in the plane of swing is under the mouse
     assert wall.lifts() == [0] * 5
 
 
 def test_a_bob_follows_the_mouse_in_a_slanting_view_too(wall):
-    set_slider(wall.panel.lifted, 0)
+    wall.use(wall.panel.lifted.slider, value=0)
     wall.click(wall.panel.pause)
-    axle, ray = wall.viewer.cradle.axles()[0], vector(-0.3, -0.2, -1)
-
-    def seen(x, y):  # a point in front of the plane of swing
-        return SimpleNamespace(pos=axle.pos + vector(x, y, 0) - 0.3 * ray)
-
-    scene.mouse.ray = ray
-    scene.bound["mousedown"](seen(0, -R_PARAM))
-    scene.bound["mousemove"](seen(-1, -1))
-    wall.wait(0.5)
+    axle, ray = wall.viewer.cradle.axles()[0], (-0.3, -0.2, -1)
+    wall.mouse("mousedown", axle.pos + vector(0, -R_PARAM, 0), ray)
+    wall.mouse("mousemove", axle.pos + vector(-1, -1, 0), ray)
     assert wall.lifts() == [45, 0, 0, 0, 0]
 
 
 # --- the file --------------------------------------------------------------------------------------------------------
 
 
-def test_a_saved_csv_makes_a_new_cradle(wall, csv):
+def test_a_saved_csv_makes_a_new_cradle_also_while_paused(wall):
     wall.wait(1)
     wall.press("3")
-    csv.write_text(HEADER + "2.0,0.5,0,0,blue,wood\n" * 2)
-    wall.wait(3 * POLL)
+    wall.save(HEADER + "2.0,0.5,0,0,blue,wood\n" * 2)
     assert wall.values("mass") == [2, 2]
     assert wall.time() < 3 * POLL
     assert ">2 of 2<" in wall.panel.lifted.text.text
-    csv.write_text(FIVE_CSV)
-    wall.wait(3 * POLL)
+    wall.save(FIVE_CSV)
     assert ">3 of 5<" in wall.panel.lifted.text.text  # the old settings, where they are possible again
-
-
-def test_a_csv_saved_while_paused_is_shown(wall, csv):
     wall.click(wall.panel.pause)
-    csv.write_text(HEADER + GOOD * 9)
-    wall.wait(3 * POLL)
+    wall.save(HEADER + GOOD * 9)
     assert (len(wall.viewer.cradle.bobs()), wall.time()) == (9, 0)
     axles = wall.viewer.cradle.axles()
     rails = [shape for shape in wall.viewer.scenery.frame if type(shape) is cylinder and shape.axis.y == 0]
     assert all(rail.axis.x > axles[-1].pos.x - axles[0].pos.x for rail in rails)
 
 
-def test_a_broken_csv_shows_its_error_until_it_is_good_again(wall, csv):
+def test_a_broken_csv_shows_its_error_until_it_is_good_again(wall):
     """Also while an experiment is shown, which stays."""
-    wall.viewer.give("experiment", 5)
-    wall.wait(0.3)
-    csv.write_text(FIVE_CSV + GOOD.replace("red", "<b>pink"))
-    wall.wait(3 * POLL)
+    wall.give("experiment", 5)
+    wall.save(FIVE_CSV + GOOD.replace("red", "<b>pink"))
     assert "cradle.csv, line 7, column color: found &#x27;&lt;b&gt;pink&#x27;, allowed" in wall.panel.error.text
     assert (wall.time() > 0.3, wall.values("mass")) == (True, [5, 1, 1, 1, 1])  # the old one swings on
-    csv.write_text(FIVE_CSV)
-    wall.wait(3 * POLL)
+    wall.save(FIVE_CSV)
     assert (wall.panel.error.text, wall.values("mass")) == ("", [1] * 5)
 
 
@@ -326,26 +266,20 @@ def test_a_percentage_is_at_most_999_and_0_of_0_is_0(wall):
     wall.wait()
     assert wall.readout()["energy"] == "&gt; 999 %"
     assert wall.readout()["momentum"] == f"{1e6 * R_PARAM:+.2e} kg m/s &rarr;"
-    set_slider(wall.panel.lifted, 0)
-    wall.wait()
+    wall.use(wall.panel.lifted.slider, value=0)
     assert wall.percents() == ["0.0 %", "0.0 %", "0.0 %"]
 
 
-def test_slow_motion_is_shown(wall):
-    wall.wait(0.1)
-    assert wall.readout()["t"].endswith(" s")
-    wall.viewer.pace.kept_up = 0.4
-    wall.wait()
-    assert wall.readout()["t"].endswith(" s x0.4")
-
-
-def test_the_impacts(wall):
+def test_the_impacts_until_a_restart(wall):
+    at_start = wall.thetas()
     wall.wait(0.9 * PERIOD)
     title, *lines = re.sub("<.*?>", "", wall.panel.impacts.text).splitlines()
     assert title == "Impacts"
     assert re.fullmatch(r"t = \d\.\d\d s  5-4-3-2-1", lines[0])
     assert lines[-1] == f"t = {wall.viewer.motion.trains.trains[0].begin:.2f} s  1-2-3-4-5"
     assert wall.viewer.motion.trains.trains[0].begin == pytest.approx(PERIOD / 4, rel=0.05)
+    wall.click(wall.panel.restart)
+    assert (wall.thetas(), wall.time(), wall.viewer.motion.trains.lines()) == (at_start, 0, [])
 
 
 def test_a_note_says_that_a_bob_swings_through_others(wall):
@@ -389,21 +323,22 @@ def test_the_view_is_reset_with_a_button_and_a_key_and_comes_back_from_far_away(
     for reset in (lambda: wall.click(wall.panel.view), lambda: wall.press("v")):
         scene.forward, scene.range = vector(0, 0, -1), 1.5 * scene.range
         reset()
-        assert components(scene.forward) == components(FORWARD)
+        assert scene.forward == FORWARD
         assert scene.range == wall.viewer.scenery.home[1]
     scene.range = 1e3
     wall.wait()
     assert scene.range < 10
 
 
-def test_a_reloaded_page_shows_the_first_view_and_restarts(wall):
+def test_a_reloaded_page_shows_the_first_view_and_restarts(wall, monkeypatch):
+    """The page opens slowly: this time does not count."""
     wall.wait(1)
-    first = (components(scene.forward), components(scene.center), scene.range)
+    first = (vector(scene.forward), vector(scene.center), scene.range)
+    monkeypatch.setattr(wall.viewer, "wait_for_page", lambda: setattr(wall, "now", wall.now + 5))
     scene.forward, scene.center, scene.range = vector(1, 0, -1), vector(1, 1, 1), 5
-    wall.viewer.give("show again")
-    wall.wait()
-    assert (components(scene.forward), components(scene.center), scene.range) == first
-    assert wall.time() == 0
+    wall.give("show again")
+    assert (scene.forward, scene.center, scene.range) == first
+    assert wall.viewer.motion.ticks == 0
 
 
 def test_a_swing_above_the_frame_is_in_view_until_the_next_restart(wall):
@@ -411,11 +346,9 @@ def test_a_swing_above_the_frame_is_in_view_until_the_next_restart(wall):
     scene.bound["resize"]()
     wall.wait()
     near = scene.range
-    set_slider(wall.panel.angles[0], 150)
-    wall.wait()
+    wall.use(wall.panel.angles[0].slider, value=150)
     assert scene.range > 1.2 * near
-    set_slider(wall.panel.angles[0], 45)
-    wall.wait()
+    wall.use(wall.panel.angles[0].slider, value=45)
     assert scene.range == near
 
 
@@ -437,3 +370,108 @@ def test_numbers_change_ten_times_a_second(wall):
         wall.do_frame()
         seen.append((wall.panel.readout.text, wall.viewer.graph.curves["total"].data))
     assert 8 <= sum(now[0] != before[0] and now[1] != before[1] for before, now in pairwise(seen)) <= 10
+
+
+# --- the graph -------------------------------------------------------------------------------------------------------
+
+ANGLES, VELOCITIES = "Angles theta (rad)", "Velocities omega (rad/s)"
+
+
+def choose(wall, choice):
+    """Choose a graph as a person does."""
+    assert choice in wall.panel.graph.choices
+    wall.use(wall.panel.graph, selected=choice)
+
+
+def drawn(wall):
+    """Return the points of the curves that have any, by the curves' labels."""
+    return {curve.label: curve.data for curve in wall.viewer.graph.curves.values() if curve.data}
+
+
+def color_of(wall, name):
+    return wall.viewer.graph.curves[name].color
+
+
+def recorded(wall, column):
+    """Return the recorded values of a column, by their times (s)."""
+    at = wall.viewer.recording.columns.index(column)
+    return {row[0]: row[at] for row in wall.viewer.recording.rows}
+
+
+def test_the_graph_shows_the_energies_of_the_last_ten_seconds(wall):
+    """Its points are always at the same times, so they do not shake."""
+    wall.wait(SHOWN + 2)
+    assert wall.panel.graph.selected == ENERGY
+    assert list(drawn(wall)) == ["kinetic", "potential", "total"]
+    kinetic, potential, total = drawn(wall).values()
+    graph = wall.viewer.graph.graph
+    assert graph.xmax - graph.xmin == SHOWN
+    times = [t for t, _ in total]
+    assert times == pytest.approx([INTERVAL * round(t / INTERVAL) for t in times])
+    assert times[0] == pytest.approx(graph.xmin, abs=2 * INTERVAL)
+    assert times[-1] == pytest.approx(SHOWN + 2, abs=2 * INTERVAL)
+    for (t, k), (_, p), (_, both) in zip(kinetic, potential, total, strict=True):
+        assert k + p == pytest.approx(both)
+        assert 0 <= t - graph.xmin <= SHOWN
+    assert len({(*color_of(wall, name).value,) for name in ENERGIES}) == 3
+
+
+def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(wall):
+    colors = ["red", "cyan", "orange"]
+    wall.save(HEADER + "".join(GOOD.replace("red", color) for color in colors))
+    for choice, key in ((ANGLES, "theta"), (VELOCITIES, "omega")):
+        choose(wall, choice)
+        wall.wait(0.5)
+        assert list(drawn(wall)) == ["1", "2", "3"]
+        for number, color in zip("123", colors, strict=True):
+            values = recorded(wall, f"{key}_{number}")
+            assert all(values[t] == value for t, value in drawn(wall)[number])
+            assert color_of(wall, number) == COLOR_MAP[color]
+
+
+def test_the_phase_picture_is_that_of_one_bob(wall):
+    choose(wall, "Phase picture of bob 1: omega over theta")
+    wall.wait(PHASE_SHOWN + 1)
+    assert list(drawn(wall)) == [PHASE]
+    points = drawn(wall)[PHASE]
+    assert len(points) == pytest.approx(PHASE_SHOWN / EVERY, abs=2)
+    assert points[-1] == [[*recorded(wall, f"{key}_1").values()][-1] for key in ("theta", "omega")]
+    assert color_of(wall, PHASE) == COLOR_MAP["red"]
+
+
+def test_the_double_cradle_has_graphs_of_both_cords(csv):
+    csv.write_text(HEADER + GOOD * 2)
+    wall = Wall(csv, 45, 20, kind=DoubleCradle)
+    assert wall.panel.graph.choices == [
+        *(ENERGY, "Angles theta (rad)", "Angles phi (rad)", "Velocities omega (rad/s)", "Velocities phi_omega (rad/s)"),
+        *("Phase picture of bob 1: omega over theta", "Phase picture of bob 1: phi_omega over phi"),
+        *("Phase picture of bob 2: omega over theta", "Phase picture of bob 2: phi_omega over phi"),
+        NOTHING,
+    ]
+    choose(wall, "Angles phi (rad)")
+    assert drawn(wall)["1"][0] == [0, pytest.approx(wall.viewer.angles[1])]
+
+
+def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wall):
+    choose(wall, ANGLES)
+    wall.save(HEADER + GOOD.replace("red", "green") * (MOST + 3))
+    assert wall.panel.graph.selected == ANGLES
+    assert list(drawn(wall)) == [str(number) for number in range(1, MOST + 1)]  # the first ones
+    assert color_of(wall, "1") == COLOR_MAP["green"]
+    choose(wall, "Phase picture of bob 7: omega over theta")
+    wall.save(HEADER + GOOD * 2)
+    assert wall.panel.graph.selected == ENERGY
+    assert set(drawn(wall)) == set(ENERGIES)
+
+
+def test_no_graph_is_hidden_and_sends_nothing_and_a_restart_empties_it(wall):
+    wall.wait(1)
+    choose(wall, NOTHING)
+    wall.wait(1)
+    assert wall.viewer.graph.style.text == HIDING
+    assert not drawn(wall)
+    choose(wall, ENERGY)
+    assert wall.viewer.graph.style.text == ""
+    assert len(drawn(wall)["total"]) == pytest.approx(2 / INTERVAL, abs=2)  # it shows what was recorded meanwhile
+    wall.click(wall.panel.restart)
+    assert [len(points) for points in drawn(wall).values()] == [1, 1, 1]

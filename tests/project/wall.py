@@ -9,7 +9,7 @@ from whole_cradles import go_on, make_live, thetas
 
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import FRAME, RealTime
-from support.files.cradle_csv import LiveFile
+from support.files.cradle_csv import LiveFile, POLL
 from support.page.viewer import Viewer
 
 
@@ -79,22 +79,25 @@ class Wall:
         self.wait()
 
     def use(self, widget, **values):
-        """Use a menu or a checkbox as a person does: VPython sets its values, and calls the bound function."""
+        """Use a menu, checkbox or slider as a person does: VPython sets its values, and calls the bound function."""
         for name, value in values.items():
             setattr(widget, name, value)
         widget.bind(widget)
         self.wait()
 
-    def mouse(self, kind, point):
-        """Move the mouse to this point, seen straight from the front, and send this event."""
-        scene.mouse.ray = vector(0, 0, -1)
-        event = SimpleNamespace(pos=point + vector(0, 0, 0.5))
-        function = scene.bound[kind]
-        function() if kind == "mouseup" else function(event)
+    def give(self, command, value=None):
+        """Give a command as the page's script does."""
+        self.viewer.give(command, value)
         self.wait()
 
+    def save(self, text):
+        """Save this text as the CSV, and wait until it is noticed."""
+        self.file.write_text(text)
+        self.wait(3 * POLL)
 
-def set_slider(setting, value):
-    """Move a slider as a person does: VPython sets its value, and calls the bound function."""
-    setting.slider.value = value
-    setting.slider.bind(setting.slider)
+    def mouse(self, kind, point, ray=(0, 0, -1)):
+        """Move the mouse to this point, seen in the direction of the ray, and send this event."""
+        scene.mouse.ray = vector(*ray)
+        function = scene.bound[kind]
+        function() if kind == "mouseup" else function(SimpleNamespace(pos=point - 0.5 * scene.mouse.ray))
+        self.wait()

@@ -51,7 +51,7 @@ def check_places(pend, axle, r_param=R_PARAM) -> None:
         found += [cord.pos, cord.axis, bob.pos]
         expected += [end, arm, end + arm]
         end = end + arm
-    assert [*map(components, found)] == [pytest.approx(components(v)) for v in expected]
+    assert [v.value for v in found] == [pytest.approx(v.value) for v in expected]
 
 
 def velocities(pend) -> list:
@@ -126,8 +126,3 @@ def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_on
     """Call many_ticks with the shipped functions and these constants; return the contacts, or None."""
     scope = {**vars(visualize_cradle_run), "R_PARAM": r_param, "DT": dt, "G": g}
     return many_ticks(scope, pend_list, ticks, {"approaching_only": True} if approaching_only else {})
-
-
-def components(v) -> tuple[float, float, float]:
-    """Return the components of a vector, for pytest.approx."""
-    return v.x, v.y, v.z
