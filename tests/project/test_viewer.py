@@ -338,6 +338,7 @@ def test_a_reloaded_page_shows_the_first_view_and_restarts(wall, monkeypatch):
     scene.forward, scene.center, scene.range = vector(1, 0, -1), vector(1, 1, 1), 5
     wall.give("show again")
     assert (scene.forward, scene.center, scene.range) == first
+    wall.wait()
     assert wall.viewer.motion.ticks == 0
 
 
