@@ -50,12 +50,11 @@ def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
 class Solver:
     """The functions of a solution in a process of their own. It takes the place of OwnProcess."""
 
-    has_written = False  # whether the last call has changed newton_cradle_pends.csv
     watch = f".venv{os.sep}{'Scripts' if os.name == 'nt' else 'bin'}{os.sep}python tests{os.sep}watch.py"
 
     def __init__(self, files, process):
         self.files = {name: content.decode("latin-1") for name, content in files.items()}
-        self.process, self.called = process, {}
+        self.process, self.called, self.has_written = process, {}, False
         self.latest = time.monotonic() + WHOLE
 
     # --- as in OwnProcess ---
