@@ -9,6 +9,7 @@ import time
 from itertools import count
 from math import cos, pi, sin, sqrt
 from pathlib import Path
+from shutil import get_terminal_size
 from tempfile import TemporaryDirectory
 
 if __name__ == "__main__":
@@ -61,7 +62,7 @@ def play(scene, seconds) -> None:
         last: list[str] = []
         with own_screen(lambda: last):
             for last in moving(scene, seconds, PICTURE):
-                print("\x1b[H\x1b[J" + "\n".join(last), end="", flush=True)
+                print("\x1b[H" + "\x1b[K\n".join(last) + "\x1b[J", end="", flush=True)
     else:
         for lines in moving(scene, seconds, STRIP):
             print("", *lines, sep="\n", flush=True)
@@ -74,7 +75,9 @@ def moving(scene, seconds, step):
         for _ in range(round(step / DT) if number else 0):
             scene.tick()
         time.sleep(max(0.0, begin + number * step - time.monotonic()))
-        yield [f"t = {number * step:.2f} s   Ctrl+C ends it.", "", *picture.lines(scene, COLUMNS, ROWS)]
+        size = get_terminal_size()  # Python 3.10 returns 0 for a terminal that does not know its size
+        room = min(COLUMNS, size.columns or COLUMNS), min(ROWS, (size.lines or ROWS + 3) - 3)
+        yield [f"t = {number * step:.2f} s   Ctrl+C ends it.", "", *picture.lines(scene, *room)]
 
 
 def scene_of(call) -> Scene:
