@@ -25,11 +25,8 @@ FILES = [
     *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml", "tests/watch.py"),
     *(f"tests/{suite}.py" for suite in SUITES.values()),
 ]
-# Pictures of the READMEs, and files with answers: src/README.md, the fast path, the collisions of the double cradle.
-UNUSED = {
-    *("__pycache__", "README.md", "double.png", "experiment.png", "swing.png"),
-    *("many_ticks.py", "double_collisions.py"),
-}
+WITH_ANSWERS = {"README.md", "many_ticks.py", "double_collisions.py"}  # src/README.md, the fast path, double cradles
+UNUSED = {"__pycache__", "double.png", "experiment.png", "swing.png", *WITH_ANSWERS}  # .png: of the READMEs
 DOUBLE_RUN = "src/visualize_double_cradle_run.py"
 # Files whose functions lose their bodies, and these functions: also two of the honor roll without a check.
 STUDENTS_FILES = {*(function.file for function in FUNCTIONS.values()), DOUBLE_RUN}
@@ -93,9 +90,10 @@ def fill(folder) -> None:
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / path, folder / path)
     rows = "\n".join(f"| {function.tier} | `{name}` | `{function.file}` |" for name, function in FUNCTIONS.items())
+    project = (ROOT / "pyproject.toml").read_text(encoding="utf-8").partition("\n# A plain pytest")[0]
     texts = {
         "README.md": Path(__file__).with_name("starter.md").read_text(encoding="utf-8").format(rows=rows),
-        "pyproject.toml": (ROOT / "pyproject.toml").read_text(encoding="utf-8").partition("\n[tool.ruff]")[0],
+        "pyproject.toml": project.replace(" -m 'not browser and not slow'", ""),
         **{f"src/{path.name}": for_students(path) for path in (ROOT / "src").glob("*.py") if path.name not in UNUSED},
     }
     for name, text in texts.items():
