@@ -19,6 +19,7 @@ import time
 from concurrent.futures import FIRST_COMPLETED, ProcessPoolExecutor, wait
 from contextlib import closing, contextmanager, suppress
 from pathlib import Path
+from shutil import which
 from tempfile import TemporaryDirectory
 
 from grading.project_path import ROOT
@@ -161,7 +162,8 @@ def side_by_side(to_grade, given, room, hidden):
         return
     kind = holds_off(room, hidden)
     if LEFT_OPEN[kind]:
-        complain(f"Without bubblewrap, a solution can use {LEFT_OPEN[kind]}. On Linux: apt install bubblewrap.")
+        how = "It does not work here." if which("bwrap") else "On Linux: apt install bubblewrap."
+        complain(f"Without bubblewrap, a solution can use {LEFT_OPEN[kind]}. {how}")
     count, fresh = len(to_grade), multiprocessing.get_context("spawn")
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the judges start so: Ctrl+C is for this process
     pool = ProcessPoolExecutor(mp_context=fresh, initializer=prepare, initargs=(given, room, kind, hidden))
