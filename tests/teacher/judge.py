@@ -48,7 +48,7 @@ def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
 
 
 class Solver:
-    """The functions of a solution in a process of their own. It takes the place of OwnProcess."""
+    """The functions of a solution in a process of their own. It takes the place of OwnProcess: watch, check, run."""
 
     watch = f".venv{os.sep}{'Scripts' if os.name == 'nt' else 'bin'}{os.sep}python tests{os.sep}watch.py"
 
@@ -56,8 +56,6 @@ class Solver:
         self.files = {name: content.decode("latin-1") for name, content in files.items()}
         self.process, self.called, self.has_written = process, {}, False
         self.latest = time.monotonic() + WHOLE
-
-    # --- as in OwnProcess ---
 
     @contextmanager
     def check(self, is_again=False):
