@@ -14,6 +14,7 @@ from pathlib import Path
 from vpython import box, cylinder, sphere, vector
 
 from support.constants import NC_FP
+from support.start.output import in_one_line
 
 SHAPES = {"box": box, "sphere": sphere, "cylinder": cylinder}
 vectors_of = attrgetter("_pos", "_axis", "_up", "_size", "_color")
@@ -150,8 +151,8 @@ def text_of(value) -> str | None:
 
 
 def bounded(text) -> str:
-    """Return the beginning of a text, with letters that every file takes."""
-    return str.__str__(text)[:MOST_TEXT].encode(errors="backslashreplace").decode()
+    """Return the beginning of a text, with letters that every file and terminal takes."""
+    return "\n".join(map(in_one_line, str.__str__(text)[:MOST_TEXT].split("\n")))
 
 
 def stand_in(name, text):

@@ -2,11 +2,13 @@
 
 import json
 import os
+import signal
 import time
 from contextlib import contextmanager, redirect_stdout
 from io import StringIO
 from pathlib import Path
 from tempfile import gettempdir
+from unittest.mock import patch
 
 from vpython import scene, vector
 
@@ -14,7 +16,6 @@ from grading import grader, limits
 from grading.comparing import OTHER_FORM
 from grading.grade import words
 from grading.grader import CHECKS, FAULT, Grading, Outcome
-from grading.handout import FUNCTIONS
 from grading.raised import Place, Raised, StoppedError
 from support.constants import NC_FP
 from teacher.crossing import bounded, Crossing, File, MOST_PRINTED
@@ -22,28 +23,35 @@ from teacher.crossing import bounded, Crossing, File, MOST_PRINTED
 SPARE = 3.0  # s that a solver has to say that a call took too long
 WHOLE = 120.0  # s for all checks of a solution
 LINE = 5_000_000  # bytes of an answer
-MOST_PLACES = 2000  # lines of an error
+MOST_MESSAGE = 20_000  # characters
 
 
 def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
     """Return the outcomes of a solution's files (by path) by the names of checks, the student's text, and problems."""
     solver, grading, printed, problems = Solver(files, process), Grading(), {}, []
-    before, grader.student = grader.student, solver
+    if os.name != "nt":  # the judge's own work is bounded, too
+        signal.signal(signal.SIGALRM, signal.default_int_handler)
+        signal.setitimer(signal.ITIMER_REAL, WHOLE, SPARE)
     try:
-        solver.open()
-        for check in CHECKS.values():
-            with redirect_stdout(StringIO()) as out:
-                outcome = grading.judge(check)
-            printed[check.name] = out.getvalue()
-            problems += [f"a fault of the grader in {check.name}"] * (outcome.state == FAULT)
+        with patch.object(grader, "student", solver), limits.limited_memory():
+            solver.open()
+            for check in CHECKS.values():
+                with redirect_stdout(StringIO()) as out:
+                    outcome = grading.judge(check)
+                printed[check.name] = out.getvalue()[:MOST_PRINTED]
+                problems += [f"a fault of the grader in {check.name}"] * (outcome.state == FAULT)
     except StoppedError as error:
-        problems = [f"the files cannot be written: {error.raised.text}" if error.raised.kind else "nothing starts"]
+        problems = [error.raised.limit or f"the files cannot be written: {error.raised.text}"]
+    except KeyboardInterrupt:
+        problems = [f"took longer than {WHOLE:g} s"]
     except OSError as error:  # the disk is full: the class stops
         raise OSError(error.errno, error.strerror, gettempdir()) from None
     finally:
+        if os.name != "nt":
+            signal.setitimer(signal.ITIMER_REAL, 0)
         process.end()
-        grader.student = before
-    outcomes = {name: grading.outcomes[name]._replace(call=None) for name in CHECKS if name in grading.outcomes}
+    made = [(name, grading.outcomes[name]) for name in CHECKS if name in grading.outcomes]
+    outcomes = {name: each._replace(call=None, message=each.message[:MOST_MESSAGE]) for name, each in made}
     return outcomes, "\n".join(line for line, _ in words(outcomes, printed)), problems
 
 
@@ -55,7 +63,6 @@ class Solver:
     def __init__(self, files, process):
         self.files = {name: content.decode("latin-1") for name, content in files.items()}
         self.process, self.called, self.has_written = process, {}, False
-        self.latest = time.monotonic() + WHOLE
 
     @contextmanager
     def check(self, is_again=False):
@@ -63,15 +70,12 @@ class Solver:
         if self.process.line is None:
             self.open()
         self.desk, self.files_given = Crossing(first=0), {}
-        seconds = min(limits.PATIENCE, max(0.1, self.latest - time.monotonic()))
-        self.until = time.monotonic() + seconds + SPARE
-        self.beginning = {"seconds": seconds, "is_again": is_again}  # the next message tells the solver
+        self.until = time.monotonic() + limits.PATIENCE + SPARE
+        self.beginning = {"seconds": limits.PATIENCE, "is_again": is_again}  # the next message tells the solver
         yield
 
     def run(self, function, arguments, times=1):
         return self.exchange("call", tuple(map(self.with_file, arguments)), function=function, times=times)
-
-    # --- the other process ---
 
     def open(self) -> None:
         """Start a process; raise a StoppedError if it cannot take the files."""
@@ -171,8 +175,6 @@ def ended(status=None) -> Raised:
 def raised_in(fields) -> Raised:
     """Return the error in an answer; raise an error if it has another form."""
     kind, text, places, limit, ends, stub, culprit, hint, before = fields
-    if stub is not None:
-        FUNCTIONS[stub]
-    lines = tuple(Place(bounded(a), int(line), bounded(b), bounded(c)) for a, line, b, c in places[:MOST_PLACES])
-    text, culprit = (None if part is None else bounded(part) for part in (text, culprit))
+    lines = tuple(Place(bounded(a), int(line), bounded(b), bounded(c)) for a, line, b, c in places)
+    text, culprit, stub = (None if part is None else bounded(part) for part in (text, culprit, stub))
     return Raised(bounded(kind), text, lines, bounded(limit), bool(ends), stub, culprit, bounded(hint), bounded(before))

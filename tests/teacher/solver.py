@@ -195,6 +195,7 @@ def copy_for_each(control, user) -> None:
     if os.getpid() != 2:  # not in a sandbox: kill would end everything
         sys.exit(1)
     sys.path.remove(str(ROOT))  # a copy can write there
+    ours = {*ROOT.iterdir()}
     while numbers := socket.recv_fds(control, 1, 1)[1]:
         if not os.fork():
             control.close()
@@ -211,9 +212,9 @@ def copy_for_each(control, user) -> None:
                 with suppress(ChildProcessError):
                     os.waitpid(-1, os.WNOHANG)
         os.chmod(ROOT, 0o1777)
-        left = set(ROOT.iterdir()) - {ROOT / "support", ROOT / "tests"}
-        # Neither find nor rm follows a link.
-        subprocess.run(["sh", "-c", 'find "$@" -type d -exec chmod u+rwx {} +; rm -rf "$@"', "sh", *left], check=False)
+        subprocess.run(["rm", "-rf", "--", *({*ROOT.iterdir()} - ours)], check=False)  # it follows no link
+        if {*ROOT.iterdir()} - ours:
+            return  # the judge starts another process
         control.send(b"\n")
 
 

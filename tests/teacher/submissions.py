@@ -13,6 +13,7 @@ from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from grading.handout import FUNCTIONS
+from support.start.output import in_one_line
 
 HANDOUTS = sorted({PurePosixPath(function.file).name for function in FUNCTIONS.values()})
 # Folders that are not the student's work, or that the graded starter has itself.
@@ -40,7 +41,7 @@ def submissions_in(folder) -> tuple[dict[str, Path], list[str]]:
         if path.name.startswith(".") or path.name in SKIPPED:
             continue
         if path.is_dir() or path.suffix.lower() in (".zip", *ARCHIVES):
-            student = printable(path.name if path.is_dir() or path.stem in found else path.stem)
+            student = in_one_line(path.name if path.is_dir() or path.stem in found else path.stem)
             while student in found:
                 student += "_"
             found[student] = path
@@ -52,11 +53,6 @@ def submissions_in(folder) -> tuple[dict[str, Path], list[str]]:
     return found, others
 
 
-def printable(name) -> str:
-    """Return a name with ? for each letter that cannot be printed."""
-    return "".join(letter if letter.isprintable() else "?" for letter in name)
-
-
 def read_submission(student, path) -> Submission:
     """Return what a student has submitted. What cannot be read is missing in files, and told in problems."""
     try:
@@ -65,7 +61,7 @@ def read_submission(student, path) -> Submission:
         read = Submission(student, {}, [f"cannot be read: {error.strerror or error}"])
     except Exception as error:  # a .zip can be damaged in many ways; the class goes on
         read = Submission(student, {}, [f"{path.name} is no .zip that can be read: {error}"])
-    return read._replace(problems=[*map(printable, read.problems)])
+    return read._replace(problems=[*map(in_one_line, read.problems)])
 
 
 def entries_of(path) -> dict:
