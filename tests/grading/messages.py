@@ -154,7 +154,7 @@ def message(pairs) -> str:
     """Return pairs of a label and a text (or a list of lines) as one text, without those that have no text."""
     rows = []
     for label, text in pairs:
-        lines = text.split("\n") if isinstance(text, str) else text
+        lines = "\n".join([text] if isinstance(text, str) else text).split("\n")
         rows += [f"{label if i == 0 else '':<{LABEL}}{line}" for i, line in enumerate(lines) if text]
     return "\n".join(rows)
 

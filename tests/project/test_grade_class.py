@@ -22,7 +22,9 @@ from students import COUNTS, files_of, put_files, write
 
 from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
+from grading.messages import message
 from teacher import judge, report
+from teacher.crossing import bounded, MOST_TEXT
 from teacher.submissions import MOST_BYTES, MOST_FILES, read_submission, submissions_in
 
 for tier in SUITES:
@@ -256,6 +258,11 @@ def test_names_are_safe_in_files_and_in_tables(tmp_path):
     for file in files:
         (tmp_path / f"{file}.txt").write_text("a")
     assert [report.cell(name)[:1] for name in ("=1", "-a", "@b", "+c", "\t=1", "Bea")] == ["'"] * 5 + ["B"]
+
+
+def test_a_solutions_words_forge_no_line_and_no_code_of_a_terminal():
+    assert message([("read", ["a\nb"])]) == "read        a\n            b"
+    assert bounded("\x1b[2J\ud800\n" + "a" * 9999) == "\\x1b[2J\\ud800\n" + "a" * (MOST_TEXT - 6)
 
 
 # --- the real program, with attackers in the class -------------------------------------------------------------------

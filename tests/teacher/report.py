@@ -103,6 +103,6 @@ def summary(results) -> list[str]:
     lines = ["grade        solutions"]
     lines += [f"{grade or 'none':<12} {grades[grade]:>9}" for grade in [*reversed(SUITES), None]]
     for title, counts in (("Checks that most solutions fail", failed), ("Hints that most students see", hints)):
-        rows = [f"{count:>5}  {in_one_line(words)}" for words, count in counts.most_common(5)]
+        rows = [f"{count:>5}  {in_one_line(words)[:150]}" for words, count in counts.most_common(5)]
         lines += ["", title, *rows] if rows else []
     return lines
