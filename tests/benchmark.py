@@ -51,9 +51,10 @@ class OurCradle:
     def advance(self, dt, seconds) -> None:
         """Move on by seconds, in ticks of dt (s), with the rule of the programs."""
         ticks, scope = round(seconds / dt), {**vars(visualize_cradle_run), "DT": dt}
-        for _ in range(0 if self.at_once else ticks):
-            newton_cradle_tick(self.pend_list, R_PARAM, dt, G, approaching_only=True)
-        if self.at_once and many_ticks(scope, self.pend_list, ticks, {"approaching_only": True}) is None:
+        if not self.at_once:
+            for _ in range(ticks):
+                newton_cradle_tick(self.pend_list, R_PARAM, dt, G, approaching_only=True)
+        elif many_ticks(scope, self.pend_list, ticks, {"approaching_only": True}) is None:
             raise ValueError("many_ticks does not know these functions: see tests/project/test_many_ticks.py")
 
 

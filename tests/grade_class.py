@@ -174,8 +174,9 @@ def side_by_side(to_grade, given, room, hidden):
         with progress_bar() as progress:
             while left:
                 done, left = wait(left, TOLD, FIRST_COMPLETED)
-                yield from (future.result() for future in done)
-                progress(1 - len(left) / count) if done else None
+                for future in done:
+                    yield future.result()
+                    progress(1 - len(left) / count)
                 if not sys.stderr.isatty() and time.monotonic() > told + TOLD:
                     complain(f"{count - len(left)} of {count} solutions are graded.")
                     told = time.monotonic()

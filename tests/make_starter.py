@@ -25,6 +25,7 @@ FILES = [
     *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml", "tests/watch.py"),
     *(f"tests/{suite}.py" for suite in SUITES.values()),
 ]
+FOLDERS = ["src", "support", "tests/grading"]
 WITH_ANSWERS = {"README.md", "many_ticks.py", "double_collisions.py"}  # src/README.md, the fast path, double cradles
 UNUSED = {"__pycache__", "double.png", "experiment.png", "swing.png", *WITH_ANSWERS}  # .png: of the READMEs
 DOUBLE_RUN = "src/visualize_double_cradle_run.py"
@@ -80,12 +81,7 @@ def make_starter(folder) -> None:
 
 def fill(folder) -> None:
     """Write all files of the starter into an empty folder."""
-    found = [
-        path.relative_to(ROOT)
-        for name in ("src", "support", "tests/grading")
-        for path in (ROOT / name).rglob("*")
-        if path.is_file()
-    ]
+    found = [path.relative_to(ROOT) for name in FOLDERS for path in (ROOT / name).rglob("*") if path.is_file()]
     for path in [*map(Path, FILES), *(path for path in found if not UNUSED.intersection(path.parts))]:
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / path, folder / path)

@@ -4,7 +4,6 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import cycle, islice
-from math import cos, sin
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -18,7 +17,7 @@ from grading.own_process import working_in
 from grading.raised import Raised
 from support.constants import COLOR_MAP, NC_FP, TEXTURE_MAP
 from support.files.cradle_csv import read_cells
-from support.pendulum import make_pendulum
+from support.pendulum import arm, make_pendulum
 
 # Equal rows, also the first and the last one, zeros, e = 0 and e = 1, many digits, and more rows than columns.
 SEVEN = [
@@ -328,7 +327,7 @@ def test_bobs_hang_from_their_axles():
     """Use one relevant helper function to create the tuple of objects."""
 
     def places(thetas, r_param=R):
-        return [vector(r_param * sin(theta), -r_param * cos(theta), 0) for theta in thetas]
+        return [arm(theta, r_param) for theta in thetas]
 
     def place(pend):
         axle, bob, _ = pend["objects"]

@@ -65,10 +65,11 @@ def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
 
     printed has the output of the student's code by the names of the checks that fail. columns is the width of rules.
     """
-    made = [(check.function, outcomes[check.name].place) for check in made_checks(outcomes)]
-    unwritten = [(f"{function} in {place}", "yellow") for function, place in dict.fromkeys(made) if place]
-    lines = [(rule("Not written yet", "=", columns), ""), *unwritten] if unwritten else []
-    mistakes = [check for check in made_checks(outcomes) if outcomes[check.name].state in (FAILED, FAULT)]
+    made = made_checks(outcomes)
+    places = {check.function: outcomes[check.name].place for check in made if outcomes[check.name].place}
+    lines = [(rule("Not written yet", "=", columns), "")] if places else []
+    lines += [(f"{function} in {place}", "yellow") for function, place in places.items()]
+    mistakes = [check for check in made if outcomes[check.name].state in (FAILED, FAULT)]
     if mistakes:
         first, *others = mistakes
         lines.append((rule("Failures", "=", columns), ""))

@@ -31,9 +31,14 @@ TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes th
 
 def pytest_addoption(parser):
     group = parser.getgroup("graded suites")
-    text, name = "run the graded suite of one tier only: D, C, B, A or honor", lambda text: text.upper().split(" ")[0]
-    group.addoption("--tier", type=name, choices=list(TIERS), metavar="TIER", help=text)
+    text = "run the graded suite of one tier only: D, C, B, A or honor"
+    group.addoption("--tier", type=tier_name, choices=list(TIERS), metavar="TIER", help=text)
     group.addoption("--grade-json", metavar="FILE", help="write the grade to FILE")
+
+
+def tier_name(text) -> str:
+    """Return the name of a tier as TIERS has it: HONOR for honor, and for "Honor roll"."""
+    return text.upper().partition(" ")[0]
 
 
 def pytest_configure(config):

@@ -23,7 +23,7 @@ from teacher.crossing import bounded, Crossing, File, MOST_PRINTED
 SPARE = 3.0  # s that a solver has to say that a call took too long
 WHOLE = 120.0  # s for all checks of a solution
 LINE = 5_000_000  # bytes of an answer
-MOST_MESSAGE = 20_000  # characters
+MOST = 20_000  # characters of a message
 
 
 def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
@@ -50,8 +50,7 @@ def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
         if os.name != "nt":
             signal.setitimer(signal.ITIMER_REAL, 0)
         process.end()
-    made = [(name, grading.outcomes[name]) for name in CHECKS if name in grading.outcomes]
-    outcomes = {name: each._replace(call=None, message=each.message[:MOST_MESSAGE]) for name, each in made}
+    outcomes = {name: one._replace(call=None, message=one.message[:MOST]) for name, one in grading.outcomes.items()}
     return outcomes, "\n".join(line for line, _ in words(outcomes, printed)), problems
 
 
