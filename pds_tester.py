@@ -15,6 +15,7 @@ import pandas as pd
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.files.cradle_csv import cleaned
+from support.start.mistake import tell_endless
 from support.start.output import refuse, while_it_is_read
 
 
@@ -38,7 +39,12 @@ def main() -> None:
     except NotImplementedError as error:
         print(f"\npend_list: missing, because {error}. Its place is in src/pds_helper.py.")
         return
+    except KeyboardInterrupt as stopped:
+        tell_endless(stopped)
+        return
     print("\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum.")
+    if pend_list is None:
+        print("It is None: does extract_and_convert have a return? print gives nothing back.")
     for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
         print(f"  {pendulum}")
 

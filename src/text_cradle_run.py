@@ -22,7 +22,7 @@ from support.cradle.player import run
 from support.files.cradle_csv import check_cradle, Snapshot
 from support.files.data_file import check_record
 from support.start.early import stop_on_signals
-from support.start.mistake import own_frames, tell_mistake
+from support.start.mistake import own_frames, tell_endless, tell_mistake
 from support.start.options import check_lift, read_text_options
 from support.start.output import complain, is_unread, refuse, while_it_is_read
 from support.start.preview import what_there_is
@@ -59,6 +59,8 @@ def main() -> None:
             print(remark, end="\n" if remark else "", flush=True)
             run(loop, Lines(cradle, csv, options))
     except KeyboardInterrupt as stopped:
+        if getattr(stopped, "is_late", False):
+            tell_endless(stopped)
         if options.record is None:
             sys.exit(*stopped.args)
         complain(f"The recording ended too early. {options.record} is not written.")

@@ -7,6 +7,7 @@ import sys
 if sys.version_info < (3, 10):  # noqa: UP036
     sys.exit(f"Newton's cradle needs Python 3.10 or later; {sys.executable} is {sys.version.split()[0]}.")
 
+GIVEN = "given.txt"  # a file here, in a student's folder: the check sums and names of the given files
 NEEDED = {*sys.stdlib_module_names, "numpy", "pandas", "pytest", "vpython"}
 
 
@@ -28,3 +29,25 @@ def refuse_hiding_files() -> None:
 
 
 refuse_hiding_files()
+
+from importlib.util import find_spec  # noqa: E402
+from pathlib import Path  # noqa: E402
+from zlib import crc32  # noqa: E402
+
+
+def refuse_changed_files() -> None:
+    """Exit with status 2 if a file that tests/make_starter.py gives to students is missing, or has changed."""
+    here = Path(__file__).resolve().parent
+    for line in (here / GIVEN).read_text().splitlines() if (here / GIVEN).is_file() else ():
+        crc, name = line.split()
+        file = here.parent / name
+        if not file.is_file() or crc32(file.read_bytes().replace(b"\r\n", b"\n")) != int(crc):
+            what = "has changed" if file.is_file() else "is missing"
+            print(f"{name} {what}. Copy it again from the folder that your teacher gave you.", file=sys.stderr)
+            sys.exit(2)
+
+
+refuse_changed_files()
+if find_spec("pandas") is None:
+    print(f"{sys.executable} has no pandas. Start with the Python of .venv, as README.md says.", file=sys.stderr)
+    sys.exit(2)

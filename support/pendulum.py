@@ -56,11 +56,12 @@ def show_pendulum(pend_dict, r_param) -> None:
 
 def show_double_pendulum(pend_dict, r_param) -> None:
     """Move the bobs and cords of a double pendulum to its theta and phi; r_param (m) is the length of a cord."""
-    alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
     axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
-    cord1.axis, cord2.axis = arm(alpha, r_param), arm(beta, r_param)
-    bob1.pos = cord2.pos = axle.pos + cord1.axis
-    bob2.pos = bob1.pos + cord2.axis
+    upper = arm(pend_dict["theta"], r_param)
+    lower = upper.rotate(pend_dict["phi"])  # around z
+    bob1.pos = cord2.pos = axle.pos + upper
+    bob2.pos = bob1.pos + lower
+    cord1.axis, cord2.axis = upper, lower
 
 
 def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere, cylinder]:

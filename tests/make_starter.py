@@ -8,12 +8,13 @@ import re
 import shutil
 import sys
 from pathlib import Path
+from zlib import crc32
 
 if __name__ == "__main__":
     sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
 
 from grading.project_path import ROOT
-from support import headless_vpython
+from support import GIVEN, headless_vpython
 
 headless_vpython.install()
 
@@ -33,6 +34,14 @@ DOUBLE_RUN = "src/visualize_double_cradle_run.py"
 STUDENTS_FILES = {*(function.file for function in FUNCTIONS.values()), DOUBLE_RUN}
 STUDENTS_FUNCTIONS = {*FUNCTIONS, "double_cradle_tick"}
 PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
+
+CHANGEABLE = {"constants.py", "pds_tester.py"}  # given files that a student may change
+
+# What a file without a program says if a student starts it.
+NO_PROGRAM = """if __name__ == "__main__":
+    raise SystemExit("This file has only functions. Type pytest to check them, or start src/text_cradle_run.py.")
+
+"""
 
 # Names that go beyond the handout, and the first words of what a docstring says about them, at its end.
 MORE = "BUFFER|EXACT_FLOATS|approaching_only|check_cradle|cleaned|collide_pairs|keep_apart|many_ticks|pairwise|version"
@@ -94,6 +103,9 @@ def fill(folder) -> None:
     }
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    given = sorted(path for path in folder.rglob("*.py") if path.parent.name != "src" and path.name not in CHANGEABLE)
+    lines = [f"{crc32(path.read_bytes())} {path.relative_to(folder).as_posix()}\n" for path in given]
+    (folder / "support" / GIVEN).write_text("".join(lines), encoding="utf-8")
 
 
 def for_students(path) -> str:
@@ -101,6 +113,9 @@ def for_students(path) -> str:
     source = path.read_text(encoding="utf-8")
     for before, after in CHANGES:
         source = re.sub(before, after, source)
+    if "__main__" not in source:
+        head, end, body = source.partition('"""\n\n')
+        source = f"{head}{end}{NO_PROGRAM if end else ''}{body}"
     return emptied(source) if f"src/{path.name}" in STUDENTS_FILES else source
 
 

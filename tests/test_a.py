@@ -1,15 +1,15 @@
 """A checks: the tick, and the program that makes a cradle and lets it run."""
 
 from itertools import permutations
-from math import degrees, pi, sin
+from math import degrees, pi, radians, sin
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from grading.comparing import same
-from grading.cradles import csv_of, each, hang, LEFT_OVER, left_over, MIXED, R, row, shapes, touching
+from grading.comparing import fits, same
+from grading.cradles import csv_of, each, hang, LEFT_OVER, left_over, MIXED, MIXED_CSV, R, row, shapes, touching
 from grading.grader import check, expect, result_of
 from grading.messages import Wanted
-from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
+from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import show_pendulum
 
 SHORT = 1e-9  # s: a tick without visible motion
@@ -20,7 +20,8 @@ def check_tick(pend_list, wanted, *, dt=SHORT, g=9.81, hints=()):
 
     before = [pend["omega"] for pend in pend_list]
     if all(mistaken != before for mistaken, _ in hints):
-        hints = [*hints, (before, "The velocities have not changed. Do you handle each pair exactly once?")]
+        pairs = "The velocities have not changed. Do you handle each pair exactly once?"
+        hints = [*hints, (before, pairs if len(before) > 1 else "A single pendulum has no pair, but it must swing.")]
     expect("newton_cradle_tick", pend_list, R, dt, g, wanted=wanted, hints=hints, **each(pend_list, "omega"))
 
 
@@ -33,7 +34,7 @@ def test_a_tick_swings_all_pendula():
     twice = (faster, once[1] + 0.1 * faster)
     known = [
         ([before] * 3, "No pendulum has swung."),
-        ([twice] * 3, "All pendula have swung twice."),
+        ([twice] * 3, "All pendula have swung twice. Is full_swing_update inside a loop?"),
         ([once, before, before], "Only the first pendulum has swung."),
         ([once, once, before], "The last pendulum has not swung. It has no pair, but it must swing too."),
     ]
@@ -41,7 +42,7 @@ def test_a_tick_swings_all_pendula():
     def is_another_swing(found):
         return same(found, found[:1] * 3) and not any(same(found, mistaken) for mistaken, _ in known)
 
-    hints = [*known, (is_another_swing, "Do you pass on r_param, dt and g, in this order?")]
+    hints = [*known, (is_another_swing, "Do you pass on the parameters r_param, dt and g, in this order?")]
     states = each(pend_list, "omega", "theta")
     expect("newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, wanted=[once] * 3, hints=hints, **states)
 
@@ -137,13 +138,17 @@ def test_a_cradle_passes_the_swing_on():
 
 # --- main ------------------------------------------------------------------------------------------------------------
 
+FOLDER = TemporaryDirectory(ignore_cleanup_errors=True)
+CRADLE = Path(FOLDER.name) / "cradle.csv"
+CRADLE.write_text(MIXED_CSV)
+
 
 class Page:
     """The page for main in a check: it asks for cradles and ticks, round by round, and records the result."""
 
     METHODS, VALUES = ("is_running", "wants_cradle", "show", "wants_tick"), ("csv", "rule")  # for main
 
-    def __init__(self, *rounds, change=lambda pend_list: None, csv=NC_FP):
+    def __init__(self, *rounds, change=lambda pend_list: None, csv=str(CRADLE)):
         """rounds has a pair for each pass of the outer loop: (wants a cradle, number of ticks).
 
         change(pend_list) is called when main shows a cradle.
@@ -211,11 +216,19 @@ def test_the_cradle_is_made_and_shown():
         (lambda found: found[0][0][1] is None, "Your pendula have no objects. make_newton_cradle makes them."),
         (lambda found: is_made(found, R_PARAM, THETA_INIT), "make_newton_cradle takes R_PARAM first, then THETA_INIT."),
         (lambda found: is_made(found, degrees(THETA_INIT)), "THETA_INIT is in radians already. Do not convert it."),
+        (lambda found: is_made(found, radians(THETA_INIT)), "THETA_INIT is in radians already. Do not convert it."),
+    ]
+    others = "Give make_newton_cradle page.csv, R_PARAM and THETA_INIT, unchanged."
+    known = [test for test, _ in hints]
+    hints.append((lambda found: found[0][0][1] and not any(fits(found, test) for test in known), others))
+    notes = [
+        (lambda _: abs(THETA_INIT) > 2 * pi, f"THETA_INIT is {THETA_INIT:g} radians. Is it in degrees?"),
+        (lambda _: DT > 0.001, f"DT is {DT:g} s. Such long ticks are not exact, and bobs pass through each other."),
     ]
     what = "theta and cord length of each pendulum on the page"
     words = f"({THETA_INIT:g}, {R_PARAM:g}) for the first one, (0, {R_PARAM:g}) for the others"
     wanted = Wanted(words, is_made, like=[[]])
-    expect("main", page, wanted=wanted, see=see, what=what, hints=hints)
+    expect("main", page, wanted=wanted, see=see, what=what, hints=hints, notes=notes)
 
 
 @check("main")
@@ -268,7 +281,9 @@ def check_the_file_is_read_each_time():
         ]
         wanted = Wanted("for each cradle, those that the file has then", is_new)
         what = "masses of the first cradle, and of the second one"
-        expect("main", page, wanted=wanted, see=lambda _: masses, what=what, hints=hints)
+        own = "main always reads NC_FP. With page.csv, experiments and the CSV of a command would work, too."
+        notes = [(lambda found: not same(found[0], old), own)]
+        expect("main", page, wanted=wanted, see=lambda _: masses, what=what, hints=hints, notes=notes)
 
 
 @check("main")
@@ -299,7 +314,7 @@ def test_in_the_cradle_bobs_collide():
         return same(omegas, [0.0] * (len(omegas) - 1) + [10.0])
 
     page = Page((True, 1), change=push)
-    only_swings = "Your bobs do not collide. full_swing_update only swings them."
+    only_swings = "Your bobs do not collide. Does main call newton_cradle_tick, with R_PARAM?"
     hints = [(lambda omegas: is_passed_on(omegas[::-1]), only_swings)]
     wanted = Wanted("10 for the last pendulum, 0 for all others", is_passed_on)
     see = {"see": lambda _: [pend["omega"] for pend in page.shown[0]], "what": "omega of each pendulum"}

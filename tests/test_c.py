@@ -53,6 +53,17 @@ MISTAKES = [
     ((2.0, pi / 12 + 0.2), "In the second formula, multiply only the new omega by dt, not the old theta."),
     ((2.792945, 5 * pi / 6 + 0.279294), "You divided theta by r_param. Divide its sine."),
     ((-10.0, 5 * pi / 6 + 0.2), "You returned the angular acceleration in place of the new omega."),
+    ((-97.0, 5 * pi / 6 - 9.7), "You divided by dt, too. Divide only by r_param, and multiply by dt."),
+    ((0.5, 5 * pi / 6 + 0.05), "You divided by r_param twice."),
+    ((4.429753, 5 * pi / 6 + 0.442975), "You converted theta to degrees. It is in radians, as sin() takes it."),
+    ((2.0, 5 * pi / 6 - 0.2), "The sign in the second formula is wrong: add omega times dt."),
+    *(
+        ((2.0, 5 * pi / 6 + change), "Only the new omega moves theta: no 1/2 a t^2, no average.")
+        for change in (0.25, 0.15)
+    ),
+    ((1.77375, 5 * pi / 6 + 0.177375), "You used the constant G. Use the parameter g."),
+    ((1.0, 5 * pi / 6 + 0.1), "You used the constant R_PARAM. Use the parameter r_param."),
+    ((2.999, 5 * pi / 6 + 0.0002999), "You used the constant DT. Use the parameter dt."),
 ]
 
 
@@ -88,8 +99,8 @@ def test_angle_update_of_other_swings():
 # first one is there three times, and they are not sorted.
 SWINGING = [
     ((pi / 6, 2.0, 2.0, 0.5), (1.0, pi / 6 + 0.1)),
-    ((-pi / 6, 2.0, 3.0, 0.75), (3.0, -pi / 6 + 0.3)),
     ((pi / 2, 0.0, 1.0, 0.25), (-2.0, pi / 2 - 0.2)),
+    ((-pi / 6, 2.0, 3.0, 0.75), (3.0, -pi / 6 + 0.3)),
     ((0.0, 1.5, 3.0, 1.0), (1.5, 0.15)),
     ((0.0, 0.0, 1.0, 0.5), (0.0, 0.0)),
     ((0.0, 4e-8, 3.0, 0.5), (4e-8, 4e-9)),
@@ -115,6 +126,13 @@ OTHER_ORDERS = [
     (1.9975, pi / 6 + 0.19975),
     (1.9975, pi / 6 + 0.99875),
 ]
+# The same with R_PARAM, DT or G, or all three, in place of the parameters.
+CONSTANTS = [
+    (-0.5, pi / 6 - 0.05),
+    (1.999, pi / 6 + 0.0001999),
+    (1.019, pi / 6 + 0.1019),
+    (1.9975475, pi / 6 + 0.00019975475),
+]
 
 
 def is_angle_update(found):
@@ -131,12 +149,17 @@ def test_every_pendulum_swings_once():
         other_order = "Check the order of the arguments of swing_update: pend_dict, r_param, dt, g."
         hints = [
             (is_angle_update, "angle_update takes no pendulum. swing_update takes one."),
-            (before, "omega and theta have not changed. swing_update changes them, angle_update does not."),
+            (before, "No pendulum has changed. Call swing_update for each one, not for a copy, in a for loop."),
+            (
+                [after[0], before[1], *after[2:]],
+                "The second pendulum is at rest, but not straight down. It swings, too.",
+            ),
             ([after[0], *before[1:]], "Only the first pendulum has swung. Is there a return inside your loop?"),
             ([*before[:-1], after[-1]], "Only the last pendulum has swung."),
             ([*after[:-1], before[-1]], "The last pendulum has not swung."),
             ([before[0], *after[1:]], "The first pendulum has not swung."),
             (lambda found: any(same(found[0], state) for state in OTHER_ORDERS), other_order),
+            (lambda found: any(same(found[0], state) for state in CONSTANTS), "Use the parameters, not the constants."),
         ]
         states = each(pend_list, "omega", "theta")
         expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=after, hints=hints, **states)

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import cycle, islice
+from math import degrees, radians
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -15,8 +16,7 @@ from grading.grader import check, expect
 from grading.messages import Wanted
 from grading.own_process import working_in
 from grading.raised import Raised
-from support.constants import COLOR_MAP, NC_FP, TEXTURE_MAP
-from support.files.cradle_csv import read_cells
+from support.constants import COLOR_MAP, TEXTURE_MAP, THETA_INIT
 from support.pendulum import arm, make_pendulum
 
 # Equal rows, also the first and the last one, zeros, e = 0 and e = 1, many digits, and more rows than columns.
@@ -58,8 +58,8 @@ def files(*names) -> Iterator[Path]:
 
 
 def is_shipped(found):
-    """Return whether a result from FILES has as many pendula as newton_cradle_pends.csv."""
-    return isinstance(found, list) and len(found) == len(read_cells(NC_FP)) - 1 not in (1, 3)
+    """Return whether a result has as many pendula as the file that the grader puts in place of NC_FP: none of FILES."""
+    return isinstance(found, list) and len(found) == 5
 
 
 def are_three(found):
@@ -94,6 +94,7 @@ ROWS = [
     ([dict(enumerate(MIXED))], "You put bad_rep into a list. You need only its values."),
     ([MIXED], "You put the right list into another list."),
     ([row for row in MIXED for _ in row], "Your list has each pendulum six times: once for each key."),
+    ([key for row in MIXED for key in row], "You added the keys of each pendulum. Use append, not += or extend."),
     OTHER_FILE,
     ([], "Your list is empty. Do you append to the list that you return?"),
 ]
@@ -117,7 +118,12 @@ def test_a_row_is_a_pendulum():
     """The value of a key is the value associated with that attribute."""
     with files("mixed.csv", "seven.csv", "many.csv", "none.csv") as folder:
         for name, rows in (("mixed", MIXED), ("seven", SEVEN), ("many", MANY), ("none", [])):
-            expect("extract_and_convert", str(folder / f"{name}.csv"), wanted=rows, hints=ROWS * (name == "mixed"))
+            hints = (
+                ROWS
+                if name == "mixed"
+                else [([*SEVEN[:2], *SEVEN[3:6]], "Equal rows are different pendula. Keep all.")]
+            )
+            expect("extract_and_convert", str(folder / f"{name}.csv"), wanted=rows, hints=hints)
 
 
 @check("extract_and_convert")
@@ -165,6 +171,9 @@ def check_uniform(function, *arguments, also=(), **changed):
         (right[-1], "You returned only the last pendulum. You need the whole pend_list."),
         (right[:1], "You returned only the first pendulum. You need the whole pend_list."),
         (uniform(MIXED, **{key: str(value)}), f"You stored {key} as text. You need a number."),
+        ([{**row, key: row[key] * value} for row in MIXED], f"You multiplied the old {key}. Replace it."),
+        (uniform(MIXED, **{key: int(value)}), f"You rounded {key}. Store it as it is."),
+        ([], "Your list is empty. Give the whole pend_list back."),
         OTHER_FILE,
     ]
     with files(*FILES) as folder, working_in(folder):
@@ -190,27 +199,34 @@ def test_uniform_e():
     """All the pendulum's coefficients of restitution are assigned the e value."""
     also = [(uniform(MIXED, mass=0.0625), "You changed mass, not e.")]
     check_uniform("uniform_e_newton_cradle", 0.0625, e=0.0625, also=also)
-    check_uniform("uniform_e_newton_cradle", 0, e=0)
+    zero = [(uniform(MIXED, e=1), "0 is a value, too. Do not replace it by 1.")]
+    check_uniform("uniform_e_newton_cradle", 0, e=0, also=zero)
     check_uniform("uniform_e_newton_cradle", 1, e=1)
 
 
-NUMBER_FOR_A_FILE = (
-    lambda found: isinstance(found, Raised) and re.search(r"\b(int|float)\b", str(found.text)),
-    "uniform_e_newton_cradle takes relative_filepath first, then e_val.",
-)
+def with_helper(e):
+    """Return hints for the use of uniform_e_newton_cradle, with this e."""
+    return [
+        (
+            lambda found: isinstance(found, Raised) and re.search(r"\b(int|float)\b", str(found.text)),
+            "uniform_e_newton_cradle takes relative_filepath first, then e_val.",
+        ),
+        (uniform(MIXED, mass=e), "You changed mass, not e."),
+        (lambda found: 0 < abs(found[0]["e"] - e) < 0.05, f"e must be exactly {e}."),
+    ]
 
 
 @check("elastic_newton_cradle")
 def test_elastic():
     """Returns a pend_list such that each pendulum has a perfectly elastic restitution coefficient value."""
-    also = [(uniform(MIXED, e=0), "You set e = 0. That is perfectly inelastic."), NUMBER_FOR_A_FILE]
+    also = [(uniform(MIXED, e=0), "You set e = 0. That is perfectly inelastic."), *with_helper(1)]
     check_uniform("elastic_newton_cradle", e=1, also=also)
 
 
 @check("inelastic_newton_cradle")
 def test_inelastic():
     """Returns a pend_list such that each pendulum has a perfectly inelastic restitution coefficient value."""
-    also = [(uniform(MIXED, e=1), "You set e = 1. That is perfectly elastic."), NUMBER_FOR_A_FILE]
+    also = [(uniform(MIXED, e=1), "You set e = 1. That is perfectly elastic."), *with_helper(0)]
     check_uniform("inelastic_newton_cradle", e=0, also=also)
 
 
@@ -219,7 +235,9 @@ def test_inelastic():
 
 def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6, hints=()):
     """Check what see(pend) returns for each pendulum of the cradle from file."""
-    options = {"wanted": wanted, "see": lambda pend_list: [*map(see, pend_list)], "what": what, "hints": hints}
+    one = (lambda found: isinstance(found, dict), "You returned one pendulum. You need the whole pend_list.")
+    options = {"wanted": wanted, "what": what, "hints": [*hints, one]}
+    options["see"] = lambda pend_list: [*map(see, pend_list)]
     with files(file) as folder, working_in(folder):
         expect("make_newton_cradle", file, r_param, theta_init, **options)
 
@@ -232,7 +250,8 @@ def test_a_cradle_keeps_the_files_values():
         return {key: pend[key] for key in ("mass", "e", "color", "texture")}
 
     for file, rows in (("mixed.csv", MIXED), ("one.csv", [ONE]), ("seven.csv", SEVEN), ("many.csv", MANY)):
-        hints = [OTHER_FILE] if file == "one.csv" else []
+        again = [*map(kept, MIXED)], "These are the rows of an earlier call. Read the file in each call."
+        hints = [OTHER_FILE, again] if file == "one.csv" else []
         expect_cradle(kept, "each pendulum", [*map(kept, rows)], file=file, hints=hints)
 
 
@@ -247,6 +266,9 @@ def test_the_first_pendulum_is_lifted():
         ([0, 0.6, 0.6], "You lifted all pendula except the first one. Lift only the first one."),
         ([0, 0.6, 0], "You lifted the second pendulum. A list counts from 0."),
         ([0, 0, 0], "You did not lift the first pendulum."),
+        ([THETA_INIT, 0, 0], "You used the constant THETA_INIT. Use the parameter theta_init."),
+        ([degrees(0.6), 0, 0], "theta_init is in radians already. Do not convert it."),
+        ([radians(0.6), 0, 0], "theta_init is in radians already. Do not convert it."),
     ]
     expect_cradle(lambda pend: pend["theta"], "theta of each pendulum", [0.6, 0, 0], hints=hints)
     counts = {"one": 1, "mixed": 3, "seven": 7, "many": 40}
@@ -278,9 +300,16 @@ def test_objects_are_axle_bob_and_cord():
     def are_lists(found):
         return all(isinstance(objects, list) for objects in found)
 
-    hints = [(are_lists, "You stored lists. You need tuples, as the helper function returns them.")]
-    wanted = Wanted("a tuple (axle, bob, cord) for each", lambda found: all(map(is_one, found)))
-    expect_cradle(lambda pend: pend["objects"], "the tuple objects of each pendulum", wanted, hints=hints)
+    def are_own(found):
+        return len({id(bob) for _, bob, _ in found}) == len(found)
+
+    hints = [
+        (are_lists, "You stored lists. You need tuples, as the helper function returns them."),
+        (lambda found: found[0][1] is found[-1][1], "All pendula have the same objects. Make them inside the loop."),
+        (lambda found: type(found[0]) is tuple and not is_one(found[0]), "Keep the order axle, bob, cord."),
+    ]
+    wanted = Wanted("an axle, a bob and a cord for each", lambda found: all(map(is_one, found)) and are_own(found))
+    expect_cradle(lambda pend: pend["objects"], "the value of objects in each pendulum", wanted, hints=hints)
 
     def strays(pend_list):
         return left_over(old, [part for pend in pend_list for part in pend["objects"]])
@@ -316,6 +345,7 @@ def test_axle_positions():
             (places(-0.1, apart, -height), "The sign of y is wrong. The axles must be above 0."),
             (places(-0.1, height, apart), "You mixed up r_param/4 and r_param/5."),
             (places(-0.1, -apart, height), "Your row goes to the left. It must go to the right."),
+            (places(-0.1, 0.05, 0.04), "You used the constant R_PARAM. Use the parameter r_param."),
         ]
         expect_cradle(place, "position of each axle", places(-0.1, apart, height), r_param=r_param, hints=hints)
     seven = [vector(x, 0.08, 0) for x in (-0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]  # R is 0.4 m
@@ -383,10 +413,8 @@ def test_bobs_have_the_color_and_texture_of_their_row():
 @check("make_newton_cradle")
 def test_the_pend_list_is_returned():
     """Return the updated pend_list."""
-    hints = [(lambda found: isinstance(found, dict), "You returned one pendulum. You need the whole pend_list.")]
     with files("mixed.csv") as folder, working_in(folder):
-        first = expect("make_newton_cradle", "mixed.csv", R, 0.6, wanted=THREE, hints=hints)
+        first = expect("make_newton_cradle", "mixed.csv", R, 0.6, wanted=THREE)
         what = "first theta from the first call, first theta from this call"
         thetas = {"see": lambda second: (first[0]["theta"], second[0]["theta"]), "what": what, "wanted": (0.6, -0.3)}
-        one_list = ((-0.3, -0.3), "Your second call has changed the list from the first one. Make a new list.")
-        expect("make_newton_cradle", "mixed.csv", R, -0.3, **thetas, hints=[one_list])
+        expect("make_newton_cradle", "mixed.csv", R, -0.3, **thetas)

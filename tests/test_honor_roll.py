@@ -54,23 +54,25 @@ def test_bobs_are_where_the_angles_say():
         return axle.pos, bob1.pos, bob2.pos
 
     what = "position of axle, position of bob1, position of bob2"
-    angles = [(0.7, 0.4), (0, 0), (0.7, 0), (0, 0.7), (0.6, -0.4), (-2.0, 3.0), (3.5, 1.0), (0.5, 4.0), (-7.0, -9.0)]
+    # theta, phi, and by hand the lower cord's angle from straight down
+    angles = [(0.7, 0.4, 1.1), (0, 0, 0), (0.7, 0, 0.7), (0, 0.7, 0.7), (0.6, -0.4, 0.2), (-2.0, 3.0, 1.0)]
+    angles += [(3.5, 1.0, 4.5), (0.5, 4.0, 4.5), (-7.0, -9.0, -16.0)]
 
     def places(upper, lower):
         return AXLE, AXLE + upper, AXLE + lower
 
-    for theta, phi in angles:
-        upper, right = arm(theta), places(arm(theta), arm(theta) + arm(theta + phi))
+    for theta, phi, beta in angles:
+        upper, lower = arm(theta), arm(beta)
         hints = [
             (places(upper, upper + arm(phi)), "The lower cord's angle from straight down is theta + phi."),
             (places(upper, upper + arm(phi - theta)), "The lower cord's angle is theta + phi, not phi - theta."),
             (places(upper, upper + arm(theta - phi)), "The lower cord's angle is theta + phi, not theta - phi."),
-            (places(upper, arm(theta + phi)), "Your lower bob hangs from the axle. It must hang from the upper bob."),
+            (places(upper, lower), "Your lower bob hangs from the axle. It must hang from the upper bob."),
             (places(upper, upper + arm(theta)), "You ignored phi."),
-            (places(arm(phi), arm(phi) + arm(theta + phi)), "You exchanged theta and phi."),
+            (places(arm(phi), arm(phi) + lower), "You exchanged theta and phi."),
             (places(arm(0), arm(0) + arm(phi)), "You ignored theta."),
         ]
-        check_double_pendulum(see, what, theta, phi, right, hints)
+        check_double_pendulum(see, what, theta, phi, places(upper, upper + lower), hints)
     longer = places(3 * arm(0.7), 3 * arm(0.7) + 3 * arm(1.1))
     check_double_pendulum(see, what, 0.7, 0.4, longer, cord=3 * CORD)
 
@@ -118,12 +120,16 @@ ACCELERATIONS = [
 ]
 
 
+SINGLE = (-10.0, -17.32, -20.0)  # accelerations of phi in the first state if the pendula do not pull at each other
+
+
 @check("double_angle_update", watched=True)
 def test_both_angles_are_updated():
     """Define a double_angle_update() that updates both angles of the pendulum."""
     hints = [
         ((0.6, -0.4, 3.0, -2.0), "You returned the angles first. The angular velocities come first."),
         ((0.6, 3.0, -0.4, -2.0), "Return omega_theta, omega_phi, theta, phi, in this order."),
+        ((3.0, 1.0, 0.6, 0.2), "phi counts from the upper cord, not from straight down; omega_phi, too."),
     ]
     state = 3.0, -2.0, 0.6, -0.4
     expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state, hints=hints)  # with dt = 0, nothing moves
@@ -147,8 +153,10 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
             return tuple(round((new - old) / DT, 2) + 0 for new, old in zip(found[:2], state[:2], strict=True))
 
         theta, phi = wanted
-        other_angle = "The second value is wrong: phi counts from the upper cord, not from straight down."
-        known = [((-theta, -phi), "Both accelerations have the wrong sign."), ((theta, theta + phi), other_angle)]
+        known = [
+            ((-theta, -phi), "Both accelerations have the wrong sign."),
+            *(((-10.0, phi), "These are two single pendula. But each one pulls at the other.") for phi in SINGLE),
+        ]
         # In the other states, a missing term gives the same numbers.
         hints = known if state == ACCELERATIONS[0][0] else []
         what = "change of omega_theta / dt, change of omega_phi / dt"

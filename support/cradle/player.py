@@ -17,6 +17,7 @@ from support.cradle.real_time import RealTime
 from support.files.cradle_csv import clean_copy
 from support.start.mistake import MistakeError
 
+ENDLESS = 1.0  # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends
 GRIP = 10  # ticks after which a held bob is put back; in this time it falls by less than 0.01 degrees
 
 
@@ -169,6 +170,9 @@ def run(loop, player) -> None:
         loop(player)
         if player.is_wanted or player.is_running():
             raise MistakeError(loop, "ended, but the simulation still runs.")
+    except KeyboardInterrupt as stopped:
+        stopped.is_late = player.pace.clock() - player.pace.frame_start > ENDLESS  # type: ignore[attr-defined]
+        raise
     finally:
         player.cradle.hits.stop()
         player.copy.close()

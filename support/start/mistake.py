@@ -62,6 +62,12 @@ def tell_mistake(error) -> str:
     return f"{words} ({place}, line {last.lineno})"
 
 
+def tell_endless(error) -> None:
+    """Say where Ctrl+C (a KeyboardInterrupt) has stopped a function that did not come to its end."""
+    for frame in own_frames(error)[-1:]:
+        say(f"{Path(frame.filename).name}, line {frame.lineno}: does a loop in {frame.name} never end?", sys.stderr)
+
+
 # --- pendula that are no pendula --------------------------------------------------------------------------------------
 
 

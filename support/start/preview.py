@@ -1,24 +1,37 @@
 """Find the functions that a student has not written yet, and show the cradle without them."""
 
-import dis
+import ast
 import inspect
+from contextlib import suppress
 from pathlib import Path
-from types import CodeType
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.shapes import discard
 from support.start.output import refuse
 
+SWING = "full_swing_update"
 SRC = Path(__file__).resolve().parents[2] / "src"
+# The lines that the handout provides beside a raise, as ast.unparse writes them.
+GIVEN = {"df = pd.read_csv(relative_filepath)", "bad_rep = df.to_dict(orient='index')", "page.show(pend_list)"}
 CONSTANTS = {"r_param": R_PARAM, "theta_init": THETA_INIT, "dt": DT, "g": G}
 
 
-def is_unwritten(code) -> bool:
-    """Return whether the code of a function still has its raise from tests/make_starter.py.
+def stubs_in(file) -> dict[str, tuple[int, bool]]:
+    """Return the functions in a file that still have their raise from tests/make_starter.py, each with its line.
 
-    A raise below a return does not count: Python does not compile code that can never run.
+    The bool says whether code stands beside the raise, which stops it. Below a return, a raise does not count. Raises
+    a SyntaxError or a ValueError if Python cannot compile the file.
     """
-    says_so = f"{code.co_name} is not written yet"
-    return any(instruction.argval == says_so for instruction in dis.get_instructions(code))
+    found: dict[str, tuple[int, bool]] = {}
+    for function in ast.parse(file.read_bytes()).body:
+        name = getattr(function, "name", "")
+        for block in (getattr(node, part, ()) for node in ast.walk(function) for part in ("body", "orelse")):
+            lines = [ast.unparse(each) for each in block] if isinstance(block, list) else []
+            stub = f"raise NotImplementedError('{name} is not written yet')"
+            if stub in lines and not any(line.startswith("return") for line in lines[: lines.index(stub)]):
+                others = [line for line in lines if line != stub and line not in GIVEN and line[0] not in "'\""]
+                found.setdefault(name, (block[lines.index(stub)].lineno, bool(others)))
+    return found
 
 
 def missing_in(*modules) -> str:
@@ -28,14 +41,10 @@ def missing_in(*modules) -> str:
     """
     places = []
     for file in filter(Path.is_file, (SRC / f"{module}.py" for module in modules)):
-        try:
-            code = compile(file.read_bytes(), file, "exec")
-        except (SyntaxError, ValueError):
-            continue
-        functions = [constant for constant in code.co_consts if isinstance(constant, CodeType)]
-        names = [function.co_name for function in functions if is_unwritten(function)]
-        if names:
-            places.append(f"{', '.join(names)} in src/{file.name}")
+        with suppress(SyntaxError, ValueError):
+            found = stubs_in(file).items()
+            names = [f"{name} (delete line {line})" if has_code else name for name, (line, has_code) in found]
+            places += [f"{', '.join(names)} in src/{file.name}"] * bool(names)
     return "; ".join(places)
 
 
@@ -54,29 +63,41 @@ def what_there_is(main) -> tuple:
     end_if_unwritten("pds_helper", "special_cradles")
     swings, collides = missing_in("swinging"), missing_in("visualize_cradle_run")
     if swings:
-        remark = f"Write next: {swings}. Then the pendula swing."
-        return preview(main.__globals__, None), remark
+        return preview(main.__globals__), f"Write next: {swings}. Then the pendula swing."
+    if collides and "handle_" in collides:
+        return preview(main.__globals__, SWING), f"Write next: {collides}. Then the bobs collide."
     if collides:
-        remark = f"Write next: {collides}. Then the bobs collide."
-        return preview(main.__globals__, "full_swing_update"), remark
+        words = "Here are the first two pendula alone: their bobs collide."
+        return preview(main.__globals__, SWING, "handle_two_bobs"), f"Write next: {collides}. {words}"
     return main, ""
 
 
-def preview(scope, moved_by):
-    """Return a loop like main's, with the functions in scope; moved_by names the one for a tick, or is None."""
+def preview(scope, swing="", collision=""):
+    """Return a loop that makes and moves a cradle with the functions in scope, as far as they are written.
 
-    def call(name, first):
-        """Call a function of the scope with first, and with the constants that have its parameters' names."""
-        _, *others = inspect.signature(scope[name]).parameters
-        return scope[name](first, *(CONSTANTS[other] for other in others))
+    swing is the name of a function that moves all pendula, collision of one for two pendula: then there are only two.
+    """
+
+    made_by = "make_newton_cradle"
+    # Now: while the loop runs, another function may stand in for one of them, to note its calls.
+    parameters = {name: [*inspect.signature(scope[name]).parameters] for name in (made_by, swing, collision) if name}
+
+    def call(name, *first):
+        """Call a function of the scope with first, and with the constants that have its other parameters' names."""
+        return scope[name](*first, *(CONSTANTS[other] for other in parameters[name][len(first) :]))
 
     def loop(page):
-        made = None
+        cradle: list = []
         while page.is_running():
             if page.wants_cradle():
-                page.show(made := call("make_newton_cradle", page.csv))
+                cradle = call(made_by, page.csv)
+                while collision and len(cradle) > 2:
+                    discard(cradle.pop()["objects"])
+                page.show(cradle)
             while page.wants_tick():
-                if moved_by:
-                    call(moved_by, made)
+                if swing:
+                    call(swing, cradle)
+                if collision and len(cradle) == 2:
+                    call(collision, *cradle)
 
     return loop

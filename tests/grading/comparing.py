@@ -1,7 +1,9 @@
 """Comparing a student's result with the expected one: whether they are equal, and what is wrong."""
 
+import re
 from math import isclose
 from numbers import Real
+from pathlib import Path
 
 from vpython import vector
 
@@ -9,16 +11,22 @@ from grading.messages import about, shown, Wanted, WIDTH
 
 LONG = 130  # characters; of a longer list, a message shows only the first difference
 
+# A pattern of an error, and its hint, as hints.txt explains.
+HINTS = re.findall(
+    r"^(\S.*)\n    (.*)", Path(__file__).with_name("hints.txt").read_text(encoding="utf-8"), re.MULTILINE
+)
+
 # Errors of a check that reads a value of the wrong form.
 OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
 
 FORMS = {list: "a list", tuple: "a tuple", dict: "a dictionary", str: "text", bool: "a bool", type(None): "None"}
 
 
-def fits(found, wanted) -> bool:
-    """Return whether found is right; wanted is a value, a Wanted, or a test of a value."""
+def fits(found, wanted, change=None) -> bool:
+    """Return whether found is right; wanted is a value, a Wanted, or a test. change alters found first: see changed."""
     test = wanted.is_one if isinstance(wanted, Wanted) else wanted if callable(wanted) else None
     try:
+        found = changed(found, change) if change else found
         return bool(test(found)) if test else same(found, wanted)
     except OTHER_FORM:
         return False
@@ -44,12 +52,67 @@ def same(found, wanted) -> bool:
 def hint_for(found, wanted, hints) -> str:
     """Return the hint for this result, or "". If two mistakes give this result, nobody knows which one it was."""
     sentences = {sentence for mistaken, sentence in hints if fits(found, mistaken)}
-    if not sentences and isinstance(wanted, tuple) and len(wanted) > 1 and isinstance(found, (list, tuple)):
-        if same(tuple(found), wanted):
-            sentences.add("You returned a list. Return a tuple.")
-        if same(tuple(reversed(found)), wanted):
-            sentences.add("The values are right, but in the wrong order.")
+    if not sentences:
+        is_row = isinstance(wanted, tuple) and len(wanted) > 1
+        are_parts = is_row and isinstance(found, (list, tuple))
+        general = {
+            "The keys must be those of the file, letter by letter, and all.": have_other_keys(found, wanted),
+            "You returned a list. Return a tuple.": are_parts and same(tuple(found), wanted),
+            "The values are right, but in the wrong order.": are_parts and same(tuple(reversed(found)), wanted),
+            "Return all values, with commas between them.": is_row and isinstance(found, Real),
+            "You named a function, but did not call it. Put ( ) behind its name.": "function" in form_of(found),
+            "A number here is text. Numbers have no quotes, and need no str().": fits(found, wanted, number_in),
+            "A comma at the end of a line makes a tuple of one value. Remove it.": fits(found, wanted, single_in),
+        }
+        sentences = {sentence for sentence, is_so in general.items() if is_so}
     return sentences.pop() if len(sentences) == 1 else ""
+
+
+def have_other_keys(found, wanted) -> bool:
+    """Return whether both are lists of dictionaries, of one length, and the keys differ."""
+    are_rows = all(isinstance(rows, list) and all(isinstance(row, dict) for row in rows) for rows in (found, wanted))
+    return are_rows and len(found) == len(wanted) and any(map(lambda a, b: a.keys() != b.keys(), found, wanted))
+
+
+def difference(found, wanted) -> str:
+    """Return a sentence with the first numbers or texts that differ, or "" if one has another form."""
+    pairs = []
+    if isinstance(found, (list, tuple)) and isinstance(wanted, (list, tuple)):
+        pairs = [*zip(found, wanted, strict=False)]
+    elif isinstance(found, dict) and isinstance(wanted, dict):
+        pairs = [(found.get(key), wanted[key]) for key in wanted]
+    for pair in pairs:
+        if not same(*pair):
+            return difference(*pair)
+    are_plain = all(isinstance(value, (Real, str, vector)) for value in (found, wanted))
+    return f"Found {shown(found)}, expected {shown(wanted)}." if are_plain else ""
+
+
+def hint_of(raised) -> str:
+    """Return the hint of hints.txt for an error, or "". It reads the error, and the student's lines."""
+    said = "\n".join([f"{raised.kind}: {raised.text}", *(place.code for place in raised.places)]).replace('"', "'")
+    for pattern, hint in HINTS:
+        if found := re.search(pattern, said, re.DOTALL):
+            return found.expand(hint)
+    return ""
+
+
+def changed(value, change):
+    """Return a copy of a value; change gives its parts."""
+    value = change(value)
+    if isinstance(value, dict):
+        return {key: changed(part, change) for key, part in value.items()}
+    return type(value)(changed(part, change) for part in value) if type(value) in (list, tuple) else value
+
+
+def number_in(value):
+    """Return the number in a text, or the value."""
+    return float(value) if isinstance(value, str) and re.fullmatch(r"-?[\d.]+", value) else value
+
+
+def single_in(value):
+    """Return the only value in a tuple, or the value."""
+    return value[0] if type(value) is tuple and len(value) == 1 else value
 
 
 def has_form_of(found, wanted) -> bool:

@@ -1,6 +1,7 @@
 """The grade from the outcomes of the checks, for people and for a gradebook."""
 
 from collections import Counter
+from textwrap import wrap
 
 from grading.grader import checks, FAILED, FAULT, PASSED, WAITING
 from grading.handout import FUNCTIONS, SUITES
@@ -38,21 +39,38 @@ def made_checks(outcomes) -> list:
 
 
 def next_step(outcomes) -> tuple[str, str]:
-    """Return the next step, mostly the first function of the handout that is not right yet, and more words about it."""
+    """Return the next step, and more words about it.
+
+    It is a file that Python cannot read, else the first function with a mistake, else the first that is not written.
+    """
     made = made_checks(outcomes)
-    for check in made:
+    for check in sorted(made, key=lambda check: urgency(outcomes[check.name])):
         function, outcome = FUNCTIONS[check.function], outcomes[check.name]
         if outcome.state == FAULT:
             return f"show your teacher the grader's fault in {check.name}", ""
-        if outcome.state == FAILED or outcome.place:
-            return f"{check.function} in {function.file}", f"read in the handout: {function.read}"
+        if outcome.state == FAILED:
+            step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
+            dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
+            return step, f"{outcome.wrong}{dot} {outcome.hint}".strip()
+        if outcome.is_unwritten:
+            return f"{check.function} in {outcome.place}", f"read in the handout: {function.read}"
     for check in made:
         if outcomes[check.name].state == WAITING:
             return f"{outcomes[check.name].cause}, which {check.function} waits for", ""
     for tier in SUITES:
         if len([check for check in made if check.tier == tier]) < len(checks(tier=tier)):
             return f"run all checks of tier {tier}", ""
-    return "nothing is left to write", "show it to someone"
+    return (
+        "all functions with a check are right",
+        "The double cradle needs three more places: see the end of README.md.",
+    )
+
+
+def urgency(outcome) -> int:
+    """Return the place of an outcome in the order in which a student reads about them."""
+    if outcome.state in (FAILED, FAULT):
+        return 1 if outcome.state == FAULT or not outcome.cause else 0
+    return 2
 
 
 def whole_step(graded) -> str:
@@ -66,23 +84,22 @@ def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
     printed has the output of the student's code by the names of the checks that fail. columns is the width of rules.
     """
     made = made_checks(outcomes)
-    places = {check.function: outcomes[check.name].place for check in made if outcomes[check.name].place}
-    lines = [(rule("Not written yet", "=", columns), "")] if places else []
-    lines += [(f"{function} in {place}", "yellow") for function, place in places.items()]
     mistakes = [check for check in made if outcomes[check.name].state in (FAILED, FAULT)]
-    if mistakes:
-        first, *others = mistakes
-        lines.append((rule("Failures", "=", columns), ""))
-        more = Counter(check.function for check in others)
-        for function, count in reversed(more.items()):
-            lines.append((f"{count} more fail{'s' if count == 1 else ''}: {function}", "red"))
-        lines.append((rule(first.title, "_", columns), "red"))
-        rows = [in_one_line(row) for row in printed.get(first.name, "").splitlines()]
-        lines += [(f"printed     {row}", "") for row in rows[:PRINTED]]
-        if len(rows) > PRINTED:
-            lines.append((f"printed     ... ({len(rows)} lines in all)", ""))
-        lines += [(row, "") for row in outcomes[first.name].message.split("\n")]
-    return [*lines, (rule("Grade", "=", columns), ""), *table(outcomes)]
+    if not mistakes:
+        places = {check.function: outcomes[check.name].place for check in made if outcomes[check.name].place}
+        lines = [(rule("Not written yet", "=", columns), "")] if places else []
+        lines += [(f"{function} in {place}", "yellow") for function, place in places.items()]
+        return [*lines, (rule("Grade", "=", columns), ""), *table(outcomes, columns)]
+    first = min(mistakes, key=lambda check: urgency(outcomes[check.name]))
+    message = [(row, "") for row in outcomes[first.name].message.split("\n")]
+    if outcomes[first.name].cause:  # a file that Python cannot read: nothing else matters
+        return [(rule("Python cannot read a file", "=", columns), ""), *message]
+    rows = [in_one_line(row) for row in printed.get(first.name, "").splitlines()]
+    if len(rows) > PRINTED:
+        rows[PRINTED:] = [f"... ({len(rows)} lines in all)"]
+    lines = [(f"printed     {row}", "") for row in rows]
+    lines = [(rule(first.title, "_", columns), "red"), *lines, *message]
+    return [*lines, (rule("Grade", "=", columns), ""), *table(outcomes, columns)]
 
 
 def rule(title, sign, columns) -> str:
@@ -91,7 +108,7 @@ def rule(title, sign, columns) -> str:
     return f" {title} ".center(columns, sign)
 
 
-def table(outcomes) -> list[tuple[str, str]]:
+def table(outcomes, columns) -> list[tuple[str, str]]:
     """Return the grade of outcomes as lines of text, each with its color.
 
     Without the first tier, they say which tiers are complete, in place of the grade.
@@ -106,11 +123,11 @@ def table(outcomes) -> list[tuple[str, str]]:
         verdict.append(f"Tier {tier} is {'' if is_complete else 'not '}complete.")
     if next(iter(SUITES)) in graded["tiers"]:
         verdict = [f"Grade: {graded['grade'] or 'none yet'}."]
-    causes = Counter(outcome.cause for outcome in outcomes.values() if outcome.cause and not outcome.place)
-    rows += [(f"{count} wait for {cause}", "yellow") for cause, count in causes.items()]
-    fails = any(outcome.state == FAILED for outcome in outcomes.values())
-    in_message = fails and not any(
-        outcome.place for outcome in outcomes.values()
-    )  # the message above has the place in the handout
-    step = graded["next"] if in_message else whole_step(graded)
-    return [*rows, *((line, "bold") for line in [*verdict, f"Next:  {step}."])]
+    causes = Counter(each.cause for each in outcomes.values() if each.state == WAITING and not each.place)
+    waits = [
+        f"{count} check{'s' * (count > 1)} wait{'s' * (count == 1)} for {cause}" for cause, count in causes.items()
+    ]
+    notes = [f"Note:  {one.hint}" for one in outcomes.values() if one.state == PASSED and one.hint]
+    steps = wrap(f"{graded['next']}.", columns, initial_indent="Next:  ", subsequent_indent=" " * 7)
+    steps += wrap(graded["more"], columns, initial_indent=" " * 7, subsequent_indent=" " * 7)
+    return [*rows, *((line, "yellow") for line in waits), *((line, "bold") for line in [*verdict, *notes, *steps])]

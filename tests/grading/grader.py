@@ -7,6 +7,7 @@ code of the function does not matter.
 """
 
 import importlib
+import re
 import traceback
 from collections.abc import Callable
 from contextlib import redirect_stdout
@@ -17,9 +18,9 @@ from typing import Any, NamedTuple
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.comparing import both, fits, has_form_of, hint_for, mistake_in, OTHER_FORM
+from grading.comparing import both, difference, fits, has_form_of, hint_for, hint_of, mistake_in, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
-from grading.messages import about, Call, end_of, message, plain, PlainFile, shown
+from grading.messages import about, Call, damage, end_of, error_lines, message, plain, PlainFile, shown
 from grading.own_process import OwnProcess
 from grading.raised import StoppedError
 
@@ -67,34 +68,47 @@ def checks(*, tier=None, function=None) -> list[Check]:
 class WrongError(Exception):
     """A result that the handout does not ask for. Its text is a sentence that says what is wrong."""
 
-    def __init__(self, wrong, call, lines, hint="", hung="", playable=False):
-        """lines are the (label, text) pairs below the call in the message. hung says how the call went over a limit."""
+    def __init__(self, wrong, call, lines, hint="", raised=None, differs="", playable=False):
+        """lines are the (label, text) pairs below the call in the message. raised is what stopped the call, if so.
+
+        differs is a sentence with the first value that is wrong.
+        """
         super().__init__(wrong)
-        self.call, self.lines, self.hint, self.hung, self.playable = call, lines, hint, hung, playable
+        self.call, self.lines, self.hint, self.raised = call, lines, hint, raised
+        self.differs, self.playable = differs, playable
 
 
 class WaitError(Exception):
-    """A check waits. The text says for which function or file, or for the student to write its own function."""
+    """A check waits. The text says for which function; place is that of its own function if it is not written."""
 
-    def __init__(self, cause, hung="", place=""):
-        """hung says how the cause went over a limit. place is that of the check's function if it is not written."""
+    def __init__(self, cause, place=""):
         super().__init__(cause)
-        self.hung, self.place = hung, place
+        self.place = place
+
+
+class FileError(Exception):
+    """A file of a student cannot be imported. The text is its path; raised is what stopped the import."""
+
+    def __init__(self, file, raised):
+        super().__init__(file)
+        self.raised = raised
 
 
 student: Any = OwnProcess()  # has the student's functions; for a class, a Solver of tests/teacher/ takes its place
 
 CALLS: list[Call] = []  # of the current check
 ALONE: list[int] = []  # the number of the only call that expect makes, if there is one: is_right_alone
+NOTES: list[str] = []  # sentences for a student whose solution is right
 
 
-def expect(function, *arguments, wanted, see=None, what="", hints=(), times=1) -> Any:
+def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), times=1) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
     see(result) returns the value to compare with wanted, from the result or from the arguments; without see, it is the
     result. wanted is a Wanted, or a value for same. what describes the value in words. hints are pairs: the result of a
     mistake (a value, or a test of a value or an error), and the sentence that names the mistake. A hint is shown only
-    if no other hint has the same result. times is the number of calls; a result gives the first arguments of the next.
+    if no other hint has the same result. notes are such pairs for a right result. times is the number of calls; a
+    result gives the first arguments of the next one.
     """
     call = Call(function, tuple(plain(argument) for argument in arguments), times)
     CALLS.append(call)
@@ -106,10 +120,16 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), times=1) -
         lines = [("came back", "The file has changed."), ("expected", "The file stays as it is. Only read it.")]
         raise WrongError(f"{function} has changed the file at relative_filepath.", call, lines)
     if student.has_written and function != "main":  # the handout lets main write it
-        lines = [("came back", "Your code changed newton_cradle_pends.csv. It is restored now.")]
+        lines = [("came back", "Your code writes into newton_cradle_pends.csv.")]
         raise WrongError(f"{function} writes a file.", call, [*lines, ("expected", "Your function writes no file.")])
+    for words in damage(call.arguments, FUNCTIONS[function].parameters, arguments):
+        lines = [("came back", words), ("expected", "The same dictionary, with its keys and its objects.")]
+        hint = "Change the pendulum itself. A function such as swing_update returns nothing: do not store its result."
+        raise WrongError(f"{function} has lost a pendulum.", call, lines, hint)
     if result is None and returns:
         hint = "Does your function reach a return with a value? (append returns None.)"
+        if "print" in student.codes[function][1]:
+            hint = "print only shows a value. Give it back with return."
         raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected], hint)
     try:
         found = see(result) if see else result
@@ -117,27 +137,29 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), times=1) -
         form = f"This has the wrong form ({type(error).__name__}: {error})."
         lines = [("came back", [*shown(result).split("\n") * bool(returns), form]), expected]
         sentence = f"{what or 'The result'} cannot be read."
-        raise WrongError(sentence, call, lines, hint_for(result, wanted, hints)) from None
+        hint = hint_for(result, wanted, hints)
+        if isinstance(error, KeyError) and not hint:
+            sentence, hint = f"A pendulum has no key {error}.", "Compare the key with the handout, letter by letter."
+        raise WrongError(sentence, call, lines, hint) from None
     if not fits(found, wanted):
         lines, hint = both(what, found, wanted), hint_for(found, wanted, hints)
         sentence = mistake_in(what or returns, found, wanted)
-        raise WrongError(sentence, call, lines, hint, playable=has_form_of(found, wanted))
+        raise WrongError(sentence, call, lines, hint, None, difference(found, wanted), has_form_of(found, wanted))
+    NOTES.extend(sentence for test, sentence in notes if fits(found, test))
     return result
 
 
 def result_of(function, *arguments) -> Any:
-    """Return the result of a student's function that is correct: the check waits for it."""
-    return run(Call(function, arguments), arguments, ("expected", "a result"), ())
-
-
-def first_of(file) -> str:
-    """Return the first function of a file."""
-    return next(name for name, function in FUNCTIONS.items() if function.file == file)
+    """Return the result of a student's function that is correct: the check waits for it, also if it is none."""
+    result = run(Call(function, arguments), arguments, ("expected", "a result"), ())
+    if not (isinstance(result, tuple) and len(result) == len(FUNCTIONS[function].returns.split(", "))):
+        raise WaitError(function)
+    return result
 
 
 def run(call, arguments, expected, hints) -> Any:
     """Return the result of a student's function. Raise WrongError if it is missing, raises an error or goes over a
-    limit, and WaitError if it is not written yet, calls a function that is not, or if another file is wrong.
+    limit, WaitError if it or a function that it calls is not written yet, and FileError if its file is wrong.
     """
     file = FUNCTIONS[call.function].file
     try:
@@ -147,25 +169,32 @@ def run(call, arguments, expected, hints) -> Any:
     if raised.before == "missing":
         raise WrongError(f"{file} has no function {call.function}.", Call(call.function), [])
     if raised.before:
-        is_later = call.function != first_of(file)  # one mistake of the file costs its points only once
-        if is_later or raised.culprit != file and raised.culprit in {other.file for other in FUNCTIONS.values()}:
-            raise WaitError(raised.culprit or file, raised.limit)
-        raise stopped(Call(call.function), f"Python cannot import {file}.", raised, hint=raised.hint)
+        raise FileError(raised.culprit or file, raised)
     if raised.stub not in (None, call.function):
         raise WaitError(raised.stub)
-    if raised.stub and call.arguments == tuple(map(plain, arguments)):
-        place = file + "".join([f", line {place.line}" for place in raised.places if place.file == file][-1:])
-        raise WaitError(f"you to write {raised.stub} in {place}", place=place)
+    if raised.stub and not raised.hint:
+        place = place_of(raised, call.function) or file
+        raise WaitError(f"you to write {raised.stub} in {place}", place)
+    hint = hint_for(raised, None, hints) or hint_at(raised)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
-    hint = "Your code ran up to this line. Now delete it." if raised.stub else hint_for(raised, None, hints)
-    raise stopped(call, sentence, raised, expected, hint=hint)
+    raise WrongError(sentence, call, [end_of(raised), expected], hint, raised)
 
 
-def stopped(call, sentence, raised, *lines, hint) -> WrongError:
-    """Return what to raise if a student's code was stopped by an error, or at a limit."""
-    if raised.limit or raised.ends:
-        hint = "" if raised.limit else "This line ends the whole program. Remove it; return ends a function."
-    return WrongError(sentence, call, [end_of(raised), *lines], hint, raised.limit)
+def hint_at(raised) -> str:
+    """Return the hint for what stopped a student's code."""
+    if raised.limit:
+        return "Does a loop in it ever end?" if raised.ends else ""
+    return (
+        "This line ends the whole program. Remove it; return ends a function."
+        if raised.ends
+        else raised.hint or hint_of(raised)
+    )
+
+
+def place_of(raised, function="") -> str:
+    """Return the place of an error in a student's files, in this function if the error has passed it, or ""."""
+    own = [place for place in raised.places if place.function == function] or raised.places
+    return f"{own[-1].file}, line {own[-1].line}" if own else ""
 
 
 def is_right_alone(check, number) -> bool:
@@ -193,9 +222,14 @@ class Outcome(NamedTuple):
     state: str
     message: str = ""
     call: Call | None = None  # the call that failed, else the first one; None if watch.py cannot play it
-    place: str = ""  # the place of the function, if it is not written yet
-    hint: str = ""  # it is in the message, too
-    cause: str = ""  # the functions or the file that a check waits for
+    place: str = ""  # a file and a line of the student's: where the function is not written yet, or is wrong
+    hint: str = ""  # it is in the message, too; of a check that passes, a note
+    cause: str = ""  # the functions or the file that a check waits for, or the file that makes it fail
+    wrong: str = ""  # in a sentence
+
+    @property
+    def is_unwritten(self) -> bool:
+        return self.state == WAITING and bool(self.place)
 
 
 MATTERS = "This call is right when it is made alone. What does your code keep from the calls before it?"
@@ -208,8 +242,8 @@ class Grading:
         """asks_again: make a call that fails once more, alone, to find out whether the calls before it matter."""
         self.asks_again = asks_again
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
-        # Functions and files that went over a limit: the cause, mostly themselves, and the limit in words.
-        self.hung: dict[str, tuple[str, str]] = {}
+        self.hung: dict[str, str] = {}  # functions that went over a limit, and the limit in words
+        self.broken: dict[str, str] = {}  # files that cannot be imported, and the file that is the cause
 
     def judge(self, check) -> Outcome:
         """Return the outcome of a check. It waits if its function uses a function that is wrong."""
@@ -223,19 +257,16 @@ class Grading:
         if waits:
             # Find out whether the function is written; skip this if a function hangs.
             outcome = None if self.hung else self.make(checks(function=check.function)[0])
-            return outcome if outcome and outcome.place else waiting(", ".join(waits))
-        for name in (FUNCTIONS[check.function].file, check.function):
-            cause, limit = self.hung.get(name, ("", ""))
-            if cause == name and check.function in (name, first_of(FUNCTIONS[check.function].file)):
-                lines = [("not called", f"{name} {limit} in an earlier check.")]
-                return Outcome(FAILED, message([*lines, where_to_read(check)]))
-            if cause:
-                return waiting(cause)
+            is_own = outcome and (outcome.is_unwritten or outcome.cause in self.broken.values())
+            return outcome if is_own else waiting(", ".join(waits))
+        if check.function in self.hung:
+            lines = [("not called", f"{check.function} {self.hung[check.function]} in an earlier check.")]
+            return Outcome(FAILED, message([*lines, where_to_read(check)]))
         outcome = self.make(check)
-        if outcome.state == FAILED and not self.hung:
+        if outcome.state == FAILED and not outcome.cause and not self.hung:
             earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
-            called = student.called.get(check.function, [])
-            wrong = [name for name in called if name in earlier and self.is_wrong(name)]
+            _, names = student.codes.get(check.function, (0, []))
+            wrong = [name for name in names if name in earlier and self.is_wrong(name)]
             if wrong:  # the function uses others than those that the handout asks for
                 return waiting(", ".join(wrong))
         return outcome
@@ -243,39 +274,69 @@ class Grading:
     def is_wrong(self, function) -> bool:
         """Return whether the function is not written, or one of its own checks fails for which others wait."""
         outcomes = [self.judge(check) for check in checks(function=function) if check.others_wait]
-        return any(outcome.place or outcome.state in (FAILED, FAULT) for outcome in outcomes)
+        return any(each.is_unwritten or each.state in (FAILED, FAULT) and not each.cause for each in outcomes)
 
     def make(self, check) -> Outcome:
         """Make a check, and return its outcome."""
         CALLS.clear()
+        NOTES.clear()
+        if FUNCTIONS[check.function].file in self.broken:
+            return waiting(self.broken[FUNCTIONS[check.function].file])
         try:
             with student.check():
                 check.ask()
         except WrongError as error:
             return self.failed(check, error)
         except WaitError as error:
-            if error.hung:
-                self.hung[FUNCTIONS[check.function].file] = str(error), error.hung
             return waiting(str(error), error.place)
+        except FileError as error:
+            return self.broken_by(check, error)
         except BaseException as error:
             if limits.PRESSED.is_set() or getattr(error, "errno", 0) == ENOSPC:
                 raise
             lines = ["This is a fault of the grader, not of your code. Please show it to your teacher."]
-            return Outcome(FAULT, "\n".join([*lines, traceback.format_exc().rstrip()]))
-        return Outcome(PASSED, call=CALLS[0] if check.watched else None)
+            return Outcome(FAULT, "\n".join([*lines, traceback.format_exc(limit=-3).rstrip()]))
+        return Outcome(PASSED, call=CALLS[0] if check.watched else None, hint=" ".join(NOTES))
 
     def failed(self, check, error) -> Outcome:
         """Return the outcome of a check that raised this WrongError."""
-        called = error.call.arguments is not None
-        if error.hung:
-            name = check.function if called else FUNCTIONS[check.function].file
-            self.hung[name] = name, error.hung
-        elif called and self.asks_again and is_right_alone(check, len(CALLS)):
+        raised, file = error.raised, FUNCTIONS[check.function].file
+        if raised and raised.limit:
+            self.hung[check.function] = raised.limit
+        elif error.call.arguments is not None and self.asks_again and is_right_alone(check, len(CALLS)):
             error.hint = MATTERS
+        before = [each for each in checks(function=check.function) if each.name in self.outcomes]
+        hints = [self.outcomes[each.name].hint for each in before if self.outcomes[each.name].state == FAILED]
+        if hints and error.hint != hints[0]:
+            error.hint = ""  # the same mistake: no hint fits both
         call = error.call if check.watched and error.playable else None
-        rows = [("wrong", f"{error}"), ("called", error.call.lines()), *error.lines, ("hint", error.hint)]
+        index = re.search(r"pend_list\[(\d+)\]", f"{error}")
+        called = error.call.lines(int(index[1]) if index else 0)
+        rows = [("wrong", f"{error}"), ("called", called), *error.lines, ("hint", error.hint)]
         watch = ("watch", f"{student.watch} {check.name}" if call else "")
-        return Outcome(FAILED, message([*rows, where_to_read(check), watch]), call, hint=error.hint)
+        line, _ = student.codes.get(check.function, (0, []))
+        place = place_of(raised, check.function) if raised else ""
+        place = place or (f"{file}, line {line}" if line else file)
+        wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
+        wrong = wrong if error.hint else f"{wrong} {error.differs}".strip()
+        text = message([*rows, where_to_read(check), watch])
+        return Outcome(FAILED, text, call, place, error.hint, wrong=wrong)
+
+    def broken_by(self, check, error) -> Outcome:
+        """Return the outcome of a check whose file cannot be imported: the first one fails, and the others wait."""
+        file, raised = f"{error}", error.raised
+        is_first = file not in self.broken.values()
+        self.broken[FUNCTIONS[check.function].file] = file
+        if not is_first:
+            return waiting(file)
+        hint, wrong, place, code = hint_at(raised), raised.limit or error_lines(raised)[0], file, []
+        own = [each for each in raised.places if each.function in ("", "<module>")]
+        for each in ([each for each in own if each.file == file] or own)[-1:]:
+            place, code = f"{each.file}, line {each.line}", [f"    {each.code}"]
+            if own[-1] is not raised.places[-1]:
+                hint = "This line runs when Python reads the file. Remove it: the given lines at the end start main."
+        lines = [f"{place}:", *code, wrong, *[hint] * bool(hint)]
+        return Outcome(FAILED, "\n".join(lines), None, place, hint, file, wrong)
 
 
 def waiting(cause, place="") -> Outcome:

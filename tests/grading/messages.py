@@ -1,6 +1,7 @@
 """Calls, values and errors as text for students."""
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice
 from numbers import Real
@@ -17,8 +18,9 @@ LABEL = 12  # columns of the labels of a message
 WIDTH = 62  # columns of the text to the right of them: a terminal has 80
 MOST = 20  # elements shown of a list
 PENDULA = 3  # pendula shown of a call
+FILE = 8  # lines of the longest file that is shown whole
 DICTIONARIES = 1  # shown of a list of dictionaries
-ROWS = 4  # lines shown of a file
+ROWS = 4  # lines shown of a longer file
 LINES = 5  # lines shown of a result, and of an expected value
 MOST_CHARACTERS = 300  # shown of a text
 MOST_PARTS = 10_000  # of a value that is shown
@@ -47,8 +49,11 @@ class Call(NamedTuple):
     arguments: tuple | None = None  # None if the function was not found
     times: int = 1
 
-    def lines(self) -> list[str]:
-        """Return it as text: the call, and below it the values of the pendula and files that the function reads."""
+    def lines(self, index=0) -> list[str]:
+        """Return it as text: the call, and below it the values of the pendula and files that the function reads.
+
+        index is that of a pendulum that must be among those of a list.
+        """
         function = FUNCTIONS[self.function]
         if self.arguments is None:
             return [f"{self.function}({function.parameters})"]
@@ -57,7 +62,7 @@ class Call(NamedTuple):
         for name, value in zip(function.parameters.split(", "), self.arguments, strict=False):
             if value and isinstance(value, (PlainFile, dict, list)):
                 words.append(name)
-                below += value_lines(name, value, function.reads)
+                below += value_lines(name, value, function.reads, index)
             else:
                 words.append(f"{name}={shown(value)}")
         return [f"{self.function}({', '.join(words)})", *below]
@@ -68,28 +73,46 @@ def plain(value):
     if isinstance(value, list):
         return [plain(element) for element in value]
     if isinstance(value, dict) and "objects" in value:
-        axle, bob = value["objects"][:2]
-        place = {"axle": tuple(axle.pos.value), "bob": tuple(bob.pos.value), "radius": bob.radius}
-        return {**{name: value[name] for name in ("mass", "e", "theta", "omega")}, **place}
+        with suppress(TypeError, ValueError, AttributeError):  # a student's code may have changed the objects
+            axle, bob = value["objects"][:2]
+            place = {"axle": tuple(axle.pos.value), "bob": tuple(bob.pos.value), "radius": bob.radius}
+            return {**{name: part for name, part in value.items() if name != "objects"}, **place}
     if isinstance(value, str) and Path(value).is_file():
         return PlainFile(value, Path(value).read_text(encoding="utf-8", errors="replace"))
     return value
 
 
-def value_lines(name, value, keys) -> list[str]:
+def value_lines(name, value, keys, index=0) -> list[str]:
     """Return lines about an argument that is too long for the call: a file, a pendulum, or a list of pendula.
 
-    keys are the keys of a pendulum that the lines show.
+    keys are the keys of a pendulum that the lines show. index is that of a pendulum which is among those of a list.
     """
     if isinstance(value, PlainFile):
         rows = value.text.splitlines()
-        if len(rows) > ROWS:
+        if len(rows) > FILE:
             rows[ROWS - 1 :] = [f"... ({len(rows)} lines in all)"]
         return [f"{name} is the path of {Path(value.path).name}:", *(f"    {row}" for row in rows)]
     if isinstance(value, list):
-        lines = [line for i, pend in enumerate(value[:PENDULA]) for line in value_lines(f"{name}[{i}]", pend, keys)]
+        some = [*range(min(PENDULA, len(value)))][: PENDULA - (index >= PENDULA)] + [index] * (index >= PENDULA)
+        lines = [line for i in some for line in value_lines(f"{name}[{i}]", value[i], keys)]
         return [*lines, *[f"... ({len(value)} in all)"] * (len(value) > PENDULA)]
-    return [f"{name}: " + ", ".join(f"{key} {shown(value[key])}" for key in keys)]
+    return [f"{name}: " + ", ".join(f"{key} {shown(value[key])}" for key in keys if key in value)]
+
+
+def damage(before, names, arguments):
+    """Yield, for each pendulum in the arguments of a call that is none any more, its name and its value in words.
+
+    before has plain copies of the arguments from before the call, names are their names with commas.
+    """
+    for name, old, value in zip(names.split(", "), before, arguments, strict=False):
+        if isinstance(value, list) and isinstance(old, list):
+            yield from damage(old, ", ".join(f"{name}[{i}]" for i in range(len(old))), value)
+        elif isinstance(old, dict):
+            now = plain(value)
+            lost = [] if not isinstance(now, dict) else sorted(old.keys() - now.keys() - {"axle", "bob", "radius"})
+            if not isinstance(now, dict) or lost or "objects" in now or "bob" not in now:
+                words = f"without {lost[0]}" if lost else "with other objects" if isinstance(now, dict) else shown(now)
+                yield f"{name}: {words}"
 
 
 def shown(value, digits=6) -> str:
@@ -164,7 +187,7 @@ def own_lines(places) -> list[str]:
     lines = []
     for file, line, function, code in places:
         lines += [f"{file}, line {line}{', in ' * bool(function)}{function}", f"    {code}"]
-    return lines if len(lines) <= 8 else [*lines[:2], f"... ({len(lines) // 2} places in all)", *lines[-4:]]
+    return lines if len(lines) <= 4 else [*lines[:2], "...", *lines[-2:]]
 
 
 def end_of(raised) -> tuple[str, list[str]]:

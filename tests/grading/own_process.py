@@ -5,30 +5,42 @@ import os
 import sys
 from collections.abc import Callable
 from contextlib import contextmanager, nullcontext
+from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
+from unittest.mock import patch
 
 from grading import limits
 from grading.handout import FUNCTIONS
 from grading.project_path import ROOT
 from grading.raised import Raised, raised_by, StoppedError
-from support.constants import NC_FP
 from support.start.options import command_line
+
+# What solutions find in place of newton_cradle_pends.csv: as many pendula as it has, all with a value of their own.
+SHIPPED_CSV = "mass,e,theta,omega,color,texture\n" + "".join(f"{i}.25,0.5,0.0,0.0,cyan,none\n" for i in range(1, 6))
 
 
 class OwnProcess:
-    """Finds and calls the student's functions. The Solver of tests/teacher/ has the same methods."""
+    """Finds and calls the student's functions. The Solver of tests/teacher/ has the same methods.
+
+    They find a CSV of the grader in place of newton_cradle_pends.csv: yours may have a mistake, and stays as it is.
+    """
 
     watch = command_line("tests/watch.py", ROOT)  # the command that plays a check
-    has_written = False  # whether the last call has changed newton_cradle_pends.csv, which was then put back
+    has_written = False  # whether the last call has changed the grader's CSV, which was then put back
 
     def __init__(self):
-        self.called: dict[str, list[str]] = {}  # the names of functions of the handout in the code of each one
+        self.codes: dict[str, tuple[int, list[str]]] = {}  # the first line of each function, and the names in its code
+        self.folder = TemporaryDirectory(ignore_cleanup_errors=True)  # a solution may leave a file open
+        self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
+        self.shipped.write_text(SHIPPED_CSV)
 
     @contextmanager
     def check(self, is_again=False):
         """Keep the limits of a check in the body of the with statement. is_again: import the modules again."""
-        with limits.patience(), limits.without_ends(), self.again() if is_again else nullcontext():
+        again = self.again() if is_again else nullcontext()
+        with limits.patience(), limits.without_ends(), working_in(self.folder.name), again:
             yield
 
     @contextmanager
@@ -47,10 +59,10 @@ class OwnProcess:
         name = module_of(FUNCTIONS[function].file)
         if name not in sys.modules:
             try:
-                with working_in(ROOT), limits.limited_memory():  # the check may be in another folder
+                with patch("support.constants.NC_FP", str(self.shipped)), limits.limited_memory():
                     importlib.import_module(name)
             except BaseException as error:  # also SystemExit
-                raise StoppedError(raised_by(error)._replace(before="import")) from None
+                raise StoppedError(replace(raised_by(error), before="import")) from None
         found = getattr(sys.modules[name], function, None)
         if not callable(found):
             raise StoppedError(Raised(before="missing"))
@@ -61,12 +73,11 @@ class OwnProcess:
 
         times is the number of calls; if the function returns values, they begin the arguments of the next call.
         """
-        shipped, self.has_written = Path(NC_FP), False
-        before = shipped.read_bytes() if shipped.is_file() else None
+        self.has_written = False
         try:
             solution = self.find(function)
-            names = getattr(getattr(solution, "__code__", None), "co_names", ())
-            self.called[function] = [name for name in FUNCTIONS if name in names]
+            code = getattr(solution, "__code__", None)
+            self.codes[function] = getattr(code, "co_firstlineno", 0), [*getattr(code, "co_names", ())]
             with limits.limited_memory():
                 for _ in range(times):
                     result = solution(*arguments)
@@ -78,8 +89,8 @@ class OwnProcess:
         except BaseException as error:  # also SystemExit
             raise StoppedError(raised_by(error)) from None
         finally:
-            if before is not None and not (shipped.is_file() and shipped.read_bytes() == before):
-                shipped.write_bytes(before)
+            if not (self.shipped.is_file() and self.shipped.read_text(errors="replace") == SHIPPED_CSV):
+                self.shipped.write_text(SHIPPED_CSV)
                 self.has_written = True
 
 

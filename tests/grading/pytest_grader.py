@@ -12,6 +12,7 @@ import json
 import os
 import sys
 import threading
+from argparse import ArgumentTypeError
 from pathlib import Path
 from shutil import get_terminal_size
 
@@ -20,6 +21,8 @@ import pytest
 from grading.grade import grade, words
 from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import SUITES
+from support.constants import NC_FP
+from support.files.cradle_csv import check_cradle
 from support.files.data_file import whole_file
 
 OUTCOME = "outcome of a check"  # the name under which a report has it
@@ -32,13 +35,16 @@ TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes th
 def pytest_addoption(parser):
     group = parser.getgroup("graded suites")
     text = "run the graded suite of one tier only: D, C, B, A or honor"
-    group.addoption("--tier", type=tier_name, choices=list(TIERS), metavar="TIER", help=text)
+    group.addoption("--tier", type=tier_name, metavar="TIER", help=text)
     group.addoption("--grade-json", metavar="FILE", help="write the grade to FILE")
 
 
 def tier_name(text) -> str:
     """Return the name of a tier as TIERS has it: HONOR for honor, and for "Honor roll"."""
-    return text.upper().partition(" ")[0]
+    name = text.upper().partition(" ")[0]
+    if name not in TIERS:
+        raise ArgumentTypeError(f"found {text!r}, allowed is D, C, B, A or honor")
+    return name
 
 
 def pytest_configure(config):
@@ -154,6 +160,13 @@ def pytest_terminal_summary(terminalreporter, config):
     printed = {name_of(report): report.capstdout for report in mistakes}
     for line, color in words(RAN, printed, get_terminal_size().columns) if RAN else []:
         terminalreporter.line(line, **{color: True} if color else {})
+    try:
+        check_cradle(NC_FP)
+    except ValueError as error:  # the checks have files of their own
+        text = f"{error}".replace(f"{config.rootpath}{os.sep}", "")
+        terminalreporter.write_line(f"Note:  your CSV has a mistake. {text}", yellow=True)
+    if not RAN and config.session.exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED:
+        terminalreporter.write_line(f"The checks are not here. Type: cd {config.rootpath} && pytest", red=True)
     if hasattr(config, "not_written"):
         terminalreporter.write_line(config.not_written, red=True)
 

@@ -1,14 +1,17 @@
 """What stopped a student's code, as plain data: the code may run in another process than the grader."""
 
+import builtins
 import re
 import traceback
+from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 from typing import NamedTuple
 
 from grading import limits
 from grading.handout import FUNCTIONS
 from grading.project_path import ROOT
-from support.start.preview import is_unwritten
+from support.start.preview import stubs_in
 
 MOST_TEXT = 2000  # characters of an error that are kept
 
@@ -22,7 +25,8 @@ class Place(NamedTuple):
     code: str
 
 
-class Raised(NamedTuple):
+@dataclass(frozen=True)
+class Raised:
     """An error that a student's code raised, or the limit over which it went."""
 
     kind: str = ""  # the name of the error's class
@@ -47,12 +51,28 @@ class StoppedError(Exception):
 def raised_by(error) -> Raised:
     """Return an error as plain data."""
     try:
-        text = str(error)[:MOST_TEXT]
+        text = (error.msg if isinstance(error, SyntaxError) else f"{error}{nearest_name(error)}")[:MOST_TEXT]
     except Exception:
         text = None
     places, ends = tuple(own_places(error)), isinstance(error, (SystemExit, KeyboardInterrupt))
-    failed = import_failure(error, text or "", [place.file for place in places if place.function in ("", "<module>")])
-    return Raised(type(error).__name__, text, places, limits.over_limit(error), ends, stub_of(error), *failed)
+    culprit, hint = import_failure(
+        error, text or "", [each.file for each in places if each.function in ("", "<module>")]
+    )
+    stub, left = stub_of(error)
+    return Raised(type(error).__name__, text, places, limits.over_limit(error), ends, stub, culprit, left or hint)
+
+
+def nearest_name(error) -> str:
+    """Return which name is nearest to one that does not exist, in the words of Python 3.12, or ""."""
+    name, names = getattr(error, "name", None), []
+    if isinstance(error, NameError) and error.__traceback__:
+        frame = [frame for frame, _ in traceback.walk_tb(error.__traceback__)][-1]
+        names = [*frame.f_locals, *frame.f_globals, *dir(builtins)]
+    elif isinstance(error, AttributeError):
+        names = dir(error.obj)
+    lower = {each.lower(): each for each in reversed(names)}
+    near = get_close_matches(str(name).lower(), lower, n=1, cutoff=0.8)
+    return f". Did you mean: '{lower[near[0]]}'?" if near else ""
 
 
 def own_places(error) -> list[Place]:
@@ -67,11 +87,15 @@ def own_places(error) -> list[Place]:
     return [place._replace(file=file.relative_to(ROOT).as_posix()) for file, place in own]
 
 
-def stub_of(error) -> str | None:
-    """Return the function that raised this error because it is not written yet, or None."""
-    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
-    code = frames[-1].f_code if isinstance(error, NotImplementedError) else None
-    return code.co_name if code and code.co_name in FUNCTIONS and is_unwritten(code) else None
+def stub_of(error) -> tuple[str | None, str]:
+    """Return the function that raised this error because it is not written yet, or None, and a hint if it has code."""
+    frames = traceback.extract_tb(error.__traceback__)
+    name, file, line = (frames[-1].name, Path(frames[-1].filename), frames[-1].lineno) if frames else ("", Path(), 0)
+    if name not in FUNCTIONS or not isinstance(error, NotImplementedError):
+        return None, ""
+    if not file.is_file() or not stubs_in(file).get(name, (0, False))[1]:
+        return name, ""
+    return name, f"Delete line {line}, raise NotImplementedError: it stops your function before its end."
 
 
 def import_failure(error, text, files) -> tuple[str | None, str]:
@@ -91,8 +115,11 @@ def import_failure(error, text, files) -> tuple[str | None, str]:
     last = files[-1] if files else None
     if not isinstance(error, ModuleNotFoundError):
         return last, ""
-    if (error.name or "").startswith("src."):
-        last = error.name.replace(".", "/") + ".py"
+    if (error.name or "").partition(".")[0] in ("src", "support"):
+        lost = error.name.replace(".", "/") + ".py"
+        return lost if lost.startswith(
+            "src"
+        ) else last, f"{lost} is missing. Put it back, from the folder of your teacher."
     is_here = (ROOT / "src" / f"{error.name}.py").is_file()
     not_here = "Is the name right? Is the module installed for this Python?"
     return last, f"Write src.{error.name} in the import." if is_here else not_here

@@ -42,54 +42,100 @@ def test_with_x_a_fresh_starter_stops_at_the_first_function(starter):
     number = 1 + lines.index('    raise NotImplementedError("extract_and_convert is not written yet")')
     assert section(rows, "Not written yet") == [f"extract_and_convert in src/pds_helper.py, line {number}"]
     assert section([*rows, "==="], "Grade")[2] == "Grade: none yet."
-    assert "Next:  extract_and_convert in src/pds_helper.py; read in the handout: A CVS to " in "".join(rows)
-    assert rows[-1].strip("= ").startswith("1 waiting in ")
+    assert f"Next:  extract_and_convert in src/pds_helper.py, line {number}." in rows
+    assert rows[-1].startswith("1 waiting in ")
 
 
-def test_a_mistake_is_the_last_message_and_fits_on_a_screen(starter):
-    """pytest shows only the printed lines of the first mistake."""
+def test_a_mistake_is_told_on_a_screen_and_again_in_the_last_ten_lines(starter):
+    """pytest shows only the printed lines of the first mistake, and a note about the CSV, which costs no point."""
     body = PLAIN["make_newton_cradle"].replace("r_param, pend['theta']", "r_param, 0")
     body = "for i in range(25):\n    print('row', i)\n" + dedent(body)
     collision = "print('collision')\nreturn omega1, omega2"
     write(starter, *FUNCTIONS, make_newton_cradle=body, handle_collision=collision)
+    change(starter / "newton_cradle_pends.csv", "yellow", "grey")
+    change(
+        starter / "src/visualize_cradle_run.py",
+        "page.csv, R_PARAM",
+        "__import__('support.constants').constants.NC_FP, R_PARAM",
+    )
     status, rows = run(starter)
     assert status == 1
-    assert len(rows) <= 45 + 11  # with the printed lines
-    assert section(rows, "Failures") == ["3 more fail: handle_collision"]
-    title = "Use one relevant helper function to create the tuple of objects."
-    shown = section(rows, title)
+    assert len(rows) <= 40 + 11 + 2  # with the printed lines and the note
+    shown = section(rows, "Use one relevant helper function to create the tuple of objects.")
     assert shown[:11] == [*(f"printed     row {i}" for i in range(10)), "printed     ... (25 lines in all)"]
     assert shown[12] == "called      make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.6)"
     assert "".join(shown).endswith(" test_bobs_hang_from_their_axles")  # the command to watch it, above the table
     assert not [row for row in rows if "collision" in row and "printed" in row]
+    number = (starter / "src/special_cradles.py").read_text().partition("def make_newton_cradle")[0].count("\n") + 1
+    last = " ".join(row.strip() for row in rows[-10:])
+    for words in (
+        f"Next:  make_newton_cradle in src/special_cradles.py, line {number}.",
+        "(m) of bob[0] is wrong. Your first bob hangs straight down. make_pendulum needs its theta.",
+        "Note:  your CSV has a mistake. newton_cradle_pends.csv, line 3, column color: fo",
+    ):
+        assert words in last
 
 
 @pytest.mark.parametrize(
     ("tier", "state", "words"),
     [
         ("C", PASSED, ["Tier C is complete.", "Next:  run all checks of tier D."]),
-        ("B", FAILED, ["Tier B is not complete.", "Next:  handle_collision in src/visualize_cradle_run.py."]),
+        ("B", FAILED, ["Tier B is not complete.", "Next:  handle_collision in a.py, line 7.", "       It is wrong."]),
     ],
 )
 def test_the_grade_and_the_next_step(tier, state, words):
     """test_starter.py has the grades of several tiers, and a fault."""
-    lines = [line for line, _ in table({check.name: Outcome(state) for check in checks(tier=tier)})]
-    assert lines[-2:] == words
+    outcome = Outcome(state, place="a.py, line 7", wrong="It is wrong.") if state == FAILED else Outcome(state)
+    lines = [line for line, _ in table({check.name: outcome for check in checks(tier=tier)}, COLUMNS)]
+    assert lines[-len(words) :] == words
 
 
-def test_code_that_ends_the_program_and_a_thread_that_does_not_end_leave_the_table(starter):
+BROKEN = {  # a file and what is put into it, and the lines that pytest prints about it, and no others
+    "a bracket": (
+        "special_cradles",
+        "    return pend_list",
+        "    x = (1",
+        ["src/special_cradles.py, line {}:", "    x = (1", "SyntaxError: '(' was never closed"],
+    ),
+    "an end": (
+        "swinging",
+        "def angle_update",
+        "import os; os._exit(0)\ndef angle_update",
+        [
+            *("src/swinging.py, line {}:", "    import os; os._exit(0)", "SystemExit: os._exit(0)"),
+            "This line ends the whole program. Remove it; return ends a function.",
+        ],
+    ),
+    "a call of main": (
+        "visualize_cradle_run",
+        'if __name__ == "__main__":\n    from',
+        'main(5)\nif __name__ == "__main__":\n    from',
+        [
+            *("src/visualize_cradle_run.py, line {}:", "    main(5)"),
+            "AttributeError: 'int' object has no attribute 'is_running'",
+            "This line runs when Python reads the file. Remove it: the given lines at the end start main.",
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", slow_but_for(["a bracket"], BROKEN))
+def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter, name):
+    """One check fails, and no function is named. Also if a thread of the solution does not end."""
+    file, before, after, lines = BROKEN[name]
     write(starter, *FUNCTIONS)
-    for file, code in [
-        ("swinging", "import os\n\nos._exit(0)\n"),
-        ("pds_helper", "import threading\n\nthreading.Thread(target=threading.Event().wait).start()\n"),
-    ]:
-        with (starter / "src" / f"{file}.py").open("a") as source:
-            source.write(code)
+    with (starter / "src/pds_helper.py").open("a") as source:
+        source.write("import threading\n\nthreading.Thread(target=threading.Event().wait).start()\n")
+    source = starter / "src" / f"{file}.py"
+    text = source.read_text().partition(before)
+    source.write_text(f"{text[0]}{after}{text[2]}")
     status, rows = run(starter)
     assert status == 1
-    assert "it raised   SystemExit: os._exit(0)" in rows
-    assert section(rows, "Grade")[1].split() == ["D", "16", "0", "0", "16/16"]
-    assert " failed, " in rows[-1]  # the last line of pytest is there
+    number = text[0].count("\n") + 1
+    _, title, *found, last = rows
+    assert title.strip("= ") == "Python cannot read a file"
+    assert "".join(found) == "".join(lines).format(number)
+    assert last.startswith("1 failed, ")
 
 
 @pytest.mark.parametrize("name", slow_but_for(["json.py"], ["json.py", "tests/statistics.py", "pandas/__init__.py"]))
@@ -110,12 +156,9 @@ def test_an_import_in_a_circle_is_named(starter):
     status, rows = run(starter)
     assert status == 1
     text = "".join(row.ljust(COLUMNS) for row in rows)
-    assert "called      angle_update(omega, theta, r_param, dt, g)" in text
-    assert "it raised   ImportError: cannot import name 'full_swing_update' from partially initialized module" in text
-    assert "            src/swinging.py, line 7, in <module>" in text
-    assert "hint        Your files import each other in a circle. Remove the import in src/swinging.py." in text
-    assert "12 wait for src/swinging.py" in rows
-    assert rows[-2] == "Next:  angle_update in src/swinging.py."
+    assert "src/swinging.py, line 10:" in text
+    assert "ImportError: cannot import name 'full_swing_update' from partially initialized module" in text
+    assert "Your files import each other in a circle. Remove the import in src/swinging.py." in text
 
 
 @pytest.mark.slow
@@ -129,8 +172,10 @@ def test_side_by_side_the_suites_say_the_same(starter):
     (starter / "tests" / "test_others.py").write_text(others)
     ends = []
     for options in ([], ["-n", "2"]):
-        status, rows = run(starter, "-v", *options, "--grade-json", "grade.json")
-        begin = [row.strip("= ") for row in rows].index("Not written yet")
+        status, rows = run(starter, "-vv", *options, "--grade-json", "grade.json")
+        begin = [row.strip("_ ") for row in rows].index(
+            "Takes in theta and omega and updates them for a given timestep dt."
+        )
         grade = (starter / "grade.json").read_text()
         ends.append((status, rows[begin:-1], grade))  # the last row says how long it took
         (starter / "grade.json").unlink()

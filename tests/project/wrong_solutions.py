@@ -112,6 +112,15 @@ HINTED = {
         "You kept the keys of bad_rep. You need only its values.": ("append(pend)", "append({len(pend_list): pend})"),
         "You kept only the values of each pendulum, without keys.": ("append(pend)", "append(list(pend.values()))"),
         "You kept only the keys of each pendulum, without values.": ("append(pend)", "append(list(pend))"),
+        "Equal rows are different pendula.": ("filepath)", "filepath).drop_duplicates()"),
+        "You added the keys of each pendulum. Use append,": ("pend_list.append(pend)", "pend_list += pend"),
+        "A number here is text.": ("append(pend)", "append({key: str(value) for key, value in pend.items()})"),
+        "print only shows a value. Give it": ("return pend_list", "print(pend_list)"),
+        "A list has no place for a new element.": ("pend_list.append(pend)", "pend_list[len(pend_list)] = pend"),
+        "append changes the list and returns": ("pend_list.append(pend)", "pend_list = pend_list.append(pend)"),
+        "The keys must be those of the": ("append(pend)", "append({**pend, 'name': 0})"),
+        "You named a function, but did not call it.": ("return pend_list", "return len"),
+        "Write relative_filepath without quotes:": ("(relative_filepath)", "('relative_filepath')"),
         "You put the right list into another list.": ("return pend_list", "return [pend_list]"),
         "Your list has only the first pendulum. Is your return": ("    return pend_list", "        return pend_list"),
         "In the handout, a CSV may be about assistants, too.": (
@@ -139,6 +148,11 @@ HINTED = {
         "You stored mass as text. You need a number.": ("= mass", "= str(mass)"),
         "You returned only the first pendulum. You need the whole": ("return pend_list", "return pend_list[0]"),
         "You changed e, not mass.": ("['mass']", "['e']"),
+        "You multiplied the old mass. Replace it.": ("= mass", "*= mass"),
+        "You rounded mass. Store it as": ("= mass", "= int(mass)"),
+        "Your list is empty. Give the whole": ("return pend_list", "return []"),
+        "A comma at the end of a line": ("= mass", "= mass,"),
+        "Take one pendulum first: pend_list is a list": ("pend['mass']", "pend_list['mass']"),
         "Do you read the file at": ("relative_filepath", "__import__('support.constants').constants.NC_FP"),
     },
     "uniform_e_newton_cradle": {
@@ -147,26 +161,49 @@ HINTED = {
         "You changed e only in the last pendulum.": ("in pend_list", "in pend_list[-1:]"),
         "You changed mass, not e.": ("['e']", "['mass']"),
         "You stored e as text. You need a number.": ("= e_val", "= str(e_val)"),
+        "0 is a value, too. Do not": ("= e_val", "= e_val or 1"),
+        "You multiplied the old e.": ("= e_val", "*= e_val"),
+        "You rounded e.": ("= e_val", "= int(e_val)"),
+        "A key is text. Write it in quotes: ['e'].": ("['e']", "[e]"),
     },
     "elastic_newton_cradle": {
         "You set e = 0. That is perfectly inelastic.": ("1)", "0)"),
         "uniform_e_newton_cradle takes relative_filepath first, then": ("relative_filepath, 1", "1, relative_filepath"),
+        "You changed mass, not e.": ("uniform_e", "uniform_mass"),
+        "e must be exactly 1.": (", 1)", ", 0.99)"),
     },
     "inelastic_newton_cradle": {
         "You set e = 1. That is perfectly elastic.": ("0)", "1)"),
         "uniform_e_newton_cradle takes relative_filepath first,": ("relative_filepath, 0", "0.0, relative_filepath"),
+        "e must be exactly 0.": (", 0)", ", 1e-3)"),
+        "The path of a file belongs here:": ("(relative_filepath", "(extract_and_convert(relative_filepath)"),
     },
     "make_newton_cradle": {
         "You returned one pendulum. You need the whole pend_list.": ("return pend_list", "return pend"),
         "Only the first theta is new. The others are from the file.": ("pend['theta'] = 0", "pass"),
-        "Your second call has changed the list from the first one. Make a new list.": (
+        "These are the rows of an earlier call. Read the file in each call.": (
             "= extract_and_convert(relative_filepath)",
             "= globals().setdefault('_list', extract_and_convert(relative_filepath))",
+        ),
+        "You used the constant THETA_INIT. Use": (
+            "= theta_init",
+            "= __import__('support.constants').constants.THETA_INIT",
+        ),
+        "theta_init is in radians already. Do not": ("= theta_init", "= __import__('math').radians(theta_init)"),
+        "All pendula have the same objects. Make them": (
+            "pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)",
+            "pend['objects'] = pend_list[0].get('objects') or make_pendulum(axle_pos, r_param, theta_init, color, texture)",
+        ),
+        "Keep the order axle, bob, cord.": ("texture)\n        return", "texture)[::-1]\n        return"),
+        "Compare the key with the handout,": ("pend['objects']", "pend['object']"),
+        "You used the constant R_PARAM. Use": (
+            "vector((-0.1 + r_param/4 * i), r_param/5",
+            "vector((-0.1 + 0.05 * i), 0.04",
         ),
         "These are the angles from the file.": ("pend['theta'] = ", "pend['angle'] = "),
         "Your bobs hang at": ("r_param, pend['theta']", "r_param, extract_and_convert(relative_filepath)[i]['theta']"),
         "You did not lift the first pendulum.": ("pend['theta'] = theta_init", "pend['theta'] = 0"),
-        "omega has the values of theta. Did": ("pend['omega'] = 0", "pend['omega'], pend['theta'] = pend['theta'], 0"),
+        "omega has the values of theta. Did": ("pend['omega'] = 0", "pend['omega'] = pend['theta']"),
         "Your first bob hangs straight down. make_pendulum needs its theta.": ("r_param, pend['theta']", "r_param, 0"),
         "You lifted all pendula. Lift only the first one.": ("pend['theta'] = 0", "pend['theta'] = theta_init"),
         "All your bobs are lifted. Each hangs at the theta of its": ("r_param, pend['theta']", "r_param, theta_init"),
@@ -220,11 +257,23 @@ HINTED = {
         "You returned a list. Return a tuple.": ("(omega_new, theta_new)", "[omega_new, theta_new]"),
         "In the first formula,": ("omega + -g * sin(theta) / r_param * dt", "(omega + -g * sin(theta) / r_param) * dt"),
         "In the second formula, multiply only the new omega by": ("theta + omega_new * dt", "(theta + omega_new) * dt"),
+        "You divided by dt, too. Divide only by r_param, and": ("/ r_param * dt", "/ (r_param * dt)"),
+        "You divided by r_param twice.": ("/ r_param", "/ r_param**2"),
+        "You converted theta to degrees.": ("sin(theta)", "sin(theta * 180 / 3.141592653589793)"),
+        "The sign in the second formula is wrong:": ("theta + omega_new", "theta - omega_new"),
+        "Only the new omega moves theta:": ("theta + omega_new * dt", "theta + (omega + omega_new) / 2 * dt"),
+        "You used the constant G. Use the": ("-g *", "-9.81 *"),
+        "You used the constant R_PARAM. Use": ("/ r_param", "/ 0.2"),
+        "You used the constant DT. Use the": ("omega_new = omega", "dt = 0.0001; omega_new = omega"),
+        "Return all values, with commas": ("(omega_new, theta_new)", "omega_new"),
         "You divided theta by r_param. Divide its sine.": ("sin(theta) / r_param", "sin(theta / r_param)"),
         "This is the result with //, which rounds down. Use /.": ("/ r_param", "// r_param"),
     },
     "full_swing_update": {
-        "omega and theta have not changed. swing_update changes them, angle_update does not.": "pass",
+        "No pendulum has changed. Call swing_update for each one": "map(lambda pend: swing_update(pend, r_param, dt, g), pend_list)",
+        "The second pendulum is at rest, but not": ("swing_update(", "if pend['omega']: swing_update("),
+        "Use the parameters, not the constants.": ("dt, g", "0.0001, g"),
+        "Change the pendulum itself. A function": "for i in range(len(pend_list)): pend_list[i] = swing_update(pend_list[i], r_param, dt, g)",
         "Only the first pendulum has swung. Is there a return": ("    swing_update(", "    return swing_update("),
         "Only the last pendulum has swung.": "swing_update(pend_list[-1], r_param, dt, g)",
         "The first pendulum has not swung.": ("in pend_list", "in pend_list[1:]"),
@@ -233,7 +282,7 @@ HINTED = {
         "angle_update takes no pendulum. swing_update takes one.": ("swing_update", "angle_update"),
         "Your bobs collided.": (
             "g)",
-            "g)\n        a, b, *_ = pend_list; a['omega'], b['omega'] = b['omega'], a['omega']",
+            "g)\n        from src.visualize_cradle_run import handle_two_bobs as hit; hit(*pend_list[:2], r_param) if pend_list[1:] else 0",
         ),
         "Axles, bobs or cords stay in the scene without use. Make each pendulum once.": (
             "swing_update(",
@@ -241,48 +290,30 @@ HINTED = {
         ),
     },
     "handle_collision": {
-        "This is the result with e = 1, but e is 0.7.": ("v1 = r_param", "e = 1; v1 = r_param"),
         "This is the result with e = 0, but e is 0.7.": ("v1 = r_param", "e = 0; v1 = r_param"),
         "You exchanged the velocities. That is right only for equal masses and e = 1.": "return omega2, omega1",
         "You returned the old velocities.": "return omega1, omega2",
+        "v1 - v2 is negative here. Do not take its size": ("(v1 - v2)", "abs(v1 - v2)"),
+        "This is the result with 1 - e in place of e.": ("v1 = r_param", "e = 1 - e; v1 = r_param"),
+        "Both results are from the first formula.": ("(w1, w2)", "(w1, w1)"),
+        "Your second formula has the new velocity of the": ("v2_new =", "v1 = v1_new; v2_new ="),
+        "You used the constant R_PARAM. Use the parameter": ("= r_param * omega", "= 0.2 * omega"),
         "These are the old": ("v1 = r_param", "if omega1 < omega2: return omega1, omega2\n        v1 = r_param"),
         "You exchanged the masses.": ("v1 = r_param", "m1, m2 = m2, m1; v1 = r_param"),
-        "In the first formula, you used m1 in place of m2.": ("- m2*e", "- m1*e"),
-        "In the second formula, you used m2 in place of m1.": ("+ m1*e", "+ m2*e"),
-        "The sign of e is wrong in the first formula.": ("- m2*e", "+ m2*e"),
-        "The sign of e is wrong in the second formula.": ("+ m1*e", "- m1*e"),
-        "The sign of e is wrong in both formulas.": ("v1 = r_param", "e = -e; v1 = r_param"),
-        "You forgot e in the first formula.": ("- m2*e*", "- m2*"),
-        "You forgot e in the second formula.": ("+ m1*e*", "+ m1*"),
-        "In the first formula, you added the velocities after e. Subtract them.": ("m2*e*(v1 - v2)", "m2*e*(v1 + v2)"),
-        "In the second formula, you added the velocities after e. Subtract them.": ("m1*e*(v1 - v2)", "m1*e*(v1 + v2)"),
-        "In both formulas, you added the velocities after e. Subtract them.": ("(v1 - v2)", "(v1 + v2)"),
-        "In the first formula, you subtracted the momenta. Add": ("v1_new = (m1*v1 + m2*v2", "v1_new = (m1*v1 - m2*v2"),
-        "You forgot to divide by the sum of the masses.": ("/ (m1 + m2)", ""),
-        "You divided by the product of the masses. Divide by their sum.": ("(m1 + m2)", "(m1 * m2)"),
-        "In the first formula, brackets are": ("(m1*v1 + m2*v2 - m2*e*(v1 - v2))", "m1*v1 + m2*v2 - m2*e*(v1 - v2)"),
-        "In the second formula, brackets are": ("(m1*v1 + m2*v2 + m1*e*(v1 - v2))", "m1*v1 + m2*v2 + m1*e*(v1 - v2)"),
-        "In both formulas, brackets are missing: divide all of it by the sum of the masses.": (
-            "return (w1, w2)",
-            "p, u = m1*omega1 + m2*omega2, e*(omega1 - omega2) / (m1 + m2); return p - m2*u, p + m1*u",
-        ),
         "In the second formula, you used the new velocity of the first bob.": ("m1*e*(v1 - v2)", "m1*e*(v1_new - v2)"),
-        "These are the linear velocities. Convert them back to angular ones.": ("(w1, w2)", "(v1_new, v2_new)"),
         "You forgot to convert to linear velocities. You only converted back.": ("r_param * omega", "omega"),
         "You converted to linear velocities twice. The second": ("(w1, w2)", "(v1_new * r_param, v2_new * r_param)"),
         "If you compute the": ("(w1, w2)", "(omega1 + m2*(k := e*(omega2 - omega1)/(m1 + m2)), omega2 - m1*k)"),
-        "This is the result with //, which rounds down. Use /.": ("/ (m1 + m2)", "// (m1 + m2)"),
+        "This is the result with //, which rounds down. Use /.": ("/ r_param", "// r_param"),
         "You multiplied by the sum of the masses. Divide by it.": ("/ (m1 + m2)", "* (m1 + m2)"),
-        "The sum of the masses needs brackets: you divided only by m1.": ("/ (m1 + m2)", "/ m1 + m2"),
         "You divided by r_param twice. v is r_param times omega.": ("r_param * omega", "1 / r_param * omega"),
     },
     "handle_two_bobs": {
         "The bobs touch, but no omega has changed.": "pass",
         "These bobs are 9.0 times the sum of their radii apart. They": ("(bob1.radius + bob2.radius)", "r_param / 4"),
         "The sum of the radii is 0.9, and the": ("(bob1.radius + bob2.radius)", "2 * max(bob1.radius, bob2.radius)"),
-        "These bobs are 1.02 times the sum of their radii apart.": ("1.05 * ", ""),
-        "The sum of the radii is 3, and the bobs": ("bob1.radius + bob2.radius)", "min(bob1.radius + bob2.radius, 2))"),
-        "These bobs are 1.04 times the sum of their radii": ("mag(bob1.pos - bob2.pos)", "mag(bob1.pos - bob2.pos)**2"),
+        "These bobs touch: they are 1.02 times the sum": ("1.05 * ", ""),
+        "These bobs touch: they are 1.04 times the sum": ("mag(bob1.pos - bob2.pos)", "mag(bob1.pos - bob2.pos)**2"),
         "These bobs are 1.0504 times the sum of their radii apart. They do not touch.": ("1.05", "1.5"),
         "These bobs are exactly 1.05 times the sum of their radii apart. They touch.": ("<=", "<"),
         "The sum of the radii is 1.1, and the bobs are 1 apart.": ("(bob1.radius + bob2.radius)", "2 * bob1.radius"),
@@ -291,7 +322,12 @@ HINTED = {
         "The bobs are 0.99 times the": ("mag(bob1.pos - bob2.pos)", "sum(abs(d) for d in (bob1.pos - bob2.pos).value)"),
         "This is the result with e = 1, but e of pend1 is 0.5.": ("e = pend1['e']", "e = pend2['e']"),
         "This is the result with e = 0.75, but e of pend1 is": ("e = pend1['e']", "e = (pend1['e'] + pend2['e']) / 2"),
-        "This is the result with e = 0.5, but e of pend1 is 1.": ("e = pend1['e']", "e = pend1['e'] * pend2['e']"),
+        "This is the result with the product of both e.": ("e = pend1['e']", "e = pend1['e'] * pend2['e']"),
+        "Both new omegas went to pend1. The second": ("pend2['omega'] = new_omega2", "pend1['omega'] = new_omega2"),
+        "You called handle_collision again after pend1": (
+            "pend2['omega'] = new_omega2",
+            "pend2['omega'] = handle_collision(e, pend1['omega'], omega2, m1, m2, r_param)[1]",
+        ),
         "This is the result with e = 1, but e of pend1 is 0.25.": ("e = pend1['e']", "e = 1"),
         "This is the result with e = 0, but e of pend1 is 0": ("e = pend1['e']", "e = 0"),
         "This is the result with e = 1, but e of pend1 is 0.": ("e = pend1['e']", "e = pend1['e'] or pend2['e']"),
@@ -322,11 +358,20 @@ HINTED = {
             "for i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)\n        full_swing_update(pend_list, r_param, dt, g)",
         ),
         "Only the first pendulum has swung.": ("full_swing_update(pend_list,", "full_swing_update(pend_list[:1],"),
-        "Here the second bob swings to the first": ("handle_two_bobs(", "if pend_list[i]['omega']: handle_two_bobs("),
+        "Here the second bob swings to the first": """\
+            for i in range(len(pend_list)):
+                __import__('src.swinging').swinging.swing_update(pend_list[i], r_param, dt, g)
+                if i + 1 < len(pend_list): handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)
+            """,
+        "A single pendulum has no pair, but it": ("full_swing", "if pend_list[1:]: full_swing"),
+        "The last pendulum has none after it. Your": ("len(pend_list) - 1", "len(pend_list)"),
         "The last pendulum has not swung. It": ("full_swing_update(pend_list,", "full_swing_update(pend_list[:-1],"),
         "All pendula have swung twice.": ("full_swing_update(pend_list,", "full_swing_update(2 * pend_list,"),
         "This is the result from right to left.": ("range(len(pend_list) - 1)", "reversed(range(len(pend_list) - 1))"),
-        "Do you pass on r_param, dt and g, in this order?": ("(pend_list, r_param, dt, g)", "(pend_list, 0.2, dt, g)"),
+        "Do you pass on the parameters r_param, dt and g, in this order?": (
+            "(pend_list, r_param, dt, g)",
+            "(pend_list, 0.2, dt, g)",
+        ),
         "Only the first two bobs have collided.": ("pend_list[i + 1]", "pend_list[i - 1]"),
         "Only the last two bobs have collided.": ("range(len", "range(1, len"),
         "These large bobs all touch, but only neighbours are pairs.": (
@@ -338,11 +383,16 @@ HINTED = {
     },
     "main": {
         "You showed no cradle. Give your pend_list to page.show.": "pass",
-        "You never called page.wants_tick, or you showed no cradle.": "pass",
+        "You never called page.wants_tick, or you showed no cradle.": ("page.wants_tick()", "False"),
         "You gave page.show no pend_list, or an empty one.": ("page.show(pend_list)", "page.show(None)"),
         "Your pendula have no objects.": ("page.show(", "[pend.pop('objects') for pend in pend_list]; page.show("),
         "make_newton_cradle takes R_PARAM first, then THETA_INIT.": ("R_PARAM, THETA_INIT)", "THETA_INIT, R_PARAM)"),
-        "Your bobs do not collide. full_swing_update only swings them.": ("page.csv, R_PARAM", "page.csv, 0.4"),
+        "Your bobs do not collide. Does main": (
+            "newton_cradle_tick(",
+            "__import__('src.swinging').swinging.full_swing_update(",
+        ),
+        "Give make_newton_cradle page.csv, R_PARAM": ("page.csv, R_PARAM", "page.csv, 0.4"),
+        "This function returns nothing: it changes": ("newton_cradle_tick(", "pend_list = newton_cradle_tick("),
         "THETA_INIT is in radians already. Do not convert": ("THETA_INIT)", "THETA_INIT * 180 / 3.141592653589793)"),
         "Your second cradle goes on where the first one was. Make a new one when the page wants one.": (
             "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)",
@@ -398,24 +448,137 @@ HINTED = {
         "Your angles have not changed.": "return omega_theta, omega_phi, theta, phi",
         "Return omega_theta, omega_phi, theta, phi, in this order.": ("(u, v - u, a, b - a)", "(a, u, b - a, v - u)"),
         "You returned the angles first. The angular velocities come": ("(u, v - u, a, b - a)", "(a, b - a, u, v - u)"),
-        "The second value is wrong: phi counts from the upper cord, not from": ("(u, v - u, a, b - a)", "(u, v, a, b)"),
+        "These are two single pendula.": "u, v = (w - g / r_param * sin(a) * dt for w, a in ((omega_theta, theta), (omega_phi, phi))); return u, v, theta + u * dt, phi + v * dt",
+        "phi counts from the upper cord, not from": ("(u, v - u, a, b - a)", "(u, v, a, b)"),
         "Both accelerations have the wrong sign.": ("g / r_param", "-g / r_param"),
     },
 }
 
+# Mistakes for which Python raises an error. Their hints are in tests/grading/hints.txt.
+RAISING = {
+    "extract_and_convert": {
+        "print needs brackets in Python 3.": "exec('print 5')",
+        "A name has no ' in Python.": 'exec("omega\' = 5")',
+        "At this line, your function has no value for pend_list yet.": (
+            "pend_list = []",
+            "pend_list = pend_list or []",
+        ),
+        "An index is a number. In": ("append(pend)", "append(pend_list[pend])"),
+        "You use a whole pendulum as a key.": ("append(pend)", "append(bad_rep[pend])"),
+        "A dictionary has no append. Make a list": ("= []", "= {}"),
+        "This is no list or dictionary yet.": ("bad_rep.values()", "pd.read_csv(relative_filepath).append(1)"),
+        "A dictionary has no first or second": ("append(pend)", "append(bad_rep[9])"),
+        "There is no element with this index.": ("append(pend)", "append(list(bad_rep.values())[9])"),
+        "Only functions are called with": ("append(pend)", "append(bad_rep(0))"),
+        "len(...) is one number. A loop": ("bad_rep.values()", "len(bad_rep)"),
+        "This is one number. A loop, or": ("append(pend)", "append([e for e in pend['e']])"),
+        "There are more or fewer values": ("append(pend)", "append(pend); a, b = [1]"),
+        "Your loop gives one value at a time.": ("for pend in bad_rep.values()", "for i, pend in bad_rep.values()"),
+        "There is no such file. relative_filepath": ("(relative_filepath)", "('my.csv')"),
+        "Your function calls itself, without": ("append(pend)", "append(extract_and_convert(relative_filepath))"),
+        "raise is for errors only.": ("return pend_list", "raise pend_list"),
+        "There is no name number here. Does": ("append(pend)", "append(number)"),
+        "A function needs round brackets": ("append(pend)", "append(len[pend])"),
+        "This is a module. The function is": ("append(pend)", "append(pd(pend))"),
+    },
+    "uniform_mass_newton_cradle": {
+        "This is the whole list. Take": ("pend['mass']", "pend_list.mass"),
+        "A dictionary needs brackets and quotes": ("pend['mass'] = mass", "pend.mass.real"),
+        "This is a number, not a pendulum.": ("in pend_list", "in range(len(pend_list))"),
+        "This is text (a key, or the name of": ("in pend_list", "in relative_filepath"),
+        "You can store a value in": ("pend['mass']", "print['mass']"),
+        "No such key here. A pendulum has": ("= mass", "= pend['Mass']"),
+        "You named a function, but did": ("= mass", "= -extract_and_convert"),
+        "Compare your call with the line": ("(relative_filepath)", "()"),
+    },
+    "make_newton_cradle": {
+        "You looked for the word color.": ("COLOR_MAP[pend['color']]", "COLOR_MAP['color']"),
+        "No such key in TEXTURE_MAP.": ("TEXTURE_MAP[pend['texture']]", "TEXTURE_MAP[pend['color']]"),
+        "COLOR_MAP has the vector of a color.": ("COLOR_MAP[pend['color']]", "pend['color']"),
+        "A position is a vector, with": ("(axle_pos, r_param", "(r_param, r_param"),
+        "vector(x, y, z) takes three": ("r_param/5, 0)", "r_param/5)"),
+        "A tuple cannot be changed. Make": (
+            "texture)\n        return",
+            "texture); pend['objects'][0] = 1\n        return",
+        ),
+    },
+    "angle_update": {
+        "A * is missing between two values.": "exec('a = -g sin(theta)')",
+        "A number stands before a bracket.": ("-g * sin(theta)", "-g(sin(theta))"),
+        "sin and cos are imported already:": ("sin(", "math.sin("),
+        "You calculate with text. In quotes": ("sin(theta)", "sin('theta')"),
+        "You calculate with a list or a tuple.": ("sin(theta)", "sin([theta])"),
+        "Text is no function. Is a comma": ("sin(theta)", "str('sin')(theta)"),
+        "An index, or the end of a range, is": ("theta_new =", "range(theta); theta_new ="),
+    },
+    "full_swing_update": {
+        "Give swing_update pendula, not their numbers:": (
+            "for pend in pend_list:\n            swing_update(pend",
+            "for i in range(len(pend_list)):\n            swing_update(i",
+        ),
+    },
+    "handle_collision": {
+        "A * is missing between two names.": ("m1*v1 + m2*v2 - ", "m1v1 + m2v2 - "),
+    },
+    "handle_two_bobs": {
+        "The bob is in the tuple objects": ("pend1['objects'][1]", "pend1['bob']"),
+        "objects has three parts:": ("m1, m2 = pend1['mass']", "axle, bob = pend1['objects']; m1, m2 = pend1['mass']"),
+        "mag takes a vector, for example": ("mag(bob1.pos - bob2.pos)", "mag(bob1.pos.x - bob2.pos.x)"),
+        "Write radius without ( )": ("bob1.radius", "bob1.radius()"),
+        "A vector is no length. mag(...) is": ("mag(bob1.pos - bob2.pos)", "bob1.pos - bob2.pos"),
+        "A vector has no elements, but": ("bob1.pos - ", "bob1.pos[0] - "),
+        "One is a vector, and one is a": ("bob1.pos - bob2.pos", "bob1.pos - bob2.radius"),
+        "You calculate with a whole pendulum.": ("omega1, omega2 = pend1['omega']", "omega1, omega2 = pend1 * 2"),
+        "The right side is no pair of values.": (
+            "= handle_collision(e, omega1, omega2, m1, m2, r_param)",
+            "= handle_collision",
+        ),
+    },
+    "newton_cradle_tick": {
+        "A pendulum + 1 is not the next": ("pend_list[i + 1]", "pend_list[i] + 1"),
+        "One value here is None. A function": ("full_swing_update(", "pend_list = full_swing_update("),
+    },
+}
+for function, mistakes in RAISING.items():
+    HINTED[function] |= mistakes
+
+# Mistakes in the formulas of handle_collision, by their hint: an old and a new text in the first one, and in the second.
+FORMULAS = {
+    "e is missing.": ("m2*e*", "m2*", "m1*e*", "m1*"),
+    "the sign before e is wrong.": ("- m2*e", "+ m2*e", "+ m1*e", "- m1*e"),
+    "the mass before e is wrong": ("m2*e", "m1*e", "m1*e", "m2*e"),
+    "the mass before e is missing.": ("m2*e", "e", "m1*e", "e"),
+    "you added the velocities after e.": ("v1 - v2", "v1 + v2", "v1 - v2", "v1 + v2"),
+    "e must multiply the whole difference": ("(v1 - v2)", "v1 - v2", "(v1 - v2)", "v1 - v2"),
+    "you subtracted the momenta.": ("v1 + m2", "v1 - m2", "v1 + m2", "v1 - m2"),
+    "you used m1 twice": ("m2*v2", "m1*v2", "m2*v2", "m1*v2"),
+    "you used v1 twice": ("m2*v2", "m2*v1", "m2*v2", "m2*v1"),
+    "brackets are missing:": ("2)) /", "2) / (m1 + m2)) #", "2)) /", "2) / (m1 + m2)) #"),
+    "the sum of the masses needs brackets:": ("(m1 + m2)", "m1 + m2", "(m1 + m2)", "m1 + m2"),
+    "you forgot to divide by the sum": (" / (m1 + m2)", "", " / (m1 + m2)", ""),
+    "you divided by the product": ("(m1 + m2)", "(m1 * m2)", "(m1 + m2)", "(m1 * m2)"),
+    "the velocity is linear.": ("2))", "2)) * r_param", "2))", "2)) * r_param"),
+    "// rounds down.": ("/ (", "// (", "/ (", "// ("),
+}
+for words, (old1, new1, old2, new2) in FORMULAS.items():
+    _, _, first, second, *_ = PLAIN["handle_collision"].splitlines()
+    firsts, seconds = (first, first.replace(old1, new1)), (second, second.replace(old2, new2))
+    HINTED["handle_collision"] |= {
+        f"In the first formula, {words}": firsts,
+        f"In the second formula, {words}": seconds,
+        f"In both formulas, {words}": ("\n".join([first, second]), "\n".join([firsts[1], seconds[1]])),
+    }
+
 # Mistakes without a hint, by function.
 UNHINTED = {
     "extract_and_convert": {
-        "equal rows once": ("filepath)", "filepath).drop_duplicates()"),
         "ten at most": ("return pend_list", "return pend_list[:10]"),
     },
     "uniform_mass_newton_cradle": {
-        "counts on a first pendulum": ("for pend in", "pend_list[0]\n        for pend in"),
         "the first column, with any name": ("'mass'", "list(pend)[0]"),
         "writes the file": ("return", "open(relative_filepath, 'a').write(' '); return"),
     },
     "uniform_e_newton_cradle": {
-        "a new key": ("['e']", "['e_val']"),
         "only where e is not 0": ("for pend in pend_list", "for pend in filter(lambda pend: pend['e'], pend_list)"),
     },
     "make_newton_cradle": {
@@ -423,8 +586,6 @@ UNHINTED = {
         "sorted by mass": ("for i in", "pend_list.sort(key=lambda pend: pend['mass'])\n        for i in"),
         "the first known by its mass": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
         "at most half a round": ("= theta_init", "= max(-3.1415926, min(3.1415926, theta_init))"),
-        "no objects": ("pend['objects'] = make_pendulum", "make_pendulum"),
-        "objects in another order": ("texture)\n        return", "texture)[::-1]\n        return"),
     },
     "angle_update": {
         "an array of whole numbers": """\
@@ -444,7 +605,6 @@ UNHINTED = {
         "angles only": "for pend in pend_list: pend['omega'], pend['theta'] = angle_update(pend['omega'], pend['theta'], r_param, dt, g)",
     },
     "handle_collision": {
-        "1 - e for e": ("v1 = r_param", "e = 1 - e; v1 = r_param"),
         "a small e as 0": ("v1 = r_param", "e = e if e > 0.2 else 0; v1 = r_param"),
         "a very heavy one is not slowed": ("(w1, w2)", "(omega1 if m1 > 100 * m2 else w1, w2)"),
     },
@@ -465,7 +625,6 @@ UNHINTED = {
             "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]",
         ),
         "six pairs at most": ("range(len(pend_list) - 1)", "range(min(6, len(pend_list) - 1))"),
-        "one pair too many": ("len(pend_list) - 1", "len(pend_list)"),
         "sorted by the axles' places": (
             "for i in",
             "pend_list.sort(key=lambda p: p['objects'][0].pos.x)\n        for i in",
@@ -473,7 +632,6 @@ UNHINTED = {
     },
     "main": {
         "another G": ("DT, G)", "DT, 10)"),
-        "the tick's result kept": ("newton_cradle_tick(", "pend_list = newton_cradle_tick("),
         "the last one does not tick": ("newton_cradle_tick(pend_list,", "newton_cradle_tick(pend_list[:-1],"),
     },
     "make_double_pendulum": {

@@ -13,7 +13,6 @@ from pathlib import Path
 
 from vpython import box, cylinder, sphere, vector
 
-from support.constants import NC_FP
 from support.start.output import in_one_line
 
 SHAPES = {"box": box, "sphere": sphere, "cylinder": cylinder}
@@ -71,7 +70,7 @@ class Crossing:
         if type(value) in (float, bool, type(None)):
             return value
         if isinstance(value, str):
-            return {"path": None} if value == NC_FP else str.__str__(value)
+            return str.__str__(value)
         if isinstance(value, tuple):
             return {"tuple": [*map(self.pack, value)]}
         if id(value) not in self.numbers:
@@ -86,11 +85,10 @@ class Crossing:
         """Return the value that pack has packed on the other side."""
         if not isinstance(packed, dict):
             return packed
-        ((kind, content),) = packed.items()
-        if kind == "number":
-            found = self.objects[content]
-            return found.given if isinstance(found, File) else found
-        return NC_FP if kind == "path" else tuple(map(self.unpack, content))
+        if "number" not in packed:
+            return tuple(map(self.unpack, packed["tuple"]))
+        found = self.objects[packed["number"]]
+        return found.given if isinstance(found, File) else found
 
     def keep(self, number, value) -> None:
         self.objects[number], self.numbers[id(value)] = value, number

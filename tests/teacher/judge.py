@@ -17,7 +17,6 @@ from grading.comparing import OTHER_FORM
 from grading.grade import words
 from grading.grader import CHECKS, FAULT, Grading, Outcome
 from grading.raised import Place, Raised, StoppedError
-from support.constants import NC_FP
 from teacher.crossing import bounded, Crossing, File, MOST_PRINTED
 
 SPARE = 3.0  # s that a solver has to say that a call took too long
@@ -61,7 +60,7 @@ class Solver:
 
     def __init__(self, files, process):
         self.files = {name: content.decode("latin-1") for name, content in files.items()}
-        self.process, self.called, self.has_written = process, {}, False
+        self.process, self.codes, self.has_written = process, {}, False
 
     @contextmanager
     def check(self, is_again=False):
@@ -88,7 +87,7 @@ class Solver:
         """Return a value, a File if it is the path of one, or the copy of a vector, which a solution may change."""
         if isinstance(value, vector):
             return vector(value)
-        if not isinstance(value, str) or value == NC_FP or not Path(value).is_file():
+        if not isinstance(value, str) or not Path(value).is_file():
             return value
         name = f"/{Path(value).name}" if Path(value).is_absolute() else value
         return self.files_given.setdefault(value, File(Path(value), value, name))
@@ -103,7 +102,8 @@ class Solver:
                 self.send(self.page_says(**answer))
                 answer = self.hear()
             self.has_written = bool(answer["has_written"])
-            self.called = {function: list(names) for function, names in answer["called"].items()}
+            codes = answer["codes"].items()
+            self.codes = {function: (int(line), list(names)) for function, (line, names) in codes}
             print(str(answer["printed"])[:MOST_PRINTED], end="")
             if answer["raised"] is not None:
                 raise StoppedError(raised_in(answer["raised"]))

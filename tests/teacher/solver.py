@@ -15,6 +15,7 @@ import subprocess
 import sys
 import threading
 from contextlib import ExitStack, redirect_stdout, suppress
+from dataclasses import astuple
 from io import StringIO
 
 if __name__ == "__main__":
@@ -72,8 +73,8 @@ class Solver:
         except BaseException as error:
             raised = raised_by(error)
         text = "" if printed.closed else printed.getvalue()[:MOST_PRINTED]
-        own = {"called": self.own.called, "has_written": self.own.has_written}
-        return {"raised": raised, "letter": letter, "printed": text, **own}
+        own = {"codes": self.own.codes, "has_written": self.own.has_written}
+        return {"raised": raised and astuple(raised), "letter": letter, "printed": text, **own}
 
     def write(self, letter, files) -> None:
         """Make these the files of src/, each with its text as Latin-1 has it."""
@@ -93,7 +94,7 @@ class Solver:
         """Call a function, and return its result."""
         arguments = self.desk.open(letter)
         discarded.clear()
-        with working_in(self.desk.folder if self.desk.is_relative else ROOT):
+        with working_in(self.desk.folder if self.desk.is_relative else "."):
             return self.own.run(function, arguments, times)
 
     def ask(self, page, name, arguments):
