@@ -54,9 +54,21 @@ def show_pendulum(pend_dict, r_param) -> None:
     bob.pos, cord.axis = axle.pos + axis, axis
 
 
+def cord_angles(pend_dict) -> list[float]:
+    """Return the angles (rad) of a pendulum's cords from straight down, the upper one first."""
+    theta = pend_dict["theta"]
+    return [theta] if len(pend_dict["objects"]) == 3 else [theta, theta + pend_dict["phi"]]
+
+
+def cord_rates(pend_dict) -> list[float]:
+    """Return the rates (rad/s) of the cord_angles."""
+    omega = pend_dict["omega"]
+    return [omega] if len(pend_dict["objects"]) == 3 else [omega, omega + pend_dict["phi_omega"]]
+
+
 def show_double_pendulum(pend_dict, r_param) -> None:
     """Move the bobs and cords of a double pendulum to its theta and phi; r_param (m) is the length of a cord."""
-    alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
+    alpha, beta = cord_angles(pend_dict)
     axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
     cord1.axis, cord2.axis = arm(alpha, r_param), arm(beta, r_param)
     bob1.pos = cord2.pos = axle.pos + cord1.axis

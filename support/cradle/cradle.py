@@ -8,9 +8,10 @@ from math import cos, inf
 from typing import Any, NamedTuple
 
 from support.constants import DT, G, R_PARAM
-from support.cradle.dragging import cord_angles, Hand, move
+from support.cradle.dragging import Hand, move
 from support.cradle.impacts import Hits
 from support.energy import kinetic_energy, momentum, potential_energy
+from support.pendulum import cord_angles
 from support.shapes import discard
 from support.start.mistake import check_made, check_moved
 
@@ -146,13 +147,13 @@ class Cradle:
         """Return the globals in which the tick finds the function that lets two pendula collide."""
         return self.scope
 
-    def velocity(self, pend, rates) -> float:
-        """Return the velocity of a pendulum's bob to the right (in cord lengths a second) at these rates (rad/s)."""
-        return rates[0] * cos(pend["theta"])
+    def velocity(self, pend) -> float:
+        """Return the velocity of a pendulum's bob to the right (in cord lengths a second)."""
+        return pend["omega"] * cos(pend["theta"])
 
     def approach(self, left, right) -> float:
-        """Return the speed (m/s) at which two bobs approach each other; left and right are (pendulum, its rates)."""
-        return (self.velocity(*left) - self.velocity(*right)) * R_PARAM
+        """Return the speed (m/s) at which the bobs of two pendula approach each other."""
+        return (self.velocity(left) - self.velocity(right)) * R_PARAM
 
     # --- measure -----------------------------------------------------------------------------------------------------
 

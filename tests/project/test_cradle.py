@@ -17,8 +17,8 @@ from support import shapes
 from support.constants import BUFFER, DOUBLE_DT, G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
-from support.cradle.dragging import cord_angles, drag_bob, drag_pendulum, move, touching_angle
-from support.pendulum import OUTWARDS
+from support.cradle.dragging import drag_bob, drag_pendulum, move, touching_angle
+from support.pendulum import cord_angles, OUTWARDS
 from support.start.mistake import MistakeError
 
 BOTH = pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
