@@ -10,7 +10,7 @@ from vpython import button, winput, wtext
 
 from support.constants import COLOR_MAP
 from support.files.cradle_csv import are_in_range, check_cradle, IN_RANGE, read_cells, RULES, Snapshot, to_number
-from support.page.panel import add_hint, change, end_row, read_json
+from support.page.panel import add_hint, change, end_row
 
 HINT = "Row 1 is pend_list[0]. A change restarts the cradle. Your file stays as it is until you write it."
 
@@ -97,14 +97,18 @@ def as_data(name, data) -> str:
 
 def give_command(give, text) -> None:
     """Call give(command, value) for a text from the page's script; do nothing for a text that it does not send."""
-    match read_json(text):
+    try:
+        command = json.loads(text)
+    except (ValueError, RecursionError):
+        return
+    match command:
         case (
             ["table", bool() as value]
             | ["add", None as value]
             | ["delete", int() as value]
             | ["edit", [int(), "mass" | "e" | "color", str()] as value]
             | ["answer", [str(), int() | None] as value]
-        ) as command:
+        ):
             give(command[0], value)
 
 
