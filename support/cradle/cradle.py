@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from inspect import signature
+from inspect import isfunction, signature
 from itertools import accumulate
 from math import cos, inf
 from typing import Any, NamedTuple
@@ -144,8 +144,13 @@ class Cradle:
     # --- move --------------------------------------------------------------------------------------------------------
 
     def collision_scope(self) -> dict[str, Any]:
-        """Return the globals in which the tick finds the function that lets two pendula collide."""
-        return self.scope
+        """Return the globals in which the tick finds the function that lets two pendula collide.
+
+        They are those of main, of the tick, or of a function that the tick can call.
+        """
+        called = getattr(self.scope[self.names.tick], "__globals__", {})
+        scopes = [self.scope, called, *(function.__globals__ for function in called.values() if isfunction(function))]
+        return next((scope for scope in scopes if self.names.collide in scope), self.scope)
 
     def velocity(self, pend) -> float:
         """Return the velocity of a pendulum's bob to the right (in cord lengths a second)."""

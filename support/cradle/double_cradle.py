@@ -1,8 +1,6 @@
 """The double cradle of the programs."""
 
-from inspect import isfunction
 from itertools import product
-from typing import Any
 
 from vpython import dot, mag, vector
 
@@ -38,12 +36,6 @@ class DoubleCradle(Cradle):
     def swings_through(self) -> bool:
         """Return whether a bob swings through others: never, because any two bobs can collide."""
         return False
-
-    def collision_scope(self) -> dict[str, Any]:
-        """Return the globals with the function that lets two pendula collide: the tick's, or those of its functions."""
-        scope = self.scope[self.names.tick].__globals__
-        scopes = [scope, *(function.__globals__ for function in scope.values() if isfunction(function))]
-        return next((scope for scope in scopes if self.names.collide in scope), scope)
 
     def velocity(self, pend) -> float:
         """Return the mean velocity of a pendulum's two bobs to the right (m/s)."""

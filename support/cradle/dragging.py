@@ -35,17 +35,13 @@ class Hand:
         return self.cradle.pend_list[self.place()[0]]
 
     def hold(self, bob) -> None:
-        """Hold this bob (an index) and its pendulum in their place, at rest, until let_go."""
+        """Hold this bob (an index) and its pendulum in their place, at rest, until held is None."""
         self.held = bob
         move(self.pend(), cord_angles(self.pend()), R_PARAM)
 
     def drag(self, x, y) -> None:
         """Turn the held pendulum until its bob is as near as possible to x, y (m) in the plane of swing."""
         drag_bob(self.cradle.pend_list, *self.place(), x, y, R_PARAM)
-
-    def let_go(self) -> None:
-        """Let the held bob, if there is one, swing on from its place."""
-        self.held = None
 
     def grip(self) -> None:
         """Make the held pendulum heavy, before a few ticks."""

@@ -233,7 +233,7 @@ class Viewer(Player):
     def let_go(self, _) -> None:
         """Let the held bob, if there is one, swing on."""
         if self.cradle.hand.held is not None:
-            self.cradle.hand.let_go()
+            self.cradle.hand.held = None
             self.motion.set_start()
 
     # --- texts and numbers -------------------------------------------------------------------------------------------

@@ -213,7 +213,7 @@ def test_a_bob_is_dragged_let_go_and_swings_on_with_no_speed(swing, kind, bob, c
     at = [cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0]
     player.swing(100)
     assert (cradle.bobs()[bob].pos - axle).value == pytest.approx(at)
-    cradle.hand.let_go()
+    cradle.hand.held = None
     assert not any(pend[key] for key in kind.rate_keys)
     player.swing(100)
     assert cradle.bobs()[bob].pos.x - axle.x < at[0]
