@@ -142,10 +142,10 @@ class Access:
 
 
 class PageServer(http.server.ThreadingHTTPServer):
-    """The server of VPython's page.
+    """The server of VPython's page, with a thread for each connection.
 
-    It has a thread for each connection. VPython's own server has a single thread: a connection that a browser opens in
-    advance, without using it, would block the page.
+    VPython's own server has a single thread: a connection that a browser opens in advance, without using it, would
+    block the page.
     """
 
     def __init__(self, sockets, access, head, no_webgl, write_data, handler) -> None:
