@@ -102,11 +102,6 @@ def moved(state, changes, dt) -> tuple[float, float, float, float]:
     return alpha + dt * d1, beta + dt * d2, alpha_rate + dt * d3, beta_rate + dt * d4
 
 
-def six_times_average(r1, r2, r3, r4) -> float:
-    """Return six times the weighted average of four rates; r2 and r3 count twice."""
-    return r1 + 2 * (r2 + r3) + r4
-
-
 def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1.0, m2=1.0):
     """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s), in rad/s and rad.
 
@@ -114,14 +109,14 @@ def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1
     acceleration, m1 and m2 (kg) are the masses of the upper and the lower bob. Each method is right that comes nearer
     to the exact motion with a shorter dt.
     """
-    # A step of the classical Runge-Kutta method: it averages four rates with the weights 1 : 2 : 2 : 1.
+    # A step of the classical Runge-Kutta method: it averages four rates with the weights 1 : 2 : 2 : 1, here six times.
     k, mu = g / r_param, m2 / (m1 + m2)
     state = theta, theta + phi, omega_theta, omega_theta + omega_phi
     k1 = rates(state, k, mu)
     k2 = rates(moved(state, k1, dt / 2), k, mu)
     k3 = rates(moved(state, k2, dt / 2), k, mu)
     k4 = rates(moved(state, k3, dt), k, mu)
-    six_rates = map(six_times_average, k1, k2, k3, k4)
+    six_rates = [r1 + 2 * (r2 + r3) + r4 for r1, r2, r3, r4 in zip(k1, k2, k3, k4, strict=True)]
     alpha, beta, alpha_rate, beta_rate = moved(state, six_rates, dt / 6)
     return alpha_rate, beta_rate - alpha_rate, alpha, beta - alpha
 

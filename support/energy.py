@@ -1,53 +1,38 @@
-"""The energy and the momentum of a cradle."""
+"""The energy and the momentum of a cradle. Both bobs of a double pendulum have its mass."""
 
-from math import cos
+from math import cos, sin
+
+from support.pendulum import cord_angles, cord_rates
+
+
+def bob_motions(pend, r_param):
+    """Yield (height, vx, vy) of each bob of a pendulum, the upper one first; r_param (m) is the length of each cord.
+
+    height (m) is that above hanging at rest, vx and vy (m/s) are the velocities to the right and upwards. A cord at the
+    angle a from straight down, with the rate b, adds R (1 - cos a) to the height of the bobs below it, R b cos a to
+    their vx, and R b sin a to their vy.
+    """
+    height = vx = vy = 0.0
+    for angle, rate in zip(cord_angles(pend), cord_rates(pend), strict=True):
+        height += r_param * (1 - cos(angle))
+        vx += r_param * rate * cos(angle)
+        vy += r_param * rate * sin(angle)
+        yield height, vx, vy
 
 
 def kinetic_energy(pend_list, r_param) -> float:
-    """Return the sum of m v^2 / 2 (J) over the bobs, with v = r_param omega; r_param is the cord length (m)."""
-    return sum(pend["mass"] * (r_param * pend["omega"]) ** 2 / 2 for pend in pend_list)
+    """Return the sum of m v^2 / 2 (J) over the bobs; r_param (m) is the length of each cord."""
+    return sum(pend["mass"] * (vx**2 + vy**2) / 2 for pend in pend_list for _, vx, vy in bob_motions(pend, r_param))
 
 
 def potential_energy(pend_list, r_param, g) -> float:
-    """Return the sum of m g h (J) over the bobs, with the height h = r_param (1 - cos theta) above hanging at rest.
+    """Return the sum of m g h (J) over the bobs, with the height h above hanging at rest.
 
-    r_param is the cord length (m), g the gravitational acceleration (m/s^2).
+    r_param (m) is the length of each cord, g (m/s^2) the gravitational acceleration.
     """
-    return sum(pend["mass"] * g * r_param * (1 - cos(pend["theta"])) for pend in pend_list)
+    return sum(pend["mass"] * g * height for pend in pend_list for height, _, _ in bob_motions(pend, r_param))
 
 
 def momentum(pend_list, r_param) -> float:
-    """Return the sum of m v cos(theta) (kg m/s) over the bobs: the momentum to the right, with v = r_param omega."""
-    return sum(pend["mass"] * r_param * pend["omega"] * cos(pend["theta"]) for pend in pend_list)
-
-
-def double_kinetic_energy(pend_list, r_param) -> float:
-    """Return the kinetic energy (J) of double pendula; both bobs of a pendulum have its mass.
-
-    a and b are the rates (rad/s) of the two cords' angles from straight down. m v^2 / 2 is m r_param^2 a^2 / 2 for the
-    upper bob, and m r_param^2 (a^2 + b^2 + 2 a b cos(phi)) / 2 for the lower one. r_param (m) is the length of a cord.
-    """
-    total = 0.0
-    for pend in pend_list:
-        a, b = pend["omega"], pend["omega"] + pend["phi_omega"]
-        total += pend["mass"] * r_param**2 * (2 * a**2 + b**2 + 2 * a * b * cos(pend["phi"])) / 2
-    return total
-
-
-def double_potential_energy(pend_list, r_param, g) -> float:
-    """Return the sum of m g h (J) over the bobs of double pendula, with the height h above hanging at rest.
-
-    The upper cord lifts both bobs, the lower cord only the lower bob. r_param (m) is the length of each cord, g (m/s^2)
-    the gravitational acceleration.
-    """
-    lifts = [(2 * (1 - cos(pend["theta"])) + 1 - cos(pend["theta"] + pend["phi"])) * pend["mass"] for pend in pend_list]
-    return g * r_param * sum(lifts)
-
-
-def double_momentum(pend_list, r_param) -> float:
-    """Return the momentum of double pendula's bobs to the right (kg m/s); r_param (m) is the length of each cord."""
-    total = 0.0
-    for pend in pend_list:
-        alpha, beta, b = pend["theta"], pend["theta"] + pend["phi"], pend["omega"] + pend["phi_omega"]
-        total += pend["mass"] * r_param * (2 * pend["omega"] * cos(alpha) + b * cos(beta))
-    return total
+    """Return the momentum of the bobs to the right (kg m/s); r_param (m) is the length of each cord."""
+    return sum(pend["mass"] * vx for pend in pend_list for _, vx, _ in bob_motions(pend, r_param))

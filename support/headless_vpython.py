@@ -223,13 +223,12 @@ class standardAttributes:
         self._axis, self._size = vector(1, 0, 0), vector(*self._default_size)
         if self._sizing:
             self._axis.on_change, self._size.on_change = self._fit_size, self._fit_axis
-        vectors: list[str] = [name for name in ("pos", "color", "axis", "size", "up") if name in attributes]
-        for name in vectors:
-            if not isinstance(attributes[name], vector):
-                raise AttributeError(f"{name} must be a vector")
         self.canvas = scene
-        for name in vectors + [name for name in attributes if name not in vectors]:
-            setattr(self, name, attributes[name])
+        vectors = {name: attributes[name] for name in ("pos", "color", "axis", "size", "up") if name in attributes}
+        for name, value in (vectors | attributes).items():  # the vectors come first
+            if name in vectors and not isinstance(value, vector):
+                raise AttributeError(f"{name} must be a vector")
+            setattr(self, name, value)
         self.canvas._made.append(self)
 
     def _fit_size(self):

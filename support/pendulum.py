@@ -54,11 +54,22 @@ def show_pendulum(pend_dict, r_param) -> None:
     bob.pos, cord.axis = axle.pos + axis, axis
 
 
+def cord_angles(pend_dict) -> list[float]:
+    """Return the angles (rad) of a pendulum's cords from straight down, the upper one first."""
+    theta = pend_dict["theta"]
+    return [theta] if len(pend_dict["objects"]) == 3 else [theta, theta + pend_dict["phi"]]
+
+
+def cord_rates(pend_dict) -> list[float]:
+    """Return the rates (rad/s) of the cord_angles."""
+    omega = pend_dict["omega"]
+    return [omega] if len(pend_dict["objects"]) == 3 else [omega, omega + pend_dict["phi_omega"]]
+
+
 def show_double_pendulum(pend_dict, r_param) -> None:
     """Move the bobs and cords of a double pendulum to its theta and phi; r_param (m) is the length of a cord."""
     axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
-    upper = arm(pend_dict["theta"], r_param)
-    lower = upper.rotate(pend_dict["phi"])  # around z
+    upper, lower = (arm(angle, r_param) for angle in cord_angles(pend_dict))
     bob1.pos = cord2.pos = axle.pos + upper
     bob2.pos = bob1.pos + lower
     cord1.axis, cord2.axis = upper, lower

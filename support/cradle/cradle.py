@@ -2,15 +2,16 @@
 
 from collections.abc import Mapping, Sequence
 from functools import partial
-from inspect import signature
+from inspect import isfunction, signature
 from itertools import accumulate
 from math import cos, inf
 from typing import Any, NamedTuple
 
 from support.constants import DT, G, R_PARAM
-from support.cradle.dragging import cord_angles, Hand, move
+from support.cradle.dragging import Hand, move
 from support.cradle.impacts import Hits
 from support.energy import kinetic_energy, momentum, potential_energy
+from support.pendulum import cord_angles
 from support.shapes import discard
 from support.start.mistake import check_made, check_moved
 
@@ -143,16 +144,21 @@ class Cradle:
     # --- move --------------------------------------------------------------------------------------------------------
 
     def collision_scope(self) -> dict[str, Any]:
-        """Return the globals in which the tick finds the function that lets two pendula collide."""
-        return self.scope
+        """Return the globals in which the tick finds the function that lets two pendula collide.
 
-    def velocity(self, pend, rates) -> float:
-        """Return the velocity of a pendulum's bob to the right (in cord lengths a second) at these rates (rad/s)."""
-        return rates[0] * cos(pend["theta"])
+        They are those of main, of the tick, or of a function that the tick can call.
+        """
+        called = getattr(self.scope[self.names.tick], "__globals__", {})
+        scopes = [self.scope, called, *(function.__globals__ for function in called.values() if isfunction(function))]
+        return next((scope for scope in scopes if self.names.collide in scope), self.scope)
+
+    def velocity(self, pend) -> float:
+        """Return the velocity of a pendulum's bob to the right (in cord lengths a second)."""
+        return pend["omega"] * cos(pend["theta"])
 
     def approach(self, left, right) -> float:
-        """Return the speed (m/s) at which two bobs approach each other; left and right are (pendulum, its rates)."""
-        return (self.velocity(*left) - self.velocity(*right)) * R_PARAM
+        """Return the speed (m/s) at which the bobs of two pendula approach each other."""
+        return (self.velocity(left) - self.velocity(right)) * R_PARAM
 
     # --- measure -----------------------------------------------------------------------------------------------------
 

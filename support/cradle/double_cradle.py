@@ -1,17 +1,13 @@
 """The double cradle of the programs."""
 
-from inspect import isfunction
 from itertools import product
-from math import pi
-from typing import Any
 
-from vpython import dot, mag
+from vpython import dot, mag, vector
 
-from support.constants import DOUBLE_DT, G, R_PARAM
+from support.constants import DOUBLE_DT, R_PARAM
 from support.cradle.cradle import Cradle, Names
 from support.cradle.dragging import push_others
-from support.energy import double_kinetic_energy, double_momentum, double_potential_energy
-from support.pendulum import arm
+from support.energy import bob_motions, momentum
 
 
 class DoubleCradle(Cradle):
@@ -41,41 +37,19 @@ class DoubleCradle(Cradle):
         """Return whether a bob swings through others: never, because any two bobs can collide."""
         return False
 
-    def collision_scope(self) -> dict[str, Any]:
-        """Return the globals with the function that lets two pendula collide: the tick's, or those of its functions."""
-        scope = self.scope[self.names.tick].__globals__
-        scopes = [scope, *(function.__globals__ for function in scope.values() if isfunction(function))]
-        return next((scope for scope in scopes if self.names.collide in scope), scope)
-
-    def velocity(self, pend, rates) -> float:
-        """Return the mean velocity of a pendulum's two bobs to the right (m/s) at these rates (rad/s)."""
-        before = {**pend, **dict(zip(self.rate_keys, rates, strict=True))}
-        return double_momentum([before], R_PARAM) / pend["mass"] / 2
+    def velocity(self, pend) -> float:
+        """Return the mean velocity of a pendulum's two bobs to the right (m/s)."""
+        return momentum([pend], R_PARAM) / pend["mass"] / 2
 
     def approach(self, left, right) -> float:
-        """Return the speed (m/s) at which the nearest two bobs of two pendula approach each other.
-
-        left and right are (pendulum, its rates).
-        """
-        moves = [
-            (bob2.pos - bob1.pos, v1 - v2)
-            for (bob1, v1), (bob2, v2) in product(moving_bobs(*left), moving_bobs(*right))
-        ]
+        """Return the speed (m/s) at which the nearest two bobs of two pendula approach each other."""
+        pairs = product(moving_bobs(left), moving_bobs(right))
+        moves = [(bob2.pos - bob1.pos, v1 - v2) for (bob1, v1), (bob2, v2) in pairs]
         apart, closer = min(moves, key=lambda move: mag(move[0]))
         return dot(closer, apart) / (mag(apart) or 1.0)  # 0, if one is in the other's place
 
-    def energies(self) -> tuple[float, float]:
-        """Return the kinetic and the potential energy (J)."""
-        return double_kinetic_energy(self.pend_list, R_PARAM), double_potential_energy(self.pend_list, R_PARAM, G)
 
-    def momentum(self) -> float:
-        """Return the momentum to the right (kg m/s)."""
-        return double_momentum(self.pend_list, R_PARAM)
-
-
-def moving_bobs(pend, rates) -> list:
-    """Return (bob, its velocity in m/s as a vector) for the upper and the lower bob at these rates (rad/s)."""
-    omega, phi_omega = rates
-    upper = arm(pend["theta"] + pi / 2, R_PARAM) * omega  # a cord's end moves at right angles to the cord
-    lower = upper + arm(pend["theta"] + pend["phi"] + pi / 2, R_PARAM) * (omega + phi_omega)
-    return list(zip(pend["objects"][1::2], (upper, lower), strict=True))
+def moving_bobs(pend) -> list:
+    """Return (bob, its velocity in m/s as a vector) for the upper and the lower bob of a pendulum."""
+    velocities = [vector(vx, vy, 0) for _, vx, vy in bob_motions(pend, R_PARAM)]
+    return list(zip(pend["objects"][1::2], velocities, strict=True))

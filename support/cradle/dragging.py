@@ -9,7 +9,7 @@ from math import acos, atan2, ceil, copysign, cos, hypot, pi, remainder, sin
 from vpython import cross, dot, mag
 
 from support.constants import BUFFER, R_PARAM
-from support.pendulum import show_double_pendulum, show_pendulum
+from support.pendulum import cord_angles, show_double_pendulum, show_pendulum
 
 STRAIGHT = 0.1  # rad: two cords with a smaller bend between them count as straight
 STEP = 0.02  # rad: the largest turn of a cord in one step; in a larger one, its bob could jump over its neighbour
@@ -35,17 +35,13 @@ class Hand:
         return self.cradle.pend_list[self.place()[0]]
 
     def hold(self, bob) -> None:
-        """Hold this bob (an index) and its pendulum in their place, at rest, until let_go."""
+        """Hold this bob (an index) and its pendulum in their place, at rest, until held is None."""
         self.held = bob
         move(self.pend(), cord_angles(self.pend()), R_PARAM)
 
     def drag(self, x, y) -> None:
         """Turn the held pendulum until its bob is as near as possible to x, y (m) in the plane of swing."""
         drag_bob(self.cradle.pend_list, *self.place(), x, y, R_PARAM)
-
-    def let_go(self) -> None:
-        """Let the held bob, if there is one, swing on from its place."""
-        self.held = None
 
     def grip(self) -> None:
         """Make the held pendulum heavy, before a few ticks."""
@@ -153,12 +149,6 @@ def touching_angle(pend, cord, other, r_param) -> float | None:
         return None
     outside = touching * (1 + 1e-9)  # just outside: at the distance touching, bobs still hit
     return psi + copysign(acos((squares - outside**2) / product), sin(from_psi))
-
-
-def cord_angles(pend) -> list[float]:
-    """Return the angles (rad) of a pendulum's cords from straight down, the upper one first."""
-    theta = pend["theta"]
-    return [theta] if len(pend["objects"]) == 3 else [theta, theta + pend["phi"]]
 
 
 def move(pend, angles, r_param) -> None:

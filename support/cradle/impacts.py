@@ -52,14 +52,15 @@ class Hits:
     def noting_hits(self, collide):
         """Return a function that calls collide, and adds a hit to new."""
 
-        keys = self.cradle.rate_keys
+        def rates(pends):
+            return [pend.get(key) for pend in pends for key in self.cradle.rate_keys]
 
         def noted(*given, **named):
             two = [pend for pend in (*given, *named.values()) if id(pend) in self.cradle.numbers]
-            before = [tuple(map(pend.get, keys)) for pend in two]
+            before = [dict(pend) for pend in two]
             result = collide(*given, **named)
-            if len(two) == 2 and [tuple(map(pend.get, keys)) for pend in two] != before:
-                self.add(*zip(two, before, strict=True))
+            if len(two) == 2 and rates(two) != rates(before):
+                self.add(two, before)
             return result
 
         return noted
@@ -76,12 +77,12 @@ class Hits:
 
         return noted
 
-    def add(self, *two) -> None:
-        """Add the hit of two pendula; each is (pendulum, its rates before the hit in rad/s)."""
-        left, right = sorted(two, key=lambda pend_and_rates: self.cradle.numbers[id(pend_and_rates[0])])
-        rightwards = self.cradle.velocity(*left) + self.cradle.velocity(*right) > 0
-        numbers = [self.cradle.numbers[id(pend)] for pend, _ in (left, right)]
-        self.new.append((*numbers, rightwards, self.cradle.approach(left, right)))
+    def add(self, two, before) -> None:
+        """Add the hit of two pendula; before has them as they were before it."""
+        numbers = [self.cradle.numbers[id(pend)] for pend in two]
+        left, right = before if numbers[0] < numbers[1] else reversed(before)
+        rightwards = self.cradle.velocity(left) + self.cradle.velocity(right) > 0
+        self.new.append((min(numbers), max(numbers), rightwards, self.cradle.approach(left, right)))
 
     def in_short(self, value) -> str:
         """Return a value as short text; a pendulum is pend_list[...]."""

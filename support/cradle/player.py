@@ -30,17 +30,18 @@ class Player:
 
     loop: Callable  # the loop, which asks; run sets it
 
-    def __init__(self, cradle: Cradle, csv, angles, lifted, impacts):
+    def __init__(self, cradle: Cradle, csv, angles, lifted, impacts, step_seconds):
         """Play the cradle of this CSV (a Snapshot); keep the last `impacts` trains of impacts.
 
+        step_seconds (s) is the time from one call of note to the next, at least one tick.
         angles (rad) are the release angles, lifted is the number of bobs to lift. None keeps the value with which main
         makes the cradle.
         """
         self.cradle, self.snapshot = cradle, csv
         self.angles, self.lifted = list(angles), lifted
         self.motion, self.pace = Motion(cradle, impacts), RealTime(cradle.dt)
-        self.separating = False
-        self.step: float = inf  # ticks from one call of note to the next
+        self.separating = not cradle.takes_rule  # whether separating bobs collide, too; without the rule they do
+        self.step = max(1, round(step_seconds / cradle.dt))  # ticks from one call of note to the next
         self.csv, self.copy = "", ExitStack()  # the path of a copy of the snapshot for the loop, and its end
         self.is_over = False  # whether the simulation has ended
         self.is_wanted = False  # whether the loop must make a cradle
@@ -107,13 +108,9 @@ class Player:
         return True
 
     @property
-    def separating(self) -> bool:
-        """Whether separating bobs collide, too; rule has the keyword for the tick, if the tick takes it."""
-        return not self.rule.get("approaching_only", False)
-
-    @separating.setter
-    def separating(self, separating) -> None:
-        self.rule = {"approaching_only": not separating} if self.cradle.takes_rule else {}
+    def rule(self) -> dict[str, bool]:
+        """The keyword for the tick, if the tick takes it: whether only approaching bobs collide."""
+        return {"approaching_only": not self.separating} if self.cradle.takes_rule else {}
 
     # --- what a frame asks for ---------------------------------------------------------------------------------------
 

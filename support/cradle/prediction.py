@@ -64,10 +64,7 @@ class Measurement:
 
     def numbers(self) -> dict[str, str]:
         """Return the measured numbers as text, by the names that the text of an experiment can have in braces."""
-        numbered = list(enumerate(zip(self.swings, self.speeds, self.befores, strict=True), start=1))
-        return {
-            "energy": f"{self.energy:.0f}",
-            **{f"swing_{i}": f"{abs(swing):.0f}" for i, (swing, _, _) in numbered},
-            **{f"speed_{i}": f"{speed:.2f}" for i, (_, speed, _) in numbered},
-            **{f"before_{i}": f"{before:.2f}" for i, (_, _, before) in numbered},
-        }
+        numbers = {"energy": f"{self.energy:.0f}"}
+        for i, (swing, speed, before) in enumerate(zip(self.swings, self.speeds, self.befores, strict=True), start=1):
+            numbers |= {f"swing_{i}": f"{abs(swing):.0f}", f"speed_{i}": f"{speed:.2f}", f"before_{i}": f"{before:.2f}"}
+        return numbers

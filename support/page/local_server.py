@@ -141,41 +141,27 @@ class Access:
             asyncio.get_running_loop().call_later(rest, self.end_without_tab)
 
 
-def page_address(sockets, access) -> str:
-    """Return the address, with the key, of the page at sockets, made by page_sockets."""
-    return f"http://localhost:{port_of(sockets[0])}/?key={access.key}"
-
-
 class PageServer(http.server.ThreadingHTTPServer):
-    """The server of VPython's page. It prints its address as soon as a browser can connect.
+    """The server of VPython's page, with a thread for each connection.
 
-    It has a thread for each connection. VPython's own server has a single thread: a connection that a browser opens in
-    advance, without using it, would block the page.
+    VPython's own server has a single thread: a connection that a browser opens in advance, without using it, would
+    block the page.
     """
 
-    def __init__(self, sockets, access, head, no_webgl, write_data, address, handler) -> None:
+    def __init__(self, sockets, access, head, no_webgl, write_data, handler) -> None:
         """Serve at sockets, made by page_sockets; head is HTML for the beginning of the page, before VPython's own.
 
         access (an Access) checks the key. no_webgl is the text to print if the page reports that its browser has no
         WebGL. write_data(file) writes the data since the last restart to a file, as text.
         """
-        self.page, websocket = sockets
-        self.page_address = page_address(sockets, access)
+        page_socket, websocket = sockets
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
         vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
-        super().__init__(address, own_files_only(handler, access, no_webgl, write_data))
-
-    def server_bind(self) -> None:
-        """Use the page's socket, and ignore the address from VPython."""
+        own_handler = own_files_only(handler, access, no_webgl, write_data)
+        super().__init__(page_socket.getsockname(), own_handler, bind_and_activate=False)
         self.socket.close()
-        self.socket = self.page
-        self.server_name, self.server_port = self.page.getsockname()
-
-    def server_activate(self) -> None:
-        super().server_activate()
-        say(f"Newton's cradle is at {self.page_address}")
-        say("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.")
+        self.socket = page_socket  # it listens already
 
     def handle_error(self, request, client_address) -> None:
         """Print nothing: the browser disconnected in the middle of an answer."""

@@ -2,10 +2,9 @@
 
 from itertools import islice
 
-from vpython import color, gcurve, graph, vector, wtext
+from vpython import color, gcurve, graph, vector
 
 from support.files.data_file import EVERY
-from support.page.panel import change
 
 SHOWN = 10.0  # s on the axis
 INTERVAL = 0.03  # s from point to point
@@ -14,10 +13,8 @@ MOST = 20  # pendula in the graph: more curves could not be told apart
 
 # Three colors of Okabe and Ito's palette, which look different to color-blind people, too.
 ENERGIES = {"kinetic": vector(213, 94, 0) / 255, "potential": vector(0, 114, 178) / 255, "total": color.black}
-ENERGY, NOTHING = "Energies (J)", "no graph"
+ENERGY, NOTHING = "Energies (J)", "no graph"  # panel.css knows the second one, too
 PHASE = "phase"  # the label of its curve; panel.js knows it
-
-HIDING = "<style>.glowscript-graph { display: none }</style>"
 
 
 class MotionGraph:
@@ -32,7 +29,6 @@ class MotionGraph:
         self.graph = graph(xmin=0, xmax=SHOWN)
         self.curves = {name: gcurve(graph=self.graph, color=hue, label=name) for name, hue in ENERGIES.items()}
         self.curves[PHASE] = gcurve(graph=self.graph, label=PHASE)
-        self.style = wtext()
         self.choice = ENERGY
         self.take([])
 
@@ -48,8 +44,7 @@ class MotionGraph:
         self.choices: dict[str, dict[str, tuple[str, str]]] = {ENERGY: {name: ("t", name) for name in ENERGIES}}
         for title, unit, keys in (("Angles", "rad", self.angle_keys), ("Velocities", "rad/s", self.rate_keys)):
             for key in keys:
-                columns = {str(number): ("t", f"{key}_{number}") for number in numbers}
-                self.choices[f"{title} {key} ({unit})"] = columns
+                self.choices[f"{title} {key} ({unit})"] = {str(number): ("t", f"{key}_{number}") for number in numbers}
         for number in numbers:
             for angle, rate in zip(self.angle_keys, self.rate_keys, strict=True):
                 columns = {PHASE: (f"{angle}_{number}", f"{rate}_{number}")}
@@ -60,7 +55,6 @@ class MotionGraph:
     def show(self, choice) -> None:
         """Show this one of the choices, or the energies if the present cradle does not have it."""
         self.choice = choice if choice in self.choices else ENERGY
-        change(self.style, text=HIDING if self.choice == NOTHING else "")
         for name, curve in self.curves.items():
             if curve.data and name not in self.choices[self.choice]:
                 curve.data = []

@@ -18,11 +18,11 @@ from support.cradle.player import run
 from support.files.cradle_csv import check_cradle, LiveFile
 from support.files.data_file import data_writer
 from support.files.experiments import EXPERIMENTS, find_experiment
-from support.page.local_server import Access, page_address, page_sockets, page_websocket, PageServer, port_of
+from support.page.local_server import Access, page_sockets, page_websocket, PageServer, port_of
 from support.start.early import end_on_interrupt, import_now
 from support.start.mistake import tell_mistake
 from support.start.options import check_lift, command_line, read_double_page_options, read_page_options, same_program
-from support.start.output import refuse, while_it_is_read
+from support.start.output import refuse, say, while_it_is_read
 from support.start.preview import end_if_unwritten, what_there_is
 
 # The beginning of the page: its title, the check of the browser's WebGL, and the messages of a page without a cradle.
@@ -59,10 +59,9 @@ def show_double_cradle(main, pds_helper, special_cradles) -> None:
 def show_page(main, cradle, options, angles, remark="") -> None:
     """Run main with the page of a cradle, until the tab is closed for good.
 
-    cradle has no pendula yet. options are the page's, from
-    support/start/options.py. angles are the release angles (rad); None keeps the angle with which main makes the
-    cradle. remark is a line on the page. Exits with status 2 if the CSV, the experiment, --lift or the port is wrong,
-    with status 1 if a function makes a mistake.
+    cradle has no pendula yet. options are the page's, from support/start/options.py. angles are the release angles
+    (rad); None keeps the angle with which main makes the cradle. remark is a line on the page. Exits with status 2 if
+    the CSV, the experiment, --lift or the port is wrong, with status 1 if a function makes a mistake.
     """
     file = LiveFile(options.csv)
     csv = file.current
@@ -102,7 +101,9 @@ def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
     From then on, Ctrl+C and closing the tab end the process with status 0. Each time a browser loads the page,
     show_again() is called, in another thread; write_data(file) when it downloads the data.
     """
-    os.environ["VPYTHON_HTTP_PORT"] = str(port_of(sockets[0]))
+    port, access = port_of(sockets[0]), Access(show_again)
+    address, browse = f"http://localhost:{port}/?key={access.key}", webbrowser.open
+    os.environ["VPYTHON_HTTP_PORT"] = str(port)
     if not launch_browser:
         os.environ["VPYTHON_NO_LAUNCH_BROWSER"] = "1"
     terminal_cradle = command_line("src/text_cradle_run.py", Path.cwd())
@@ -111,14 +112,15 @@ def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
     for name, text in texts.items():
         head = head.replace(name, escape(text, quote=False))
     no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"
-    access = Access(show_again)
-    address, browse = page_address(sockets, access), webbrowser.open
     end_on_interrupt()
 
-    def serve(*given):
+    def serve(_, handler):
         # From here on, Python waits for the browser to load the page. Not earlier: it would delay the server.
         threading.Thread(target=import_now, args=("pandas",), daemon=True).start()
-        return PageServer(sockets, access, head, no_webgl, write_data, *given)
+        server = PageServer(sockets, access, head, no_webgl, write_data, handler)
+        say(f"Newton's cradle is at {address}")
+        say("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.")
+        return server
 
     with (
         replaced(signal, "signal", lambda *_: None),

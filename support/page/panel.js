@@ -67,7 +67,7 @@
       const mark = node.querySelector?.(".part");
       if (mark) {
         section = document.createElement("section");
-        section.className = mark.dataset.name;
+        section.className = section.style.gridArea = mark.dataset.name; // the panel of tall windows is a grid
         if (mark.dataset.fold) fold(panel, section, mark.dataset.fold);
         else panel.append(section);
         node.remove();
@@ -88,7 +88,7 @@
 
   function fold(panel, section, title) {
     const folds = panel.querySelector(".folds") ?? panel.appendChild(document.createElement("div"));
-    folds.className = "folds";
+    folds.className = folds.style.gridArea = "folds";
     const details = folds.appendChild(document.createElement("details"));
     details.append(document.createElement("summary"), section);
     details.firstChild.append(title);
@@ -116,8 +116,8 @@
   }
 
   function paint() { // the canvas has the color of the page
-    const [red, green, blue] = css("--back").match(/\w\w/g).map(part => parseInt(part, 16) / 255);
-    scene().background = vec(red, green, blue);
+    const { r, g, b } = $.color.parse(css("--back"));
+    scene().background = vec(r, g, b).divide(255);
     redraw();
   }
 

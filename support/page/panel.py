@@ -1,6 +1,5 @@
 """The control panel beside the canvas: the settings, the motion of the cradle in numbers, and the parts of both."""
 
-import json
 from html import escape
 from pathlib import Path
 
@@ -86,7 +85,7 @@ class Panel:
         end_row()
         add_hint(SEPARATING_HINT)
         if not cradle.takes_rule:
-            self.separating.checked = self.separating.disabled = True
+            self.separating.disabled = True
             add_hint("Your functions have no parameter approaching_only, so this rule is fixed.")
         add_hint(escape(cradle.constants()))
         scene.append_to_caption("<script>arrange()</script>")
@@ -209,14 +208,6 @@ def change(widget, **attributes) -> None:
     for name, value in attributes.items():
         if getattr(widget, name) != value:
             setattr(widget, name, value)
-
-
-def read_json(text):
-    """Return the value that a text from the page's script has, or None if it is no JSON."""
-    try:
-        return json.loads(text)
-    except (ValueError, RecursionError):
-        return None
 
 
 class Setting:

@@ -91,9 +91,9 @@ class Source:
 
     def begin_with(self, key) -> None:
         """Take the experiment with this key at the start; release angles of the command replace those it has."""
-        keys = [experiment.key for experiment in self.questions.experiments]
-        experiment = self.questions.experiments[keys.index(key)]
-        self.questions.choose(1 + keys.index(key))
+        numbered = enumerate(self.questions.experiments, start=1)
+        place, experiment = next(pair for pair in numbered if pair[1].key == key)
+        self.questions.choose(place)
         self.viewer.snapshot = experiment.csv
         if self.viewer.lifted is None and all(angle is None for angle in self.viewer.angles):
             self.poses = experiment.angles

@@ -34,13 +34,12 @@
     const head = ["", "mass", "e", "color", ...data.keys, ""].map(name => make("th", { scope: "col" }, name));
     table.tHead.replaceChildren(make("tr", {}, ...head));
     cells = {};
-    const moving = row => data.keys.map(key => cells[`${key}_${row + 1}`] = make("td", { className: "now" }));
     body.replaceChildren(...data.rows.map((pendulum, row) => make("tr", {},
       make("th", { scope: "row" }, String(row + 1)),
       editor("input", row, "mass", pendulum.mass, data),
       editor("input", row, "e", pendulum.e, data),
       editor("select", row, "color", pendulum.color, data),
-      ...moving(row),
+      ...data.keys.map(key => cells[`${key}_${row + 1}`] = make("td", { className: "now" })),
       make("td", {}, make("button", {
         title: `Delete pendulum ${row + 1}`, ariaLabel: `Delete pendulum ${row + 1}`, disabled: data.rows.length === 1,
         onclick: () => tell("delete", row),
@@ -57,20 +56,18 @@
       if (cells[name]) cells[name].textContent = number;
   }
 
-  const show = { rows: showRows, now: showNow };
-
   // panel.js calls this when the parts of the page are in their places.
   function arrangeTable() {
     const section = document.querySelector("section.pendula-part");
     section.prepend(table);
     section.querySelector("input").remove(); // of VPython
     section.closest("details").addEventListener("toggle", event => tell("table", event.target.open));
-    const spans = [...section.children].filter(element => element.tagName === "SPAN").slice(0, 2);
-    for (const span of spans)
+    const spans = section.querySelectorAll(":scope > span");
+    for (const [i, show] of [showRows, showNow].entries()) // in the order in which table.py makes them
       new MutationObserver(() => {
-        const data = span.querySelector(".data");
-        if (data) show[data.dataset.name](JSON.parse(data.dataset.value));
-      }).observe(span, { childList: true });
+        const data = spans[i].querySelector(".data");
+        if (data) show(JSON.parse(data.dataset.value));
+      }).observe(spans[i], { childList: true });
   }
 
   Object.assign(window, { arrangeTable, tell });

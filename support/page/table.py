@@ -10,7 +10,7 @@ from vpython import button, winput, wtext
 
 from support.constants import COLOR_MAP
 from support.files.cradle_csv import are_in_range, check_cradle, IN_RANGE, read_cells, RULES, Snapshot, to_number
-from support.page.panel import add_hint, change, end_row, read_json
+from support.page.panel import add_hint, change, end_row
 
 HINT = "Row 1 is pend_list[0]. A change restarts the cradle. Your file stays as it is until you write it."
 
@@ -30,7 +30,7 @@ class Table:
 
     def add(self, give) -> None:
         """Add the table to the panel; its widgets call give(command, value), in a thread of VPython."""
-        self.rows, self.now = wtext(), wtext()
+        self.rows, self.now = wtext(), wtext()  # table.js knows their order
         winput(bind=lambda box: give_command(give, box.text))  # table.js gives commands through it, and hides it
         end_row()
         self.tick = button(text="One tick", bind=lambda: give("tick"))
@@ -63,11 +63,11 @@ class Table:
         """Show these rows of a CSV, with the columns in header."""
         pendula = [dict(zip(header, cells, strict=True)) for cells in rows]
         data = {"rows": pendula, "keys": self.keys, "colors": list(COLOR_MAP), "mistakes": self.mistakes}
-        change(self.rows, text=as_data("rows", data))
+        change(self.rows, text=as_data(data))
 
     def show_now(self, coordinates) -> None:
         """Show the present coordinates of the pendula, by their names: theta_1, ..."""
-        change(self.now, text=as_data("now", {name: f"{number:.6f}" for name, number in coordinates.items()}))
+        change(self.now, text=as_data({name: f"{number:.6f}" for name, number in coordinates.items()}))
 
     def show_written(self, message, failed=False) -> None:
         """Show a message about your CSV: what happened, or, if failed, the reason."""
@@ -90,21 +90,25 @@ class Table:
         self.news = ""
 
 
-def as_data(name, data) -> str:
+def as_data(data) -> str:
     """Return HTML that shows nothing, and carries data for the page's script."""
-    return f'<i class="data" data-name="{name}" data-value="{escape(json.dumps(data))}"></i>'
+    return f'<i class="data" data-value="{escape(json.dumps(data))}"></i>'
 
 
 def give_command(give, text) -> None:
     """Call give(command, value) for a text from the page's script; do nothing for a text that it does not send."""
-    match read_json(text):
+    try:
+        command = json.loads(text)
+    except (ValueError, RecursionError):
+        return
+    match command:
         case (
             ["table", bool() as value]
             | ["add", None as value]
             | ["delete", int() as value]
             | ["edit", [int(), "mass" | "e" | "color", str()] as value]
             | ["answer", [str(), int() | None] as value]
-        ) as command:
+        ):
             give(command[0], value)
 
 
@@ -138,8 +142,7 @@ def have_same_pendula(csv, other) -> bool:
             check_cradle(each)
     except ValueError:
         return False
-    columns = [[values_of(each, column) for column in RULES] for each in (csv, other)]
-    return columns[0] == columns[1]
+    return all(values_of(csv, column) == values_of(other, column) for column in RULES)
 
 
 def values_of(csv, column) -> list:

@@ -41,13 +41,12 @@ class Viewer(Player):
         angles (rad) are the release angles, lifted is the number of bobs to lift. None keeps the value with which main
         makes the cradle. options are those of the command line, as a dictionary.
         """
-        super().__init__(cradle, file.current, angles, lifted, TRAINS)
+        super().__init__(cradle, file.current, angles, lifted, TRAINS, EVERY)
         self.options = options or {}
-        self.separating = self.options.get("separating", False)
+        self.separating = self.separating or self.options.get("separating", False)
         self.commands: SimpleQueue = SimpleQueue()
         self.running = True
         self.is_new_page = True  # whether the page has nothing of the cradle yet
-        self.step = max(1, round(EVERY / cradle.dt))
         self.recording = Recording()
         self.next_refresh = -inf
         self.swung_through = False  # whether a bob has swung through others since the last restart
@@ -234,7 +233,7 @@ class Viewer(Player):
     def let_go(self, _) -> None:
         """Let the held bob, if there is one, swing on."""
         if self.cradle.hand.held is not None:
-            self.cradle.hand.let_go()
+            self.cradle.hand.held = None
             self.motion.set_start()
 
     # --- texts and numbers -------------------------------------------------------------------------------------------

@@ -27,8 +27,7 @@ class TextPlayer(Player):
 
     def __init__(self, cradle, csv, options):
         """Play the cradle of this CSV (a Snapshot); options has angle, lift and seconds, from read_text_options."""
-        super().__init__(cradle, csv, [options.angle], options.lift, TRAINS)
-        self.step = max(1, round(self.step_seconds / cradle.dt))
+        super().__init__(cradle, csv, [options.angle], options.lift, TRAINS, self.step_seconds)
         self.last = options.seconds if options.seconds == inf else round(options.seconds / cradle.dt)  # tick
 
     def made(self) -> None:
@@ -112,8 +111,7 @@ class Recorder(Player):
 
         options has angle, lift, seconds and every, from read_text_options.
         """
-        super().__init__(cradle, csv, [options.angle], options.lift, 1)
-        self.step = round(options.every / cradle.dt)
+        super().__init__(cradle, csv, [options.angle], options.lift, 1, options.every)
         self.count = int(options.seconds / options.every + 1e-9) + 1  # rows
         self.last = (self.count - 1) * self.step  # tick
         self.writer, self.progress = writer, progress

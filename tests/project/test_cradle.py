@@ -17,8 +17,8 @@ from support import shapes
 from support.constants import BUFFER, DOUBLE_DT, G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
-from support.cradle.dragging import cord_angles, drag_bob, drag_pendulum, move, touching_angle
-from support.pendulum import OUTWARDS
+from support.cradle.dragging import drag_bob, drag_pendulum, move, touching_angle
+from support.pendulum import cord_angles, OUTWARDS
 from support.start.mistake import MistakeError
 
 BOTH = pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
@@ -213,7 +213,7 @@ def test_a_bob_is_dragged_let_go_and_swings_on_with_no_speed(swing, kind, bob, c
     at = [cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0]
     player.swing(100)
     assert (cradle.bobs()[bob].pos - axle).value == pytest.approx(at)
-    cradle.hand.let_go()
+    cradle.hand.held = None
     assert not any(pend[key] for key in kind.rate_keys)
     player.swing(100)
     assert cradle.bobs()[bob].pos.x - axle.x < at[0]

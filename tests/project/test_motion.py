@@ -149,9 +149,9 @@ class Timed(Player):
     def __init__(self, folder, until, tick=0.0, call=0.0, speed=1.0, hiccup=0.0):
         """tick is the cost of a tick (s), call that of a call of the fast path (s); hiccup (s) delays frame 60."""
         (folder / "cradle.csv").write_text(FIVE_CSV)
-        super().__init__(make_live(), Snapshot(folder / "cradle.csv"), [None], None, 4)
+        super().__init__(make_live(), Snapshot(folder / "cradle.csv"), [None], None, 4, 100 * DT)
         self.now, self.until, self.tick, self.call = 0.0, until, tick, call
-        self.hiccup, self.slept, self.frames, self.step = hiccup, 0.0, 0, 100
+        self.hiccup, self.slept, self.frames = hiccup, 0.0, 0
         self.pace = RealTime(DT, lambda: self.now, self.sleep)
         self.pace.speed = speed
         self.cradle.many_ticks = self.cost_much if call else None

@@ -117,7 +117,7 @@ class Swing(Player):
 def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4, kind=Cradle, phi=20, **options) -> Swing:
     """Write this CSV to the folder; return its cradle with these options, released from angle and phi (degrees)."""
     angles = thetas([angle, phi][: len(kind.angles)])
-    player = Swing(make_live(kind, **options), Snapshot(folder / "cradle.csv"), angles, lift, impacts)
+    player = Swing(make_live(kind, **options), Snapshot(folder / "cradle.csv"), angles, lift, impacts, 1e9)
     player.read(csv)
     return player
 
