@@ -1,4 +1,4 @@
-"""The double cradle: its objects, its laws of motion, its hits, and its page."""
+"""The double cradle: its objects, its laws of motion, and its hits; test_requirements.py has its page."""
 
 import random
 from itertools import combinations
@@ -6,7 +6,7 @@ from math import inf, pi, sqrt
 from unittest.mock import patch
 
 import pytest
-from programs import BOBS, end, first_lines, open_cradle, QUIETLY, running, slow_but_for
+from programs import slow_but_for
 from vpython import mag
 from whole_cradles import check_places, distances, GOOD, hang_double, HEADER, PERIOD, velocities
 
@@ -272,13 +272,3 @@ def test_a_tick_handles_each_pair_from_left_to_right():
     row = make_row(3, apart=NEAR)
     row[2]["omega"] = -1.0
     assert tick(row, 1, 1e-7) == [(0, 1, 2), (0, 0, 1)]
-
-
-def test_the_page_shows_the_double_cradle_until_the_tab_is_closed(page, program):
-    (program.parents[1] / "newton_cradle_pends.csv").write_text(HEADER + GOOD * 3)
-    with running(program.with_name("visualize_double_cradle_run.py")) as process:
-        open_cradle(page, first_lines(process), bobs=6)
-        rest = -0.1 + R_PARAM / 4 * 2  # m; only a hit brings the last bobs further to the right
-        page.wait_for_function(f"() => Math.max(...({BOBS})().map(bob => bob[0])) > {rest + R_PARAM / 4}")
-        page.close()
-        assert end(process) == QUIETLY
