@@ -10,7 +10,7 @@ from math import cos, degrees, pi, radians, sqrt
 import pytest
 from programs import slow_but_for
 from vpython import color, cylinder, sphere, textures
-from whole_cradles import distances, do_at_once
+from whole_cradles import do_at_once
 
 from grading.cradles import hang
 from src.visualize_cradle_run import handle_two_bobs
@@ -65,11 +65,6 @@ def test_the_period_of_one_pendulum_over_twenty_swings(amplitude):
             crossings.append((sample + before / (before - after)) * SAMPLE)
     assert len(crossings) == 21
     assert (crossings[-1] - crossings[0]) / 20 == pytest.approx(expected, rel=0.0005)
-
-
-def test_bobs_at_rest_are_just_out_of_reach():
-    (distance,) = distances(make_row(2))
-    assert 1 < distance < 1.001
 
 
 def test_a_discarded_shape_is_hidden_and_used_again(monkeypatch):
