@@ -195,32 +195,26 @@ def test_a_main_that_reads_another_file_does_not_end_the_page(asking, monkeypatc
 # --- the question ----------------------------------------------------------------------------------------------------
 
 
-def test_the_question_comes_before_each_release(asking):
-    answers = [answer.text for answer in asking.viewer.questions.experiments[TWO].answers]
+@pytest.mark.parametrize(("answer", "happened"), [(2, THAT), (0, OTHER), (None, OTHER)])
+def test_the_question_comes_before_each_release_and_the_explanation_after_it(asking, answer, happened):
+    answers = [each.text for each in asking.viewer.questions.experiments[TWO].answers]
+    said = [] if answer is None else [f"You said: {answers[answer]}."]
     for _ in range(2):
         assert shown(asking) == [QUESTION, *answers, "Run it without an answer"]
         asking.wait(0.5)
         assert (asking.time(), asking.lifts(), asking.panel.pause.text) == (0, [45, 45, 0, 0, 0], "Run")
-        asking.viewer.give("answer", ["2_two_bobs", 0])
-        asking.wait(0.1)
-        assert asking.time() > 0
+        asking.viewer.give("answer", ["2_two_bobs", answer])
+        asking.wait(0.3)
+        assert shown(asking) == [QUESTION, *said]
+        assert asking.time() > 0.2
+        asking.wait(0.3)
+        *before, result = shown(asking)
+        assert before == [QUESTION, *said]
+        # From 45 degrees, a bob comes down at sqrt(2 g R (1 - cos 45 degrees)) = 1.07 m/s.
+        assert result.startswith(f"{happened} Two bobs came in at 1.07 m/s, and two left at 1.07 and 1.07 m/s.")
+        asking.wait(0.5)
+        assert shown(asking)[-1] == result
         asking.press("r")
-
-
-@pytest.mark.parametrize(("answer", "happened"), [(2, THAT), (0, OTHER), (None, OTHER)])
-def test_an_answer_runs_the_cradle_and_the_explanation_follows(asking, answer, happened):
-    said = [] if answer is None else [f"You said: {asking.viewer.questions.experiments[TWO].answers[answer].text}."]
-    asking.viewer.give("answer", ["2_two_bobs", answer])
-    asking.wait(0.3)
-    assert shown(asking) == [QUESTION, *said]
-    assert asking.time() > 0.2
-    asking.wait(0.3)
-    *before, result = shown(asking)
-    assert before == [QUESTION, *said]
-    # From 45 degrees, a bob comes down at sqrt(2 g R (1 - cos 45 degrees)) = 1.07 m/s.
-    assert result.startswith(f"{happened} Two bobs came in at 1.07 m/s, and two left at 1.07 and 1.07 m/s.")
-    asking.wait(0.5)
-    assert shown(asking)[-1] == result
 
 
 @pytest.mark.parametrize("command", ["pause", "step", "tick"])
