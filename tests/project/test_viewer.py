@@ -87,7 +87,8 @@ def test_keys_do_what_the_buttons_do(wall, monkeypatch, key, command):
     wall.viewer.give.assert_called_once_with(command, None)
 
 
-def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
+def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv, monkeypatch):
+    csv.write_text(HEADER + GOOD * 2)
     texts = []
     monkeypatch.setattr("support.page.panel.wtext", lambda text="": texts.append(text) or wtext(text=text))
     wall = Wall(csv, 30, 10, kind=DoubleCradle)
@@ -101,6 +102,14 @@ def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     assert wall.viewer.angles == thetas([75, -12.5])
     assert [wall.values(key)[0] for key in ("theta", "phi")] == pytest.approx(thetas([75, -12.5]))
     assert ">75&deg;<" in theta.text.text and ">-12.5&deg;<" in phi.text.text
+    assert wall.panel.graph.choices == [
+        *(ENERGY, "Angles theta (rad)", "Angles phi (rad)", "Velocities omega (rad/s)", "Velocities phi_omega (rad/s)"),
+        *("Phase picture of bob 1: omega over theta", "Phase picture of bob 1: phi_omega over phi"),
+        *("Phase picture of bob 2: omega over theta", "Phase picture of bob 2: phi_omega over phi"),
+        NOTHING,
+    ]
+    choose(wall, "Angles phi (rad)")
+    assert drawn(wall)["1"][0] == [0, pytest.approx(wall.viewer.angles[1])]
 
 
 AFTER = {
@@ -413,19 +422,6 @@ def test_the_phase_picture_is_that_of_one_bob(wall):
     assert len(points) == pytest.approx(PHASE_SHOWN / EVERY, abs=2)
     assert points[-1] == [[*recorded(wall, f"{key}_1").values()][-1] for key in ("theta", "omega")]
     assert color_of(wall, PHASE) == COLOR_MAP["red"]
-
-
-def test_the_double_cradle_has_graphs_of_both_cords(csv):
-    csv.write_text(HEADER + GOOD * 2)
-    wall = Wall(csv, 45, 20, kind=DoubleCradle)
-    assert wall.panel.graph.choices == [
-        *(ENERGY, "Angles theta (rad)", "Angles phi (rad)", "Velocities omega (rad/s)", "Velocities phi_omega (rad/s)"),
-        *("Phase picture of bob 1: omega over theta", "Phase picture of bob 1: phi_omega over phi"),
-        *("Phase picture of bob 2: omega over theta", "Phase picture of bob 2: phi_omega over phi"),
-        NOTHING,
-    ]
-    choose(wall, "Angles phi (rad)")
-    assert drawn(wall)["1"][0] == [0, pytest.approx(wall.viewer.angles[1])]
 
 
 def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wall):
