@@ -176,22 +176,16 @@ def test_a_click_beside_the_bobs_takes_none(wall):
     assert (wall.thetas(), wall.viewer.motion.start_energy) == (before, start)
 
 
-@pytest.mark.parametrize(("radii", "taken"), [(1.4, 4), (-1.4, 3)])
-def test_a_finger_beside_a_bob_takes_the_nearest_one(wall, radii, taken):
+@pytest.mark.parametrize(
+    ("bob", "radii", "ray", "taken"), [(4, 1.4, (0, 0, -1), 4), (4, -1.4, (0, 0, -1), 3), (2, 0, (-1, 0, 0), 4)]
+)
+def test_the_nearest_bob_is_taken_or_the_foremost_one(wall, bob, radii, ray, taken):
+    """A finger may be beside it. The last view is along the row."""
     wall.panel.pause.bind()
     wall.use(wall.panel.lifted.slider, value=0)
-    bob = wall.viewer.cradle.bobs()[4]
-    wall.mouse("mousedown", vector(bob.pos) + vector(radii * bob.radius, 0, 0))
+    bob = wall.viewer.cradle.bobs()[bob]
+    wall.mouse("mousedown", vector(bob.pos) + vector(radii * bob.radius, 0, 0), ray)
     assert wall.viewer.cradle.hand.held == taken
-
-
-def test_the_foremost_of_two_bobs_under_the_mouse_is_taken(wall):
-    """The view is along the row."""
-    wall.use(wall.panel.lifted.slider, value=0)
-    wall.mouse("mousedown", wall.viewer.cradle.bobs()[2].pos, (-1, 0, 0))
-    assert wall.viewer.cradle.hand.held == 4
-    wall.mouse("mousemove", vector(1, 1, 1), (-1, 0, 0))  # no point in the plane of swing is under the mouse
-    assert wall.lifts() == [0] * 5
 
 
 def test_a_bob_follows_the_mouse_in_a_slanting_view_too(wall):
@@ -200,6 +194,7 @@ def test_a_bob_follows_the_mouse_in_a_slanting_view_too(wall):
     axle, ray = wall.viewer.cradle.axles()[0], (-0.3, -0.2, -1)
     wall.mouse("mousedown", axle.pos + vector(0, -R_PARAM, 0), ray)
     wall.mouse("mousemove", axle.pos + vector(-1, -1, 0), ray)
+    wall.mouse("mousemove", vector(1, 1, 1), (-1, 0, 0))  # no point in the plane of swing is under the mouse
     assert wall.lifts() == [45, 0, 0, 0, 0]
 
 
@@ -373,10 +368,6 @@ def drawn(wall):
     return {curve.label: curve.data for curve in wall.viewer.graph.curves.values() if curve.data}
 
 
-def color_of(wall, name):
-    return wall.viewer.graph.curves[name].color
-
-
 def recorded(wall, column):
     """Return the recorded values of a column, by their times (s)."""
     at = wall.viewer.recording.columns.index(column)
@@ -398,7 +389,7 @@ def test_the_graph_shows_the_energies_of_the_last_ten_seconds(wall):
     for (t, k), (_, p), (_, both) in zip(kinetic, potential, total, strict=True):
         assert k + p == pytest.approx(both)
         assert 0 <= t - graph.xmin <= SHOWN
-    assert len({(*color_of(wall, name).value,) for name in ENERGIES}) == 3
+    assert len({(*wall.viewer.graph.curves[name].color.value,) for name in ENERGIES}) == 3
 
 
 def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(wall):
@@ -411,7 +402,7 @@ def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(wall):
         for number, color in zip("123", colors, strict=True):
             values = recorded(wall, f"{key}_{number}")
             assert all(values[t] == value for t, value in drawn(wall)[number])
-            assert color_of(wall, number) == COLOR_MAP[color]
+            assert wall.viewer.graph.curves[number].color == COLOR_MAP[color]
 
 
 def test_the_phase_picture_is_that_of_one_bob(wall):
@@ -421,7 +412,7 @@ def test_the_phase_picture_is_that_of_one_bob(wall):
     points = drawn(wall)[PHASE]
     assert len(points) == pytest.approx(PHASE_SHOWN / EVERY, abs=2)
     assert points[-1] == [[*recorded(wall, f"{key}_1").values()][-1] for key in ("theta", "omega")]
-    assert color_of(wall, PHASE) == COLOR_MAP["red"]
+    assert wall.viewer.graph.curves[PHASE].color == COLOR_MAP["red"]
 
 
 def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wall):
@@ -429,7 +420,7 @@ def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wa
     wall.save(HEADER + GOOD.replace("red", "green") * (MOST + 3))
     assert wall.panel.graph.selected == ANGLES
     assert list(drawn(wall)) == [str(number) for number in range(1, MOST + 1)]  # the first ones
-    assert color_of(wall, "1") == COLOR_MAP["green"]
+    assert wall.viewer.graph.curves["1"].color == COLOR_MAP["green"]
     choose(wall, "Phase picture of bob 7: omega over theta")
     wall.save(HEADER + GOOD * 2)
     assert wall.panel.graph.selected == ENERGY
