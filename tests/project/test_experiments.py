@@ -114,7 +114,7 @@ def test_bad_experiments_are_named_in_one_line_each_and_the_other_one_works(file
 
 # --- the menu --------------------------------------------------------------------------------------------------------
 
-ONE, TWO, HEAVY = 0, 1, 4  # indices of experiments
+TWO, FROM_BOTH_SIDES, HEAVY = 1, 3, 4  # indices of experiments
 QUESTION = "Two bobs come in. What leaves on the other side?"
 THAT, OTHER = "That is what happened.", "What happened: Two bobs, as far as the two."
 
@@ -141,36 +141,24 @@ def shown(wall):
     return [re.sub("<.*?>", "", line) for line in re.split("</p>|</button>", wall.viewer.questions.area.text)[:-1]]
 
 
-def test_main_makes_an_experiment_from_its_csv_and_it_is_lifted_as_its_text_says(wall):
+def test_an_experiment_is_as_its_files_say_and_back_at_your_csv_all_is_as_you_had_set_it(wall):
+    wall.use(wall.panel.angles[0].slider, value=20)
+    wall.use(wall.panel.lifted.slider, value=0.4)
     wall.use(wall.panel.collisions, selected="inelastic, e = 0")
     wall.viewer.cradle.mass = 3.0  # as with --mass
     choose(wall, HEAVY)
     assert (wall.values("mass"), wall.values("e")) == ([5, 1, 1, 1, 1], [1] * 5)
     assert (wall.lifts(), wall.panel.collisions.selected) == ([45, 0, 0, 0, 0], "as in the CSV")
     assert shown(wall) == []
-    choose(wall, 3)
+    choose(wall, FROM_BOTH_SIDES)
     assert wall.lifts() == [45, 0, 0, 0, 45]
     assert [theta > 0 for theta in wall.thetas()] == [False, False, False, False, True]
     assert ">1 of 5<" in wall.panel.lifted.text.text
-
-
-def test_back_at_your_csv_all_is_as_you_had_set_it(wall):
-    wall.use(wall.panel.angles[0].slider, value=20)
-    wall.use(wall.panel.lifted.slider, value=0.4)
-    wall.use(wall.panel.collisions, selected="inelastic, e = 0")
-    wall.viewer.cradle.mass = 3.0
-    for number in (HEAVY, ONE, None):
-        choose(wall, number)
+    wall.press("3")  # changes an experiment, too
+    assert wall.lifts() == [45, 45, 45, 0, 0]
+    choose(wall, None)
     assert (wall.lifts(), wall.panel.collisions.selected) == ([20, 20, 0, 0, 0], "inelastic, e = 0")
     assert (wall.values("mass"), wall.values("e")) == ([3] * 5, [0] * 5)
-
-
-def test_the_sliders_and_keys_change_an_experiment_too(wall):
-    choose(wall, TWO)
-    wall.use(wall.panel.angles[0].slider, value=10)
-    assert wall.lifts() == [10, 10, 0, 0, 0]
-    wall.press("3")
-    assert wall.lifts() == [10, 10, 10, 0, 0]
 
 
 @pytest.mark.parametrize(("angle", "lifted", "lifts"), [(None, None, [45, 45, 0, 0, 0]), (20, 3, [20, 20, 20, 0, 0])])
@@ -180,15 +168,6 @@ def test_the_program_can_begin_with_an_experiment(csv, angle, lifted, lifts):
     assert (wall.lifts(), wall.viewer.questions.menu.selected) == (lifts, "Two bobs")
     choose(wall, None)
     assert wall.lifts() == [angle or 45] * (lifted or 1) + [0] * (5 - (lifted or 1))
-
-
-def test_the_double_cradle_has_its_own_experiments(csv):
-    wall = Wall(csv, 30, 10, kind=DoubleCradle)
-    menu, names = wall.viewer.questions.menu, [each.name for each in wall.viewer.questions.experiments]
-    assert (menu.choices, menu.selected) == (["your CSV", *names], "your CSV")
-    choose(wall, names.index("Two double pendula"))
-    assert wall.lifts() == [45, 45, 0, 0, 0]
-    assert wall.values("phi") == pytest.approx([-0.349066] * 2 + [0] * 3)
 
 
 def test_a_mistake_in_an_experiment_is_shown_below_the_menu(csv, tmp_path, monkeypatch):
@@ -216,32 +195,26 @@ def test_a_main_that_reads_another_file_does_not_end_the_page(asking, monkeypatc
 # --- the question ----------------------------------------------------------------------------------------------------
 
 
-def test_the_question_comes_before_each_release(asking):
-    answers = [answer.text for answer in asking.viewer.questions.experiments[TWO].answers]
+@pytest.mark.parametrize(("answer", "happened"), [(2, THAT), (0, OTHER), (None, OTHER)])
+def test_the_question_comes_before_each_release_and_the_explanation_after_it(asking, answer, happened):
+    answers = [each.text for each in asking.viewer.questions.experiments[TWO].answers]
+    said = [] if answer is None else [f"You said: {answers[answer]}."]
     for _ in range(2):
         assert shown(asking) == [QUESTION, *answers, "Run it without an answer"]
         asking.wait(0.5)
         assert (asking.time(), asking.lifts(), asking.panel.pause.text) == (0, [45, 45, 0, 0, 0], "Run")
-        asking.viewer.give("answer", ["2_two_bobs", 0])
-        asking.wait(0.1)
-        assert asking.time() > 0
+        asking.viewer.give("answer", ["2_two_bobs", answer])
+        asking.wait(0.3)
+        assert shown(asking) == [QUESTION, *said]
+        assert asking.time() > 0.2
+        asking.wait(0.3)
+        *before, result = shown(asking)
+        assert before == [QUESTION, *said]
+        # From 45 degrees, a bob comes down at sqrt(2 g R (1 - cos 45 degrees)) = 1.07 m/s.
+        assert result.startswith(f"{happened} Two bobs came in at 1.07 m/s, and two left at 1.07 and 1.07 m/s.")
+        asking.wait(0.5)
+        assert shown(asking)[-1] == result
         asking.press("r")
-
-
-@pytest.mark.parametrize(("answer", "happened"), [(2, THAT), (0, OTHER), (None, OTHER)])
-def test_an_answer_runs_the_cradle_and_the_explanation_follows(asking, answer, happened):
-    said = [] if answer is None else [f"You said: {asking.viewer.questions.experiments[TWO].answers[answer].text}."]
-    asking.viewer.give("answer", ["2_two_bobs", answer])
-    asking.wait(0.3)
-    assert shown(asking) == [QUESTION, *said]
-    assert asking.time() > 0.2
-    asking.wait(0.3)
-    *before, result = shown(asking)
-    assert before == [QUESTION, *said]
-    # From 45 degrees, a bob comes down at sqrt(2 g R (1 - cos 45 degrees)) = 1.07 m/s.
-    assert result.startswith(f"{happened} Two bobs came in at 1.07 m/s, and two left at 1.07 and 1.07 m/s.")
-    asking.wait(0.5)
-    assert shown(asking)[-1] == result
 
 
 @pytest.mark.parametrize("command", ["pause", "step", "tick"])

@@ -238,8 +238,7 @@ def contents(folder):
 @pytest.fixture
 def file(tmp_path):
     """The path of a CSV, in a folder of its own."""
-    (tmp_path / "folder").mkdir()
-    path = tmp_path / "folder" / "cradle.csv"
+    path = tmp_path / "cradle.csv"
     path.write_text(MIXED_CSV)
     return path
 
@@ -325,9 +324,8 @@ def test_only_a_file_that_may_be_written_is_replaced_and_the_message_has_the_giv
 # --- a file that you edit --------------------------------------------------------------------------------------------
 
 
-@pytest.fixture
-def live(file):
-    """A watched file with the text old, and a function that checks it again."""
+def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same_also_if_it_goes_and_comes_back(file):
+    """While it is gone or empty, the page says so."""
     file.write_text("old\n")
     times = [0.0]
     live_file = LiveFile(file, lambda: times[-1])
@@ -336,33 +334,23 @@ def live(file):
         times.append(times[-1] + seconds)
         return live_file.changed()
 
-    return file, live_file, look
-
-
-def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same(live):
-    path, live_file, look = live
-    before = path.stat()
-    path.write_text("ne")  # the editor is still at work
+    before = file.stat()
+    file.write_text("ne")  # the editor is still at work
     assert not look()
-    path.write_text("new\n")
-    os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))  # size and time do not show the change
+    file.write_text("new\n")
+    os.utime(file, ns=(before.st_atime_ns, before.st_mtime_ns))  # size and time do not show the change
     assert [look(), look(0), look(0)] == [False] * 3  # the program does not read the file in each frame
     assert [look() for _ in range(3)] == [True, False, False]
     assert read_cells(live_file.current) == [(1, ["new"])]
     assert 2 * POLL < 1  # s
-
-
-def test_a_file_that_goes_and_comes_back_is_noticed_each_time(live):
-    """In between, the page says that the file is not readable, and then that it is empty."""
-    path, live_file, look = live
-    for change, words in ((path.unlink, "No such file or directory$"), (path.touch, "is empty")):
+    for change, words in ((file.unlink, "No such file or directory$"), (file.touch, "is empty")):
         change()
         assert [look(), look(), look()] == [False, True, False]
         with pytest.raises(ValueError, match=words):
             read_cells(live_file.current)
-    path.write_text("old\n")
+    file.write_text("new\n")
     assert [look(), look(), look()] == [False, True, False]
-    assert read_cells(live_file.current) == [(1, ["old"])]
+    assert read_cells(live_file.current) == [(1, ["new"])]
 
 
 # --- recorded data ---------------------------------------------------------------------------------------------------

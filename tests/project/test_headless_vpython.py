@@ -177,10 +177,7 @@ wall, measured = Wall(csv, 45), {}
 wall.viewer.give("pause", None)  # the time goes to the reloads
 tracemalloc.start()
 for reload in range(1, reloads + 1):
-    csv.write_text(texts[reload % len(texts)])
-    for _ in range(3):  # the viewer looks twice at a new file
-        wall.now += 0.3
-        wall.wait()
+    wall.save(texts[reload % len(texts)])
     assert len(wall.thetas()) == texts[reload % len(texts)].count("\\n") - 1
     vpython.baseObj.initialize()
     if reload in (10, reloads // 2, reloads):

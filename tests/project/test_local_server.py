@@ -9,6 +9,7 @@ from contextlib import suppress
 from functools import partial
 from http.client import HTTPConnection
 from types import SimpleNamespace
+from typing import NamedTuple
 from urllib.parse import urlsplit
 
 import programs
@@ -28,10 +29,15 @@ SECRET = "the secret"
 # --- requests --------------------------------------------------------------------------------------------------------
 
 
-def parts(address):
+class Site(NamedTuple):
+    port: int  # of the page; its websocket is at port + 1
+    key: str
+
+
+def site_at(address):
     """Return the port and the key in the address of the page."""
     page = urlsplit(address)
-    return page.port, page.query.removeprefix("key=")
+    return Site(page.port, page.query.removeprefix("key="))
 
 
 def get(port, path, **headers):
@@ -77,8 +83,8 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def address(folder):
-    """The address of the page of a program that waits for a browser. After the tests, Ctrl+C ends the program.
+def site(folder):
+    """The port and the key of a program that waits for a browser. After the tests, Ctrl+C ends the program.
 
     In all this time, it prints nothing more.
     """
@@ -86,34 +92,22 @@ def address(folder):
     with running(program, folder=folder, patience=60 * SECONDS, VPYTHON_HTTP_PORT=str(port)) as process:
         address = first_lines(process)
         assert address.startswith(f"http://localhost:{port}/?key=")
-        yield address
+        yield site_at(address)
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
 
 
-@pytest.fixture
-def port(address):
-    """The port of that program; its websocket is at port + 1."""
-    return parts(address)[0]
-
-
-@pytest.fixture
-def key(address):
-    return parts(address)[1]
-
-
 @pytest.mark.parametrize("above", [0, 1], ids=["page", "websocket"])
-def test_another_address_of_this_machine_does_not_answer(port, above):
+def test_another_address_of_this_machine_does_not_answer(site, above):
     with pytest.raises(OSError):
-        socket.create_connection(("127.0.0.2", port + above), timeout=SECONDS)
+        socket.create_connection(("127.0.0.2", site.port + above), timeout=SECONDS)
 
 
-OUTSIDE = ["/secret.js", "/../secret.js", "/%2e%2e%2fsecret.js", "/.." * 40 + "{folder}/secret.js"]
-
-
-@pytest.mark.parametrize("path", OUTSIDE)
-def test_a_file_outside_is_not_found(port, folder, path):
-    _, answer, content = get(port, path.format(folder=folder))
+@pytest.mark.parametrize(
+    "path", ["/secret.js", "/../secret.js", "/%2e%2e%2fsecret.js", "/.." * 40 + "{folder}/secret.js"]
+)
+def test_a_file_outside_is_not_found(site, folder, path):
+    _, answer, content = get(site.port, path.format(folder=folder))
     assert answer.status == 404
     assert SECRET.encode() not in content
 
@@ -122,21 +116,21 @@ WRONG_KEYS = ["?", "?key=wrong", "?key={key}0"]
 
 
 @pytest.mark.parametrize("query", WRONG_KEYS)
-def test_without_the_key_the_page_is_a_sentence(key, port, query):
+def test_without_the_key_the_page_is_a_sentence(site, query):
     """A request can have all headers of a browser: another program on this machine can send it."""
-    browser = {"Origin": f"http://localhost:{port}", "Sec_Fetch_Site": "same-origin"}
+    browser = {"Origin": f"http://localhost:{site.port}", "Sec_Fetch_Site": "same-origin"}
     for path in local_server.FOR_THE_PAGE:
-        _, answer, content = get(port, f"{path}{query.format(key=key)}", **browser)
+        _, answer, content = get(site.port, f"{path}{query.format(key=site.key)}", **browser)
         assert (answer.status, content.decode()) == (403, NO_KEY)
-        assert key not in str(answer.headers)
+        assert site.key not in str(answer.headers)
 
 
-def test_with_the_key_the_page_comes_and_its_data(key, port):
+def test_with_the_key_the_page_comes_and_its_data(site):
     """The page sends its address to no other site."""
-    page = get(port, f"/?key={key}")[2].decode()
-    assert re.search(r"var sock = '(\d+)'", page)[1] == str(port + 1)
+    page = get(site.port, f"/?key={site.key}")[2].decode()
+    assert re.search(r"var sock = '(\d+)'", page)[1] == str(site.port + 1)
     assert '<meta name="referrer" content="no-referrer">' in page
-    _, answer, _ = get(port, f"/cradle_data.csv?key={key}")
+    _, answer, _ = get(site.port, f"/cradle_data.csv?key={site.key}")
     assert (answer.status, answer.headers["Content-Type"]) == (200, "text/csv; charset=utf-8")
     assert answer.headers["Content-Disposition"] == "attachment; filename=cradle_data.csv"
 
@@ -152,19 +146,19 @@ def test_with_the_key_the_page_comes_and_its_data(key, port):
         *(("http://localhost:{page}", f"{query}&tab=any&take=1") for query in WRONG_KEYS),
     ],
 )
-def test_only_a_tab_of_the_page_gets_the_websocket(key, port, origin, query):
+def test_only_a_tab_of_the_page_gets_the_websocket(site, origin, query):
     """Another program on this machine can forge the Origin."""
-    own = {"Origin": origin.format(page=port, websocket=port + 1)} if origin else {}
-    assert shake_hands(port + 1, query.format(key=key), **own)[1] in (400, 403)
+    own = {"Origin": origin.format(page=site.port, websocket=site.port + 1)} if origin else {}
+    assert shake_hands(site.port + 1, query.format(key=site.key), **own)[1] in (400, 403)
 
 
-def test_connections_and_requests_without_sense_change_nothing(port, key):
+def test_connections_and_requests_without_sense_change_nothing(site):
     """A browser opens connections in advance; VPython's own server would wait for their requests."""
-    for one in (port, port + 1):
+    for one in (site.port, site.port + 1):
         for request in (b"", b"GET /../secret.js HTTP/1.1\r\n\r\n", b"\0\xff\r\n\r\n", b"\x16\x03\r\n\r\n"):
             with suppress(ConnectionResetError), socket.create_connection(("127.0.0.1", one), timeout=SECONDS) as idle:
                 idle.sendall(request)
-                assert get(port, f"/?key={key}")[1].status == 200
+                assert get(site.port, f"/?key={site.key}")[1].status == 200
 
 
 # --- programs of their own -------------------------------------------------------------------------------------------
@@ -173,7 +167,7 @@ def test_connections_and_requests_without_sense_change_nothing(port, key):
 def test_a_tab_whose_browser_crashes_ends_the_program():
     """In the middle of a message. Before that, a message that would fill the memory closes the tab."""
     with running() as process:
-        port, key = parts(first_lines(process))
+        port, key = site_at(first_lines(process))
         get(port, f"/?key={key}")
         with open_tab(port, key) as tab:
             tab.sendall(bytes([0x81, 0x80 | 127]) + (local_server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4))
@@ -191,7 +185,7 @@ def test_the_program_opens_a_browser_unless_it_must_not(tmp_path, options, opene
     browser.chmod(0o755)
     with running(None, *options, VPYTHON_NO_LAUNCH_BROWSER="", BROWSER=str(browser)) as process:
         address = first_lines(process)
-        port, key = parts(address)
+        port, key = site_at(address)
         assert get(port, f"/?key={key}")[1].status == 200  # VPython opens the browser, and then serves the page
         assert visited.exists() == opened
         assert not opened or visited.read_text().strip() == address

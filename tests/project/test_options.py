@@ -86,7 +86,7 @@ def refusal(program, words, capsys):
 
 
 EVERY = f"a multiple of {DT:g} (s), one tick, up to 1e6"
-BAD_VALUES = [
+BAD = [  # a program, an option, its bad values, and what is allowed
     ("page", "--e", ["1.1", "-0.1", "nan"], "a number from 0 to 1"),
     ("page", "--mass", ["0", "inf", "1kg"], "a number from 1e-300 to 1e6 (kg)"),
     ("page", "--angle", ["-30", "181"], "a number from 0 to 180 (degrees)"),
@@ -99,16 +99,14 @@ BAD_VALUES = [
 ]
 
 
-@pytest.mark.parametrize(("program", "option", "values", "allowed"), BAD_VALUES)
-def test_a_bad_value_is_refused_with_the_allowed_ones(program, option, values, allowed, capsys):
-    for value in values:
-        message = f"argument {option}: found {value!r}, allowed is {allowed}"
-        assert refusal(program, [f"{option}={value}"], capsys) == message
-
-
 @pytest.mark.parametrize(
     ("program", "line", "message"),
     [
+        *(
+            (program, f"{option}={value}", f"argument {option}: found {value!r}, allowed is {allowed}")
+            for program, option, values, allowed in BAD
+            for value in values
+        ),
         ("page", "--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
         ("page", "--elast", "unrecognized arguments: --elast"),
         ("text", "--no-browser", "unrecognized arguments: --no-browser"),
@@ -117,7 +115,7 @@ def test_a_bad_value_is_refused_with_the_allowed_ones(program, option, values, a
         ("text", "my.csv \x1b[2J\udcffω", r"unrecognized arguments: \x1b[2J\udcffω"),  # not shown letters
     ],
 )
-def test_options_that_are_wrong_in_another_way_are_refused_in_one_line(program, line, message, capsys):
+def test_bad_options_are_refused_in_one_line(program, line, message, capsys):
     assert refusal(program, line.split(), capsys) == message
 
 

@@ -104,8 +104,11 @@ def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
     shared.get_by_role("button", name="Run").wait_for()
     shared.keyboard.press("r")
     programs.wait_for_lifts(shared, -45, 0, 0, 0, 0)
-    shared.keyboard.press("3")
-    programs.wait_for_lifts(shared, -45, -45, -45, 0, 0)
+    for _ in range(2):  # VPython itself sends no value that it has sent before
+        slide(shared, programs.LIFTED, 0.99)
+        programs.wait_for_lifts(shared, -45, -45, -45, -45, -45)
+        shared.keyboard.press("3")
+        programs.wait_for_lifts(shared, -45, -45, -45, 0, 0)
     shared.keyboard.press("ArrowRight")
     wait_until(lambda: programs.readout(shared, "t") > 0)
     press(shared, "Restart")
@@ -130,15 +133,6 @@ def test_keys_without_a_meaning_do_nothing(shared):
     shared.keyboard.press("Space")
     shared.get_by_role("button", name="Run").wait_for()
     assert values(shared)[programs.LIFTED] == "1 of 5"
-
-
-def test_a_slider_can_be_put_back_to_where_it_was_before_a_key_was_pressed(shared):
-    """VPython would send nothing, because it has sent the same value the last time."""
-    for _ in range(2):
-        slide(shared, programs.LIFTED, 0.99)
-        wait_until(lambda: values(shared)[programs.LIFTED] == "5 of 5")
-        shared.keyboard.press("1")
-        wait_until(lambda: values(shared)[programs.LIFTED] == "1 of 5")
 
 
 # --- graph and mouse ------------------------------------------------------------------------------------------------

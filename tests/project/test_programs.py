@@ -197,7 +197,6 @@ def mixed(csv):
     return csv
 
 
-START = to_lift(THETA_INIT)
 SOME = "--inelastic --separating --mass 3 --angle 20 --lift 3 --port 8000 --no-browser"
 DOUBLED = "--mass 3 --angle 25 --phi=-12.5 --lift 2"
 
@@ -205,7 +204,7 @@ DOUBLED = "--mass 3 --angle 25 --phi=-12.5 --lift 2"
 @pytest.mark.parametrize(
     ("program", "line", "given", "pendula"),  # a pendulum has e, mass (kg), and each angle (degrees)
     [
-        ("Newton's cradle", "", (0, True), [(0.9, 1.5, START), (0.8, 2.5, 0), (0.7, 0.5, 0)]),
+        ("Newton's cradle", "", (0, True), [(0.9, 1.5, to_lift(THETA_INIT)), (0.8, 2.5, 0), (0.7, 0.5, 0)]),
         ("Newton's cradle", SOME, (8000, False), [(0, 3, 20)] * 3),
         ("Newton's double cradle", DOUBLED, (0, True), [(0.9, 3, 25, -12.5), (0.8, 3, 25, -12.5), (0.7, 3, 0, 0)]),
     ],

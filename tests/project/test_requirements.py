@@ -1,4 +1,4 @@
-"""What has to be installed: the short list, the names of VPython behind it, and a page with no more than that."""
+"""What has to be installed: the short list, the names of VPython behind it, and the pages with no more than that."""
 
 import re
 import venv
@@ -54,7 +54,8 @@ def test_the_short_list_has_what_pyproject_names_and_each_package_has_an_upper_b
     assert all("<" in bounds for bounds in LISTED.values())
 
 
-def test_the_page_works_with_the_short_list_alone(page, program, tmp_path):
+@pytest.mark.parametrize(("name", "bobs"), [("visualize_cradle_run.py", 5), ("visualize_double_cradle_run.py", 10)])
+def test_each_page_works_with_the_short_list_alone_until_the_tab_is_closed(page, program, tmp_path, name, bobs):
     """In an environment with the packages of the Python that runs the tests; one that it does not have is left out."""
     venv.create(tmp_path / "environment", symlinks=True)
     [place] = (tmp_path / "environment").glob("lib/python*/site-packages")
@@ -62,8 +63,9 @@ def test_the_page_works_with_the_short_list_alone(page, program, tmp_path):
         for part in {file.parts[0] for file in package.files or () if package.name.lower() in LISTED}:
             if part not in ("..", "__pycache__"):
                 (place / part).symlink_to(package.locate_file(part))
-    with running(program, python=str(tmp_path / "environment" / "bin" / "python")) as process:
-        open_cradle(page, first_lines(process))
-        page.wait_for_function(f"() => ({BOBS})()[4][0] > {-0.1 + 5 / 4 * R_PARAM}")
+    with running(program.with_name(name), python=str(tmp_path / "environment" / "bin" / "python")) as process:
+        open_cradle(page, first_lines(process), bobs)
+        farthest = f"Math.max(...({BOBS})().map(bob => bob[0]))"  # to the right: only a hit brings a bob that far
+        page.wait_for_function(f"() => {farthest} > {-0.1 + 5 / 4 * R_PARAM}")
         page.close()
         assert end(process) == QUIETLY

@@ -55,15 +55,6 @@ def test_speed_and_slow_motion(wall, speed):
     assert wall.viewer.motion.ticks - ticks == round(speed * FRAME / wall.viewer.cradle.dt)
 
 
-def test_release_angle(wall):
-    wall.wait(1)
-    wall.use(wall.panel.angles[0].slider, value=75)
-    assert (wall.lifts(), wall.time()) == ([75, 0, 0, 0, 0], 0)
-    assert ">75&deg;<" in wall.panel.angles[0].text.text
-    wall.use(wall.panel.angles[0].slider, value=12.5)
-    assert ">12.5&deg;<" in wall.panel.angles[0].text.text
-
-
 def test_bobs_lifted(wall):
     """The slider goes from none to all, and always snaps to a whole number of bobs. A digit lifts this number."""
     wall.use(wall.panel.lifted.slider, value=0.55)
@@ -73,16 +64,6 @@ def test_bobs_lifted(wall):
     for digit, lifted in (("2", 2), ("9", 5)):
         wall.press(digit)
         assert wall.lifts() == [30] * lifted + [0] * (5 - lifted)
-
-
-def test_collisions(wall):
-    choices = wall.panel.collisions.choices
-    assert choices == list(wall.viewer.cradle.collisions)
-    assert wall.panel.collisions.selected == choices[0]
-    wall.use(wall.panel.collisions, selected=choices[2])
-    wall.wait(1)
-    assert wall.values("e") == [0] * 5
-    assert max(wall.thetas()) - min(wall.thetas()) < 0.05  # they hang together
 
 
 def test_the_box_of_a_fixed_rule_is_fixed_and_says_so(csv, monkeypatch):
@@ -106,7 +87,8 @@ def test_keys_do_what_the_buttons_do(wall, monkeypatch, key, command):
     wall.viewer.give.assert_called_once_with(command, None)
 
 
-def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
+def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv, monkeypatch):
+    csv.write_text(HEADER + GOOD * 2)
     texts = []
     monkeypatch.setattr("support.page.panel.wtext", lambda text="": texts.append(text) or wtext(text=text))
     wall = Wall(csv, 30, 10, kind=DoubleCradle)
@@ -116,9 +98,18 @@ def test_each_release_angle_of_a_double_cradle_has_its_slider(csv, monkeypatch):
     labels = re.findall('<span class="label">(.*?)</span>', "".join(texts))
     assert labels == ["Experiment", "Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions", "Graph"]
     wall.use(theta.slider, value=75)
-    wall.use(phi.slider, value=-40)
-    assert wall.viewer.angles == thetas([75, -40])
-    assert [wall.values(key)[0] for key in ("theta", "phi")] == pytest.approx(thetas([75, -40]))
+    wall.use(phi.slider, value=-12.5)
+    assert wall.viewer.angles == thetas([75, -12.5])
+    assert [wall.values(key)[0] for key in ("theta", "phi")] == pytest.approx(thetas([75, -12.5]))
+    assert ">75&deg;<" in theta.text.text and ">-12.5&deg;<" in phi.text.text
+    assert wall.panel.graph.choices == [
+        *(ENERGY, "Angles theta (rad)", "Angles phi (rad)", "Velocities omega (rad/s)", "Velocities phi_omega (rad/s)"),
+        *("Phase picture of bob 1: omega over theta", "Phase picture of bob 1: phi_omega over phi"),
+        *("Phase picture of bob 2: omega over theta", "Phase picture of bob 2: phi_omega over phi"),
+        NOTHING,
+    ]
+    choose(wall, "Angles phi (rad)")
+    assert drawn(wall)["1"][0] == [0, pytest.approx(wall.viewer.angles[1])]
 
 
 AFTER = {
@@ -185,22 +176,16 @@ def test_a_click_beside_the_bobs_takes_none(wall):
     assert (wall.thetas(), wall.viewer.motion.start_energy) == (before, start)
 
 
-@pytest.mark.parametrize(("radii", "taken"), [(1.4, 4), (-1.4, 3)])
-def test_a_finger_beside_a_bob_takes_the_nearest_one(wall, radii, taken):
+@pytest.mark.parametrize(
+    ("bob", "radii", "ray", "taken"), [(4, 1.4, (0, 0, -1), 4), (4, -1.4, (0, 0, -1), 3), (2, 0, (-1, 0, 0), 4)]
+)
+def test_the_nearest_bob_is_taken_or_the_foremost_one(wall, bob, radii, ray, taken):
+    """A finger may be beside it. The last view is along the row."""
     wall.panel.pause.bind()
     wall.use(wall.panel.lifted.slider, value=0)
-    bob = wall.viewer.cradle.bobs()[4]
-    wall.mouse("mousedown", vector(bob.pos) + vector(radii * bob.radius, 0, 0))
+    bob = wall.viewer.cradle.bobs()[bob]
+    wall.mouse("mousedown", vector(bob.pos) + vector(radii * bob.radius, 0, 0), ray)
     assert wall.viewer.cradle.hand.held == taken
-
-
-def test_the_foremost_of_two_bobs_under_the_mouse_is_taken(wall):
-    """The view is along the row."""
-    wall.use(wall.panel.lifted.slider, value=0)
-    wall.mouse("mousedown", wall.viewer.cradle.bobs()[2].pos, (-1, 0, 0))
-    assert wall.viewer.cradle.hand.held == 4
-    wall.mouse("mousemove", vector(1, 1, 1), (-1, 0, 0))  # no point in the plane of swing is under the mouse
-    assert wall.lifts() == [0] * 5
 
 
 def test_a_bob_follows_the_mouse_in_a_slanting_view_too(wall):
@@ -209,6 +194,7 @@ def test_a_bob_follows_the_mouse_in_a_slanting_view_too(wall):
     axle, ray = wall.viewer.cradle.axles()[0], (-0.3, -0.2, -1)
     wall.mouse("mousedown", axle.pos + vector(0, -R_PARAM, 0), ray)
     wall.mouse("mousemove", axle.pos + vector(-1, -1, 0), ray)
+    wall.mouse("mousemove", vector(1, 1, 1), (-1, 0, 0))  # no point in the plane of swing is under the mouse
     assert wall.lifts() == [45, 0, 0, 0, 0]
 
 
@@ -308,17 +294,6 @@ def test_unchanged_texts_are_not_sent_again(wall):
 # --- the view --------------------------------------------------------------------------------------------------------
 
 
-def test_a_resized_canvas_is_filled(wall):
-    """The view is the same as for a cradle with this size from the start."""
-    scene.width, scene.height = 300, 420
-    scene.bound["resize"]()
-    wall.wait()
-    resized, scenery = scene.range, wall.viewer.scenery
-    scenery.room = scenery.room._replace(reach=0)
-    wall.press("r")
-    assert scene.range == resized
-
-
 def test_the_view_is_reset_with_a_button_and_a_key_and_comes_back_from_far_away(wall):
     for reset in (lambda: wall.click(wall.panel.view), lambda: wall.press("v")):
         scene.forward, scene.range = vector(0, 0, -1), 1.5 * scene.range
@@ -342,14 +317,18 @@ def test_a_reloaded_page_shows_the_first_view_and_restarts(wall, monkeypatch):
     assert wall.viewer.motion.ticks == 0
 
 
-def test_a_swing_above_the_frame_is_in_view_until_the_next_restart(wall):
+def test_a_resized_canvas_is_filled_and_a_swing_above_the_frame_widens_the_view_until_the_next_restart(wall):
+    """The view is the same as for a cradle with this size from the start."""
     scene.width, scene.height = 1000, 400
     scene.bound["resize"]()
     wall.wait()
-    near = scene.range
+    near, scenery = scene.range, wall.viewer.scenery
     wall.use(wall.panel.angles[0].slider, value=150)
     assert scene.range > 1.2 * near
     wall.use(wall.panel.angles[0].slider, value=45)
+    assert scene.range == near
+    scenery.room = scenery.room._replace(reach=0)
+    wall.press("r")
     assert scene.range == near
 
 
@@ -389,10 +368,6 @@ def drawn(wall):
     return {curve.label: curve.data for curve in wall.viewer.graph.curves.values() if curve.data}
 
 
-def color_of(wall, name):
-    return wall.viewer.graph.curves[name].color
-
-
 def recorded(wall, column):
     """Return the recorded values of a column, by their times (s)."""
     at = wall.viewer.recording.columns.index(column)
@@ -414,7 +389,7 @@ def test_the_graph_shows_the_energies_of_the_last_ten_seconds(wall):
     for (t, k), (_, p), (_, both) in zip(kinetic, potential, total, strict=True):
         assert k + p == pytest.approx(both)
         assert 0 <= t - graph.xmin <= SHOWN
-    assert len({(*color_of(wall, name).value,) for name in ENERGIES}) == 3
+    assert len({(*wall.viewer.graph.curves[name].color.value,) for name in ENERGIES}) == 3
 
 
 def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(wall):
@@ -427,7 +402,7 @@ def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(wall):
         for number, color in zip("123", colors, strict=True):
             values = recorded(wall, f"{key}_{number}")
             assert all(values[t] == value for t, value in drawn(wall)[number])
-            assert color_of(wall, number) == COLOR_MAP[color]
+            assert wall.viewer.graph.curves[number].color == COLOR_MAP[color]
 
 
 def test_the_phase_picture_is_that_of_one_bob(wall):
@@ -437,20 +412,7 @@ def test_the_phase_picture_is_that_of_one_bob(wall):
     points = drawn(wall)[PHASE]
     assert len(points) == pytest.approx(PHASE_SHOWN / EVERY, abs=2)
     assert points[-1] == [[*recorded(wall, f"{key}_1").values()][-1] for key in ("theta", "omega")]
-    assert color_of(wall, PHASE) == COLOR_MAP["red"]
-
-
-def test_the_double_cradle_has_graphs_of_both_cords(csv):
-    csv.write_text(HEADER + GOOD * 2)
-    wall = Wall(csv, 45, 20, kind=DoubleCradle)
-    assert wall.panel.graph.choices == [
-        *(ENERGY, "Angles theta (rad)", "Angles phi (rad)", "Velocities omega (rad/s)", "Velocities phi_omega (rad/s)"),
-        *("Phase picture of bob 1: omega over theta", "Phase picture of bob 1: phi_omega over phi"),
-        *("Phase picture of bob 2: omega over theta", "Phase picture of bob 2: phi_omega over phi"),
-        NOTHING,
-    ]
-    choose(wall, "Angles phi (rad)")
-    assert drawn(wall)["1"][0] == [0, pytest.approx(wall.viewer.angles[1])]
+    assert wall.viewer.graph.curves[PHASE].color == COLOR_MAP["red"]
 
 
 def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wall):
@@ -458,7 +420,7 @@ def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wa
     wall.save(HEADER + GOOD.replace("red", "green") * (MOST + 3))
     assert wall.panel.graph.selected == ANGLES
     assert list(drawn(wall)) == [str(number) for number in range(1, MOST + 1)]  # the first ones
-    assert color_of(wall, "1") == COLOR_MAP["green"]
+    assert wall.viewer.graph.curves["1"].color == COLOR_MAP["green"]
     choose(wall, "Phase picture of bob 7: omega over theta")
     wall.save(HEADER + GOOD * 2)
     assert wall.panel.graph.selected == ENERGY
