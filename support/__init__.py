@@ -49,5 +49,8 @@ def refuse_changed_files() -> None:
 
 refuse_changed_files()
 if find_spec("pandas") is None:
-    print(f"{sys.executable} has no pandas. Start with the Python of .venv, as README.md says.", file=sys.stderr)
+    print(
+        f"{sys.executable} has no pandas. Install it as README.md says, or start the Python that has it.",
+        file=sys.stderr,
+    )
     sys.exit(2)

@@ -20,7 +20,7 @@ def check_tick(pend_list, wanted, *, dt=SHORT, g=9.81, hints=()):
 
     before = [pend["omega"] for pend in pend_list]
     if all(mistaken != before for mistaken, _ in hints):
-        pairs = "The velocities have not changed. Do you handle each pair exactly once?"
+        pairs = "The velocities have not changed. Does each pendulum meet the one after it, exactly once?"
         hints = [*hints, (before, pairs if len(before) > 1 else "A single pendulum has no pair, but it must swing.")]
     expect("newton_cradle_tick", pend_list, R, dt, g, wanted=wanted, hints=hints, **each(pend_list, "omega"))
 
@@ -50,12 +50,7 @@ def test_a_tick_swings_all_pendula():
 @check("newton_cradle_tick", watched=True)
 def test_each_pendulum_is_handled_with_the_one_after_it():
     """For each pendulum (except the last) handle the pairwise interaction of that pendulum and the one after it."""
-    hints = [
-        ([2.0, 1.0, 3.0], "Only the first two bobs have collided."),
-        ([1.0, 3.0, 2.0], "Only the last two bobs have collided."),
-        ([3.0, 1.0, 2.0], "This is the result from right to left. Go from left to right."),
-    ]
-    check_tick(touching(1.0, 2.0, 3.0), [2.0, 3.0, 1.0], hints=hints)
+    check_tick(touching(1.0, 2.0, 3.0), [2.0, 3.0, 1.0])
     check_tick(touching(3.0, 0.0), [0.0, 3.0])
     check_tick(touching(3.0, 0.0, 0.0, 0.0, 0.0), [0.0, 0.0, 0.0, 0.0, 3.0])
     check_tick(touching(0.0, 3.0, 0.0), [3.0, 0.0, 0.0])  # the second pair finds both at rest
@@ -67,8 +62,7 @@ def test_each_pendulum_is_handled_with_the_one_after_it():
 @check("newton_cradle_tick", watched=True)
 def test_only_neighbours_are_pairs():
     """In a pairwise manner, we only consider the collision of two pendula."""
-    hints = [([3.0, 2.0, 1.0], "These large bobs all touch, but only neighbours are pairs.")]
-    check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0], hints=hints)
+    check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0])
 
 
 @check("newton_cradle_tick", watched=True)
@@ -86,11 +80,7 @@ def test_the_pairs_use_masses_and_restitution():
     pend_list = touching(4.0, 0.0, 0.0)
     for pend, e, mass in zip(pend_list, (0.5, 0.25, 1.0), (1.0, 3.0, 3.0), strict=True):
         pend.update(e=e, mass=mass)
-    hints = [
-        ([-2.0, 0.0, 2.0], "This is the result with e = 1. Do the bobs collide with the e of their pendula?"),
-        ([0.25, 0.0, 1.25], "The e of the right pendulum was used. Give the left one to handle_two_bobs first."),
-    ]
-    check_tick(pend_list, [-0.5, 0.5625, 0.9375], hints=hints)
+    check_tick(pend_list, [-0.5, 0.5625, 0.9375])
     # In the order of the list: these pendula are not sorted by place, angle, mass, e or omega.
     pend_list = [
         hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.1, 0, 0), radius=R / 3),

@@ -31,68 +31,18 @@ STEPS = [
     ((0, 1, 0.5, 0.1, 10.0), (-1.6829419696, 0.83170580304)),
 ]
 
-# Results of common mistakes for STEP, by hand.
-MISTAKES = [
-    ((2.0, 5 * pi / 6 + 0.3), "You used the old omega; theta moves with the new one."),
-    ((4.0, 5 * pi / 6 + 0.4), "The sign of gravity is wrong. Gravity pulls the bob back down."),
-    ((2.908647, 5 * pi / 6 + 0.290865), "This is the result with degrees. sin() takes radians."),
-    ((4.732051, 5 * pi / 6 + 0.473205), "You used cos in place of sin."),
-    ((-2.235988, 5 * pi / 6 - 0.223599), "You used theta in place of its sine."),
-    ((-7.0, 5 * pi / 6 - 0.7), "You forgot dt in the change of omega."),
-    ((2.0, 5 * pi / 6 + 2.0), "You forgot dt in the change of theta."),
-    ((2.6, 5 * pi / 6 + 0.26), "You forgot to divide by r_param."),
-    ((2.84, 5 * pi / 6 + 0.284), "You multiplied by r_param. Divide by it."),
-    ((2.875, 5 * pi / 6 + 0.2875), "You forgot g."),
-    ((2.55652, 5 * pi / 6 + 0.3), "You changed theta first. Change omega first, then theta."),
-    ((-1.0, 5 * pi / 6 - 0.1), "You forgot to add the old omega."),
-    ((2.0, 0.2), "You forgot to add the old theta."),
-    ((2.0, 5 * pi / 6), "theta has not changed."),
-    ((3.0, 5 * pi / 6 + 0.3), "omega has not changed."),
-    ((3.0, 5 * pi / 6), "You returned the old values."),
-    ((-0.7, 5 * pi / 6 - 0.07), "In the first formula, multiply only the acceleration by dt, not the old omega."),
-    ((2.0, pi / 12 + 0.2), "In the second formula, multiply only the new omega by dt, not the old theta."),
-    ((2.792945, 5 * pi / 6 + 0.279294), "You divided theta by r_param. Divide its sine."),
-    ((-10.0, 5 * pi / 6 + 0.2), "You returned the angular acceleration in place of the new omega."),
-    ((-97.0, 5 * pi / 6 - 9.7), "You divided by dt, too. Divide only by r_param, and multiply by dt."),
-    ((0.5, 5 * pi / 6 + 0.05), "You divided by r_param twice."),
-    ((4.429753, 5 * pi / 6 + 0.442975), "You converted theta to degrees. It is in radians, as sin() takes it."),
-    ((2.0, 5 * pi / 6 - 0.2), "The sign in the second formula is wrong: add omega times dt."),
-    *(
-        ((2.0, 5 * pi / 6 + change), "Only the new omega moves theta: no 1/2 a t^2, no average.")
-        for change in (0.25, 0.15)
-    ),
-    ((1.77375, 5 * pi / 6 + 0.177375), "You used the constant G. Use the parameter g."),
-    ((1.0, 5 * pi / 6 + 0.1), "You used the constant R_PARAM. Use the parameter r_param."),
-    ((2.999, 5 * pi / 6 + 0.0002999), "You used the constant DT. Use the parameter dt."),
-]
-
-
-# Results of // for the first two STEPS, by hand: with the minus before g, and before the whole product.
-ROUNDED = [(2.9, -pi / 6 + 0.29), (-0.05, pi / 2 - 0.0005), (-0.04, pi / 2 - 0.0004)]
-
-
-def nearly(mistaken):
-    """Return a test for this result, with the digits that MISTAKES has."""
-
-    def is_it(found):
-        return isinstance(found, tuple) and all(abs(a - b) < 1e-5 for a, b in zip(found, mistaken, strict=True))
-
-    return is_it
-
 
 @check("angle_update", watched=True)
 def test_angle_update():
     """Takes in theta and omega and updates them for a given timestep dt."""
-    hints = [(nearly(mistaken), sentence) for mistaken, sentence in MISTAKES]
-    expect("angle_update", *STEP, wanted=AFTER, hints=hints)
+    expect("angle_update", *STEP, wanted=AFTER)
 
 
 @check("angle_update", watched=True)
 def test_angle_update_of_other_swings():
     """Theta is the angle formed by the cord normal to the axle."""
-    hints = [(nearly(mistaken), "This is the result with //, which rounds down. Use /.") for mistaken in ROUNDED]
     for arguments, wanted in STEPS:
-        expect("angle_update", *arguments, wanted=wanted, hints=hints)
+        expect("angle_update", *arguments, wanted=wanted)
 
 
 # theta, omega, mass and e of pendula, and their omega and theta after 0.1 s with g = 10 m/s^2 and cords of 0.5 m. The

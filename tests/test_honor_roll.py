@@ -5,6 +5,7 @@ from math import cos, pi, sin
 
 from vpython import box, cylinder, sphere, textures, vector
 
+from grading.comparing import same
 from grading.cradles import LEFT_OVER, left_over, shapes
 from grading.grader import check, expect
 from grading.messages import Wanted
@@ -120,24 +121,16 @@ ACCELERATIONS = [
 ]
 
 
-SINGLE = (-10.0, -17.32, -20.0)  # accelerations of phi in the first state if the pendula do not pull at each other
-
-
 @check("double_angle_update", watched=True)
 def test_both_angles_are_updated():
     """Define a double_angle_update() that updates both angles of the pendulum."""
-    hints = [
-        ((0.6, -0.4, 3.0, -2.0), "You returned the angles first. The angular velocities come first."),
-        ((0.6, 3.0, -0.4, -2.0), "Return omega_theta, omega_phi, theta, phi, in this order."),
-        ((3.0, 1.0, 0.6, 0.2), "phi counts from the upper cord, not from straight down; omega_phi, too."),
-    ]
     state = 3.0, -2.0, 0.6, -0.4
-    expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state, hints=hints)  # with dt = 0, nothing moves
+    no_dt = [(lambda found: same(found[2:], state[2:]), "With dt = 0, nothing may change. Multiply each change by dt.")]
+    expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state, hints=no_dt)  # with dt = 0, nothing moves
     slow = 4e-8, -4e-8, 0.6, -0.4
     expect("double_angle_update", *slow, LENGTH, 0.0, G, wanted=slow)
-    hints = [((3.0, 0.0, 0.6, 0.0), "Your angles have not changed.")]
     straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity, it turns evenly
-    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 0.9, 0.0), hints=hints)
+    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 0.9, 0.0))
     expect("double_angle_update", 3, 0, 1, 0, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 1.3, 0.0))  # whole numbers
     for omega, before, after, phi in [*((20.0, 11.0, 13.0, i * pi) for i in (2, 4, -6)), (-20.0, -11.0, -13.0, 0.0)]:
         turned = omega, 0.0, after, phi
@@ -152,15 +145,8 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
         def see(found, state=state):
             return tuple(round((new - old) / DT, 2) + 0 for new, old in zip(found[:2], state[:2], strict=True))
 
-        theta, phi = wanted
-        known = [
-            ((-theta, -phi), "Both accelerations have the wrong sign."),
-            *(((-10.0, phi), "These are two single pendula. But each one pulls at the other.") for phi in SINGLE),
-        ]
-        # In the other states, a missing term gives the same numbers.
-        hints = known if state == ACCELERATIONS[0][0] else []
         what = "change of omega_theta / dt, change of omega_phi / dt"
-        expect("double_angle_update", *state, length, DT, g, wanted=wanted, see=see, what=what, hints=hints)
+        expect("double_angle_update", *state, length, DT, g, wanted=wanted, see=see, what=what)
 
 
 # theta, phi, m1, m2, and the state 0.1 s after release, with g = 9.81 m/s^2, from the exact equations.
@@ -187,4 +173,5 @@ def test_a_tenth_of_a_second_of_swinging():
         what = "omega_theta, omega_phi, theta, phi"
         # The steps are short enough for every method of the first order.
         arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, *masses
-        expect("double_angle_update", *arguments, wanted=wanted, what=what, times=200)
+        hints = [(lambda _: True, "Only unequal masses go wrong: mu is m2 / (m1 + m2).")] * (masses[0] != masses[1])
+        expect("double_angle_update", *arguments, wanted=wanted, what=what, hints=hints, times=200)

@@ -1,20 +1,19 @@
 """Comparing a student's result with the expected one: whether they are equal, and what is wrong."""
 
 import re
+from ast import literal_eval
+from functools import cache
 from math import isclose
 from numbers import Real
 from pathlib import Path
 
 from vpython import vector
 
-from grading.messages import about, shown, Wanted, WIDTH
+from grading.messages import about, shown, Wanted
 
 LONG = 130  # characters; of a longer list, a message shows only the first difference
 
-# A pattern of an error, and its hint, as hints.txt explains.
-HINTS = re.findall(
-    r"^(\S.*)\n    (.*)", Path(__file__).with_name("hints.txt").read_text(encoding="utf-8"), re.MULTILINE
-)
+HINTS = Path(__file__).with_name("hints.txt")
 
 # Errors of a check that reads a value of the wrong form.
 OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
@@ -54,13 +53,15 @@ def hint_for(found, wanted, hints) -> str:
     sentences = {sentence for mistaken, sentence in hints if fits(found, mistaken)}
     if not sentences:
         is_row = isinstance(wanted, tuple) and len(wanted) > 1
+        kinds = " ".join(map(form_of, found if isinstance(found, tuple) else [found]))
         are_parts = is_row and isinstance(found, (list, tuple))
         general = {
             "The keys must be those of the file, letter by letter, and all.": have_other_keys(found, wanted),
             "You returned a list. Return a tuple.": are_parts and same(tuple(found), wanted),
             "The values are right, but in the wrong order.": are_parts and same(tuple(reversed(found)), wanted),
             "Return all values, with commas between them.": is_row and isinstance(found, Real),
-            "You named a function, but did not call it. Put ( ) behind its name.": "function" in form_of(found),
+            "You named a function, but did not call it. Put ( ) behind its name.": "function" in kinds,
+            "True and False come from ==, in or not. Return the value itself.": isinstance(found, bool),
             "A number here is text. Numbers have no quotes, and need no str().": fits(found, wanted, number_in),
             "A comma at the end of a line makes a tuple of one value. Remove it.": fits(found, wanted, single_in),
         }
@@ -74,24 +75,25 @@ def have_other_keys(found, wanted) -> bool:
     return are_rows and len(found) == len(wanted) and any(map(lambda a, b: a.keys() != b.keys(), found, wanted))
 
 
-def difference(found, wanted) -> str:
-    """Return a sentence with the first numbers or texts that differ, or "" if one has another form."""
-    pairs = []
-    if isinstance(found, (list, tuple)) and isinstance(wanted, (list, tuple)):
-        pairs = [*zip(found, wanted, strict=False)]
-    elif isinstance(found, dict) and isinstance(wanted, dict):
-        pairs = [(found.get(key), wanted[key]) for key in wanted]
-    for pair in pairs:
-        if not same(*pair):
-            return difference(*pair)
-    are_plain = all(isinstance(value, (Real, str, vector)) for value in (found, wanted))
-    return f"Found {shown(found)}, expected {shown(wanted)}." if are_plain else ""
+@cache
+def read_hints() -> dict[str, list[tuple[str, str]]]:
+    """Return the pairs of lines in hints.txt by their headings."""
+    parts = re.split(r"^\[([a-z_]+)\]\n", HINTS.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]
+    rows = (re.findall(r"^(\S.*)\n    (.*)", part, re.MULTILINE) for part in parts[1::2])
+    return dict(zip(parts[::2], rows, strict=True))
+
+
+def hints_of(check) -> list[tuple]:
+    """Return the hints of hints.txt for a check, by its name: pairs of the result of a mistake and the hint."""
+    return [(literal_eval(mistaken), sentence) for mistaken, sentence in read_hints().get(check, ())]
 
 
 def hint_of(raised) -> str:
     """Return the hint of hints.txt for an error, or "". It reads the error, and the student's lines."""
-    said = "\n".join([f"{raised.kind}: {raised.text}", *(place.code for place in raised.places)]).replace('"', "'")
-    for pattern, hint in HINTS:
+    said = "\n".join(
+        [f"{raised.kind}: {raised.text}", *(f"in {each.function}: {each.code}" for each in raised.places)]
+    ).replace('"', "'")
+    for pattern, hint in read_hints()["errors"]:
         if found := re.search(pattern, said, re.DOTALL):
             return found.expand(hint)
     return ""
@@ -127,7 +129,7 @@ def has_form_of(found, wanted) -> bool:
 
 def both(what, found, wanted) -> list[tuple[str, list[str]]]:
     """Return both values as (label, lines) of a message; for long lists, those of the first wrong element."""
-    digits = 6 if shown(found) != shown(wanted) else 15  # else both would look the same
+    digits = digits_of(found, wanted)
     are_lists = isinstance(found, list) and isinstance(wanted, list) and len(found) == len(wanted)
     are_long = are_lists and max(len(shown(found)), len(shown(wanted))) > LONG
     if are_long or (are_lists and isinstance(wanted[0], dict)):
@@ -137,32 +139,31 @@ def both(what, found, wanted) -> list[tuple[str, list[str]]]:
 
 
 def mistake_in(what, found, wanted) -> str:
-    """Return a sentence that says what is wrong in found. what names it, or the parts of a tuple, with commas."""
-    names = what.split(", ")
-    whole = what if len(names) == 1 else "The result"
+    """Return a sentence about the first mistake in found. what names it, or the parts of a tuple, with commas."""
+    whole = "The result" if ", " in what else what
+    are, have = ("are", "have") if re.match(r"ends |[^,]* and ", whole) else ("is", "has")
     like = wanted.like if isinstance(wanted, Wanted) else wanted
     if wanted is True and isinstance(found, bool):
         return f"It is not true {what}."
     if like is not None and form_of(found) != form_of(like):
-        return f"{whole} is {form_of(found)}, not {form_of(like)}."
+        return f"{whole} {are} {form_of(found)}, not {form_of(like)}."
     if isinstance(like, (list, tuple)) and len(found) != len(like):
         elements = "element" if len(found) == 1 else "elements"
-        return f"{whole} has {len(found)} {elements}, not {len(like)}."
-    if isinstance(wanted, (list, tuple)):
-        parts = names if len(names) == len(wanted) > 1 else [part_of(what, i) for i in range(len(wanted))]
-        bad = [trio for trio in zip(parts, found, wanted, strict=True) if not fits(*trio[1:])]
-        if isinstance(bad[0][2], dict) or (len(bad) == 1 and not isinstance(bad[0][2], (list, tuple))):
-            return mistake_in(*bad[0])
-        are_all = len(bad) == len(parts) or parts[0] == part_of(what, 0) == what
-        some = [part for part, *_ in bad][: 2 if len(bad[0][0]) < WIDTH / 2 - 5 else 1]
-        return wrong(what if are_all else ", ".join(some + ["..."] * (len(bad) > len(some))))
+        return f"{whole} {have} {len(found)} {elements}, not {len(like)}."
     if isinstance(wanted, dict):
         for words, keys in (("misses", wanted.keys() - found.keys()), ("must not have", found.keys() - wanted.keys())):
             if keys:
                 return f"{what} {words} the key {min(map(shown, keys))}."
-        bad_keys = [str(key) for key in wanted if not fits(found[key], wanted[key])]
-        return wrong(f"{', '.join(bad_keys)} of {what}")
-    return wrong(what)
+        parts = [(f"{key} of {what}", found[key], wanted[key]) for key in wanted]
+    else:
+        is_row = isinstance(wanted, (list, tuple))
+        parts = [*zip(parts_of(what, len(wanted)), found, wanted, strict=True)] if is_row else []
+    for part in parts:
+        if not fits(*part[1:]):
+            return mistake_in(*part)
+    digits = digits_of(found, wanted)
+    is_plain = not isinstance(wanted, Wanted) and isinstance(found, (Real, str, vector))
+    return f"{whole} {are} {f'{shown(found, digits)}, not {shown(wanted, digits)}' if is_plain else 'wrong'}."
 
 
 def form_of(value) -> str:
@@ -171,16 +172,18 @@ def form_of(value) -> str:
     return words[0] if words else "a number" if isinstance(value, Real) else f"a {type(value).__name__}"
 
 
-def part_of(what, i) -> str:
-    """Return the name of an element: "theta of pend_list[2]" for "theta of each pendulum"."""
+def parts_of(what, count) -> list[str]:
+    """Return the names of the elements: "theta of pend_list[0]", ... for "theta of each pendulum"."""
     for each, one in (("each pendulum", "pend_list"), ("each axle", "axle"), ("each bob", "bob")):
         if each in what:
-            return what.replace(each, f"{one}[{i}]")
-    return what if " " in what else f"{what}[{i}]"
+            return [what.replace(each, f"{one}[{i}]") for i in range(count)]
+    first, of, others = what.partition(" of ")
+    for names, end in ((what.split(", "), ""), (first.split(" and "), of + others)):
+        if len(names) == count > 1:
+            return [name + end for name in names]
+    return [what if " " in what else f"{what}[{i}]" for i in range(count)]
 
 
-def wrong(what) -> str:
-    """Return a sentence that says what is wrong: "a is wrong.", "a and b are wrong.", "a, b, c are wrong."."""
-    if what.count(", ") == 1 and " and " not in what:
-        what = what.replace(", ", " and ")
-    return f"{what} {'are' if ', ' in what or ' and ' in what else 'is'} wrong."
+def digits_of(found, wanted) -> int:
+    """Return how many digits show that both values differ."""
+    return 6 if shown(found) != shown(wanted) else 15

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.comparing import both, difference, fits, has_form_of, hint_for, hint_of, mistake_in, OTHER_FORM
+from grading.comparing import both, fits, has_form_of, hint_for, hint_of, hints_of, mistake_in, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
 from grading.messages import about, Call, damage, end_of, error_lines, message, plain, PlainFile, shown
 from grading.own_process import OwnProcess
@@ -68,14 +68,10 @@ def checks(*, tier=None, function=None) -> list[Check]:
 class WrongError(Exception):
     """A result that the handout does not ask for. Its text is a sentence that says what is wrong."""
 
-    def __init__(self, wrong, call, lines, hint="", raised=None, differs="", playable=False):
-        """lines are the (label, text) pairs below the call in the message. raised is what stopped the call, if so.
-
-        differs is a sentence with the first value that is wrong.
-        """
+    def __init__(self, wrong, call, lines, hint="", raised=None, playable=False):
+        """lines are the (label, text) pairs below the call in the message. raised is what stopped the call, if so."""
         super().__init__(wrong)
-        self.call, self.lines, self.hint, self.raised = call, lines, hint, raised
-        self.differs, self.playable = differs, playable
+        self.call, self.lines, self.hint, self.raised, self.playable = call, lines, hint, raised, playable
 
 
 class WaitError(Exception):
@@ -98,6 +94,7 @@ student: Any = OwnProcess()  # has the student's functions; for a class, a Solve
 
 CALLS: list[Call] = []  # of the current check
 ALONE: list[int] = []  # the number of the only call that expect makes, if there is one: is_right_alone
+KNOWN: list[tuple] = []  # the hints of hints.txt for the current check
 NOTES: list[str] = []  # sentences for a student whose solution is right
 
 
@@ -110,7 +107,7 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
     if no other hint has the same result. notes are such pairs for a right result. times is the number of calls; a
     result gives the first arguments of the next one.
     """
-    call = Call(function, tuple(plain(argument) for argument in arguments), times)
+    call, hints = Call(function, tuple(map(plain, arguments)), times), [*hints, *KNOWN]
     CALLS.append(call)
     if ALONE and len(CALLS) not in ALONE:
         return None
@@ -128,7 +125,7 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
         raise WrongError(f"{function} has lost a pendulum.", call, lines, hint)
     if result is None and returns:
         hint = "Does your function reach a return with a value? (append returns None.)"
-        if "print" in student.codes[function][1]:
+        if "print" in code_of(function)[1]:
             hint = "print only shows a value. Give it back with return."
         raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected], hint)
     try:
@@ -144,7 +141,7 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
     if not fits(found, wanted):
         lines, hint = both(what, found, wanted), hint_for(found, wanted, hints)
         sentence = mistake_in(what or returns, found, wanted)
-        raise WrongError(sentence, call, lines, hint, None, difference(found, wanted), has_form_of(found, wanted))
+        raise WrongError(sentence, call, lines, hint, playable=has_form_of(found, wanted))
     NOTES.extend(sentence for test, sentence in notes if fits(found, test))
     return result
 
@@ -178,6 +175,11 @@ def run(call, arguments, expected, hints) -> Any:
     hint = hint_for(raised, None, hints) or hint_at(raised)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
     raise WrongError(sentence, call, [end_of(raised), expected], hint, raised)
+
+
+def code_of(function) -> tuple[int, list[str], str]:
+    """Return the first line of a student's function, the names in its code, and its parameters, as far as known."""
+    return student.codes.get(function, (0, [], ""))
 
 
 def hint_at(raised) -> str:
@@ -265,7 +267,7 @@ class Grading:
         outcome = self.make(check)
         if outcome.state == FAILED and not outcome.cause and not self.hung:
             earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
-            _, names = student.codes.get(check.function, (0, []))
+            names = code_of(check.function)[1]
             wrong = [name for name in names if name in earlier and self.is_wrong(name)]
             if wrong:  # the function uses others than those that the handout asks for
                 return waiting(", ".join(wrong))
@@ -280,6 +282,7 @@ class Grading:
         """Make a check, and return its outcome."""
         CALLS.clear()
         NOTES.clear()
+        KNOWN[:] = hints_of(check.name)
         if FUNCTIONS[check.function].file in self.broken:
             return waiting(self.broken[FUNCTIONS[check.function].file])
         try:
@@ -305,6 +308,9 @@ class Grading:
             self.hung[check.function] = raised.limit
         elif error.call.arguments is not None and self.asks_again and is_right_alone(check, len(CALLS)):
             error.hint = MATTERS
+        line, _, given = code_of(check.function)
+        if not given.startswith(own := FUNCTIONS[check.function].parameters) and line:
+            error.hint = f"The line def has changed. It must be: def {check.function}({own}):"
         before = [each for each in checks(function=check.function) if each.name in self.outcomes]
         hints = [self.outcomes[each.name].hint for each in before if self.outcomes[each.name].state == FAILED]
         if hints and error.hint != hints[0]:
@@ -314,11 +320,9 @@ class Grading:
         called = error.call.lines(int(index[1]) if index else 0)
         rows = [("wrong", f"{error}"), ("called", called), *error.lines, ("hint", error.hint)]
         watch = ("watch", f"{student.watch} {check.name}" if call else "")
-        line, _ = student.codes.get(check.function, (0, []))
         place = place_of(raised, check.function) if raised else ""
         place = place or (f"{file}, line {line}" if line else file)
         wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
-        wrong = wrong if error.hint else f"{wrong} {error.differs}".strip()
         text = message([*rows, where_to_read(check), watch])
         return Outcome(FAILED, text, call, place, error.hint, wrong=wrong)
 

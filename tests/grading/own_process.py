@@ -31,7 +31,8 @@ class OwnProcess:
     has_written = False  # whether the last call has changed the grader's CSV, which was then put back
 
     def __init__(self):
-        self.codes: dict[str, tuple[int, list[str]]] = {}  # the first line of each function, and the names in its code
+        # Of each function that was called, the first line, the names in its code, and its parameters, with commas.
+        self.codes: dict[str, tuple[int, list[str], str]] = {}
         self.folder = TemporaryDirectory(ignore_cleanup_errors=True)  # a solution may leave a file open
         self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
         self.shipped.write_text(SHIPPED_CSV)
@@ -77,7 +78,9 @@ class OwnProcess:
         try:
             solution = self.find(function)
             code = getattr(solution, "__code__", None)
-            self.codes[function] = getattr(code, "co_firstlineno", 0), [*getattr(code, "co_names", ())]
+            if code:
+                parameters = ", ".join(code.co_varnames[: code.co_argcount])
+                self.codes[function] = code.co_firstlineno, [*code.co_names], parameters
             with limits.limited_memory():
                 for _ in range(times):
                     result = solution(*arguments)

@@ -1,19 +1,22 @@
 """The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table ends a run.
 
-With pytest-xdist (-n 2), other processes run the tests and report to the first one, which shows the table. One of them
-makes all checks in their order, because the checks share a Grading; both take the other tests one by one.
+With pytest-xdist (-n 2), other processes run the tests and report to the first one, which shows the table.
 """
 
+import sys
+from pathlib import Path
+
+if not Path(__file__).parents[2].joinpath("support", "__init__.py").is_file():
+    print("The folder support is not beside src and tests. Put it back.", file=sys.stderr)
+    sys.exit(2)
 from support import headless_vpython
 
 headless_vpython.install()  # this comes first: the import of support refuses a file that hides a module
 
 import json
 import os
-import sys
 import threading
 from argparse import ArgumentTypeError
-from pathlib import Path
 from shutil import get_terminal_size
 
 import pytest
@@ -26,8 +29,6 @@ from support.files.cradle_csv import check_cradle
 from support.files.data_file import whole_file
 
 OUTCOME = "outcome of a check"  # the name under which a report has it
-# The files of tests that judge solutions:
-JUDGING = {*SUITES.values(), "test_graded_suites", "test_judge", "test_watch"}
 RAN: dict[str, Outcome] = {}  # the outcomes of this run's checks, by name, as they are reported
 TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes them
 
@@ -71,21 +72,6 @@ def pytest_collection_modifyitems(items):
     """Put the checks first, in the order of the handout."""
     tiers = [*SUITES, None]
     items.sort(key=lambda item: tiers.index(item.check.tier if isinstance(item, Item) else None))
-
-
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_make_scheduler(config, log):
-    """Have xdist give all checks to one process, and other tests one by one to all, unless --dist says how.
-
-    A solution may write the project's CSV, which the grader then puts back: no other process may judge meanwhile.
-    """
-    from xdist.scheduler import LoadScopeScheduling
-
-    class Scheduling(LoadScopeScheduling):
-        def _split_scope(self, nodeid):
-            return "checks" if Path(nodeid.partition("::")[0]).stem in JUDGING else nodeid
-
-    return Scheduling(config, log) if config.option.dist == "load" else None
 
 
 class Item(pytest.Item):

@@ -64,14 +64,14 @@ def raised_by(error) -> Raised:
 
 def nearest_name(error) -> str:
     """Return which name is nearest to one that does not exist, in the words of Python 3.12, or ""."""
-    name, names = getattr(error, "name", None), []
+    name, names = getattr(error, "name", None) or "", []
     if isinstance(error, NameError) and error.__traceback__:
         frame = [frame for frame, _ in traceback.walk_tb(error.__traceback__)][-1]
         names = [*frame.f_locals, *frame.f_globals, *dir(builtins)]
     elif isinstance(error, AttributeError):
         names = dir(error.obj)
     lower = {each.lower(): each for each in reversed(names)}
-    near = get_close_matches(str(name).lower(), lower, n=1, cutoff=0.8)
+    near = get_close_matches(name.lower(), lower, n=1, cutoff=0.8)
     return f". Did you mean: '{lower[near[0]]}'?" if near else ""
 
 

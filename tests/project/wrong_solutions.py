@@ -141,7 +141,7 @@ HINTED = {
         "Your second call has changed the list": ("= []", "= globals().setdefault('_list', []); pend_list.clear()"),
     },
     "uniform_mass_newton_cradle": {
-        "mass has not changed. These are the values from the file.": ("pend['mass'] = ", "pend['mass'] == "),
+        "mass has not changed: these are the values": ("pend['mass'] = ", "pend['mass'] == "),
         "You changed mass only in the first pendulum.": ("in pend_list", "in pend_list[:1]"),
         "You changed mass only in the last pendulum.": ("in pend_list", "in pend_list[-1:]"),
         "You returned only the last pendulum. You need the whole pend_list.": ("return pend_list", "return pend"),
@@ -156,7 +156,7 @@ HINTED = {
         "Do you read the file at": ("relative_filepath", "__import__('support.constants').constants.NC_FP"),
     },
     "uniform_e_newton_cradle": {
-        "e has not changed. These are the values from the file.": ("pend['e'] = ", "pend['e'] == "),
+        "e has not changed: these are the values": ("pend['e'] = ", "pend['e'] == "),
         "You changed e only in the first pendulum.": ("in pend_list", "in pend_list[:1]"),
         "You changed e only in the last pendulum.": ("in pend_list", "in pend_list[-1:]"),
         "You changed mass, not e.": ("['e']", "['mass']"),
@@ -167,13 +167,13 @@ HINTED = {
         "A key is text. Write it in quotes: ['e'].": ("['e']", "[e]"),
     },
     "elastic_newton_cradle": {
-        "You set e = 0. That is perfectly inelastic.": ("1)", "0)"),
+        "Here, e is 0. That is perfectly inelastic.": ("1)", "0)"),
         "uniform_e_newton_cradle takes relative_filepath first, then": ("relative_filepath, 1", "1, relative_filepath"),
         "You changed mass, not e.": ("uniform_e", "uniform_mass"),
         "e must be exactly 1.": (", 1)", ", 0.99)"),
     },
     "inelastic_newton_cradle": {
-        "You set e = 1. That is perfectly elastic.": ("0)", "1)"),
+        "Here, e is 1. That is perfectly elastic.": ("0)", "1)"),
         "uniform_e_newton_cradle takes relative_filepath first,": ("relative_filepath, 0", "0.0, relative_filepath"),
         "e must be exactly 0.": (", 0)", ", 1e-3)"),
         "The path of a file belongs here:": ("(relative_filepath", "(extract_and_convert(relative_filepath)"),
@@ -239,7 +239,7 @@ HINTED = {
         "You used the old omega; theta moves with the new one.": ("theta + omega_new", "theta + omega"),
         "You changed theta first. Change": "theta += omega * dt; return omega - g * sin(theta) / r_param * dt, theta",
         "The sign of gravity is wrong. Gravity pulls the bob back down.": ("+ -g", "+ g"),
-        "This is the result with degrees. sin() takes radians.": ("sin(theta)", "sin(theta * 3.14159265 / 180)"),
+        "This is the result with degrees. theta is in": ("sin(theta)", "sin(theta * 3.14159265 / 180)"),
         "You used cos in place of sin.": ("sin(theta)", "cos(theta)"),
         "You used theta in place of its sine.": ("sin(theta)", "theta"),
         "You multiplied by r_param. Divide by it.": ("/ r_param", "* r_param"),
@@ -259,7 +259,6 @@ HINTED = {
         "In the second formula, multiply only the new omega by": ("theta + omega_new * dt", "(theta + omega_new) * dt"),
         "You divided by dt, too. Divide only by r_param, and": ("/ r_param * dt", "/ (r_param * dt)"),
         "You divided by r_param twice.": ("/ r_param", "/ r_param**2"),
-        "You converted theta to degrees.": ("sin(theta)", "sin(theta * 180 / 3.141592653589793)"),
         "The sign in the second formula is wrong:": ("theta + omega_new", "theta - omega_new"),
         "Only the new omega moves theta:": ("theta + omega_new * dt", "theta + (omega + omega_new) / 2 * dt"),
         "You used the constant G. Use the": ("-g *", "-9.81 *"),
@@ -291,7 +290,9 @@ HINTED = {
     },
     "handle_collision": {
         "This is the result with e = 0, but e is 0.7.": ("v1 = r_param", "e = 0; v1 = r_param"),
-        "You exchanged the velocities. That is right only for equal masses and e = 1.": "return omega2, omega1",
+        "Both velocities are from the first bob.": ("= r_param * omega2", "= r_param * omega1"),
+        "Both velocities are from the second bob.": ("= r_param * omega1", "= r_param * omega2"),
+        "This is the result for equal masses and e = 1.": "return omega2, omega1",
         "You returned the old velocities.": "return omega1, omega2",
         "v1 - v2 is negative here. Do not take its size": ("(v1 - v2)", "abs(v1 - v2)"),
         "This is the result with 1 - e in place of e.": ("v1 = r_param", "e = 1 - e; v1 = r_param"),
@@ -310,11 +311,11 @@ HINTED = {
     },
     "handle_two_bobs": {
         "The bobs touch, but no omega has changed.": "pass",
-        "These bobs are 9.0 times the sum of their radii apart. They": ("(bob1.radius + bob2.radius)", "r_param / 4"),
+        "These bobs are 9.0 times the sum of their radii apart, by": ("(bob1.radius + bob2.radius)", "r_param / 4"),
         "The sum of the radii is 0.9, and the": ("(bob1.radius + bob2.radius)", "2 * max(bob1.radius, bob2.radius)"),
         "These bobs touch: they are 1.02 times the sum": ("1.05 * ", ""),
         "These bobs touch: they are 1.04 times the sum": ("mag(bob1.pos - bob2.pos)", "mag(bob1.pos - bob2.pos)**2"),
-        "These bobs are 1.0504 times the sum of their radii apart. They do not touch.": ("1.05", "1.5"),
+        "These bobs are 1.0504 times the sum of their radii apart, by": ("1.05", "1.5"),
         "These bobs are exactly 1.05 times the sum of their radii apart. They touch.": ("<=", "<"),
         "The sum of the radii is 1.1, and the bobs are 1 apart.": ("(bob1.radius + bob2.radius)", "2 * bob1.radius"),
         "These bobs are 1.15 times the sum of their": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
@@ -352,7 +353,7 @@ HINTED = {
     },
     "newton_cradle_tick": {
         "No pendulum has swung.": "pass",
-        "The velocities have not changed. Do you handle each pair exactly once?": ("pend_list[i + 1]", "pend_list[i]"),
+        "The velocities have not changed. Does each pendulum meet": ("pend_list[i + 1]", "pend_list[i]"),
         "These bobs touch only after the swing. Swing first, then handle the pairs.": (
             "full_swing_update(pend_list, r_param, dt, g)\n        for i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)",
             "for i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)\n        full_swing_update(pend_list, r_param, dt, g)",
@@ -448,6 +449,8 @@ HINTED = {
         "Your angles have not changed.": "return omega_theta, omega_phi, theta, phi",
         "Return omega_theta, omega_phi, theta, phi, in this order.": ("(u, v - u, a, b - a)", "(a, u, b - a, v - u)"),
         "You returned the angles first. The angular velocities come": ("(u, v - u, a, b - a)", "(a, b - a, u, v - u)"),
+        "With dt = 0, nothing may change.": ("du * dt", "du"),
+        "Only unequal masses go wrong:": ("m2 / (m1 + m2)", "m1 / (m1 + m2)"),
         "These are two single pendula.": "u, v = (w - g / r_param * sin(a) * dt for w, a in ((omega_theta, theta), (omega_phi, phi))); return u, v, theta + u * dt, phi + v * dt",
         "phi counts from the upper cord, not from": ("(u, v - u, a, b - a)", "(u, v, a, b)"),
         "Both accelerations have the wrong sign.": ("g / r_param", "-g / r_param"),
@@ -458,6 +461,12 @@ HINTED = {
 RAISING = {
     "extract_and_convert": {
         "print needs brackets in Python 3.": "exec('print 5')",
+        "The lines of a function, and of a loop": "exec('return 5')",
+        "Git has left these marks.": "exec('<<<<<<< HEAD')",
+        "This line stands outside of all functions.": "exec(compile('omega1', extract_and_convert.__code__.co_filename, 'exec'))",
+        "True and False come from ==, in or not.": ("return pend_list", "return pend_list == []"),
+        "range takes a number: range(len(...)).": ("bad_rep.values()", "range([*bad_rep])"),
+        "The name COLOR_MAP comes from another file": ("append(pend)", "append(COLOR_MAP)"),
         "A name has no ' in Python.": 'exec("omega\' = 5")',
         "At this line, your function has no value for pend_list yet.": (
             "pend_list = []",
@@ -477,11 +486,12 @@ RAISING = {
         "There is no such file. relative_filepath": ("(relative_filepath)", "('my.csv')"),
         "Your function calls itself, without": ("append(pend)", "append(extract_and_convert(relative_filepath))"),
         "raise is for errors only.": ("return pend_list", "raise pend_list"),
-        "There is no name number here. Does": ("append(pend)", "append(number)"),
+        "There is no name number here. Only": ("append(pend)", "append(number)"),
         "A function needs round brackets": ("append(pend)", "append(len[pend])"),
         "This is a module. The function is": ("append(pend)", "append(pd(pend))"),
     },
     "uniform_mass_newton_cradle": {
+        "This is a list, or a part of one:": ("pend['mass']", "pend_list[1:]['mass']"),
         "This is the whole list. Take": ("pend['mass']", "pend_list.mass"),
         "A dictionary needs brackets and quotes": ("pend['mass'] = mass", "pend.mass.real"),
         "This is a number, not a pendulum.": ("in pend_list", "in range(len(pend_list))"),
@@ -492,6 +502,10 @@ RAISING = {
         "Compare your call with the line": ("(relative_filepath)", "()"),
     },
     "make_newton_cradle": {
+        "make_pendulum gives back axle, bob and": (
+            "pend['objects'] = make_pendulum(axle_pos",
+            "pend['objects'] = axle, bob, (axle_pos",
+        ),
         "You looked for the word color.": ("COLOR_MAP[pend['color']]", "COLOR_MAP['color']"),
         "No such key in TEXTURE_MAP.": ("TEXTURE_MAP[pend['texture']]", "TEXTURE_MAP[pend['color']]"),
         "COLOR_MAP has the vector of a color.": ("COLOR_MAP[pend['color']]", "pend['color']"),
@@ -504,6 +518,7 @@ RAISING = {
     },
     "angle_update": {
         "A * is missing between two values.": "exec('a = -g sin(theta)')",
+        "angle_update has no pendulum.": ("sin(theta)", "sin(pend_dict['theta'])"),
         "A number stands before a bracket.": ("-g * sin(theta)", "-g(sin(theta))"),
         "sin and cos are imported already:": ("sin(", "math.sin("),
         "You calculate with text. In quotes": ("sin(theta)", "sin('theta')"),

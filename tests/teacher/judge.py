@@ -103,7 +103,7 @@ class Solver:
                 answer = self.hear()
             self.has_written = bool(answer["has_written"])
             codes = answer["codes"].items()
-            self.codes = {function: (int(line), list(names)) for function, (line, names) in codes}
+            self.codes = {function: (int(line), list(names), str(given)) for function, (line, names, given) in codes}
             print(str(answer["printed"])[:MOST_PRINTED], end="")
             if answer["raised"] is not None:
                 raise StoppedError(raised_in(answer["raised"]))
