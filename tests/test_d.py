@@ -78,38 +78,16 @@ OTHER_FILE = (is_shipped, "Do you read the file at relative_filepath?")
 
 # --- extract_and_convert ---------------------------------------------------------------------------------------------
 
-ROWS = [
-    (MIXED[:1], "Your list has only the first pendulum. Is your return inside the loop?"),
-    (MIXED[:-1], "The last pendulum is missing."),
-    (MIXED[1:], "The first pendulum is missing."),
-    (MIXED[::-1], "Your pendula are in reverse order."),
-    (MIXED[-1:], "Your list has only the last pendulum. Do you make the list inside the loop?"),
-    ([MIXED[-1]] * 3, "Your list has the last pendulum three times. Each turn of the loop needs its own dictionary."),
-    ([list(pendulum) for pendulum in MIXED], "You kept only the keys of each pendulum, without values."),
-    ([list(pendulum.values()) for pendulum in MIXED], "You kept only the values of each pendulum, without keys."),
-    ([0, 1, 2], "Your list has the keys of bad_rep. The pendula are its values."),
-    (list(enumerate(MIXED)), "Your list has the keys and the values of bad_rep. You need only the values."),
-    ([{i: pendulum} for i, pendulum in enumerate(MIXED)], "You kept the keys of bad_rep. You need only its values."),
-    ([dict(enumerate(MIXED))], "You put bad_rep into a list. You need only its values."),
-    ([MIXED], "You put the right list into another list."),
-    ([row for row in MIXED for _ in row], "Your list has each pendulum six times: once for each key."),
-    ([key for row in MIXED for key in row], "You added the keys of each pendulum. Use append, not += or extend."),
-    OTHER_FILE,
-    ([], "Your list is empty. Do you append to the list that you return?"),
-]
-
 
 @check("extract_and_convert")
 def test_pend_list_is_a_list_of_dictionaries():
     """Each pendulum is represented by a dictionary in a list called pend_list."""
     hints = [
-        (dict(enumerate(MIXED)), "You returned bad_rep. You need a list, without the keys 0, 1, 2."),
-        (tuple(MIXED), "You returned a tuple. You need a list."),
         (lambda found: type(found).__name__ == "dict_values", "These are the values of bad_rep, but not yet a list."),
         (lambda found: type(found).__name__ == "DataFrame", "You returned the dataframe df."),
     ]
     with files("mixed.csv") as folder:
-        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=THREE, hints=[*hints, *ROWS])
+        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=THREE, hints=[*hints, OTHER_FILE])
 
 
 @check("extract_and_convert")
@@ -117,11 +95,7 @@ def test_a_row_is_a_pendulum():
     """The value of a key is the value associated with that attribute."""
     with files("mixed.csv", "seven.csv", "many.csv", "none.csv") as folder:
         for name, rows in (("mixed", MIXED), ("seven", SEVEN), ("many", MANY), ("none", [])):
-            hints = (
-                ROWS
-                if name == "mixed"
-                else [([*SEVEN[:2], *SEVEN[3:6]], "Equal rows are different pendula. Keep all.")]
-            )
+            hints = [([*SEVEN[:2], *SEVEN[3:6]], "Equal rows are different pendula. Keep all.")]
             expect("extract_and_convert", str(folder / f"{name}.csv"), wanted=rows, hints=hints)
 
 

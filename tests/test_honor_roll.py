@@ -5,7 +5,7 @@ from math import cos, pi, sin
 
 from vpython import box, cylinder, sphere, textures, vector
 
-from grading.comparing import same
+from grading.comparing import cases_of, same
 from grading.cradles import LEFT_OVER, left_over, shapes
 from grading.grader import check, expect
 from grading.messages import Wanted
@@ -110,15 +110,7 @@ def test_both_bobs_have_the_looks_that_are_given():
 LENGTH, DT, G = 0.5, 1e-6, 10.0  # m, s, m/s^2: g / R is 20 / s^2
 
 # omega_theta, omega_phi, theta, phi, and the accelerations of theta and of phi (rad/s^2), by hand, for equal masses.
-ACCELERATIONS = [
-    ((0.0, 0.0, pi / 6, pi / 3), (-5.71, -11.43)),  # at rest: -40 / 7 and -80 / 7
-    ((0.0, 0.0, 0.0, 0.0), (0.0, 0.0)),  # at rest, straight down
-    ((0.0, 0.0, 0.0, pi / 2), (0.0, -20.0)),  # the upper cord hangs straight down, the lower one is level
-    ((0.0, 0.0, pi / 2, 0.0), (-20.0, 20.0)),  # both cords are level: the upper one falls, the lower one stays level
-    ((0.0, 0.0, pi / 2, -pi / 2), (-20.0, 20.0)),  # the upper cord is level, the lower one hangs straight down
-    ((0.0, 2.0, 0.0, pi / 2), (2.0, -22.0)),  # the lower cord is level and turns: it pulls the upper bob
-    ((2.0, -2.0, 0.0, pi / 2), (0.0, -24.0)),  # the upper bob moves and pulls the lower cord, which is level
-]
+ACCELERATIONS = cases_of("double_accelerations", globals())
 
 
 @check("double_angle_update", watched=True)
@@ -150,15 +142,7 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
 
 
 # theta, phi, m1, m2, and the state 0.1 s after release, with g = 9.81 m/s^2, from the exact equations.
-SWINGS = [
-    ((0.6, -0.4, 1.0, 1.0), (-1.573797, 2.649524, 0.520225, -0.265745)),
-    ((1.5, 1.0, 1.0, 1.0), (-1.870015, 1.553220, 1.405265, 1.083369)),
-    ((0.6, -0.4, 3.0, 0.5), (-1.168263, 1.860605, 0.540727, -0.305433)),
-    ((1.2, 0.6, 0.5, 3.0), (-1.022774, -0.073444, 1.145768, 0.602682)),
-    ((2.0, 4.0, 1.0, 1.0), (-2.008922, 1.406485, 1.898742, 4.066541)),
-    ((-4.0, 9.0, 1.0, 1.0), (-1.126101, 1.943725, -4.054955, 9.098001)),
-    ((4.5, -8.0, 2.0, 1.0), (1.916030, -2.146275, 4.595322, -8.111391)),
-]
+SWINGS = cases_of("double_angle_update", globals())
 
 
 @check("double_angle_update", watched=True)

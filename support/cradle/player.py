@@ -42,7 +42,7 @@ class Player:
         self.motion, self.pace = Motion(cradle, impacts), RealTime(cradle.dt)
         self.separating = not cradle.takes_rule  # whether separating bobs collide, too; without the rule they do
         self.step = max(1, round(step_seconds / cradle.dt))  # ticks from one call of note to the next
-        self.csv, self.copy = "", ExitStack()  # the path of a copy of the snapshot for the loop, and its end
+        self.path, self.copy = "", ExitStack()  # of a copy of the snapshot for the loop, and its end
         self.is_over = False  # whether the simulation has ended
         self.is_wanted = False  # whether the loop must make a cradle
         self.planned: float = 0  # ticks that no part has yet
@@ -95,6 +95,13 @@ class Player:
         self.motion.restart()
         self.made()
 
+    @property
+    def csv(self) -> str:
+        """The path of the cradle's file, for main; it is there while a cradle is wanted."""
+        if not self.is_wanted:
+            raise MistakeError(self.loop, "used page.csv when page.wants_cradle() was False: a tick makes no cradle.")
+        return self.path
+
     def wants_tick(self) -> bool:
         """Return whether a tick is due; after the deadline, the rest waits for the next frame."""
         if self.cradle.hits.new:
@@ -117,7 +124,7 @@ class Player:
     def make(self) -> None:
         """Let the loop make a new cradle; show then releases it, and begins at time 0."""
         self.cradle.give_back()
-        self.csv = self.copy.enter_context(clean_copy(self.snapshot))
+        self.path = self.copy.enter_context(clean_copy(self.snapshot))
         self.is_wanted, self.planned, self.offered = True, 0, (False, 0.0)
 
     def plan(self, ticks, deadline=inf, with_calls=False) -> None:

@@ -32,6 +32,8 @@ NO_WEBGL = """\
 Your browser cannot draw the cradle: WebGL 2 is missing or switched off.
 Use another browser. Or press Ctrl+C and type this, to see the single cradle as text:"""
 
+UPPER_ONLY = "Only upper bobs collide, and as if nothing hung from them. So each hit changes the energy."
+
 
 @while_it_is_read()
 def show_cradle(main, pds_helper, special_cradles, many_ticks=None) -> None:
@@ -53,7 +55,8 @@ def show_double_cradle(main, pds_helper, special_cradles) -> None:
     options = read_double_page_options()
     end_if_unwritten("pds_helper", "special_cradles", "double_cradle", "visualize_double_cradle_run")
     cradle = DoubleCradle(main.__globals__, options, pds_helper, special_cradles)
-    show_page(main, cradle, options, [options.angle, options.phi])
+    names = main.__globals__["double_cradle_tick"].__code__.co_names
+    show_page(main, cradle, options, [options.angle, options.phi], UPPER_ONLY if "handle_two_bobs" in names else "")
 
 
 def show_page(main, cradle, options, angles, remark="") -> None:

@@ -42,6 +42,7 @@ class Panel:
         The widgets call give(command, value), in a thread of VPython. The remark, if there is one, stands above them.
         """
         self.questions, self.table = questions, table
+        self.swung_through = "" if remark else SWUNG_THROUGH  # while functions are missing, no bobs collide
         for kind, tag in (("css", "style"), ("js", "script")):
             for file in sorted(FOLDER.glob(f"*.{kind}")):
                 scene.append_to_caption(f"<{tag}>{file.read_text(encoding='utf-8')}</{tag}>")
@@ -161,7 +162,7 @@ class Panel:
 
     def show_impacts(self, lines, swung_through=False) -> None:
         """Show the last trains of impacts, a line for each, and a note if a bob has swung through others."""
-        note = f'\n<span class="hint">{SWUNG_THROUGH}</span>' if swung_through else ""
+        note = f'\n<span class="hint">{self.swung_through}</span>' if swung_through and self.swung_through else ""
         change(self.impacts, text='<pre class="impacts">' + "\n".join(["Impacts", *lines]) + note + "</pre>")
 
 

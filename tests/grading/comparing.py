@@ -1,8 +1,6 @@
 """Comparing a student's result with the expected one: whether they are equal, and what is wrong."""
 
 import re
-from ast import literal_eval
-from functools import cache
 from math import isclose
 from numbers import Real
 from pathlib import Path
@@ -12,8 +10,6 @@ from vpython import vector
 from grading.messages import about, shown, Wanted
 
 LONG = 130  # characters; of a longer list, a message shows only the first difference
-
-HINTS = Path(__file__).with_name("hints.txt")
 
 # Errors of a check that reads a value of the wrong form.
 OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
@@ -75,17 +71,23 @@ def have_other_keys(found, wanted) -> bool:
     return are_rows and len(found) == len(wanted) and any(map(lambda a, b: a.keys() != b.keys(), found, wanted))
 
 
-@cache
-def read_hints() -> dict[str, list[tuple[str, str]]]:
-    """Return the pairs of lines in hints.txt by their headings."""
-    parts = re.split(r"^\[([a-z_]+)\]\n", HINTS.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]
-    rows = (re.findall(r"^(\S.*)\n    (.*)", part, re.MULTILINE) for part in parts[1::2])
-    return dict(zip(parts[::2], rows, strict=True))
+def rows_of(file, name) -> list[tuple[str, str]]:
+    """Return the rows of a table (a file of this folder) below the headings with this name, as pairs of lines."""
+    parts = re.split(
+        r"^\[([a-z_ ]+)\]\n", Path(__file__).with_name(file).read_text(encoding="utf-8"), flags=re.MULTILINE
+    )
+    below = [text for names, text in zip(parts[1::2], parts[2::2], strict=True) if name in names.split()]
+    return re.findall(r"^(\S.*)\n    (.*)", "".join(below), re.MULTILINE)
 
 
-def hints_of(check) -> list[tuple]:
-    """Return the hints of hints.txt for a check, by its name: pairs of the result of a mistake and the hint."""
-    return [(literal_eval(mistaken), sentence) for mistaken, sentence in read_hints().get(check, ())]
+def cases_of(name, names) -> list[tuple]:
+    """Return cases: pairs of the arguments of a call and of its result, in which these names occur."""
+    return [(eval(given, names), eval(result, names)) for given, result in rows_of("cases.txt", name)]
+
+
+def hints_of(name, names) -> list[tuple]:
+    """Return the hints of a check: pairs of the result of a mistake, in which these names occur, and the hint."""
+    return [(eval(mistaken, names), sentence) for mistaken, sentence in rows_of("hints.txt", name)]
 
 
 def hint_of(raised) -> str:
@@ -93,7 +95,7 @@ def hint_of(raised) -> str:
     said = "\n".join(
         [f"{raised.kind}: {raised.text}", *(f"in {each.function}: {each.code}" for each in raised.places)]
     ).replace('"', "'")
-    for pattern, hint in read_hints()["errors"]:
+    for pattern, hint in rows_of("hints.txt", "errors"):
         if found := re.search(pattern, said, re.DOTALL):
             return found.expand(hint)
     return ""

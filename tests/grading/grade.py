@@ -44,7 +44,7 @@ def next_step(outcomes) -> tuple[str, str]:
     It is a file that Python cannot read, else the first function with a mistake, else the first that is not written.
     """
     made = made_checks(outcomes)
-    for check in sorted(made, key=lambda check: urgency(outcomes[check.name])):
+    for check in [*mistakes_in(outcomes), *made]:
         function, outcome = FUNCTIONS[check.function], outcomes[check.name]
         if outcome.state == FAULT:
             return f"show your teacher the grader's fault in {check.name}", ""
@@ -66,11 +66,10 @@ def next_step(outcomes) -> tuple[str, str]:
     )
 
 
-def urgency(outcome) -> int:
-    """Return the place of an outcome in the order in which a student reads about them."""
-    if outcome.state in (FAILED, FAULT):
-        return 1 if outcome.state == FAULT or not outcome.cause else 0
-    return 2
+def mistakes_in(outcomes) -> list:
+    """Return the checks that fail, those first whose file cannot be imported."""
+    failed = [check for check in made_checks(outcomes) if outcomes[check.name].state in (FAILED, FAULT)]
+    return sorted(failed, key=lambda check: not outcomes[check.name].cause)
 
 
 def whole_step(graded) -> str:
@@ -83,22 +82,19 @@ def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
 
     printed has the output of the student's code by the names of the checks that fail. columns is the width of rules.
     """
-    made = made_checks(outcomes)
-    mistakes = [check for check in made if outcomes[check.name].state in (FAILED, FAULT)]
-    if not mistakes:
-        places = {check.function: outcomes[check.name].place for check in made if outcomes[check.name].place}
-        lines = [(rule("Not written yet", "=", columns), "")] if places else []
-        lines += [(f"{function} in {place}", "yellow") for function, place in places.items()]
-        return [*lines, (rule("Grade", "=", columns), ""), *table(outcomes, columns)]
-    first = min(mistakes, key=lambda check: urgency(outcomes[check.name]))
-    message = [(row, "") for row in outcomes[first.name].message.split("\n")]
-    if outcomes[first.name].cause:  # a file that Python cannot read: nothing else matters
-        return [(rule("Python cannot read a file", "=", columns), ""), *message]
-    rows = [in_one_line(row) for row in printed.get(first.name, "").splitlines()]
-    if len(rows) > PRINTED:
-        rows[PRINTED:] = [f"... ({len(rows)} lines in all)"]
-    lines = [(f"printed     {row}", "") for row in rows]
-    lines = [(rule(first.title, "_", columns), "red"), *lines, *message]
+    lines = []
+    for first in mistakes_in(outcomes)[:1]:
+        message = [(row, "") for row in outcomes[first.name].message.split("\n")]
+        if outcomes[first.name].cause:  # a file that Python cannot read: nothing else matters
+            return [(rule("Python cannot read a file", "=", columns), ""), *message]
+        rows = [in_one_line(row) for row in printed.get(first.name, "").splitlines()]
+        if len(rows) > PRINTED:
+            rows[PRINTED:] = [f"... ({len(rows)} lines in all)"]
+        lines = [(rule(first.title, "_", columns), "red"), *((f"printed     {row}", "") for row in rows), *message]
+    made = [] if lines else made_checks(outcomes)
+    places = {check.function: outcomes[check.name].place for check in made if outcomes[check.name].place}
+    lines += [(rule("Not written yet", "=", columns), "")] * bool(places)
+    lines += [(f"{function} in {place}", "yellow") for function, place in places.items()]
     return [*lines, (rule("Grade", "=", columns), ""), *table(outcomes, columns)]
 
 

@@ -75,19 +75,12 @@ class WrongError(Exception):
 
 
 class WaitError(Exception):
-    """A check waits. The text says for which function; place is that of its own function if it is not written."""
+    """A check waits. The text says for which function, or for which file that cannot be imported."""
 
-    def __init__(self, cause, place=""):
+    def __init__(self, cause, place="", raised=None):
+        """place is that of the check's own function if it is not written. raised is what stopped the import."""
         super().__init__(cause)
-        self.place = place
-
-
-class FileError(Exception):
-    """A file of a student cannot be imported. The text is its path; raised is what stopped the import."""
-
-    def __init__(self, file, raised):
-        super().__init__(file)
-        self.raised = raised
+        self.place, self.raised = place, raised
 
 
 student: Any = OwnProcess()  # has the student's functions; for a class, a Solver of tests/teacher/ takes its place
@@ -156,7 +149,7 @@ def result_of(function, *arguments) -> Any:
 
 def run(call, arguments, expected, hints) -> Any:
     """Return the result of a student's function. Raise WrongError if it is missing, raises an error or goes over a
-    limit, WaitError if it or a function that it calls is not written yet, and FileError if its file is wrong.
+    limit, and WaitError if it or a function that it calls is not written yet, or if its file is wrong.
     """
     file = FUNCTIONS[call.function].file
     try:
@@ -166,7 +159,7 @@ def run(call, arguments, expected, hints) -> Any:
     if raised.before == "missing":
         raise WrongError(f"{file} has no function {call.function}.", Call(call.function), [])
     if raised.before:
-        raise FileError(raised.culprit or file, raised)
+        raise WaitError(raised.culprit or file, raised=raised)
     if raised.stub not in (None, call.function):
         raise WaitError(raised.stub)
     if raised.stub and not raised.hint:
@@ -184,13 +177,10 @@ def code_of(function) -> tuple[int, list[str], str]:
 
 def hint_at(raised) -> str:
     """Return the hint for what stopped a student's code."""
-    if raised.limit:
-        return "Does a loop in it ever end?" if raised.ends else ""
-    return (
-        "This line ends the whole program. Remove it; return ends a function."
-        if raised.ends
-        else raised.hint or hint_of(raised)
-    )
+    if raised.ends:
+        ends = "This line ends the whole program. Remove it; return ends a function."
+        return "Does a loop in it ever end?" if raised.limit else ends
+    return "" if raised.limit else raised.hint or hint_of(raised)
 
 
 def place_of(raised, function="") -> str:
@@ -244,7 +234,7 @@ class Grading:
         """asks_again: make a call that fails once more, alone, to find out whether the calls before it matter."""
         self.asks_again = asks_again
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
-        self.hung: dict[str, str] = {}  # functions that went over a limit, and the limit in words
+        self.hung: set[str] = set()  # functions that went over a limit: they are not called again
         self.broken: dict[str, str] = {}  # files that cannot be imported, and the file that is the cause
 
     def judge(self, check) -> Outcome:
@@ -262,8 +252,7 @@ class Grading:
             is_own = outcome and (outcome.is_unwritten or outcome.cause in self.broken.values())
             return outcome if is_own else waiting(", ".join(waits))
         if check.function in self.hung:
-            lines = [("not called", f"{check.function} {self.hung[check.function]} in an earlier check.")]
-            return Outcome(FAILED, message([*lines, where_to_read(check)]))
+            return waiting(check.function)
         outcome = self.make(check)
         if outcome.state == FAILED and not outcome.cause and not self.hung:
             earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
@@ -282,7 +271,7 @@ class Grading:
         """Make a check, and return its outcome."""
         CALLS.clear()
         NOTES.clear()
-        KNOWN[:] = hints_of(check.name)
+        KNOWN[:] = hints_of(check.name, check.ask.__globals__)
         if FUNCTIONS[check.function].file in self.broken:
             return waiting(self.broken[FUNCTIONS[check.function].file])
         try:
@@ -291,9 +280,7 @@ class Grading:
         except WrongError as error:
             return self.failed(check, error)
         except WaitError as error:
-            return waiting(str(error), error.place)
-        except FileError as error:
-            return self.broken_by(check, error)
+            return self.broken_by(check, error) if error.raised else waiting(str(error), error.place)
         except BaseException as error:
             if limits.PRESSED.is_set() or getattr(error, "errno", 0) == ENOSPC:
                 raise
@@ -305,7 +292,7 @@ class Grading:
         """Return the outcome of a check that raised this WrongError."""
         raised, file = error.raised, FUNCTIONS[check.function].file
         if raised and raised.limit:
-            self.hung[check.function] = raised.limit
+            self.hung.add(check.function)
         elif error.call.arguments is not None and self.asks_again and is_right_alone(check, len(CALLS)):
             error.hint = MATTERS
         line, _, given = code_of(check.function)
@@ -318,13 +305,13 @@ class Grading:
         call = error.call if check.watched and error.playable else None
         index = re.search(r"pend_list\[(\d+)\]", f"{error}")
         called = error.call.lines(int(index[1]) if index else 0)
-        rows = [("wrong", f"{error}"), ("called", called), *error.lines, ("hint", error.hint)]
+        read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
+        rows = [("wrong", f"{error}"), ("called", called), *error.lines, ("hint", error.hint), ("read", read)]
         watch = ("watch", f"{student.watch} {check.name}" if call else "")
         place = place_of(raised, check.function) if raised else ""
         place = place or (f"{file}, line {line}" if line else file)
         wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
-        text = message([*rows, where_to_read(check), watch])
-        return Outcome(FAILED, text, call, place, error.hint, wrong=wrong)
+        return Outcome(FAILED, message([*rows, watch]), call, place, error.hint, wrong=wrong)
 
     def broken_by(self, check, error) -> Outcome:
         """Return the outcome of a check whose file cannot be imported: the first one fails, and the others wait."""
@@ -346,8 +333,3 @@ class Grading:
 def waiting(cause, place="") -> Outcome:
     """Return the outcome of a check that waits for this cause."""
     return Outcome(WAITING, f"waits for {cause}", place=place, cause=cause)
-
-
-def where_to_read(check) -> tuple[str, str]:
-    """Return the place in the handout about the function of a check, as (label, text)."""
-    return "read", f"handout, {FUNCTIONS[check.function].read}: {check.function}"

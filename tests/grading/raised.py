@@ -36,7 +36,7 @@ class Raised:
     ends: bool = False  # it ends the whole program
     stub: str | None = None  # the function that is not written yet
     culprit: str | None = None  # the file of src/ that made an import fail
-    hint: str = ""  # for an import
+    hint: str = ""  # if the function has code beside its stub
     before: str = ""  # why the function was not called: "import" if its file has failed, "missing" if it has none
 
 
@@ -55,11 +55,10 @@ def raised_by(error) -> Raised:
     except Exception:
         text = None
     places, ends = tuple(own_places(error)), isinstance(error, (SystemExit, KeyboardInterrupt))
-    culprit, hint = import_failure(
-        error, text or "", [each.file for each in places if each.function in ("", "<module>")]
-    )
-    stub, left = stub_of(error)
-    return Raised(type(error).__name__, text, places, limits.over_limit(error), ends, stub, culprit, left or hint)
+    files = [each.file for each in places if each.function in ("", "<module>")]
+    stub, hint = stub_of(error)
+    culprit = culprit_of(error, text or "", files)
+    return Raised(type(error).__name__, text, places, limits.over_limit(error), ends, stub, culprit, hint)
 
 
 def nearest_name(error) -> str:
@@ -98,28 +97,17 @@ def stub_of(error) -> tuple[str | None, str]:
     return name, f"Delete line {line}, raise NotImplementedError: it stops your function before its end."
 
 
-def import_failure(error, text, files) -> tuple[str | None, str]:
-    """Return the file of src/ that made an import fail, or None, and a hint, or "".
+def culprit_of(error, text, files) -> str | None:
+    """Return the file of src/ that made an import fail, or None; files are those whose import the error stopped.
 
-    It lacks a function, or is missing itself, or is the first one of a circle, or has the last line that ran. files are
-    those whose import the error stopped.
+    It lacks a function, or is missing itself, or is the first one of a circle, or has the last line that ran.
     """
     missing = re.match(r"cannot import name '(\w+)' from 'src\.", text)
     if missing and missing[1] in FUNCTIONS:
-        return FUNCTIONS[missing[1]].file, ""
-    if "circular import" in text:
+        return FUNCTIONS[missing[1]].file
+    if isinstance(error, ModuleNotFoundError) and (error.name or "").startswith("src."):
+        return error.name.replace(".", "/") + ".py"
+    if "circular import" in text:  # in the order of the handout, it is the first file that imports from a later one
         order = [*{function.file: None for function in FUNCTIONS.values()}]
-        # In the order of the handout, it is the first file that imports from a later one.
-        culprit = min(files, key=lambda file: order.index(file) if file in order else len(order), default=None)
-        return culprit, f"Your files import each other in a circle. Remove the import in {culprit}."
-    last = files[-1] if files else None
-    if not isinstance(error, ModuleNotFoundError):
-        return last, ""
-    if (error.name or "").partition(".")[0] in ("src", "support"):
-        lost = error.name.replace(".", "/") + ".py"
-        return lost if lost.startswith(
-            "src"
-        ) else last, f"{lost} is missing. Put it back, from the folder of your teacher."
-    is_here = (ROOT / "src" / f"{error.name}.py").is_file()
-    not_here = "Is the name right? Is the module installed for this Python?"
-    return last, f"Write src.{error.name} in the import." if is_here else not_here
+        files = sorted(files, key=lambda file: -order.index(file) if file in order else -len(order))
+    return files[-1] if files else None

