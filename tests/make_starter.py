@@ -49,6 +49,8 @@ ABOUT = "(?:Spaces around|Raises a ValueError|With approaching_only|page.rule)"
 # Changes of all files of src/: they have the lines of the handout, and nothing beyond it.
 CHANGES = [
     (r"\bcleaned\((\w+)\)", r"\1"),
+    (r"(?s)\n    The motion is chaotic.*?(?=\"{3})", ""),
+    (r"(?s)def (?:rates|moved)\(.*?\n\n\n", ""),
     (rf"(?:# .*\n)* *from \S+ import (?:{MORE}|, )+\n", ""),
     ("import BUFFER, ", "import "),
     (rf"(?:# .*\n)*(?:{MORE}) = .*\n\n\n", "\n"),

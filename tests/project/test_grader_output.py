@@ -70,7 +70,8 @@ def test_a_mistake_is_told_on_a_screen_and_again_in_the_last_ten_lines(starter):
     last = " ".join(row.strip() for row in rows[-10:])
     for words in (
         f"Next:  make_newton_cradle in src/special_cradles.py, line {number}.",
-        "(m) of bob[0] is wrong. Your first bob hangs straight down. make_pendulum needs its theta.",
+        "(m) of bob[0] is vector(0, -0.4, 0), not vector(0.225857, -0.330134, 0).",
+        "Your first bob hangs straight down. make_pendulum needs its theta.",
         "Note:  your CSV has a mistake. newton_cradle_pends.csv, line 3, column color: fo",
     ):
         assert words in last

@@ -185,10 +185,7 @@ HINTED = {
             "= extract_and_convert(relative_filepath)",
             "= globals().setdefault('_list', extract_and_convert(relative_filepath))",
         ),
-        "You used the constant THETA_INIT. Use": (
-            "= theta_init",
-            "= __import__('support.constants').constants.THETA_INIT",
-        ),
+        "You used the constant": ("= theta_init", "= __import__('support.constants').constants.THETA_INIT"),
         "theta_init is in radians already. Do not": ("= theta_init", "= __import__('math').radians(theta_init)"),
         "All pendula have the same objects. Make them": (
             "pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)",
@@ -196,10 +193,7 @@ HINTED = {
         ),
         "Keep the order axle, bob, cord.": ("texture)\n        return", "texture)[::-1]\n        return"),
         "Compare the key with the handout,": ("pend['objects']", "pend['object']"),
-        "You used the constant R_PARAM. Use": (
-            "vector((-0.1 + r_param/4 * i), r_param/5",
-            "vector((-0.1 + 0.05 * i), 0.04",
-        ),
+        "You used the constant": ("vector((-0.1 + r_param/4 * i), r_param/5", "vector((-0.1 + 0.05 * i), 0.04"),
         "These are the angles from the file.": ("pend['theta'] = ", "pend['angle'] = "),
         "Your bobs hang at": ("r_param, pend['theta']", "r_param, extract_and_convert(relative_filepath)[i]['theta']"),
         "You did not lift the first pendulum.": ("pend['theta'] = theta_init", "pend['theta'] = 0"),
@@ -369,10 +363,7 @@ HINTED = {
         "The last pendulum has not swung. It": ("full_swing_update(pend_list,", "full_swing_update(pend_list[:-1],"),
         "All pendula have swung twice.": ("full_swing_update(pend_list,", "full_swing_update(2 * pend_list,"),
         "This is the result from right to left.": ("range(len(pend_list) - 1)", "reversed(range(len(pend_list) - 1))"),
-        "Do you pass on the parameters r_param, dt and g, in this order?": (
-            "(pend_list, r_param, dt, g)",
-            "(pend_list, 0.2, dt, g)",
-        ),
+        "Do you pass on the parameters r_param, dt and g,": ("(pend_list, r_param, dt, g)", "(pend_list, 0.2, dt, g)"),
         "Only the first two bobs have collided.": ("pend_list[i + 1]", "pend_list[i - 1]"),
         "Only the last two bobs have collided.": ("range(len", "range(1, len"),
         "These large bobs all touch, but only neighbours are pairs.": (
@@ -388,10 +379,7 @@ HINTED = {
         "You gave page.show no pend_list, or an empty one.": ("page.show(pend_list)", "page.show(None)"),
         "Your pendula have no objects.": ("page.show(", "[pend.pop('objects') for pend in pend_list]; page.show("),
         "make_newton_cradle takes R_PARAM first, then THETA_INIT.": ("R_PARAM, THETA_INIT)", "THETA_INIT, R_PARAM)"),
-        "Your bobs do not collide. Does main": (
-            "newton_cradle_tick(",
-            "__import__('src.swinging').swinging.full_swing_update(",
-        ),
+        "Your bobs do not collide.": ("newton_cradle_tick(", "__import__('src.swinging').swinging.full_swing_update("),
         "Give make_newton_cradle page.csv, R_PARAM": ("page.csv, R_PARAM", "page.csv, 0.4"),
         "This function returns nothing: it changes": ("newton_cradle_tick(", "pend_list = newton_cradle_tick("),
         "THETA_INIT is in radians already. Do not convert": ("THETA_INIT)", "THETA_INIT * 180 / 3.141592653589793)"),
@@ -472,10 +460,7 @@ RAISING = {
         "range takes a number: range(len(...)).": ("bad_rep.values()", "range([*bad_rep])"),
         "The name COLOR_MAP comes from another file": ("append(pend)", "append(COLOR_MAP)"),
         "A name has no ' in Python.": 'exec("omega\' = 5")',
-        "At this line, your function has no value for pend_list yet.": (
-            "pend_list = []",
-            "pend_list = pend_list or []",
-        ),
+        "At this line, your function has no value for pend_list": ("pend_list = []", "pend_list = pend_list or []"),
         "An index is a number. In": ("append(pend)", "append(pend_list[pend])"),
         "You use a whole pendulum as a key.": ("append(pend)", "append(bad_rep[pend])"),
         "A dictionary has no append. Make a list": ("= []", "= {}"),
@@ -506,19 +491,13 @@ RAISING = {
         "Compare your call with the line": ("(relative_filepath)", "()"),
     },
     "make_newton_cradle": {
-        "make_pendulum gives back axle, bob and": (
-            "pend['objects'] = make_pendulum(axle_pos",
-            "pend['objects'] = axle, bob, (axle_pos",
-        ),
+        "make_pendulum gives": ("pend['objects'] = make_pendulum(axle_pos", "pend['objects'] = axle, bob, (axle_pos"),
         "You looked for the word color.": ("COLOR_MAP[pend['color']]", "COLOR_MAP['color']"),
         "No such key in TEXTURE_MAP.": ("TEXTURE_MAP[pend['texture']]", "TEXTURE_MAP[pend['color']]"),
         "COLOR_MAP has the vector of a color.": ("COLOR_MAP[pend['color']]", "pend['color']"),
         "A position is a vector, with": ("(axle_pos, r_param", "(r_param, r_param"),
         "vector(x, y, z) takes three": ("r_param/5, 0)", "r_param/5)"),
-        "A tuple cannot be changed. Make": (
-            "texture)\n        return",
-            "texture); pend['objects'][0] = 1\n        return",
-        ),
+        "A tuple cannot be changed.": ("texture)\n        return", "texture); pend['objects'][0] = 1\n        return"),
     },
     "angle_update": {
         "A * is missing between two values.": "exec('a = -g sin(theta)')",
@@ -548,10 +527,7 @@ RAISING = {
         "A vector has no elements, but": ("bob1.pos - ", "bob1.pos[0] - "),
         "One is a vector, and one is a": ("bob1.pos - bob2.pos", "bob1.pos - bob2.radius"),
         "You calculate with a whole pendulum.": ("omega1, omega2 = pend1['omega']", "omega1, omega2 = pend1 * 2"),
-        "The right side is no pair of values.": (
-            "= handle_collision(e, omega1, omega2, m1, m2, r_param)",
-            "= handle_collision",
-        ),
+        "The right side is no pair": ("= handle_collision(e, omega1, omega2, m1, m2, r_param)", "= handle_collision"),
     },
     "newton_cradle_tick": {
         "A pendulum + 1 is not the next": ("pend_list[i + 1]", "pend_list[i] + 1"),
@@ -639,15 +615,9 @@ UNHINTED = {
         ),
     },
     "newton_cradle_tick": {
-        "from the right if they come from there": (
-            "len(pend_list) - 1)",
-            "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]",
-        ),
+        "from the right": ("len(pend_list) - 1)", "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]"),
         "six pairs at most": ("range(len(pend_list) - 1)", "range(min(6, len(pend_list) - 1))"),
-        "sorted by the axles' places": (
-            "for i in",
-            "pend_list.sort(key=lambda p: p['objects'][0].pos.x)\n        for i in",
-        ),
+        "sorted by the axles'": ("for i in", "pend_list.sort(key=lambda p: p['objects'][0].pos.x)\n        for i in"),
     },
     "main": {
         "another G": ("DT, G)", "DT, 10)"),
