@@ -186,7 +186,7 @@ def to_number(text: str) -> float:
 # For each column, a test of a cell's text, and words for the allowed values. The columns theta and omega need no rule:
 # the start of a cradle does not depend on them. Floats below 1e-308 have few digits: hits would change the energy.
 RULES = {
-    "mass": (lambda text: 1e-300 <= to_number(text) <= 1e6, "a number from 1e-300 to 1e6 (kg)"),
+    "mass": (lambda text: 1e-300 <= to_number(text) <= 1e6, "a number from 1e-300 to 1e6, without its unit, kg"),
     "e": (lambda text: 0 <= to_number(text) <= 1, "a number from 0 to 1"),
     "color": (COLOR_MAP.__contains__, f"one of {', '.join(COLOR_MAP)}"),
     "texture": (TEXTURE_MAP.__contains__, f"one of {', '.join(TEXTURE_MAP)}"),
@@ -230,7 +230,8 @@ def check_cradle(filepath, cords=1) -> None:
             text = pendulum.get(column, "")
             if not is_allowed(text):
                 found = f"found {in_short(repr(text))}" if text else "found nothing"
-                raise ValueError(f"{snapshot}, line {line}, column {column}: {found}, allowed is {allowed}")
+                short = f"; this line has {len(cells)} cells, not {len(header)}" * (len(cells) < len(header))
+                raise ValueError(f"{snapshot}, line {line}, column {column}: {found}, allowed is {allowed}{short}")
     if cords == 2:
         check_range(snapshot, [(cells[header.index("mass")], line) for line, cells in rows])
 

@@ -1,13 +1,14 @@
 """Comparing a student's result with the expected one: whether they are equal, and what is wrong."""
 
 import re
+from itertools import permutations
 from math import isclose
 from numbers import Real
 from pathlib import Path
 
 from vpython import vector
 
-from grading.messages import about, shown, Wanted
+from grading.messages import about, error_lines, shown, Wanted
 
 LONG = 130  # characters; of a longer list, a message shows only the first difference
 
@@ -48,16 +49,10 @@ def hint_for(found, wanted, hints) -> str:
     """Return the hint for this result, or "". If two mistakes give this result, nobody knows which one it was."""
     sentences = {sentence for mistaken, sentence in hints if fits(found, mistaken)}
     if not sentences:
-        is_row = isinstance(wanted, tuple) and len(wanted) > 1
-        kinds = " ".join(map(form_of, found if isinstance(found, tuple) else [found]))
-        are_parts = is_row and isinstance(found, (list, tuple))
+        are_parts = isinstance(wanted, tuple) and len(wanted) > 1 and isinstance(found, (list, tuple))
         general = {
-            "The keys must be those of the file, letter by letter, and all.": have_other_keys(found, wanted),
             "You returned a list. Return a tuple.": are_parts and same(tuple(found), wanted),
-            "The values are right, but in the wrong order.": are_parts and same(tuple(reversed(found)), wanted),
-            "Return all values, with commas between them.": is_row and isinstance(found, Real),
-            "You named a function, but did not call it. Put ( ) behind its name.": "function" in kinds,
-            "True and False come from ==, in or not. Return the value itself.": isinstance(found, bool),
+            "The values are right, but in the wrong order.": are_parts and is_mixed_up(found, wanted),
             "A number here is text. Numbers have no quotes, and need no str().": fits(found, wanted, number_in),
             "A comma at the end of a line makes a tuple of one value. Remove it.": fits(found, wanted, single_in),
         }
@@ -65,10 +60,11 @@ def hint_for(found, wanted, hints) -> str:
     return sentences.pop() if len(sentences) == 1 else ""
 
 
-def have_other_keys(found, wanted) -> bool:
-    """Return whether both are lists of dictionaries, of one length, and the keys differ."""
-    are_rows = all(isinstance(rows, list) and all(isinstance(row, dict) for row in rows) for rows in (found, wanted))
-    return are_rows and len(found) == len(wanted) and any(map(lambda a, b: a.keys() != b.keys(), found, wanted))
+def is_mixed_up(found, wanted) -> bool:
+    """Return whether found has the values of wanted, up to four numbers, in another order."""
+    return (
+        len(found) < 5 and not same(tuple(found), wanted) and any(same(order, wanted) for order in permutations(found))
+    )
 
 
 def rows_of(file, name) -> list[tuple[str, str]]:
@@ -91,12 +87,16 @@ def hints_of(name, names) -> list[tuple]:
 
 
 def hint_of(raised) -> str:
-    """Return the hint of hints.txt for an error, or "". It reads the error, and the student's lines."""
-    said = "\n".join(
-        [f"{raised.kind}: {raised.text}", *(f"in {each.function}: {each.code}" for each in raised.places)]
-    ).replace('"', "'")
-    for pattern, hint in rows_of("hints.txt", "errors"):
-        if found := re.search(pattern, said, re.DOTALL):
+    """Return the hint for an error, from the error and the student's lines, or ""."""
+    return known_hint(
+        "errors", "\n".join([error_lines(raised)[0], *(f"in {p.function}: {p.code}" for p in raised.places)])
+    )
+
+
+def known_hint(kind, text) -> str:
+    """Return the hint of hints.txt for a text of this kind (errors, code or wrong), or ""."""
+    for pattern, hint in rows_of("hints.txt", kind):
+        if found := re.search(pattern, text.replace('"', "'"), re.DOTALL | re.MULTILINE):
             return found.expand(hint)
     return ""
 

@@ -18,10 +18,10 @@ from typing import Any, NamedTuple
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.comparing import both, fits, has_form_of, hint_for, hint_of, hints_of, mistake_in, OTHER_FORM
+from grading.comparing import both, fits, has_form_of, hint_for, hint_of, hints_of, known_hint, mistake_in, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
 from grading.messages import about, Call, damage, end_of, error_lines, message, plain, PlainFile, shown
-from grading.own_process import OwnProcess
+from grading.own_process import Code, OwnProcess
 from grading.raised import StoppedError
 
 # --- checks ----------------------------------------------------------------------------------------------------------
@@ -117,20 +117,16 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
         hint = "Change the pendulum itself. A function such as swing_update returns nothing: do not store its result."
         raise WrongError(f"{function} has lost a pendulum.", call, lines, hint)
     if result is None and returns:
-        hint = "Does your function reach a return with a value? (append returns None.)"
-        if "print" in code_of(function)[1]:
-            hint = "print only shows a value. Give it back with return."
-        raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected], hint)
+        raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected])
     try:
         found = see(result) if see else result
     except OTHER_FORM as error:
         form = f"This has the wrong form ({type(error).__name__}: {error})."
         lines = [("came back", [*shown(result).split("\n") * bool(returns), form]), expected]
         sentence = f"{what or 'The result'} cannot be read."
-        hint = hint_for(result, wanted, hints)
-        if isinstance(error, KeyError) and not hint:
-            sentence, hint = f"A pendulum has no key {error}.", "Compare the key with the handout, letter by letter."
-        raise WrongError(sentence, call, lines, hint) from None
+        if isinstance(error, KeyError):
+            sentence = f"A pendulum has no key {error}."
+        raise WrongError(sentence, call, lines, hint_for(result, wanted, hints)) from None
     if not fits(found, wanted):
         lines, hint = both(what, found, wanted), hint_for(found, wanted, hints)
         sentence = mistake_in(what or returns, found, wanted)
@@ -170,9 +166,9 @@ def run(call, arguments, expected, hints) -> Any:
     raise WrongError(sentence, call, [end_of(raised), expected], hint, raised)
 
 
-def code_of(function) -> tuple[int, list[str], str]:
-    """Return the first line of a student's function, the names in its code, and its parameters, as far as known."""
-    return student.codes.get(function, (0, [], ""))
+def code_of(function) -> Code:
+    """Return what is known of a student's function."""
+    return student.codes.get(function, Code())
 
 
 def hint_at(raised) -> str:
@@ -256,7 +252,7 @@ class Grading:
         outcome = self.make(check)
         if outcome.state == FAILED and not outcome.cause and not self.hung:
             earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
-            names = code_of(check.function)[1]
+            names = code_of(check.function).names
             wrong = [name for name in names if name in earlier and self.is_wrong(name)]
             if wrong:  # the function uses others than those that the handout asks for
                 return waiting(", ".join(wrong))
@@ -291,13 +287,17 @@ class Grading:
     def failed(self, check, error) -> Outcome:
         """Return the outcome of a check that raised this WrongError."""
         raised, file = error.raised, FUNCTIONS[check.function].file
+        code, own = code_of(check.function), FUNCTIONS[check.function].parameters
+        place = place_of(raised, check.function) if raised else ""
+        place = place or (f"{file}, line {code.line}" if code.line else file)
+        wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
+        error.hint = known_hint("code", code.source) or error.hint or known_hint("wrong", f"{wrong}\n{code.source}")
+        if code.line and not code.parameters.startswith(own):
+            error.hint = f"The line def has changed. It must be: def {check.function}({own}):"
         if raised and raised.limit:
             self.hung.add(check.function)
         elif error.call.arguments is not None and self.asks_again and is_right_alone(check, len(CALLS)):
             error.hint = MATTERS
-        line, _, given = code_of(check.function)
-        if not given.startswith(own := FUNCTIONS[check.function].parameters) and line:
-            error.hint = f"The line def has changed. It must be: def {check.function}({own}):"
         before = [each for each in checks(function=check.function) if each.name in self.outcomes]
         hints = [self.outcomes[each.name].hint for each in before if self.outcomes[each.name].state == FAILED]
         if hints and error.hint != hints[0]:
@@ -308,9 +308,6 @@ class Grading:
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
         rows = [("wrong", f"{error}"), ("called", called), *error.lines, ("hint", error.hint), ("read", read)]
         watch = ("watch", f"{student.watch} {check.name}" if call else "")
-        place = place_of(raised, check.function) if raised else ""
-        place = place or (f"{file}, line {line}" if line else file)
-        wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
         return Outcome(FAILED, message([*rows, watch]), call, place, error.hint, wrong=wrong)
 
     def broken_by(self, check, error) -> Outcome:

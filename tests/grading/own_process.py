@@ -1,6 +1,8 @@
 """The student's functions in the grader's own process."""
 
 import importlib
+import inspect
+import linecache
 import os
 import sys
 from collections.abc import Callable
@@ -8,7 +10,7 @@ from contextlib import contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, NamedTuple
 from unittest.mock import patch
 
 from grading import limits
@@ -21,6 +23,15 @@ from support.start.options import command_line
 SHIPPED_CSV = "mass,e,theta,omega,color,texture\n" + "".join(f"{i}.25,0.5,0.0,0.0,cyan,none\n" for i in range(1, 6))
 
 
+class Code(NamedTuple):
+    """What is known of a student's function."""
+
+    line: int = 0  # the first one in its file
+    names: list[str] = []  # in its code
+    parameters: str = ""  # with commas
+    source: str = ""
+
+
 class OwnProcess:
     """Finds and calls the student's functions. The Solver of tests/teacher/ has the same methods.
 
@@ -31,8 +42,7 @@ class OwnProcess:
     has_written = False  # whether the last call has changed the grader's CSV, which was then put back
 
     def __init__(self):
-        # Of each function that was called, the first line, the names in its code, and its parameters, with commas.
-        self.codes: dict[str, tuple[int, list[str], str]] = {}
+        self.codes: dict[str, Code] = {}  # of each function that was called
         self.folder = TemporaryDirectory(ignore_cleanup_errors=True)  # a solution may leave a file open
         self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
         self.shipped.write_text(SHIPPED_CSV)
@@ -80,7 +90,8 @@ class OwnProcess:
             code = getattr(solution, "__code__", None)
             if code:
                 parameters = ", ".join(code.co_varnames[: code.co_argcount])
-                self.codes[function] = code.co_firstlineno, [*code.co_names], parameters
+                source = "".join(inspect.getblock(linecache.getlines(code.co_filename)[code.co_firstlineno - 1 :]))
+                self.codes[function] = Code(code.co_firstlineno, [*code.co_names], parameters, source)
             with limits.limited_memory():
                 for _ in range(times):
                     result = solution(*arguments)

@@ -46,7 +46,7 @@ UNREADABLE = {
 }
 
 ALLOWED = {
-    "mass": "allowed is a number from 1e-300 to 1e6 (kg)",
+    "mass": "allowed is a number from 1e-300 to 1e6, without its unit, kg",
     "e": "allowed is a number from 0 to 1",
     "color": f"allowed is one of {', '.join(COLOR_MAP)}",
     "texture": f"allowed is one of {', '.join(TEXTURE_MAP)}",

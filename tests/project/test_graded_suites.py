@@ -63,7 +63,7 @@ def solve(monkeypatch):
         own = signature(original).replace(return_annotation=Signature.empty)
         parameters = own if FUNCTIONS[function].tier == HONOR else f"({FUNCTIONS[function].parameters})"
         source = f"def {function}{parameters}:\n{indent(dedent(version), '    ')}"
-        linecache.cache[FILE] = len(source), None, source.splitlines(), FILE  # for the lines in messages
+        linecache.cache[FILE] = len(source), None, source.splitlines(keepends=True), FILE  # for the lines in messages
         exec(compile(source, FILE, "exec"), scope, made)
         for module in modules:
             if vars(module).get(function) is original:
@@ -140,6 +140,23 @@ def test_a_right_solution_passes(solve, function, way, users):
     assert {check.name: outcome for check, outcome in outcomes.items() if outcome.state != PASSED} == {}
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "note"),
+    [
+        ("csv", 0, "main always reads NC_FP. With page.csv, experiments and the CSV of a command would work, too."),
+        ("THETA_INIT", 45, "THETA_INIT is 45 radians. Is it in degrees?"),
+        ("DT", 0.01, "DT is 0.01 s. Such long ticks are not exact, and bobs pass through each other."),
+    ],
+)
+def test_a_right_main_with_a_trap_has_a_note(solve, monkeypatch, name, value, note):
+    if name == "csv":
+        solve("main", RIGHT["main"]["NC_FP"])
+    for module in ("test_a", "src.visualize_cradle_run") if value else ():
+        monkeypatch.setattr(f"{module}.{name}", value)
+    notes = [outcome.hint for outcome in outcomes_of("main").values() if outcome.state == PASSED]
+    assert [hint for hint in notes if hint] == [note]
+
+
 # --- hints -----------------------------------------------------------------------------------------------------------
 
 
@@ -155,8 +172,10 @@ def test_each_hint_has_a_mistake_in_the_table(monkeypatch):
     known = tuple(words for mistakes in HINTED.values() for words in mistakes)
     assert [sentence for sentence in sentences if not sentence.startswith(known)] == []
     names = re.findall(r"^\[(\w[a-z_ ]*)\]$", HINTS_FILE.read_text(), re.MULTILINE)
-    assert {name for words in names for name in words.split()} <= {"errors", *(check.name for check in CHECKS)}
-    begins = [hint.partition("\\")[0] for _, hint in comparing.rows_of("hints.txt", "errors")]
+    kinds = {"code", "errors", "wrong"}
+    assert {name for words in names for name in words.split()} <= {*kinds, *(check.name for check in CHECKS)}
+    hints = [hint for kind in kinds for _, hint in comparing.rows_of("hints.txt", kind)]
+    begins = [hint.partition("\\")[0] for hint in hints]
     assert [
         begin for begin in begins if not any(words.startswith((begin, begin[: len(words)])) for words in known)
     ] == []

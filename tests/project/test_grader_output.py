@@ -2,7 +2,6 @@
 
 import re
 from math import ceil
-from pathlib import Path
 from textwrap import dedent
 
 import pytest
@@ -139,14 +138,44 @@ def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter,
     assert last.startswith("1 failed, ")
 
 
-@pytest.mark.parametrize("name", slow_but_for(["json.py"], ["json.py", "tests/statistics.py", "pandas/__init__.py"]))
-def test_a_file_that_hides_a_module_is_named(starter, name):
-    (starter / name).parent.mkdir(exist_ok=True)
-    (starter / name).write_text("x = 1\n")
-    done = python(*PYTEST, folder=starter)
-    file, module = Path(name.removesuffix("/__init__.py")), Path(name.removesuffix("/__init__.py")).stem
-    line = f"{file} hides the module {module} from Python and its packages. Rename it.\n"
-    assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
+def hides(name):
+    """Return a function that makes this file in a folder."""
+    return lambda folder: (folder / name).parent.mkdir(exist_ok=True) or (folder / name).touch()
+
+
+SAID = {  # what a student does to the folder, a command of Python, and a line that it prints
+    "a file hides a module": (hides("json.py"), PYTEST, "json.py hides the module json from Python and its packages."),
+    "a test hides a module": (hides("tests/statistics.py"), PYTEST, "tests/statistics.py hides the module statistics"),
+    "a folder hides a module": (hides("pandas/__init__.py"), PYTEST, "pandas hides the module pandas from Python"),
+    "a given file is lost": (
+        lambda folder: (folder / "support" / "pendulum.py").unlink(),
+        PYTEST,
+        "support/pendulum.py is missing. Copy it again from the folder that your teacher gave you.",
+    ),
+    "a given file is changed": (
+        lambda folder: change(folder / "support" / "pendulum.py", "theta, color, texture)", "theta)"),
+        ("pds_tester.py",),
+        "support/pendulum.py has changed. Copy it again from the folder that your teacher gave you.",
+    ),
+    "support is moved": (
+        lambda folder: (folder / "support").rename(folder / "src" / "support"),
+        PYTEST,
+        "The folder support is not beside src and tests. Put it back.",
+    ),
+    "no packages": (str, ("-S", "pds_tester.py"), " has no pandas. Install it as README.md says, or start the Python"),
+    "a file without a program": (str, ("src/swinging.py",), "This file has only functions. Type pytest to check them,"),
+    "no checks": (str, (*PYTEST, "src"), "The checks are not here. Type: cd {} && pytest"),
+    "no tier": (str, (*PYTEST, "--tier", "E"), "argument --tier: found 'E', allowed is D, C, B, A or honor"),
+}
+
+
+@pytest.mark.parametrize("name", slow_but_for(["a given file is lost", "no checks", "no packages"], SAID))
+def test_a_slip_around_the_functions_gets_a_line(starter, name):
+    does, command, line = SAID[name]
+    does(starter)
+    done = python(*command, folder=starter)
+    assert line.format(starter) in done.stdout + done.stderr
+    assert done.returncode and "Traceback" not in done.stderr
 
 
 @pytest.mark.slow

@@ -86,6 +86,15 @@ def test_it_ends_quietly_when_nobody_reads_on_or_a_signal_comes(main, csv, monke
     assert main(csv) == (status, "", "")
 
 
+def test_ctrl_c_in_a_loop_without_end_names_it(main, csv, monkeypatch):
+    """A loop that takes longer than ENDLESS has no end."""
+    monkeypatch.setattr("support.cradle.player.ENDLESS", -1)
+    monkeypatch.setattr("src.swinging.sin", Mock(side_effect=KeyboardInterrupt(0)))
+    monkeypatch.setattr(text_cradle_run, "many_ticks", None)
+    status, _, err = main(csv)
+    assert (status, re.sub("[0-9]+", "N", err)) == (0, "swinging.py, line N: does a loop in angle_update never end?\n")
+
+
 # --- on a terminal ---------------------------------------------------------------------------------------------------
 
 

@@ -122,7 +122,8 @@ HINTED = {
         "You named a function, but did not call it.": ("return pend_list", "return len"),
         "Write relative_filepath without quotes:": ("(relative_filepath)", "('relative_filepath')"),
         "You put the right list into another list.": ("return pend_list", "return [pend_list]"),
-        "Your list has only the first pendulum. Is your return": ("    return pend_list", "        return pend_list"),
+        "Your list has only the first pendulum. Is your return": ("return pend_list", "return pend_list[:1]"),
+        "Your return is inside the loop: it ends": ("    return pend_list", "        return pend_list"),
         "In the handout, a CSV may be about assistants, too.": (
             "append(pend)",
             "append({key: pend[key] for key in ('mass', 'e', 'theta', 'omega', 'color', 'texture')})",
@@ -141,13 +142,17 @@ HINTED = {
         "Your second call has changed the list": ("= []", "= globals().setdefault('_list', []); pend_list.clear()"),
     },
     "uniform_mass_newton_cradle": {
-        "mass has not changed: these are the values": ("pend['mass'] = ", "pend['mass'] == "),
+        "mass has not changed: these are the values": ("pend['mass'] = mass", "pend.setdefault('mass', mass)"),
+        "== only compares. One = stores": ("pend['mass'] = ", "pend['mass'] == "),
         "You changed mass only in the first pendulum.": ("in pend_list", "in pend_list[:1]"),
         "You changed mass only in the last pendulum.": ("in pend_list", "in pend_list[-1:]"),
         "You returned only the last pendulum. You need the whole pend_list.": ("return pend_list", "return pend"),
         "You stored mass as text. You need a number.": ("= mass", "= str(mass)"),
         "You returned only the first pendulum. You need the whole": ("return pend_list", "return pend_list[0]"),
         "You changed e, not mass.": ("['mass']", "['e']"),
+        "In quotes, mass is only a word.": ("= mass", "= 'mass'"),
+        "With = , the name pend gets another": ("pend['mass'] = mass", "pend = mass"),
+        "This line computes with 'mass', but stores": ("pend['mass'] = mass", "pend['mass'] + mass"),
         "You multiplied the old mass. Replace it.": ("= mass", "*= mass"),
         "You rounded mass. Store it as": ("= mass", "= int(mass)"),
         "Your list is empty. Give the whole": ("return pend_list", "return []"),
@@ -156,7 +161,7 @@ HINTED = {
         "Do you read the file at": ("relative_filepath", "__import__('support.constants').constants.NC_FP"),
     },
     "uniform_e_newton_cradle": {
-        "e has not changed: these are the values": ("pend['e'] = ", "pend['e'] == "),
+        "e has not changed: these are the values": ("pend['e'] = e_val", "pend.setdefault('e', e_val)"),
         "You changed e only in the first pendulum.": ("in pend_list", "in pend_list[:1]"),
         "You changed e only in the last pendulum.": ("in pend_list", "in pend_list[-1:]"),
         "You changed mass, not e.": ("['e']", "['mass']"),
@@ -170,6 +175,7 @@ HINTED = {
         "Here, e is 0. That is perfectly inelastic.": ("1)", "0)"),
         "uniform_e_newton_cradle takes relative_filepath first, then": ("relative_filepath, 1", "1, relative_filepath"),
         "You changed mass, not e.": ("uniform_e", "uniform_mass"),
+        "The call of uniform_e_newton_cradle stands alone:": "uniform_e_newton_cradle(relative_filepath, 1)\nreturn extract_and_convert(relative_filepath)",
         "e must be exactly 1.": (", 1)", ", 0.99)"),
     },
     "inelastic_newton_cradle": {
@@ -185,15 +191,15 @@ HINTED = {
             "= extract_and_convert(relative_filepath)",
             "= globals().setdefault('_list', extract_and_convert(relative_filepath))",
         ),
-        "You used the constant": ("= theta_init", "= __import__('support.constants').constants.THETA_INIT"),
+        "You used the constant TH": ("= theta_init", "= __import__('support.constants').constants.THETA_INIT"),
         "theta_init is in radians already. Do not": ("= theta_init", "= __import__('math').radians(theta_init)"),
         "All pendula have the same objects. Make them": (
             "pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)",
             "pend['objects'] = pend_list[0].get('objects') or make_pendulum(axle_pos, r_param, theta_init, color, texture)",
         ),
         "Keep the order axle, bob, cord.": ("texture)\n        return", "texture)[::-1]\n        return"),
-        "Compare the key with the handout,": ("pend['objects']", "pend['object']"),
-        "You used the constant": ("vector((-0.1 + r_param/4 * i), r_param/5", "vector((-0.1 + 0.05 * i), 0.04"),
+        "Keep all keys of each pendulum, and": ("pend['objects']", "pend['object']"),
+        "You used the constant R": ("vector((-0.1 + r_param/4 * i), r_param/5", "vector((-0.1 + 0.05 * i), 0.04"),
         "These are the angles from the file.": ("pend['theta'] = ", "pend['angle'] = "),
         "Your bobs hang at": ("r_param, pend['theta']", "r_param, extract_and_convert(relative_filepath)[i]['theta']"),
         "You did not lift the first pendulum.": ("pend['theta'] = theta_init", "pend['theta'] = 0"),
@@ -267,7 +273,7 @@ HINTED = {
         "The second pendulum is at rest, but not": ("swing_update(", "if pend['omega']: swing_update("),
         "Use the parameters, not the constants.": ("dt, g", "0.0001, g"),
         "Change the pendulum itself. A function": "for i in range(len(pend_list)): pend_list[i] = swing_update(pend_list[i], r_param, dt, g)",
-        "Only the first pendulum has swung. Is there a return": ("    swing_update(", "    return swing_update("),
+        "Only the first pendulum has swung. Is there a return": ("in pend_list", "in pend_list[:1]"),
         "Only the last pendulum has swung.": "swing_update(pend_list[-1], r_param, dt, g)",
         "The first pendulum has not swung.": ("in pend_list", "in pend_list[1:]"),
         "The last pendulum has not swung.": ("in pend_list", "in pend_list[:-1]"),
@@ -318,6 +324,18 @@ HINTED = {
         "This is the result with e = 1, but e of pend1 is 0.5.": ("e = pend1['e']", "e = pend2['e']"),
         "This is the result with e = 0.75, but e of pend1 is": ("e = pend1['e']", "e = (pend1['e'] + pend2['e']) / 2"),
         "This is the result with the product of both e.": ("e = pend1['e']", "e = pend1['e'] * pend2['e']"),
+        "return stores nothing in a dictionary.": (
+            "pend1['omega'] = new_omega1\n            pend2['omega'] = new_omega2",
+            "return new_omega1, new_omega2",
+        ),
+        "The objects are axle, bob and cord:": (
+            "pend1['objects'][1], pend2['objects'][1]",
+            "pend1['objects'][2], pend2['objects'][2]",
+        ),
+        "Both bobs are from pend1.": ("pend2['objects']", "pend1['objects']"),
+        "These are several values at once.": ("pend1['omega'] = new_omega1", "pend1['omega'] = new_omega1, new_omega2"),
+        "Objects of VPython have a dot, and no": ("bob1.radius", "bob1['radius']"),
+        "This is an axle or a cord.": ("bob1.radius", "pend1['objects'][0].radius"),
         "Both new omegas went to pend1. The second": ("pend2['omega'] = new_omega2", "pend1['omega'] = new_omega2"),
         "You called handle_collision again after pend1": (
             "pend2['omega'] = new_omega2",
@@ -380,8 +398,10 @@ HINTED = {
         "Your pendula have no objects.": ("page.show(", "[pend.pop('objects') for pend in pend_list]; page.show("),
         "make_newton_cradle takes R_PARAM first, then THETA_INIT.": ("R_PARAM, THETA_INIT)", "THETA_INIT, R_PARAM)"),
         "Your bobs do not collide.": ("newton_cradle_tick(", "__import__('src.swinging').swinging.full_swing_update("),
+        "Use page.csv: it is the path": ("page.csv", "NC_FP"),
+        "page is no list of pendula.": ("newton_cradle_tick(pend_list", "newton_cradle_tick(page"),
         "Give make_newton_cradle page.csv, R_PARAM": ("page.csv, R_PARAM", "page.csv, 0.4"),
-        "This function returns nothing: it changes": ("newton_cradle_tick(", "pend_list = newton_cradle_tick("),
+        "Nothing comes back from newton_cradle_tick:": ("newton_cradle_tick(", "pend_list = newton_cradle_tick("),
         "THETA_INIT is in radians already. Do not convert": ("THETA_INIT)", "THETA_INIT * 180 / 3.141592653589793)"),
         "Your second cradle goes on where the first one was. Make a new one when the page wants one.": (
             "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)",
@@ -418,7 +438,10 @@ HINTED = {
                     while page.wants_tick():
                         newton_cradle_tick(pend_list, R_PARAM, DT, G)
             """,
-        "Axles, bobs or cords stay in": ("page.show(", "make_newton_cradle(page.csv, R_PARAM, THETA_INIT); page.show("),
+        "The call of make_newton_cradle stands alone:": (
+            "page.show(",
+            "make_newton_cradle(page.csv, R_PARAM, THETA_INIT); page.show(",
+        ),
     },
     "make_double_pendulum": {
         "You returned a single pendulum.": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
@@ -449,13 +472,14 @@ HINTED = {
 RAISING = {
     "extract_and_convert": {
         "print needs brackets in Python 3.": "exec('print 5')",
-        "The lines of a function, and of a loop": "exec('return 5')",
+        "The lines of a function begin": "exec('return 5')",
         "Your files import each other in a circle.": "raise ImportError('(most likely due to a circular import)')",
         "There is no src/no.py. Put the file": "import src.no",
         "Write src. in front of the file": "import swinging",
         "Is the name right? Is the module": "import numpi",
         "Git has left these marks.": "exec('<<<<<<< HEAD')",
         "This line stands outside of all functions.": "exec(compile('omega1', extract_and_convert.__code__.co_filename, 'exec'))",
+        "A loop over df gives": "df = pd.read_csv(relative_filepath)\nreturn [row for row in df]",
         "True and False come from ==, in or not.": ("return pend_list", "return pend_list == []"),
         "range takes a number: range(len(...)).": ("bad_rep.values()", "range([*bad_rep])"),
         "The name COLOR_MAP comes from another file": ("append(pend)", "append(COLOR_MAP)"),
@@ -531,7 +555,7 @@ RAISING = {
     },
     "newton_cradle_tick": {
         "A pendulum + 1 is not the next": ("pend_list[i + 1]", "pend_list[i] + 1"),
-        "One value here is None. A function": ("full_swing_update(", "pend_list = full_swing_update("),
+        "One value here is None. A function": ("full_swing_update(", "pend_list = 0 or full_swing_update("),
     },
 }
 for function, mistakes in RAISING.items():

@@ -16,6 +16,7 @@ from grading import grader, limits
 from grading.comparing import OTHER_FORM
 from grading.grade import words
 from grading.grader import CHECKS, FAULT, Grading, Outcome
+from grading.own_process import Code
 from grading.raised import Place, Raised, StoppedError
 from teacher.crossing import bounded, Crossing, File, MOST_PRINTED
 
@@ -103,7 +104,7 @@ class Solver:
                 answer = self.hear()
             self.has_written = bool(answer["has_written"])
             codes = answer["codes"].items()
-            self.codes = {function: (int(line), list(names), str(given)) for function, (line, names, given) in codes}
+            self.codes = {name: Code(int(line), list(names), str(a), str(b)) for name, (line, names, a, b) in codes}
             print(str(answer["printed"])[:MOST_PRINTED], end="")
             if answer["raised"] is not None:
                 raise StoppedError(raised_in(answer["raised"]))
