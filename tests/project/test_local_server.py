@@ -14,6 +14,7 @@ from urllib.parse import urlsplit
 import programs
 import pytest
 from programs import copy_project, end, first_lines, QUIETLY, running, SECONDS
+from students import put_files
 from whole_cradles import FIVE_CSV
 
 from support.page import local_server
@@ -64,11 +65,8 @@ def free_port():
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """A working folder with a secret, in a folder with a secret; both end as something that VPython serves."""
-    folder = tmp_path_factory.mktemp("outside") / "working"
-    folder.mkdir()
-    for owner in (folder, folder.parent):
-        (owner / "secret.js").write_text(SECRET)
-    return folder
+    files = {"secret.js": SECRET, "working/secret.js": SECRET}
+    return put_files(tmp_path_factory.mktemp("outside"), files) / "working"
 
 
 @pytest.fixture(scope="module")
