@@ -67,14 +67,9 @@ def running(program=None, *arguments, folder=os.sep, python=sys.executable, pati
     """
     environment = {**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment}
     environment.pop("PYTHONUNBUFFERED", None)  # it must not wait for a full buffer with what it has to say
-    process = subprocess.Popen(
-        [python, str(program or PROGRAM), *arguments],
-        cwd=folder,
-        env=environment,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+    command = [python, str(program or PROGRAM), *arguments]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    process = subprocess.Popen(command, cwd=folder, env=environment, **pipes)
     timer = threading.Timer(patience, process.kill)
     timer.start()
     try:
@@ -189,9 +184,8 @@ def values(page):
 
 def lifts(page):
     """Return the angles of the bobs in degrees."""
-    return [
-        degrees(atan2(x - (-0.1 + R_PARAM / 4 * i), R_PARAM / 5 - y)) for i, (x, y) in enumerate(page.evaluate(BOBS))
-    ]
+    places = enumerate(page.evaluate(BOBS))
+    return [degrees(atan2(x - (-0.1 + R_PARAM / 4 * i), R_PARAM / 5 - y)) for i, (x, y) in places]
 
 
 def pixel(page, bob, theta):

@@ -1,11 +1,11 @@
 """Experiments: their files, their menu and questions on the page, and that each explains what really happens."""
 
 import re
-import shutil
 from itertools import combinations
 from math import radians
 
 import pytest
+from students import put_files
 from wall import Wall
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
@@ -36,9 +36,7 @@ One = 0 0 0 0 100
 @pytest.fixture
 def files(tmp_path):
     """A folder with one experiment."""
-    (tmp_path / "two.csv").write_text(FIVE_CSV)
-    (tmp_path / "two.txt").write_text(TEXT)
-    return tmp_path
+    return put_files(tmp_path, {"two.csv": FIVE_CSV, "two.txt": TEXT})
 
 
 def test_an_experiment_is_read(files):
@@ -85,13 +83,10 @@ BAD = [
 def test_bad_experiments_are_named_in_one_line_each_and_the_other_one_works(files):
     for number, (old, new, _) in enumerate(BAD):
         assert old in TEXT
-        shutil.copy(files / "two.csv", files / f"bad_{number:02}.csv")
-        (files / f"bad_{number:02}.txt").write_text(TEXT.replace(old, new).replace("Two bobs", "Three bobs"))
-    for name in ("broken", "latin", "silent", "two_more"):
-        (files / f"{name}.csv").write_text(FIVE_CSV.replace("red", "rouge" if name == "broken" else "red"))
-    (files / "latin.txt").write_bytes(b"\xe9")
-    for name in ("alone", "two_more"):
-        (files / f"{name}.txt").write_text(TEXT)
+        text = TEXT.replace(old, new).replace("Two bobs", "Three bobs")
+        put_files(files, {f"bad_{number:02}.csv": FIVE_CSV, f"bad_{number:02}.txt": text})
+    csvs = {"broken.csv": FIVE_CSV.replace("red", "rouge"), **dict.fromkeys(["latin.csv", "silent.csv"], FIVE_CSV)}
+    put_files(files, {**csvs, "latin.txt": b"\xe9", "alone.txt": TEXT, "two_more.csv": FIVE_CSV, "two_more.txt": TEXT})
     expected = [
         ("alone.csv", ": cannot be read as a CSV file: No such file or directory"),
         *((f"bad_{number:02}.txt", words) for number, (*_, words) in enumerate(BAD)),
@@ -171,10 +166,8 @@ def test_the_program_can_begin_with_an_experiment(csv, angle, lifted, lifts):
 
 
 def test_a_mistake_in_an_experiment_is_shown_below_the_menu(csv, tmp_path, monkeypatch):
-    folder, texts = tmp_path / "experiments" / "single", []
-    folder.mkdir(parents=True)
-    (folder / "no_<text>.csv").write_text(FIVE_CSV)
-    monkeypatch.setattr("support.page.source.EXPERIMENTS", folder.parent)
+    texts, folder = [], put_files(tmp_path / "experiments", {"single/no_<text>.csv": FIVE_CSV})
+    monkeypatch.setattr("support.page.source.EXPERIMENTS", folder)
     monkeypatch.setattr("support.page.questions.wtext", lambda text="": texts.append(text))
     assert Wall(csv).viewer.questions.menu.choices == ["your CSV"]
     [mistake] = [text for text in texts if text]

@@ -5,8 +5,6 @@ import io
 import os
 import random
 import re
-import subprocess
-import sys
 import threading
 from collections import deque
 from contextlib import suppress
@@ -14,7 +12,8 @@ from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
-from programs import on_posix, ROOT
+from programs import on_posix, ROOT, running
+from students import put_files
 from vpython import color, textures, vector
 from whole_cradles import GOOD, HEADER
 
@@ -91,13 +90,7 @@ for column, text in [
 @pytest.fixture
 def save(tmp_path):
     """A function that puts text or bytes into a file and returns the file's path."""
-
-    def save(content):
-        file = tmp_path / "cradle.csv"
-        file.write_bytes(content.encode() if isinstance(content, str) else content)
-        return str(file)
-
-    return save
+    return lambda content: str(put_files(tmp_path, {"cradle.csv": content}) / "cradle.csv")
 
 
 def complaint(function, *arguments):
@@ -236,11 +229,9 @@ def contents(folder):
 
 
 @pytest.fixture
-def file(tmp_path):
+def file(save):
     """The path of a CSV, in a folder of its own."""
-    path = tmp_path / "cradle.csv"
-    path.write_text(MIXED_CSV)
-    return path
+    return Path(save(MIXED_CSV))
 
 
 @pytest.mark.parametrize("step", ["pandas.DataFrame.to_csv", "os.fsync", "shutil.copymode", "os.replace"])
@@ -253,24 +244,22 @@ def test_a_full_disk_leaves_the_old_file_and_nothing_else(step, file, monkeypatc
 
 
 HALF = """
-import sys
+import sys, time
 from support.files.data_file import whole_file
 with whole_file(sys.argv[1]) as file:
     file.write("half \\u03c9")
     file.flush()
     print("half", flush=True)
-    sys.stdin.read()
+    time.sleep(1000)
 """
 
 
 @on_posix
 def test_a_killed_program_leaves_the_old_file_and_a_hidden_part_that_git_does_not_see(file):
     """The part is UTF-8, also if the locale is another one, and a program that writes later does not need its name."""
-    environment = {**os.environ, "LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
-    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
-    with subprocess.Popen([sys.executable, "-c", HALF, file], cwd=ROOT, env=environment, **pipes) as process:
-        assert process.stdout.readline() == b"half\n"
-        process.kill()
+    c_locale = {"LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
+    with running("-c", HALF, file, folder=ROOT, **c_locale) as process:
+        assert process.stdout.readline() == "half\n"
     [part] = {*os.listdir(file.parent)} - {"cradle.csv"}
     assert re.fullmatch(r"\.cradle\.csv\.\w+\.tmp", part)
     assert ".*.tmp" in (ROOT / ".gitignore").read_text().split()

@@ -18,7 +18,7 @@ import make_starter
 import pytest
 import watch
 from programs import on_posix, ROOT, SECONDS
-from students import COUNTS, files_of, put_files, write
+from students import change, COUNTS, files_of, put_files, write
 
 from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
@@ -34,14 +34,6 @@ for tier in SUITES:
 
 SOLUTION = {function.file: f"# {function.file}\n" for function in FUNCTIONS.values()}
 READ = {file.removeprefix("src/"): text.encode() for file, text in SOLUTION.items()}
-
-
-def pack(file, files):
-    """Write files into a .zip; return its path."""
-    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, text in files.items():
-            archive.writestr(name, text)
-    return file
 
 
 def below(folder, files=SOLUTION):
@@ -78,7 +70,12 @@ FORMS = {  # the files of a submission, those that count, and the problem
 def test_the_files_of_src_are_found_and_problems_named(tmp_path, name, place):
     files, found, problem = FORMS[name]
     (tmp_path / "ann").mkdir()
-    pack(tmp_path / place, files) if place.endswith(".zip") else put_files(tmp_path / place, files)
+    if place.endswith(".zip"):
+        with zipfile.ZipFile(tmp_path / place, "w", zipfile.ZIP_DEFLATED) as archive:
+            for path, text in files.items():
+                archive.writestr(path, text)
+    else:
+        put_files(tmp_path / place, files)
     student, read, problems = read_submission("ann", tmp_path / place.removesuffix("/cradle.zip"))
     assert (student, read) == ("ann", found)
     assert [each.startswith(problem) for each in problems] == [True] if problem else problems == []
@@ -115,9 +112,8 @@ def test_each_folder_and_each_archive_is_a_student(tmp_path):
     students = {"Bea B": "Bea B", "ann": "ann", "ann.zip": "ann.zip", "cem": "cem.ZIP", "dan": "dan.rar"}
     assert {name: path.name for name, path in found.items()} == {**students, r"a\tb": "a\tb", r"a\nb": "a\nb"}
     assert others == ["index.html"]
-    assert read_submission("dan", found["dan"]).problems == [
-        "dan.rar is no .zip that can be read: File is not a zip file"
-    ]
+    (problem,) = read_submission("dan", found["dan"]).problems
+    assert problem == "dan.rar is no .zip that can be read: File is not a zip file"
     assert read_submission("a", found[r"a\tb"]).problems == [rf"{NONE}c\nd/e\nf"]
 
 
@@ -180,20 +176,13 @@ def tables_of(folder):
     return tuple({each["student"]: each for each in table} for table in (rows, results))
 
 
-def with_wrong_sign(solved):
-    """Return the files of a solution with a mistake in angle_update."""
-    text = solved["swinging.py"].decode()
-    assert "omega + -g" in text
-    return {**solved, "swinging.py": text.replace("omega + -g", "omega + g").encode()}
-
-
 @on_posix
 def test_a_class_that_is_interrupted_and_goes_on(solved, starter, tmp_path, main, monkeypatch):
     a_class, out, calls = tmp_path / "class", tmp_path / "class-grades", []
     write(starter, "extract_and_convert", "double_angle_update")
-    put_files(a_class / "ann" / "src", solved)
-    put_files(a_class / "bea" / "src", with_wrong_sign(solved))
-    put_files(a_class / "cem" / "src", files_of(starter))
+    for student, files in {"ann": solved, "bea": solved, "cem": files_of(starter)}.items():
+        put_files(a_class / student / "src", files)
+    change(a_class / "bea" / "src" / "swinging.py", "omega + -g", "omega + g")
     (a_class / "dan").mkdir()
 
     def grade(*arguments):
@@ -244,10 +233,8 @@ def test_a_class_that_is_interrupted_and_goes_on(solved, starter, tmp_path, main
     assert main(a_class)[0] == 0
     rows, results = tables_of(out)
     assert [*rows] == ["ann", "cem", "dan"]
-    assert (rows["ann"]["grade"], (out / "bea.txt").exists()) == (
-        "Honor roll",
-        False,
-    )  # of who is gone, nothing is left
+    assert rows["ann"]["grade"] == "Honor roll"
+    assert not (out / "bea.txt").exists()  # of who is gone, nothing is left
 
 
 def test_names_are_safe_in_files_and_in_tables(tmp_path):
@@ -316,15 +303,14 @@ for number in (1, os.getppid(), *range(100, 300)) if in_sandbox else ():  # belo
         tried(lambda: __import__('resource').prlimit(number, 0, (1, 1)))
 print(tried(lambda: __import__('socket').create_connection(('127.0.0.1', {port}), 1)))
 """
-BODIES = {  # of angle_update
+FIRST = "    omega_new = "  # in angle_update
+BODIES = {  # come before it
     "floods": """
-import os
+import contextlib, os
 while True:
     for fd in range(3, 20):
-        try:
+        with contextlib.suppress(OSError):
             os.write(fd, b'x\\n')
-        except OSError:
-            pass
 """,
     "hangs": "import signal\nsignal.pthread_sigmask(signal.SIG_BLOCK, [2])\nwhile True: pass",
     "dies": "import signal\nsignal.raise_signal(9)",
@@ -338,16 +324,14 @@ ODD = {  # added to a file of a complete solution
     "code": (
         "pds_helper.py",
         """
-import time
+import contextlib, time
 class Function:
     __call__ = lambda self, file: 5
     @property
     def __code__(self):
         while True:
-            try:
+            with contextlib.suppress(BaseException):
                 time.sleep(100)
-            except BaseException:
-                pass
 extract_and_convert = Function()
 """,
     ),
@@ -386,19 +370,16 @@ def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_pat
     listening = socket.create_server(("127.0.0.1", 0))
     outside = OUTSIDE.format(folder=str(tmp_path), port=listening.getsockname()[1])
 
-    def put(student, files, **more):
-        put_files(a_class / student / "src", {**files, **{f"{name}.py": text for name, text in more.items()}})
-
+    students = dict.fromkeys(["ann", "zoe", "=1+1", "x" * 252], ours)
     for name, text in IMPORTED.items():
-        put(f"empty {name}", empty, pds_helper=f"{text}\n{empty['pds_helper.py']}")
-    for student in ("ann", "zoe", "=1+1", "x" * 252):
-        put(student, ours)
-    for name, (file, text) in ODD.items():
-        put_files(a_class / name / "src", {**ours, file: f"{ours[file]}\n{text}\n"})
-    put("outside", ours, swinging=ours["swinging.py"] + outside)
+        students[f"empty {name}"] = {**empty, "pds_helper.py": f"{text}\n{empty['pds_helper.py']}"}
+    for name, (file, text) in {**ODD, "outside": ("swinging.py", outside)}.items():
+        students[name] = {**ours, file: f"{ours[file]}\n{text}\n"}
     for name, body in BODIES.items():
-        first = "    omega_new = "
-        put(name, ours, swinging=ours["swinging.py"].replace(first, f"{indent(body, '    ')}\n{first}", 1))
+        changed = ours["swinging.py"].replace(FIRST, f"{indent(body, '    ')}\n{FIRST}", 1)
+        students[name] = {**ours, "swinging.py": changed}
+    for student, files in students.items():
+        put_files(a_class / student / "src", files)
     os.mkfifo(a_class / "pipe.zip")
 
     device = os.stat(os.devnull).st_mode
@@ -408,14 +389,9 @@ def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_pat
     rows, results = tables_of(tmp_path / "class-grades")
     points = {student.removeprefix("'"): int(row["points"]) for student, row in rows.items()}
     full, rest = sum(COUNTS.values()), sum(COUNTS.values()) - COUNTS["C"] - COUNTS["A"]
-    assert {student: number for student, number in points.items() if number != full} == {
-        **{**dict.fromkeys([f"empty {name}" for name in IMPORTED], 0), "pipe": 0},
-        **{
-            **dict.fromkeys(BODIES, rest),
-            **dict.fromkeys(["code", "letters"], full - COUNTS["D"] - 4),
-            "vectors": full - 3,
-        },
-    }
+    expected = dict.fromkeys([*(f"empty {name}" for name in IMPORTED), "pipe"], 0) | dict.fromkeys(BODIES, rest)
+    expected |= {**dict.fromkeys(["code", "letters"], full - COUNTS["D"] - 4), "vectors": full - 3}
+    assert {student: number for student, number in points.items() if number != full} == expected
     assert rows["pipe"]["problems"] == "cannot be read: pipe.zip is neither a folder nor a plain file"
     assert "'=1+1" in rows
     for student, said in SAID.items():

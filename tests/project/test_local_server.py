@@ -9,12 +9,12 @@ from contextlib import suppress
 from functools import partial
 from http.client import HTTPConnection
 from types import SimpleNamespace
-from typing import NamedTuple
 from urllib.parse import urlsplit
 
 import programs
 import pytest
 from programs import copy_project, end, first_lines, QUIETLY, running, SECONDS
+from students import put_files
 from whole_cradles import FIVE_CSV
 
 from support.page import local_server
@@ -27,17 +27,6 @@ SECRET = "the secret"
 
 
 # --- requests --------------------------------------------------------------------------------------------------------
-
-
-class Site(NamedTuple):
-    port: int  # of the page; its websocket is at port + 1
-    key: str
-
-
-def site_at(address):
-    """Return the port and the key in the address of the page."""
-    page = urlsplit(address)
-    return Site(page.port, page.query.removeprefix("key="))
 
 
 def get(port, path, **headers):
@@ -55,9 +44,10 @@ def shake_hands(port, query, **origin):
     return connection.sock, answer.status
 
 
-def open_tab(port, key):
-    """Return the connection of a tab of the page with this address."""
-    connection, status = shake_hands(port + 1, f"?key={key}&tab=mine", Origin=f"http://localhost:{port}")
+def open_tab(page):
+    """Return the connection of a tab of the page with this address; the websocket is at the next port."""
+    own = {"Origin": f"http://localhost:{page.port}"}
+    connection, status = shake_hands(page.port + 1, f"?{page.query}&tab=mine", **own)
     assert status == 101
     return connection
 
@@ -75,24 +65,21 @@ def free_port():
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """A working folder with a secret, in a folder with a secret; both end as something that VPython serves."""
-    folder = tmp_path_factory.mktemp("outside") / "working"
-    folder.mkdir()
-    for owner in (folder, folder.parent):
-        (owner / "secret.js").write_text(SECRET)
-    return folder
+    files = {"secret.js": SECRET, "working/secret.js": SECRET}
+    return put_files(tmp_path_factory.mktemp("outside"), files) / "working"
 
 
 @pytest.fixture(scope="module")
 def site(folder):
-    """The port and the key of a program that waits for a browser. After the tests, Ctrl+C ends the program.
+    """The address of a program that waits for a browser; its query is the key.
 
-    In all this time, it prints nothing more.
+    In all this time, the program prints nothing more. After the tests, Ctrl+C ends it.
     """
     program, port = copy_project(folder.parent, FIVE_CSV) / "src" / programs.PROGRAM.name, free_port()
     with running(program, folder=folder, patience=60 * SECONDS, VPYTHON_HTTP_PORT=str(port)) as process:
         address = first_lines(process)
         assert address.startswith(f"http://localhost:{port}/?key=")
-        yield site_at(address)
+        yield urlsplit(address)
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
 
@@ -112,7 +99,7 @@ def test_a_file_outside_is_not_found(site, folder, path):
     assert SECRET.encode() not in content
 
 
-WRONG_KEYS = ["?", "?key=wrong", "?key={key}0"]
+WRONG_KEYS = ["?", "?key=wrong", "?{key}0"]
 
 
 @pytest.mark.parametrize("query", WRONG_KEYS)
@@ -120,17 +107,17 @@ def test_without_the_key_the_page_is_a_sentence(site, query):
     """A request can have all headers of a browser: another program on this machine can send it."""
     browser = {"Origin": f"http://localhost:{site.port}", "Sec_Fetch_Site": "same-origin"}
     for path in local_server.FOR_THE_PAGE:
-        _, answer, content = get(site.port, f"{path}{query.format(key=site.key)}", **browser)
+        _, answer, content = get(site.port, f"{path}{query.format(key=site.query)}", **browser)
         assert (answer.status, content.decode()) == (403, NO_KEY)
-        assert site.key not in str(answer.headers)
+        assert site.query.removeprefix("key=") not in str(answer.headers)
 
 
 def test_with_the_key_the_page_comes_and_its_data(site):
     """The page sends its address to no other site."""
-    page = get(site.port, f"/?key={site.key}")[2].decode()
+    page = get(site.port, f"/?{site.query}")[2].decode()
     assert re.search(r"var sock = '(\d+)'", page)[1] == str(site.port + 1)
     assert '<meta name="referrer" content="no-referrer">' in page
-    _, answer, _ = get(site.port, f"/cradle_data.csv?key={site.key}")
+    _, answer, _ = get(site.port, f"/cradle_data.csv?{site.query}")
     assert (answer.status, answer.headers["Content-Type"]) == (200, "text/csv; charset=utf-8")
     assert answer.headers["Content-Disposition"] == "attachment; filename=cradle_data.csv"
 
@@ -138,18 +125,18 @@ def test_with_the_key_the_page_comes_and_its_data(site):
 @pytest.mark.parametrize(
     ("origin", "query"),
     [
-        ("http://example.org", "?key={key}&tab=any"),
-        ("http://localhost:{websocket}", "?key={key}&tab=any"),
-        ("null", "?key={key}&tab=any"),
-        (None, "?key={key}&tab=any"),
-        ("http://localhost:{page}", "?key={key}"),
+        ("http://example.org", "?{key}&tab=any"),
+        ("http://localhost:{websocket}", "?{key}&tab=any"),
+        ("null", "?{key}&tab=any"),
+        (None, "?{key}&tab=any"),
+        ("http://localhost:{page}", "?{key}"),
         *(("http://localhost:{page}", f"{query}&tab=any&take=1") for query in WRONG_KEYS),
     ],
 )
 def test_only_a_tab_of_the_page_gets_the_websocket(site, origin, query):
     """Another program on this machine can forge the Origin."""
     own = {"Origin": origin.format(page=site.port, websocket=site.port + 1)} if origin else {}
-    assert shake_hands(site.port + 1, query.format(key=site.key), **own)[1] in (400, 403)
+    assert shake_hands(site.port + 1, query.format(key=site.query), **own)[1] in (400, 403)
 
 
 def test_connections_and_requests_without_sense_change_nothing(site):
@@ -158,7 +145,7 @@ def test_connections_and_requests_without_sense_change_nothing(site):
         for request in (b"", b"GET /../secret.js HTTP/1.1\r\n\r\n", b"\0\xff\r\n\r\n", b"\x16\x03\r\n\r\n"):
             with suppress(ConnectionResetError), socket.create_connection(("127.0.0.1", one), timeout=SECONDS) as idle:
                 idle.sendall(request)
-                assert get(site.port, f"/?key={site.key}")[1].status == 200
+                assert get(site.port, f"/?{site.query}")[1].status == 200
 
 
 # --- programs of their own -------------------------------------------------------------------------------------------
@@ -167,12 +154,12 @@ def test_connections_and_requests_without_sense_change_nothing(site):
 def test_a_tab_whose_browser_crashes_ends_the_program():
     """In the middle of a message. Before that, a message that would fill the memory closes the tab."""
     with running() as process:
-        port, key = site_at(first_lines(process))
-        get(port, f"/?key={key}")
-        with open_tab(port, key) as tab:
+        page = urlsplit(first_lines(process))
+        get(page.port, f"/?{page.query}")
+        with open_tab(page) as tab:
             tab.sendall(bytes([0x81, 0x80 | 127]) + (local_server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4))
             assert tab.recv(1) == b""
-        with open_tab(port, key) as tab:
+        with open_tab(page) as tab:
             tab.sendall(b"\x81\xff")
         assert end(process) == QUIETLY
 
@@ -185,8 +172,8 @@ def test_the_program_opens_a_browser_unless_it_must_not(tmp_path, options, opene
     browser.chmod(0o755)
     with running(None, *options, VPYTHON_NO_LAUNCH_BROWSER="", BROWSER=str(browser)) as process:
         address = first_lines(process)
-        port, key = site_at(address)
-        assert get(port, f"/?key={key}")[1].status == 200  # VPython opens the browser, and then serves the page
+        page = urlsplit(address)
+        assert get(page.port, f"/?{page.query}")[1].status == 200  # VPython opens the browser, and then serves the page
         assert visited.exists() == opened
         assert not opened or visited.read_text().strip() == address
         process.send_signal(signal.SIGINT)
@@ -268,16 +255,13 @@ class Protocol:
     """In place of VPython's protocol: it answers each message with the next change. changes is one list for all."""
 
     changes: list = []
+    onConnect = onOpen = lambda *_: None  # noqa: N815
 
     def __init__(self, tab, key):
         self.got, self.sent, self.closed, self.is_lost = b"", [], None, False
         params = {"key": [key], **dict.fromkeys(tab.split(), ["1"])}
         self.onConnect(SimpleNamespace(origin="of the page", params={**params, "tab": tab.split()[:1]}))
         self.onOpen()
-
-    def onConnect(self, request): ...  # noqa: N802
-
-    def onOpen(self): ...  # noqa: N802
 
     def sendClose(self, code):  # noqa: N802
         self.closed = code

@@ -13,21 +13,14 @@ from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.pendulum import from_lift
-from support.start.options import (
-    command_line,
-    page_arguments,
-    PORT_VARIABLE,
-    read_double_page_options,
-    read_page_options,
-    read_text_options,
-)
+from support.start import options
 
 CRADLE = {"csv": NC_FP, "elastic": False, "inelastic": False, "e": None, "mass": None, "angle": None, "lift": None}
 PAGE = {**CRADLE, "separating": False, "port": 0, "experiment": None, "browser": True}
 PROGRAMS = {
-    "page": (read_page_options, PAGE),
-    "double": (read_double_page_options, {**PAGE, "phi": None}),
-    "text": (read_text_options, {**CRADLE, "seconds": inf, "record": None, "every": 0.01}),
+    "page": (options.read_page_options, PAGE),
+    "double": (options.read_double_page_options, {**PAGE, "phi": None}),
+    "text": (options.read_text_options, {**CRADLE, "seconds": inf, "record": None, "every": 0.01}),
 }
 
 
@@ -49,19 +42,19 @@ PROGRAMS = {
 )
 def test_options_are_read_with_their_units_and_the_copied_command_has_them_again(program, line, changed):
     read_options, defaults = PROGRAMS[program]
-    options = vars(read_options(line.split()))
-    assert options == {**defaults, **changed}
+    read = vars(read_options(line.split()))
+    assert read == {**defaults, **changed}
     if program != "text":
-        arguments = page_arguments(options)
+        arguments = options.page_arguments(read)
         assert sorted(arguments) == sorted(line.split())
-        assert vars(read_options(arguments)) == options
+        assert vars(read_options(arguments)) == read
 
 
 def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
-    monkeypatch.setenv(PORT_VARIABLE, "8000")
-    assert read_page_options([]).port == 8000
-    assert read_page_options(["--port", "9000"]).port == 9000
-    monkeypatch.setenv(PORT_VARIABLE, "web")
+    monkeypatch.setenv(options.PORT_VARIABLE, "8000")
+    assert options.read_page_options([]).port == 8000
+    assert options.read_page_options(["--port", "9000"]).port == 9000
+    monkeypatch.setenv(options.PORT_VARIABLE, "web")
     assert "--port: found 'web'" in refusal("page", [], capsys)
 
 
@@ -123,7 +116,7 @@ def test_an_angle_is_rounded_to_a_billionth_of_a_degree(monkeypatch):
     for outwards in (-1, 1):
         monkeypatch.setattr("support.pendulum.OUTWARDS", outwards)
         for lift, argument in ((45, "45"), (100 / 3, "33.333333333"), (-179.0000000004, "-179")):
-            assert page_arguments({"angle": from_lift(lift)})[-1].removeprefix("--angle=") == argument
+            assert options.page_arguments({"angle": from_lift(lift)})[-1].removeprefix("--angle=") == argument
 
 
 def arguments_after(wall, command, value):
@@ -135,7 +128,7 @@ def arguments_after(wall, command, value):
 def opened(csv, *lifts, kind=Cradle, lifted=None, line=""):
     """Return a wall whose viewer has the options of this command line."""
     wall = Wall(csv, *(lifts or [None]), kind=kind, lifted=lifted)
-    wall.viewer.options = vars(read_page_options([str(csv), *line.split()]))
+    wall.viewer.options = vars(options.read_page_options([str(csv), *line.split()]))
     return wall
 
 
@@ -183,4 +176,4 @@ def test_a_command_starts_a_program_with_the_same_python(monkeypatch, running, o
     monkeypatch.setattr(shutil, "which", lambda _: on_the_path)
     for platform, quote in (("linux", "'"), ("win32", '"')):
         monkeypatch.setattr(sys, "platform", platform)
-        assert command_line("tests/watch.py", Path(folder)) == words.replace("/", os.sep).replace("'", quote)
+        assert options.command_line("tests/watch.py", Path(folder)) == words.replace("/", os.sep).replace("'", quote)

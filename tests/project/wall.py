@@ -19,10 +19,8 @@ class Wall:
     def __init__(self, csv, *angles, kind=Cradle, remark="", lifted: int | None = 1, experiment=None):
         self.now = 100.0
         self.file = csv
-        live_file = LiveFile(csv, self.clock)
-        self.viewer = Viewer(
-            make_live(kind), live_file, thetas(angles or [30]), lifted, remark, {"experiment": experiment}
-        )
+        release = thetas(angles or [30]), lifted
+        self.viewer = Viewer(make_live(kind), LiveFile(csv, self.clock), *release, remark, {"experiment": experiment})
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=lambda seconds: None)
         self.panel = self.viewer.panel
         self.viewer.make()
