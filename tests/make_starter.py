@@ -100,7 +100,7 @@ def fill(folder) -> None:
     project = (ROOT / "pyproject.toml").read_text(encoding="utf-8").partition("\n# A plain pytest")[0]
     texts = {
         "README.md": Path(__file__).with_name("starter.md").read_text(encoding="utf-8").format(rows=rows),
-        "pyproject.toml": project.replace(" -m 'not browser and not slow'", ""),
+        "pyproject.toml": project.replace(" -m 'not browser and not slow' -n 2 --dist worksteal", ""),
         **{f"src/{path.name}": for_students(path) for path in (ROOT / "src").glob("*.py") if path.name not in UNUSED},
     }
     for name, text in texts.items():

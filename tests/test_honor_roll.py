@@ -1,7 +1,8 @@
 """Honor roll checks: the objects of a double pendulum, and its swing."""
 
+from functools import partial
 from itertools import product
-from math import cos, pi, sin
+from math import pi
 
 from vpython import box, cylinder, sphere, textures, vector
 
@@ -9,9 +10,11 @@ from grading.comparing import cases_of, same
 from grading.cradles import LEFT_OVER, left_over, shapes
 from grading.grader import check, expect
 from grading.messages import Wanted
+from support.pendulum import arm as arm_of
 from support.pendulum import make_pendulum
 
 AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
+arm = partial(arm_of, r_param=CORD)
 
 # --- make_double_pendulum --------------------------------------------------------------------------------------------
 
@@ -20,11 +23,6 @@ def check_double_pendulum(see, what, theta, phi, wanted, hints=(), cord=CORD, te
     """Check what see(objects) returns for a double pendulum."""
     given = {"wanted": wanted, "see": see, "what": what, "hints": hints}
     expect("make_double_pendulum", AXLE, cord, theta, phi, RED, texture, **given)
-
-
-def arm(angle):
-    """Return the vector along a cord at this angle (rad) from straight down."""
-    return vector(CORD * sin(angle), -CORD * cos(angle), 0)
 
 
 @check("make_double_pendulum")

@@ -1,6 +1,7 @@
 """Comparing a student's result with the expected one: whether they are equal, and what is wrong."""
 
 import re
+from functools import cache
 from itertools import permutations
 from math import isclose
 from numbers import Real
@@ -8,8 +9,9 @@ from pathlib import Path
 
 from vpython import vector
 
-from grading.messages import about, error_lines, shown, Wanted
+from grading.messages import about, shown, Wanted
 
+MOST = 20_000  # characters of a student's code in which hints are looked for
 LONG = 130  # characters; of a longer list, a message shows only the first difference
 
 # Errors of a check that reads a value of the wrong form.
@@ -18,26 +20,26 @@ OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, Arith
 FORMS = {list: "a list", tuple: "a tuple", dict: "a dictionary", str: "text", bool: "a bool", type(None): "None"}
 
 
-def fits(found, wanted, change=None) -> bool:
-    """Return whether found is right; wanted is a value, a Wanted, or a test. change alters found first: see changed."""
+def fits(found, wanted, *change) -> bool:
+    """Return whether found is right; wanted is a value (change: see same), a Wanted, or a test of a value."""
     test = wanted.is_one if isinstance(wanted, Wanted) else wanted if callable(wanted) else None
     try:
-        found = changed(found, change) if change else found
-        return bool(test(found)) if test else same(found, wanted)
+        return bool(test(found)) if test else same(found, wanted, *change)
     except OTHER_FORM:
         return False
 
 
-def same(found, wanted) -> bool:
-    """Return whether two values are equal, numbers within rounding errors; 0 equals 0.0."""
+def same(found, wanted, change=lambda value: value) -> bool:
+    """Return whether two values are equal, numbers within rounding errors; 0 equals 0.0. change alters found."""
+    found = change(found)
     if isinstance(wanted, vector):
         return isinstance(found, vector) and same(found.value, wanted.value)
     if isinstance(wanted, dict):
         has_keys = isinstance(found, dict) and found.keys() == wanted.keys()
-        return has_keys and all(same(found[key], wanted[key]) for key in wanted)
+        return has_keys and all(same(found[key], wanted[key], change) for key in wanted)
     if isinstance(wanted, (list, tuple)):
-        kind = list if isinstance(wanted, list) else tuple
-        return isinstance(found, kind) and len(found) == len(wanted) and all(map(same, found, wanted))
+        is_row = isinstance(found, list if isinstance(wanted, list) else tuple) and len(found) == len(wanted)
+        return is_row and all(same(*pair, change) for pair in zip(found, wanted, strict=True))
     if isinstance(wanted, str):
         return isinstance(found, str) and found == wanted
     if isinstance(wanted, Real):
@@ -67,6 +69,7 @@ def is_mixed_up(found, wanted) -> bool:
     )
 
 
+@cache
 def rows_of(file, name) -> list[tuple[str, str]]:
     """Return the rows of a table (a file of this folder) below the headings with this name, as pairs of lines."""
     parts = re.split(
@@ -86,47 +89,24 @@ def hints_of(name, names) -> list[tuple]:
     return [(eval(mistaken, names), sentence) for mistaken, sentence in rows_of("hints.txt", name)]
 
 
-def hint_of(raised) -> str:
-    """Return the hint for an error, from the error and the student's lines, or ""."""
-    return known_hint(
-        "errors", "\n".join([error_lines(raised)[0], *(f"in {p.function}: {p.code}" for p in raised.places)])
-    )
-
-
 def known_hint(kind, text) -> str:
     """Return the hint of hints.txt for a text of this kind (errors, code or wrong), or ""."""
+    text = text[:MOST].replace('"', "'")
     for pattern, hint in rows_of("hints.txt", kind):
-        if found := re.search(pattern, text.replace('"', "'"), re.DOTALL | re.MULTILINE):
+        if found := re.search(pattern, text, re.DOTALL | re.MULTILINE):
             return found.expand(hint)
     return ""
 
 
-def changed(value, change):
-    """Return a copy of a value; change gives its parts."""
-    value = change(value)
-    if isinstance(value, dict):
-        return {key: changed(part, change) for key, part in value.items()}
-    return type(value)(changed(part, change) for part in value) if type(value) in (list, tuple) else value
-
-
 def number_in(value):
     """Return the number in a text, or the value."""
-    return float(value) if isinstance(value, str) and re.fullmatch(r"-?[\d.]+", value) else value
+    is_number = isinstance(value, str) and re.fullmatch(r"-?\d+(\.\d*)?", value)
+    return float(value) if is_number else value
 
 
 def single_in(value):
     """Return the only value in a tuple, or the value."""
     return value[0] if type(value) is tuple and len(value) == 1 else value
-
-
-def has_form_of(found, wanted) -> bool:
-    """Return whether only the numbers in found are wrong: watch.py can then play the scene."""
-    if isinstance(wanted, Wanted):
-        return has_form_of(found, wanted.like)
-    if isinstance(wanted, (tuple, list)):
-        is_row = isinstance(found, (tuple, list)) and len(found) == len(wanted)
-        return is_row and all(map(has_form_of, found, wanted))
-    return isinstance(found, Real) if isinstance(wanted, Real) else found is not None
 
 
 def both(what, found, wanted) -> list[tuple[str, list[str]]]:

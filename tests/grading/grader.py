@@ -18,10 +18,10 @@ from typing import Any, NamedTuple
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.comparing import both, fits, has_form_of, hint_for, hint_of, hints_of, known_hint, mistake_in, OTHER_FORM
+from grading.comparing import both, fits, hint_for, hints_of, known_hint, mistake_in, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
 from grading.messages import about, Call, damage, end_of, error_lines, message, plain, PlainFile, shown
-from grading.own_process import Code, OwnProcess
+from grading.own_process import OwnProcess
 from grading.raised import StoppedError
 
 # --- checks ----------------------------------------------------------------------------------------------------------
@@ -68,10 +68,10 @@ def checks(*, tier=None, function=None) -> list[Check]:
 class WrongError(Exception):
     """A result that the handout does not ask for. Its text is a sentence that says what is wrong."""
 
-    def __init__(self, wrong, call, lines, hint="", raised=None, playable=False):
+    def __init__(self, wrong, call, lines, hint="", raised=None):
         """lines are the (label, text) pairs below the call in the message. raised is what stopped the call, if so."""
         super().__init__(wrong)
-        self.call, self.lines, self.hint, self.raised, self.playable = call, lines, hint, raised, playable
+        self.call, self.lines, self.hint, self.raised = call, lines, hint, raised
 
 
 class WaitError(Exception):
@@ -106,12 +106,10 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
         return None
     expected, returns = ("expected", about(what, wanted)), FUNCTIONS[function].returns
     result = run(call, arguments, expected, hints)
-    if any(isinstance(before, PlainFile) and plain(before.path) != before for before in call.arguments):
-        lines = [("came back", "The file has changed."), ("expected", "The file stays as it is. Only read it.")]
-        raise WrongError(f"{function} has changed the file at relative_filepath.", call, lines)
-    if student.has_written and function != "main":  # the handout lets main write it
-        lines = [("came back", "Your code writes into newton_cradle_pends.csv.")]
-        raise WrongError(f"{function} writes a file.", call, [*lines, ("expected", "Your function writes no file.")])
+    has_changed = any(isinstance(one, PlainFile) and plain(one.path) != one for one in call.arguments)
+    if has_changed or student.has_written and function != "main":  # the handout lets main write into NC_FP
+        lines = [("came back", "A file has changed."), ("expected", "All files stay as they are. Only read them.")]
+        raise WrongError(f"{function} writes into a file.", call, lines)
     for words in damage(call.arguments, FUNCTIONS[function].parameters, arguments):
         lines = [("came back", words), ("expected", "The same dictionary, with its keys and its objects.")]
         hint = "Change the pendulum itself. A function such as swing_update returns nothing: do not store its result."
@@ -130,7 +128,7 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
     if not fits(found, wanted):
         lines, hint = both(what, found, wanted), hint_for(found, wanted, hints)
         sentence = mistake_in(what or returns, found, wanted)
-        raise WrongError(sentence, call, lines, hint, playable=has_form_of(found, wanted))
+        raise WrongError(sentence, call, lines, hint)
     NOTES.extend(sentence for test, sentence in notes if fits(found, test))
     return result
 
@@ -166,17 +164,13 @@ def run(call, arguments, expected, hints) -> Any:
     raise WrongError(sentence, call, [end_of(raised), expected], hint, raised)
 
 
-def code_of(function) -> Code:
-    """Return what is known of a student's function."""
-    return student.codes.get(function, Code())
-
-
 def hint_at(raised) -> str:
     """Return the hint for what stopped a student's code."""
     if raised.ends:
         ends = "This line ends the whole program. Remove it; return ends a function."
         return "Does a loop in it ever end?" if raised.limit else ends
-    return "" if raised.limit else raised.hint or hint_of(raised)
+    lines = [error_lines(raised)[0], *(f"in {place.function}: {place.code}" for place in raised.places)]
+    return "" if raised.limit else raised.hint or known_hint("errors", "\n".join(lines))
 
 
 def place_of(raised, function="") -> str:
@@ -220,6 +214,7 @@ class Outcome(NamedTuple):
         return self.state == WAITING and bool(self.place)
 
 
+NUMBERS = r" (is|are) (-?[\d.]\S*|vector\(.*\)), not | wrong\.$"  # in a sentence: watch.py can play what is wrong
 MATTERS = "This call is right when it is made alone. What does your code keep from the calls before it?"
 
 
@@ -235,8 +230,11 @@ class Grading:
 
     def judge(self, check) -> Outcome:
         """Return the outcome of a check. It waits if its function uses a function that is wrong."""
-        if check.name not in self.outcomes:
-            self.outcomes[check.name] = self.outcome_of(check)
+        for each in checks(function=check.function):  # in their order: the first one that fails has the hint
+            if each.name not in self.outcomes:
+                self.outcomes[each.name] = self.outcome_of(each)
+            if each.name == check.name:
+                break
         return self.outcomes[check.name]
 
     def outcome_of(self, check) -> Outcome:
@@ -252,7 +250,7 @@ class Grading:
         outcome = self.make(check)
         if outcome.state == FAILED and not outcome.cause and not self.hung:
             earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
-            names = code_of(check.function).names
+            names = student.codes[check.function].names
             wrong = [name for name in names if name in earlier and self.is_wrong(name)]
             if wrong:  # the function uses others than those that the handout asks for
                 return waiting(", ".join(wrong))
@@ -287,7 +285,7 @@ class Grading:
     def failed(self, check, error) -> Outcome:
         """Return the outcome of a check that raised this WrongError."""
         raised, file = error.raised, FUNCTIONS[check.function].file
-        code, own = code_of(check.function), FUNCTIONS[check.function].parameters
+        code, own = student.codes[check.function], FUNCTIONS[check.function].parameters
         place = place_of(raised, check.function) if raised else ""
         place = place or (f"{file}, line {code.line}" if code.line else file)
         wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
@@ -302,7 +300,7 @@ class Grading:
         hints = [self.outcomes[each.name].hint for each in before if self.outcomes[each.name].state == FAILED]
         if hints and error.hint != hints[0]:
             error.hint = ""  # the same mistake: no hint fits both
-        call = error.call if check.watched and error.playable else None
+        call = error.call if check.watched and re.search(NUMBERS, f"{error}") else None
         index = re.search(r"pend_list\[(\d+)\]", f"{error}")
         called = error.call.lines(int(index[1]) if index else 0)
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"

@@ -5,9 +5,11 @@ import inspect
 import linecache
 import os
 import sys
+from collections import defaultdict
 from collections.abc import Callable
 from contextlib import contextmanager, nullcontext
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
@@ -42,7 +44,7 @@ class OwnProcess:
     has_written = False  # whether the last call has changed the grader's CSV, which was then put back
 
     def __init__(self):
-        self.codes: dict[str, Code] = {}  # of each function that was called
+        self.codes: dict[str, Code] = defaultdict(Code)  # of each function that was called
         self.folder = TemporaryDirectory(ignore_cleanup_errors=True)  # a solution may leave a file open
         self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
         self.shipped.write_text(SHIPPED_CSV)
@@ -87,11 +89,8 @@ class OwnProcess:
         self.has_written = False
         try:
             solution = self.find(function)
-            code = getattr(solution, "__code__", None)
-            if code:
-                parameters = ", ".join(code.co_varnames[: code.co_argcount])
-                source = "".join(inspect.getblock(linecache.getlines(code.co_filename)[code.co_firstlineno - 1 :]))
-                self.codes[function] = Code(code.co_firstlineno, [*code.co_names], parameters, source)
+            if hasattr(solution, "__code__"):
+                self.codes[function] = known_of(solution.__code__)
             with limits.limited_memory():
                 for _ in range(times):
                     result = solution(*arguments)
@@ -106,6 +105,14 @@ class OwnProcess:
             if not (self.shipped.is_file() and self.shipped.read_text(errors="replace") == SHIPPED_CSV):
                 self.shipped.write_text(SHIPPED_CSV)
                 self.has_written = True
+
+
+@cache
+def known_of(code) -> Code:
+    """Return what is known of a function with this code."""
+    parameters = ", ".join(code.co_varnames[: code.co_argcount])
+    source = "".join(inspect.getblock(linecache.getlines(code.co_filename)[code.co_firstlineno - 1 :]))
+    return Code(code.co_firstlineno, [*code.co_names], parameters, source)
 
 
 def students_modules() -> list[str]:

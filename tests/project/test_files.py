@@ -61,7 +61,10 @@ NO_CRADLE = {
     ),
     "two columns mass": ("mass,mass\n", f", line 1, column mass: found 'mass', 'mass'; {NEEDS}"),
     "a long line": ("x" * 1000 + "\n", f", line 1, column mass: found '{'x' * 299}...; {NEEDS}"),
-    "row too short": (HEADER + "1,1,0,0,red\n", f", line 2, column texture: found nothing, {ALLOWED['texture']}"),
+    "row too short": (
+        HEADER + "1,1,0,0,red\n",
+        f", line 2, column texture: found nothing, {ALLOWED['texture']}; this line has 5 cells, not 6",
+    ),
     "too many pendula": (  # the row after them, with a cell that is too long for a CSV, is not even read
         HEADER + "\n" + GOOD * 1001 + '"' + "x" * 200_000,
         ", line 1003: found pendulum 1001, allowed are at most 1000, which already move in slow motion on the page",

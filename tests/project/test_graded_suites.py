@@ -384,7 +384,7 @@ def test_a_solution_that_writes_the_shipped_file_fails_and_the_file_is_put_back(
     writes = "from src.pds_helper import write_to_csv; write_to_csv(pend_list)\n        return"
     solve("uniform_mass_newton_cradle", ("return", writes))
     message = first_message("uniform_mass_newton_cradle")
-    assert "came back   Your code writes into newton_cradle_pends.csv." in message
+    assert "wrong       uniform_mass_newton_cradle writes into a file." in message
     assert Path(NC_FP).read_bytes() == before
 
 

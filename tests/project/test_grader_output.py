@@ -97,15 +97,6 @@ BROKEN = {  # a file and what is put into it, and the lines that pytest prints a
         "    x = (1",
         ["src/special_cradles.py, line {}:", "    x = (1", "SyntaxError: '(' was never closed"],
     ),
-    "an end": (
-        "swinging",
-        "def angle_update",
-        "import os; os._exit(0)\ndef angle_update",
-        [
-            *("src/swinging.py, line {}:", "    import os; os._exit(0)", "SystemExit: os._exit(0)"),
-            "This line ends the whole program. Remove it; return ends a function.",
-        ],
-    ),
     "a call of main": (
         "visualize_cradle_run",
         'if __name__ == "__main__":\n    from',

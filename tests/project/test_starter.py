@@ -255,7 +255,7 @@ def test_a_grade_that_cannot_be_written_is_refused_at_the_start(monkeypatch, fil
     monkeypatch.chdir(ROOT)
     option, manager = SimpleNamespace(grade_json=file), SimpleNamespace(register=lambda plugin: None)
     with pytest.raises(pytest.UsageError, match=f"^--grade-json: found '{file}', allowed is a file in a folder that"):
-        pytest_grader.pytest_configure(SimpleNamespace(option=option, pluginmanager=manager))
+        pytest_grader.pytest_configure(SimpleNamespace(option=option, pluginmanager=manager, args=[]))
 
 
 # --- something to see after every grade ------------------------------------------------------------------------------

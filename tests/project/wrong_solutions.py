@@ -127,11 +127,11 @@ HINTED = {
         "In the handout, a CSV may be about assistants, too.": (
             "append(pend)",
             "append({key: pend[key] for key in ('mass', 'e', 'theta', 'omega', 'color', 'texture')})",
-        ),
+        ),  # fmt: skip
         "You returned the old rows. Read the file in each call.": (
             "pd.read_csv(relative_filepath)",
             "globals().setdefault(relative_filepath, pd.read_csv(relative_filepath))",
-        ),
+        ),  # fmt: skip
         "Your list has only the last pendulum. Do you make": ("pend_list.append", "pend_list = []; pend_list.append"),
         "Your list has the last pendulum three times.": ("append(pend)", "append(bad_rep[len(bad_rep) - 1])"),
         "The first pendulum is missing.": ("return pend_list", "return pend_list[1:]"),
@@ -190,7 +190,7 @@ HINTED = {
         "These are the rows of an earlier call. Read the file in each call.": (
             "= extract_and_convert(relative_filepath)",
             "= globals().setdefault('_list', extract_and_convert(relative_filepath))",
-        ),
+        ),  # fmt: skip
         "You used the constant TH": ("= theta_init", "= __import__('support.constants').constants.THETA_INIT"),
         "theta_init is in radians already. Do not": ("= theta_init", "= __import__('math').radians(theta_init)"),
         "All pendula have the same objects. Make them": (
@@ -214,7 +214,7 @@ HINTED = {
         "You stored lists. You need": (
             "return pend_list",
             "for p in pend_list: p['objects'] = [*p['objects']]\n        return pend_list",
-        ),
+        ),  # fmt: skip
         "All axles are in one place. Does i count the pendula? Do you round r_param/4?": ("* i", ""),
         "All your bobs have the color and texture of the first row.": ("[pend['", "[pend_list[0]['"),
         "You forgot the -0.1.": ("-0.1 + ", ""),
@@ -233,7 +233,7 @@ HINTED = {
         "Axles, bobs or cords stay": (
             "= make_pendulum",
             "= make_pendulum(axle_pos, r_param, 0, color, texture) and make_pendulum",
-        ),
+        ),  # fmt: skip
     },
     "angle_update": {
         "You used the old omega; theta moves with the new one.": ("theta + omega_new", "theta + omega"),
@@ -282,7 +282,7 @@ HINTED = {
         "Your bobs collided.": (
             "g)",
             "g)\n        from src.visualize_cradle_run import handle_two_bobs as hit; hit(*pend_list[:2], r_param) if pend_list[1:] else 0",
-        ),
+        ),  # fmt: skip
         "Axles, bobs or cords stay in the scene without use. Make each pendulum once.": (
             "swing_update(",
             "import support.pendulum as p; p.make_pendulum(vector(0, 0, 0), r_param, 0, vector(1, 1, 1), None); swing_update(",
@@ -327,11 +327,11 @@ HINTED = {
         "return stores nothing in a dictionary.": (
             "pend1['omega'] = new_omega1\n            pend2['omega'] = new_omega2",
             "return new_omega1, new_omega2",
-        ),
+        ),  # fmt: skip
         "The objects are axle, bob and cord:": (
             "pend1['objects'][1], pend2['objects'][1]",
             "pend1['objects'][2], pend2['objects'][2]",
-        ),
+        ),  # fmt: skip
         "Both bobs are from pend1.": ("pend2['objects']", "pend1['objects']"),
         "These are several values at once.": ("pend1['omega'] = new_omega1", "pend1['omega'] = new_omega1, new_omega2"),
         "Objects of VPython have a dot, and no": ("bob1.radius", "bob1['radius']"),
@@ -340,7 +340,7 @@ HINTED = {
         "You called handle_collision again after pend1": (
             "pend2['omega'] = new_omega2",
             "pend2['omega'] = handle_collision(e, pend1['omega'], omega2, m1, m2, r_param)[1]",
-        ),
+        ),  # fmt: skip
         "This is the result with e = 1, but e of pend1 is 0.25.": ("e = pend1['e']", "e = 1"),
         "This is the result with e = 0, but e of pend1 is 0": ("e = pend1['e']", "e = 0"),
         "This is the result with e = 1, but e of pend1 is 0.": ("e = pend1['e']", "e = pend1['e'] or pend2['e']"),
@@ -414,7 +414,7 @@ HINTED = {
         "Your cradle ticks before the page wants a tick.": (
             "page.show(pend_list)",
             "page.show(pend_list); newton_cradle_tick(pend_list, R_PARAM, DT, G)",
-        ),
+        ),  # fmt: skip
         "Tick as long as page.wants_tick() is True: while, not": ("while page.wants_tick()", "if page.wants_tick()"),
         "Check the order of the arguments of newton_cradle_tick: pend_list, R_PARAM, DT, G.": ("DT, G)", "G, DT)"),
         "You made the cradle once. Make a new one each time": """\
@@ -441,7 +441,7 @@ HINTED = {
         "The call of make_newton_cradle stands alone:": (
             "page.show(",
             "make_newton_cradle(page.csv, R_PARAM, THETA_INIT); page.show(",
-        ),
+        ),  # fmt: skip
     },
     "make_double_pendulum": {
         "You returned a single pendulum.": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
@@ -537,7 +537,7 @@ RAISING = {
         "Give swing_update pendula, not their numbers:": (
             "for pend in pend_list:\n            swing_update(pend",
             "for i in range(len(pend_list)):\n            swing_update(i",
-        ),
+        ),  # fmt: skip
     },
     "handle_collision": {
         "A * is missing between two names.": ("m1*v1 + m2*v2 - ", "m1v1 + m2v2 - "),
@@ -658,7 +658,7 @@ UNHINTED = {
         "an array of whole numbers": (
             "return (u, v - u, a, b - a)",
             "state = __import__('numpy').array([omega_theta, omega_phi, theta, phi]); state[:] = (u, v - u, a, b - a); return tuple(state)",
-        ),
+        ),  # fmt: skip
         "phi of half a round at most": ("b - a)", "max(-3.14, min(3.14, b - a)))"),
         "theta alone updated": ("b = b + v * dt", "b = a + phi"),
         "the upper bob's turning forgotten": ("(a, b, u, v, g", "(a, b, 0, v, g"),

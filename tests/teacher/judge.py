@@ -4,6 +4,7 @@ import json
 import os
 import signal
 import time
+from collections import defaultdict
 from contextlib import contextmanager, redirect_stdout
 from io import StringIO
 from pathlib import Path
@@ -61,7 +62,7 @@ class Solver:
 
     def __init__(self, files, process):
         self.files = {name: content.decode("latin-1") for name, content in files.items()}
-        self.process, self.codes, self.has_written = process, {}, False
+        self.process, self.codes, self.has_written = process, defaultdict(Code), False
 
     @contextmanager
     def check(self, is_again=False):
@@ -103,8 +104,7 @@ class Solver:
                 self.send(self.page_says(**answer))
                 answer = self.hear()
             self.has_written = bool(answer["has_written"])
-            codes = answer["codes"].items()
-            self.codes = {name: Code(int(line), list(names), str(a), str(b)) for name, (line, names, a, b) in codes}
+            self.codes.update({name: Code(int(line), *rest) for name, (line, *rest) in answer["codes"].items()})
             print(str(answer["printed"])[:MOST_PRINTED], end="")
             if answer["raised"] is not None:
                 raise StoppedError(raised_in(answer["raised"]))

@@ -17,7 +17,6 @@ from contextlib import closing, suppress
 from pathlib import Path
 
 from grading.project_path import ROOT
-from support import GIVEN
 
 SPACE = 50_000_000  # bytes of a solver's folder
 SYSTEM = (
@@ -154,7 +153,7 @@ def bubblewrap(room, hidden) -> list[str]:
 
 def make_room(starter, folder) -> Path:
     """Make the folder that solvers share: the starter's support/, and what a solver needs of the grader."""
-    shutil.copytree(starter / "support", folder / "support", ignore=shutil.ignore_patterns("__pycache__", GIVEN))
+    shutil.copytree(starter / "support", folder / "support", ignore=shutil.ignore_patterns("__pycache__", "given.txt"))
     for name in SOLVERS:
         file = folder / "tests" / f"{name}.py"
         file.parent.mkdir(parents=True, exist_ok=True)
