@@ -97,6 +97,8 @@ PLAIN = {
         """,
 }
 
+# A row is a line:
+# fmt: off
 # The first words of each hint, by function, and a mistake that gets it.
 HINTED = {
     "extract_and_convert": {
@@ -124,14 +126,8 @@ HINTED = {
         "You put the right list into another list.": ("return pend_list", "return [pend_list]"),
         "Your list has only the first pendulum. Is your return": ("return pend_list", "return pend_list[:1]"),
         "Your return is inside the loop: it ends": ("    return pend_list", "        return pend_list"),
-        "In the handout, a CSV may be about assistants, too.": (
-            "append(pend)",
-            "append({key: pend[key] for key in ('mass', 'e', 'theta', 'omega', 'color', 'texture')})",
-        ),  # fmt: skip
-        "You returned the old rows. Read the file in each call.": (
-            "pd.read_csv(relative_filepath)",
-            "globals().setdefault(relative_filepath, pd.read_csv(relative_filepath))",
-        ),  # fmt: skip
+        "In the handout, a CSV may be about assistants, too.": ("append(pend)", "append({key: pend[key] for key in ('mass', 'e', 'theta', 'omega', 'color', 'texture')})"),
+        "You returned the old rows. Read the file in each call.": ("pd.read_csv(relative_filepath)", "globals().setdefault(relative_filepath, pd.read_csv(relative_filepath))"),
         "Your list has only the last pendulum. Do you make": ("pend_list.append", "pend_list = []; pend_list.append"),
         "Your list has the last pendulum three times.": ("append(pend)", "append(bad_rep[len(bad_rep) - 1])"),
         "The first pendulum is missing.": ("return pend_list", "return pend_list[1:]"),
@@ -187,10 +183,7 @@ HINTED = {
     "make_newton_cradle": {
         "You returned one pendulum. You need the whole pend_list.": ("return pend_list", "return pend"),
         "Only the first theta is new. The others are from the file.": ("pend['theta'] = 0", "pass"),
-        "These are the rows of an earlier call. Read the file in each call.": (
-            "= extract_and_convert(relative_filepath)",
-            "= globals().setdefault('_list', extract_and_convert(relative_filepath))",
-        ),  # fmt: skip
+        "These are the rows of an earlier call. Read the file in each call.": ("= extract_and_convert(relative_filepath)", "= globals().setdefault('_list', extract_and_convert(relative_filepath))"),
         "You used the constant TH": ("= theta_init", "= __import__('support.constants').constants.THETA_INIT"),
         "theta_init is in radians already. Do not": ("= theta_init", "= __import__('math').radians(theta_init)"),
         "All pendula have the same objects. Make them": (
@@ -211,10 +204,7 @@ HINTED = {
         "You lifted the second pendulum. A list counts from 0.": ("i == 0", "i == 1"),
         "You lifted all pendula except the first one. Lift only the first one.": ("i == 0", "i != 0"),
         "These are the angular velocities from the file.": ("pend['omega'] = 0", "pass"),
-        "You stored lists. You need": (
-            "return pend_list",
-            "for p in pend_list: p['objects'] = [*p['objects']]\n        return pend_list",
-        ),  # fmt: skip
+        "You stored lists. You need": ("return pend_list", "for p in pend_list: p['objects'] = [*p['objects']]\n        return pend_list"),
         "All axles are in one place. Does i count the pendula? Do you round r_param/4?": ("* i", ""),
         "All your bobs have the color and texture of the first row.": ("[pend['", "[pend_list[0]['"),
         "You forgot the -0.1.": ("-0.1 + ", ""),
@@ -230,10 +220,7 @@ HINTED = {
         "You used the name of a texture. TEXTURE_MAP has the": ("TEXTURE_MAP[pend['texture']]", "pend['texture']"),
         "Your bobs have no textures.": ("TEXTURE_MAP[pend['texture']]", "None"),
         "All your bobs have the color and texture of the last row.": ("[pend['", "[pend_list[-1]['"),
-        "Axles, bobs or cords stay": (
-            "= make_pendulum",
-            "= make_pendulum(axle_pos, r_param, 0, color, texture) and make_pendulum",
-        ),  # fmt: skip
+        "Axles, bobs or cords stay": ("= make_pendulum", "= make_pendulum(axle_pos, r_param, 0, color, texture) and make_pendulum"),
     },
     "angle_update": {
         "You used the old omega; theta moves with the new one.": ("theta + omega_new", "theta + omega"),
@@ -279,10 +266,7 @@ HINTED = {
         "The last pendulum has not swung.": ("in pend_list", "in pend_list[:-1]"),
         "Check the order of the arguments of swing_update: pend_dict, r_param, dt, g.": ("dt, g", "g, dt"),
         "angle_update takes no pendulum. swing_update takes one.": ("swing_update", "angle_update"),
-        "Your bobs collided.": (
-            "g)",
-            "g)\n        from src.visualize_cradle_run import handle_two_bobs as hit; hit(*pend_list[:2], r_param) if pend_list[1:] else 0",
-        ),  # fmt: skip
+        "Your bobs collided.": ("g)", "g)\n        from src.visualize_cradle_run import handle_two_bobs as hit; hit(*pend_list[:2], r_param) if pend_list[1:] else 0"),
         "Axles, bobs or cords stay in the scene without use. Make each pendulum once.": (
             "swing_update(",
             "import support.pendulum as p; p.make_pendulum(vector(0, 0, 0), r_param, 0, vector(1, 1, 1), None); swing_update(",
@@ -324,23 +308,14 @@ HINTED = {
         "This is the result with e = 1, but e of pend1 is 0.5.": ("e = pend1['e']", "e = pend2['e']"),
         "This is the result with e = 0.75, but e of pend1 is": ("e = pend1['e']", "e = (pend1['e'] + pend2['e']) / 2"),
         "This is the result with the product of both e.": ("e = pend1['e']", "e = pend1['e'] * pend2['e']"),
-        "return stores nothing in a dictionary.": (
-            "pend1['omega'] = new_omega1\n            pend2['omega'] = new_omega2",
-            "return new_omega1, new_omega2",
-        ),  # fmt: skip
-        "The objects are axle, bob and cord:": (
-            "pend1['objects'][1], pend2['objects'][1]",
-            "pend1['objects'][2], pend2['objects'][2]",
-        ),  # fmt: skip
+        "return stores nothing in a dictionary.": ("pend1['omega'] = new_omega1\n            pend2['omega'] = new_omega2", "return new_omega1, new_omega2"),
+        "The objects are axle, bob and cord:": ("pend1['objects'][1], pend2['objects'][1]", "pend1['objects'][2], pend2['objects'][2]"),
         "Both bobs are from pend1.": ("pend2['objects']", "pend1['objects']"),
         "These are several values at once.": ("pend1['omega'] = new_omega1", "pend1['omega'] = new_omega1, new_omega2"),
         "Objects of VPython have a dot, and no": ("bob1.radius", "bob1['radius']"),
         "This is an axle or a cord.": ("bob1.radius", "pend1['objects'][0].radius"),
         "Both new omegas went to pend1. The second": ("pend2['omega'] = new_omega2", "pend1['omega'] = new_omega2"),
-        "You called handle_collision again after pend1": (
-            "pend2['omega'] = new_omega2",
-            "pend2['omega'] = handle_collision(e, pend1['omega'], omega2, m1, m2, r_param)[1]",
-        ),  # fmt: skip
+        "You called handle_collision again after pend1": ("pend2['omega'] = new_omega2", "pend2['omega'] = handle_collision(e, pend1['omega'], omega2, m1, m2, r_param)[1]"),
         "This is the result with e = 1, but e of pend1 is 0.25.": ("e = pend1['e']", "e = 1"),
         "This is the result with e = 0, but e of pend1 is 0": ("e = pend1['e']", "e = 0"),
         "This is the result with e = 1, but e of pend1 is 0.": ("e = pend1['e']", "e = pend1['e'] or pend2['e']"),
@@ -411,10 +386,7 @@ HINTED = {
         "You made the cradle again, but the page did not want one.": ("if page.wants_cradle():", "if True:"),
         "The cradle that you showed does not tick.": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "pass"),
         "Your cradle ticks twice when the page": ("DT, G)", "DT, G); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
-        "Your cradle ticks before the page wants a tick.": (
-            "page.show(pend_list)",
-            "page.show(pend_list); newton_cradle_tick(pend_list, R_PARAM, DT, G)",
-        ),  # fmt: skip
+        "Your cradle ticks before the page wants a tick.": ("page.show(pend_list)", "page.show(pend_list); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
         "Tick as long as page.wants_tick() is True: while, not": ("while page.wants_tick()", "if page.wants_tick()"),
         "Check the order of the arguments of newton_cradle_tick: pend_list, R_PARAM, DT, G.": ("DT, G)", "G, DT)"),
         "You made the cradle once. Make a new one each time": """\
@@ -438,10 +410,7 @@ HINTED = {
                     while page.wants_tick():
                         newton_cradle_tick(pend_list, R_PARAM, DT, G)
             """,
-        "The call of make_newton_cradle stands alone:": (
-            "page.show(",
-            "make_newton_cradle(page.csv, R_PARAM, THETA_INIT); page.show(",
-        ),  # fmt: skip
+        "The call of make_newton_cradle stands alone:": ("page.show(", "make_newton_cradle(page.csv, R_PARAM, THETA_INIT); page.show("),
     },
     "make_double_pendulum": {
         "You returned a single pendulum.": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
@@ -534,10 +503,7 @@ RAISING = {
         "An index, or the end of a range, is": ("theta_new =", "range(theta); theta_new ="),
     },
     "full_swing_update": {
-        "Give swing_update pendula, not their numbers:": (
-            "for pend in pend_list:\n            swing_update(pend",
-            "for i in range(len(pend_list)):\n            swing_update(i",
-        ),  # fmt: skip
+        "Give swing_update pendula, not their numbers:": ("for pend in pend_list:\n            swing_update(pend", "for i in range(len(pend_list)):\n            swing_update(i"),
     },
     "handle_collision": {
         "A * is missing between two names.": ("m1*v1 + m2*v2 - ", "m1v1 + m2v2 - "),
@@ -655,10 +621,7 @@ UNHINTED = {
         "a lower bob that cannot be seen": ("return (", "bob2.visible = False\n        return ("),
     },
     "double_angle_update": {
-        "an array of whole numbers": (
-            "return (u, v - u, a, b - a)",
-            "state = __import__('numpy').array([omega_theta, omega_phi, theta, phi]); state[:] = (u, v - u, a, b - a); return tuple(state)",
-        ),  # fmt: skip
+        "an array of whole numbers": ("return (u, v - u, a, b - a)", "state = __import__('numpy').array([omega_theta, omega_phi, theta, phi]); state[:] = (u, v - u, a, b - a); return tuple(state)"),
         "phi of half a round at most": ("b - a)", "max(-3.14, min(3.14, b - a)))"),
         "theta alone updated": ("b = b + v * dt", "b = a + phi"),
         "the upper bob's turning forgotten": ("(a, b, u, v, g", "(a, b, 0, v, g"),
