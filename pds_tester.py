@@ -14,7 +14,7 @@ import pandas as pd
 
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
-from support.files.cradle_csv import cleaned
+from support.files.cradle_csv import check_cradle, cleaned
 from support.start.mistake import tell_endless
 from support.start.output import refuse, while_it_is_read
 
@@ -23,6 +23,7 @@ from support.start.output import refuse, while_it_is_read
 def main() -> None:
     """Print df, bad_rep and pend_list; exit with status 2 if the CSV cannot be read."""
     try:
+        check_cradle(NC_FP)
         df = pd.read_csv(cleaned(NC_FP))
     except ValueError as error:
         refuse(error)
@@ -43,8 +44,8 @@ def main() -> None:
         tell_endless(stopped)
         return
     print("\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum.")
-    if pend_list is None:
-        print("It is None: does extract_and_convert have a return? print gives nothing back.")
+    if not (isinstance(pend_list, list) and all(isinstance(pendulum, dict) for pendulum in pend_list)):
+        print("But this is no list of dictionaries. Type pytest: it says what is wrong.")
     for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
         print(f"  {pendulum}")
 

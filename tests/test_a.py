@@ -233,7 +233,10 @@ def test_the_cradle_ticks():
 
     hints = [
         ([], "You never called page.wants_tick, or you showed no cradle."),
-        ([start] * 5, "The cradle that you showed does not tick."),
+        (
+            [start] * 5,
+            "The cradle that you showed does not tick. Is newton_cradle_tick called, with ( ) and its values?",
+        ),
         ([start, first], "Tick as long as page.wants_tick() is True: while, not if."),
         ([start, first, second, start, first], "You made the cradle again, but the page did not want one."),
         (lambda found: same(found[0], first), "Your cradle ticks before the page wants a tick."),

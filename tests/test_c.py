@@ -69,7 +69,10 @@ def test_every_pendulum_swings_once():
                 [after[0], before[1], *after[2:]],
                 "The second pendulum is at rest, but not straight down. It swings, too.",
             ),
-            ([after[0], *before[1:]], "Only the first pendulum has swung. Is there a return inside your loop?"),
+            (
+                [after[0], *before[1:]],
+                "Only the first pendulum has swung. Is there a for loop, without a return in it?",
+            ),
             ([*before[:-1], after[-1]], "Only the last pendulum has swung."),
             ([*after[:-1], before[-1]], "The last pendulum has not swung."),
             ([before[0], *after[1:]], "The first pendulum has not swung."),

@@ -131,7 +131,7 @@ def check_uniform(function, *arguments, also=(), **changed):
     right = uniform(MIXED, **changed)
     hints = [
         *also,
-        (MIXED, f'{key} has not changed: these are the values from the file. Store the new one, with ["{key}"] = .'),
+        (MIXED, f"{key} has not changed: these are from the file. Store the new one in them, under '{key}'."),
         ([right[0], *MIXED[1:]], f"You changed {key} only in the first pendulum."),
         ([*MIXED[:-1], right[-1]], f"You changed {key} only in the last pendulum."),
         (right[0], "You returned only the first pendulum. You need the whole pend_list."),

@@ -1,6 +1,5 @@
 """What stopped a student's code, as plain data: the code may run in another process than the grader."""
 
-import builtins
 import re
 import traceback
 from dataclasses import dataclass
@@ -66,7 +65,7 @@ def nearest_name(error) -> str:
     name, names = getattr(error, "name", None) or "", []
     if isinstance(error, NameError) and error.__traceback__:
         frame = [frame for frame, _ in traceback.walk_tb(error.__traceback__)][-1]
-        names = [*frame.f_locals, *frame.f_globals, *dir(builtins)]
+        names = [*frame.f_locals, *frame.f_globals]
     elif isinstance(error, AttributeError):
         names = dir(error.obj)
     lower = {each.lower(): each for each in reversed(names)}
