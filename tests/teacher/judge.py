@@ -103,8 +103,8 @@ class Solver:
             while "ask" in answer:
                 self.send(self.page_says(**answer))
                 answer = self.hear()
-            self.has_written = bool(answer["has_written"])
-            self.codes.update({name: Code(int(line), *rest) for name, (line, *rest) in answer["codes"].items()})
+            codes, self.has_written = answer["codes"], bool(answer["has_written"])
+            self.codes |= {f: Code(int(n), [*names], *map(str, rest)) for f, (n, names, *rest) in codes.items()}
             print(str(answer["printed"])[:MOST_PRINTED], end="")
             if answer["raised"] is not None:
                 raise StoppedError(raised_in(answer["raised"]))
