@@ -157,15 +157,9 @@ def test_both_radii_count():
 @check("handle_two_bobs", watched=True)
 def test_e_is_the_first_pendulums():
     """From only the first dictionary, get the coefficient of restitution."""
-    hints = [
-        ((0.0, 4.0), "This is the result with e = 1, but e of pend1 is 0.5."),
-        ((2.0, 2.0), "This is the result with e = 0, but e of pend1 is 0.5."),
-        ((0.5, 3.5), "This is the result with e = 0.75, but e of pend1 is 0.5."),
-    ]
-    check_pair((1.0, 3.0), values1={"e": 0.5}, values2={"e": 1.0}, hints=hints)
+    check_pair((1.0, 3.0), values1={"e": 0.5}, values2={"e": 1.0})
     check_pair((0.0, 4.0), values1={"e": 1.0}, values2={"e": 0.5})
-    hints = [((0.0, 4.0), "This is the result with e = 1, but e of pend1 is 0.")]
-    check_pair((2.0, 2.0), values1={"e": 0}, values2={"e": 1.0}, hints=hints)
+    check_pair((2.0, 2.0), values1={"e": 0}, values2={"e": 1.0})
     # pend1 counts, even if pend2 is heavier, faster, or has its bob on the left.
     check_pair((2.5, 4.5), values1={"e": 0.5, "mass": 3.0}, values2={"e": 1.0})
     check_pair((-0.5, 1.5), values1={"e": 0.5}, values2={"e": 1.0, "mass": 3.0})
@@ -177,8 +171,8 @@ def test_e_is_the_first_pendulums():
 def test_bobs_that_touch_collide_whatever_their_velocities_are():
     """If true, use the helper function handle_collision to get the new angular velocity values for both pendula."""
     check_pair(HITS)
-    hints = [((-1.0, 2.0), "These bobs move apart, but they touch. In the handout, they collide too.")]
-    check_pair((1.25, -0.25), values1={"omega": -1.0}, values2={"omega": 2.0}, hints=hints)
+    apart = [((-1.0, 2.0), "These bobs move apart, but they touch. In the handout, they collide too.")]
+    check_pair((1.25, -0.25), values1={"omega": -1.0}, values2={"omega": 2.0}, hints=apart)
     check_pair((-2.25, -0.75), values1={"omega": 0.0}, values2={"omega": -3.0})
     check_pair((-2.5, -1.5), values1={"omega": -1.0}, values2={"omega": -3.0})
     check_pair((1.75, 3.25), values2={"omega": 1.0})

@@ -4,7 +4,7 @@ from math import cos, pi, sin
 
 from vpython import vector
 
-from grading.comparing import cases_of, same
+from grading.comparing import cases_of
 from grading.cradles import each, hang, LEFT_OVER, left_over, R, shapes, touching
 from grading.grader import check, expect
 from grading.messages import Wanted
@@ -39,30 +39,12 @@ def swinging_row(count):
     return pend_list, [after for _, after in rows]
 
 
-# omega and theta of the first pendulum for each wrong order of r_param, dt and g, by hand.
-OTHER_ORDERS = [
-    (1.0, pi / 6 + 10.0),
-    (-23.0, pi / 6 - 11.5),
-    (-23.0, pi / 6 - 230.0),
-    (1.9975, pi / 6 + 0.19975),
-    (1.9975, pi / 6 + 0.99875),
-]
-# The same with R_PARAM, DT or G, or all three, in place of the parameters.
-CONSTANTS = [
-    (-0.5, pi / 6 - 0.05),
-    (1.999, pi / 6 + 0.0001999),
-    (1.019, pi / 6 + 0.1019),
-    (1.9975475, pi / 6 + 0.00019975475),
-]
-
-
 @check("full_swing_update", watched=True)
 def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
     for count in (3, 10, 40):
         pend_list, after = swinging_row(count)
         before = [(pend["omega"], pend["theta"]) for pend in pend_list]
-        other_order = "Check the order of the arguments of swing_update: pend_dict, r_param, dt, g."
         hints = [
             (before, "No pendulum has changed. Call swing_update for each one, not for a copy, in a for loop."),
             (
@@ -76,8 +58,6 @@ def test_every_pendulum_swings_once():
             ([*before[:-1], after[-1]], "Only the last pendulum has swung."),
             ([*after[:-1], before[-1]], "The last pendulum has not swung."),
             ([before[0], *after[1:]], "The first pendulum has not swung."),
-            (lambda found: any(same(found[0], state) for state in OTHER_ORDERS), other_order),
-            (lambda found: any(same(found[0], state) for state in CONSTANTS), "Use the parameters, not the constants."),
         ]
         states = each(pend_list, "omega", "theta")
         expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=after, hints=hints, **states)
@@ -139,6 +119,4 @@ def test_a_swing_is_no_collision():
     """The functionality of each individual pendulum: how each pendulum swings."""
     omegas = [1.0, -1.0, 0.5]
     pend_list = touching(*omegas)
-    collided = "Your bobs collided. full_swing_update only swings them."
-    hints = [(lambda found: sorted(found) == sorted(omegas), collided)]
-    expect("full_swing_update", pend_list, R, 1e-9, 9.81, wanted=omegas, hints=hints, **each(pend_list, "omega"))
+    expect("full_swing_update", pend_list, R, 1e-9, 9.81, wanted=omegas, **each(pend_list, "omega"))

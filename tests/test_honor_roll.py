@@ -6,7 +6,7 @@ from math import pi
 
 from vpython import box, cylinder, sphere, textures, vector
 
-from grading.comparing import cases_of, same
+from grading.comparing import cases_of
 from grading.cradles import LEFT_OVER, left_over, shapes
 from grading.grader import check, expect
 from grading.messages import Wanted
@@ -34,12 +34,7 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
         return isinstance(found, tuple) and len(found) == 5 and all(map(isinstance, found, kinds))
 
     wanted = Wanted("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one, like=(None,) * 5)
-    hints = [
-        (lambda found: isinstance(found, tuple) and len(found) == 3, "You returned a single pendulum."),
-        (lambda found: isinstance(found, list), "You returned a list. You need a tuple."),
-        (lambda found: isinstance(found, tuple) and len(found) == 5, "Check the order and kinds of your objects."),
-    ]
-    check_double_pendulum(None, "", 0.7, 0.4, wanted, hints)
+    check_double_pendulum(None, "", 0.7, 0.4, wanted)
     old = shapes()
     check_double_pendulum(lambda objects: left_over(old, objects), theta=0.7, phi=0.4, **LEFT_OVER)
 
@@ -115,8 +110,7 @@ ACCELERATIONS = cases_of("double_accelerations", globals())
 def test_both_angles_are_updated():
     """Define a double_angle_update() that updates both angles of the pendulum."""
     state = 3.0, -2.0, 0.6, -0.4
-    no_dt = [(lambda found: same(found[2:], state[2:]), "With dt = 0, nothing may change. Multiply each change by dt.")]
-    expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state, hints=no_dt)  # with dt = 0, nothing moves
+    expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state)  # with dt = 0, nothing moves
     slow = 4e-8, -4e-8, 0.6, -0.4
     expect("double_angle_update", *slow, LENGTH, 0.0, G, wanted=slow)
     straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity, it turns evenly

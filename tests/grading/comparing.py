@@ -85,7 +85,8 @@ def cases_of(name, names) -> list[tuple]:
 
 
 def hints_of(name, names) -> list[tuple]:
-    """Return the hints of a check: pairs of the result of a mistake, in which these names occur, and the hint."""
+    """Return the hints of a check: pairs of the result of a mistake or a test of it, with these names, and the hint."""
+    names = {"same": same, **names}
     return [(eval(mistaken, names), sentence) for mistaken, sentence in rows_of("hints.txt", name)]
 
 

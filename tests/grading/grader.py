@@ -20,6 +20,7 @@ import pandas  # noqa: F401  its first import is slow, and would count as time o
 from grading import limits
 from grading.comparing import both, fits, hint_for, hints_of, known_hint, mistake_in, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
+from grading.idle import idle_in
 from grading.messages import about, Call, damage, end_of, error_lines, message, plain, PlainFile, shown
 from grading.own_process import OwnProcess
 from grading.raised import StoppedError
@@ -289,7 +290,8 @@ class Grading:
         place = place_of(raised, check.function) if raised else ""
         place = place or (f"{file}, line {code.line}" if code.line else file)
         wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
-        error.hint = known_hint("code", code.source) or error.hint or known_hint("wrong", f"{wrong}\n{code.source}")
+        error.hint = known_hint("code", code.source) or error.hint
+        error.hint = error.hint or known_hint("wrong", f"{wrong}\n{idle_in(code.source, code.line)}{code.source}")
         if code.line and not code.parameters.startswith(own):
             error.hint = f"The line def has changed. It must be: def {check.function}({own}):"
         if raised and raised.limit:

@@ -102,7 +102,12 @@ PLAIN = {
 # The first words of each hint, by function, and a mistake that gets it.
 HINTED = {
     "extract_and_convert": {
-        "Does your function reach a return with a value? (append returns None.)": ("return pend_list", ""),
+        "Your function has no return.": ("return pend_list", "pass"),
+        "Your return is alone: write": ("return pend_list", "return"),
+        "append returns None. Append first,": ("return pend_list", "return pend_list.append(pend)"),
+        "Your return is inside an if or": ("return pend_list", "if pend_list == pend:\n            return pend_list"),
+        "A name alone does nothing: ": ("return pend_list", "pend_list"),
+        "Does your function reach a return with a value? (append returns None.)": ("return pend_list", "return pend_list.reverse()"),
         "You returned bad_rep. You need a list, without the keys 0, 1, 2.": ("return pend_list", "return bad_rep"),
         "You returned the dataframe df.": ("return pend_list", "return pd.read_csv(relative_filepath)"),
         "These are the values of bad_rep, but not yet a list.": ("return pend_list", "return bad_rep.values()"),
@@ -138,6 +143,7 @@ HINTED = {
         "Your second call has changed the list": ("= []", "= globals().setdefault('_list', []); pend_list.clear()"),
     },
     "uniform_mass_newton_cradle": {
+        "The parameter loses the value": ("pend['mass'] = mass", "mass = 5\n            pend['mass'] = mass"),
         "mass has not changed: these are from": ("pend['mass'] = mass", "pend.setdefault('mass', mass)"),
         "== only compares. One = stores": ("pend['mass'] = ", "pend['mass'] == "),
         "You changed mass only in the first pendulum.": ("in pend_list", "in pend_list[:1]"),
@@ -181,6 +187,7 @@ HINTED = {
         "The path of a file belongs here:": ("(relative_filepath", "(extract_and_convert(relative_filepath)"),
     },
     "make_newton_cradle": {
+        "Each turn of the loop does the same: ": ("return pend_list", "for p in pend_list:\n            pend_list[-1]['theta'] += 1\n        return pend_list"),
         "You returned one pendulum. You need the whole pend_list.": ("return pend_list", "return pend"),
         "Only the first theta is new. The others are from the file.": ("pend['theta'] = 0", "pass"),
         "These are the rows of an earlier call. Read the file in each call.": ("= extract_and_convert(relative_filepath)", "= globals().setdefault('_list', extract_and_convert(relative_filepath))"),
@@ -223,6 +230,8 @@ HINTED = {
         "Axles, bobs or cords stay": ("= make_pendulum", "= make_pendulum(axle_pos, r_param, 0, color, texture) and make_pendulum"),
     },
     "angle_update": {
+        "Code that never runs begins in line ": ("return (omega_new, theta_new)", "return (omega, 0)\n        return (omega_new, theta_new)"),
+        "Your code does not use the parameter g": ("-g *", "-7.5 *"),
         "You used the old omega; theta moves with the new one.": ("theta + omega_new", "theta + omega"),
         "You changed theta first. Change": "theta += omega * dt; return omega - g * sin(theta) / r_param * dt, theta",
         "The sign of gravity is wrong. Gravity pulls the bob back down.": ("+ -g", "+ g"),
@@ -273,6 +282,9 @@ HINTED = {
         ),
     },
     "handle_collision": {
+        "An inner function is never called: ": "def update():\n    return omega2, omega1",
+        "A value is stored nowhere: line ": ("v1 = r_param", "m1 - m2\n        v1 = 2 * r_param"),
+        "No line uses total, which": ("v1 = r_param", "total = m1 + m2; v1 = 2 * r_param"),
         "This is the result with e = 0, but e is 0.7.": ("v1 = r_param", "e = 0; v1 = r_param"),
         "Both velocities are from the first bob.": ("= r_param * omega2", "= r_param * omega1"),
         "Both velocities are from the second bob.": ("= r_param * omega1", "= r_param * omega2"),
@@ -294,6 +306,8 @@ HINTED = {
         "You divided by r_param twice. v is r_param times omega.": ("r_param * omega", "1 / r_param * omega"),
     },
     "handle_two_bobs": {
+        "This only compares, and stores": ("e = pend1['e']", "e = 0.1\n        e == pend1['e']"),
+        "A copy is another dictionary: the": ("m1, m2 =", "pend1 = pend1.copy(); m1, m2 ="),
         "The bobs touch, but no omega has changed.": "pass",
         "These bobs are 9.0 times the sum of their radii apart, by": ("(bob1.radius + bob2.radius)", "r_param / 4"),
         "The sum of the radii is 0.9, and the": ("(bob1.radius + bob2.radius)", "2 * max(bob1.radius, bob2.radius)"),
@@ -305,7 +319,7 @@ HINTED = {
         "These bobs are 1.15 times the sum of their": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
         "Here bob 2 is to the left of bob 1. The bobs do not": ("mag(bob1.pos - bob2.pos)", "bob2.pos.x - bob1.pos.x"),
         "The bobs are 0.99 times the": ("mag(bob1.pos - bob2.pos)", "sum(abs(d) for d in (bob1.pos - bob2.pos).value)"),
-        "This is the result with e = 1, but e of pend1 is 0.5.": ("e = pend1['e']", "e = pend2['e']"),
+        "This is the result with e = 1, but e of pend1 is an": ("e = pend1['e']", "e = pend2['e']"),
         "This is the result with e = 0.75, but e of pend1 is": ("e = pend1['e']", "e = (pend1['e'] + pend2['e']) / 2"),
         "This is the result with the product of both e.": ("e = pend1['e']", "e = pend1['e'] * pend2['e']"),
         "return stores nothing in a dictionary.": ("pend1['omega'] = new_omega1\n            pend2['omega'] = new_omega2", "return new_omega1, new_omega2"),
@@ -318,7 +332,6 @@ HINTED = {
         "You called handle_collision again after pend1": ("pend2['omega'] = new_omega2", "pend2['omega'] = handle_collision(e, pend1['omega'], omega2, m1, m2, r_param)[1]"),
         "This is the result with e = 1, but e of pend1 is 0.25.": ("e = pend1['e']", "e = 1"),
         "This is the result with e = 0, but e of pend1 is 0": ("e = pend1['e']", "e = 0"),
-        "This is the result with e = 1, but e of pend1 is 0.": ("e = pend1['e']", "e = pend1['e'] or pend2['e']"),
         "These bobs touch. The": ("mag(bob1.pos - bob2.pos)", "mag(pend1['objects'][0].pos - pend2['objects'][0].pos)"),
         "Here bob 2 is to the left of bob 1. The bobs touch.": ("if", "if pend1['theta'] == pend2['theta'] and"),
         "You exchanged the masses.": ("omega2, m1, m2, r_param", "omega2, m2, m1, r_param"),
