@@ -11,7 +11,7 @@ from vpython import vector
 
 from grading.messages import about, shown, Wanted
 
-MOST = 20_000  # characters of a student's code in which hints are looked for
+MOST = 8_000  # characters of a student's code in which hints are looked for
 LONG = 130  # characters; of a longer list, a message shows only the first difference
 
 # Errors of a check that reads a value of the wrong form.

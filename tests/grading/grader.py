@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.comparing import both, fits, hint_for, hints_of, known_hint, mistake_in, OTHER_FORM
+from grading.comparing import both, fits, hint_for, hints_of, known_hint, mistake_in, MOST, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
 from grading.idle import idle_in
 from grading.messages import about, Call, damage, end_of, error_lines, message, plain, PlainFile, shown
@@ -290,8 +290,9 @@ class Grading:
         place = place_of(raised, check.function) if raised else ""
         place = place or (f"{file}, line {code.line}" if code.line else file)
         wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
-        error.hint = known_hint("code", code.source) or error.hint
-        error.hint = error.hint or known_hint("wrong", f"{wrong}\n{idle_in(code.source, code.line)}{code.source}")
+        source = code.source[:MOST]
+        error.hint = known_hint("code", source) or error.hint
+        error.hint = error.hint or known_hint("wrong", f"{wrong}\n{idle_in(source, code.line)}{source}")
         if code.line and not code.parameters.startswith(own):
             error.hint = f"The line def has changed. It must be: def {check.function}({own}):"
         if raised and raised.limit:
