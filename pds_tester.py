@@ -44,10 +44,10 @@ def main() -> None:
         tell_endless(stopped)
         return
     print("\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum.")
-    if not (isinstance(pend_list, list) and all(isinstance(pendulum, dict) for pendulum in pend_list)):
-        print("But this is no list of dictionaries. Type pytest: it says what is wrong.")
     for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
         print(f"  {pendulum}")
+    if not (isinstance(pend_list, list) and all(isinstance(pendulum, dict) for pendulum in pend_list)):
+        print("But this is no list of dictionaries. Type pytest: it says what is wrong.")
 
 
 if __name__ == "__main__":

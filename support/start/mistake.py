@@ -55,6 +55,7 @@ def tell_mistake(error) -> str:
         text, words = "".join(report.stack.format()) + f"{error}\n", str(error)
     else:
         text, words = "".join(report.format()), " ".join("".join(report.format_exception_only()).split())
+    text += "Type pytest: it says more about mistakes.\n" * bool(own_frames(error))
     say(text, sys.stderr, end="")  # the page says it, too
     last = report.stack[-1]
     path = Path(last.filename).resolve()

@@ -65,9 +65,10 @@ def what_there_is(main) -> tuple:
     if swings:
         return preview(main.__globals__), f"Write next: {swings}. Then the pendula swing."
     if collides and "handle_" in collides:
-        return preview(main.__globals__, SWING), f"Write next: {collides}. Then the bobs collide."
+        words = "Then the bobs collide. If no pendulum swings, type pytest."
+        return preview(main.__globals__, SWING), f"Write next: {collides}. {words}"
     if collides:
-        words = "Here are the first two pendula alone: their bobs collide."
+        words = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
         return preview(main.__globals__, SWING, "handle_two_bobs"), f"Write next: {collides}. {words}"
     return main, ""
 

@@ -3,6 +3,7 @@
 from collections import Counter
 from textwrap import wrap
 
+from grading.comparing import rows_of
 from grading.grader import checks, FAILED, FAULT, PASSED, WAITING
 from grading.handout import FUNCTIONS, SUITES
 from support.start.output import in_one_line
@@ -51,7 +52,8 @@ def next_step(outcomes) -> tuple[str, str]:
         if outcome.state == FAILED:
             step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
             dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
-            return step, f"{outcome.wrong}{dot} {outcome.hint}".strip()
+            steps = dict(rows_of("hints.txt", "steps"))[check.function]
+            return step, f"{outcome.wrong}{dot} {outcome.hint or steps}".strip()
         if outcome.is_unwritten:
             return f"{check.function} in {outcome.place}", f"read in the handout: {function.read}"
     for check in made:

@@ -125,6 +125,8 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
         sentence = f"{what or 'The result'} cannot be read."
         if isinstance(error, KeyError):
             sentence = f"A pendulum has no key {error}."
+        for i, one in enumerate(result if isinstance(result, list) else ()):
+            sentence = sentence if isinstance(one, dict) else mistake_in(f"pend_list[{i}]", one, {})
         raise WrongError(sentence, call, lines, hint_for(result, wanted, hints)) from None
     if not fits(found, wanted):
         lines, hint = both(what, found, wanted), hint_for(found, wanted, hints)

@@ -14,7 +14,7 @@ def idle_in(source, first) -> str:
 
     "For 13 pend": the for in line 13 sets pend, which no line uses. "BinOp 14 2 * e": this value is not stored.
     """
-    with suppress(SyntaxError, ValueError, IndexError, RecursionError, MemoryError):
+    with suppress(SyntaxError, ValueError, IndexError, AttributeError, RecursionError, MemoryError):  # also no function
         function = ast.parse(dedent(source)).body[0]
         return "".join(f"{kind} {line + first - 1} {what}\n" for kind, line, what in idle_parts(function))
     return ""

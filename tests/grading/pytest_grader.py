@@ -53,9 +53,9 @@ def pytest_configure(config):
         raise pytest.UsageError("Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks.")
     config.grading = Grading()
     RAN.clear()
-    tier = next((word for word in config.args if word.upper() in TIERS), "")
-    if tier and not Path(tier).exists():
-        raise pytest.UsageError(f"found {tier!r}, which is no file. For one tier, write: pytest --tier {tier}")
+    for word in config.args:
+        if not Path(word.partition("::")[0]).exists():
+            raise pytest.UsageError(f"found {word!r}, which is no file. Type pytest, or for one tier: pytest --tier C")
     file = config.option.grade_json
     if file is not None and (Path(file).is_dir() or not Path(file).parent.is_dir()):
         raise pytest.UsageError(f"--grade-json: found {file!r}, allowed is a file in a folder that is there")

@@ -173,7 +173,7 @@ def test_each_hint_has_a_mistake_in_the_table(monkeypatch):
     assert [sentence for sentence in sentences if not sentence.startswith(known)] == []
     names = re.findall(r"^\[(\w[a-z_ ]*)\]$", HINTS_FILE.read_text(), re.MULTILINE)
     kinds = {"code", "idle", "errors", "wrong"}
-    assert {name for words in names for name in words.split()} <= {*kinds, *(check.name for check in CHECKS)}
+    assert {name for words in names for name in words.split()} <= {*kinds, "steps", *(check.name for check in CHECKS)}
     hints = [hint for kind in kinds for _, hint in comparing.rows_of("hints.txt", kind)]
     begins = [hint.partition("\\")[0] for hint in hints]
     assert [

@@ -300,14 +300,14 @@ def test_a_program_without_a_cradle_names_the_functions_to_write(run, starter, p
     assert run(starter, program) == (2, "", f"There is no cradle to see yet. Write first: {missing}.\n")
 
 
-COLLIDE = "in src/visualize_cradle_run.py. Then the bobs collide."
+COLLIDE = "in src/visualize_cradle_run.py. Then the bobs collide. If no pendulum swings, type pytest."
 STAGES = [  # the tiers that are written, what the line says, and the angles of the first and of the last pendulum
     ("D", "Write next: angle_update, full_swing_update in src/swinging.py. Then the pendula swing.", (-45, 0)),
     ("DC", f"Write next: handle_collision, handle_two_bobs, newton_cradle_tick, main {COLLIDE}", (44, 0)),
     (
         "DCB",
         "Write next: newton_cradle_tick, main in src/visualize_cradle_run.py. "
-        "Here are the first two pendula alone: their bobs collide.",
+        "Here are the first two pendula alone: their bobs collide. If not, type pytest.",
         (0, 44),
     ),
     ("DCBA", "", (0, 44)),

@@ -143,6 +143,8 @@ HINTED = {
         "Your second call has changed the list": ("= []", "= globals().setdefault('_list', []); pend_list.clear()"),
     },
     "uniform_mass_newton_cradle": {
+        "In the loop, ": ("pend['mass'] = mass", "pend = {'mass': mass}"),
+        "In each pendulum, ": ("= mass", "= mass / len(pend_list)"),
         "The parameter loses the value": ("pend['mass'] = mass", "mass = 5\n            pend['mass'] = mass"),
         "mass has not changed: these are from": ("pend['mass'] = mass", "pend.setdefault('mass', mass)"),
         "== only compares. One = stores": ("pend['mass'] = ", "pend['mass'] == "),
@@ -174,6 +176,7 @@ HINTED = {
         "A key is text. Write it in quotes: ['e'].": ("['e']", "[e]"),
     },
     "elastic_newton_cradle": {
+        "None is no number.": (", 1)", ", None)"),
         "Here, e is 0. That is perfectly inelastic.": ("1)", "0)"),
         "uniform_e_newton_cradle takes relative_filepath first, then": ("relative_filepath, 1", "1, relative_filepath"),
         "You changed mass, not e.": ("uniform_e", "uniform_mass"),
@@ -181,28 +184,29 @@ HINTED = {
         "e must be exactly 1.": (", 1)", ", 0.99)"),
     },
     "inelastic_newton_cradle": {
+        "Perfectly inelastic is the": (", 0)", ", None)"),
         "Here, e is 1. That is perfectly elastic.": ("0)", "1)"),
         "uniform_e_newton_cradle takes relative_filepath first,": ("relative_filepath, 0", "0.0, relative_filepath"),
         "e must be exactly 0.": (", 0)", ", 1e-3)"),
         "The path of a file belongs here:": ("(relative_filepath", "(extract_and_convert(relative_filepath)"),
     },
     "make_newton_cradle": {
+        "Each element must be a whole pendulum:": ("return pend_list", "return [*pend_list, axle_pos]"),
+        "In this loop, ": ("for i in range(len(pend_list)):\n            pend = pend_list[i]\n            if i == 0", "for i, pend in enumerate(pend_list):\n            pass\n        for pend in pend_list:\n            if pend == 0"),
+        "Store one number here,": ("pend['omega'] = 0", "pend['omega'] = [0]"),
         "Each turn of the loop does the same: ": ("return pend_list", "for p in pend_list:\n            pend_list[-1]['theta'] += 1\n        return pend_list"),
         "You returned one pendulum. You need the whole pend_list.": ("return pend_list", "return pend"),
         "Only the first theta is new. The others are from the file.": ("pend['theta'] = 0", "pass"),
         "These are the rows of an earlier call. Read the file in each call.": ("= extract_and_convert(relative_filepath)", "= globals().setdefault('_list', extract_and_convert(relative_filepath))"),
         "You used the constant TH": ("= theta_init", "= __import__('support.constants').constants.THETA_INIT"),
         "theta_init is in radians already. Do not": ("= theta_init", "= __import__('math').radians(theta_init)"),
-        "All pendula have the same objects. Make them": (
-            "pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)",
-            "pend['objects'] = pend_list[0].get('objects') or make_pendulum(axle_pos, r_param, theta_init, color, texture)",
-        ),
+        "All pendula have the same objects. Make them": ("pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)", "pend['objects'] = pend_list[0].get('objects') or make_pendulum(axle_pos, r_param, theta_init, color, texture)"),
         "Keep the order axle, bob, cord.": ("texture)\n        return", "texture)[::-1]\n        return"),
         "Keep all keys of each pendulum, and": ("pend['objects']", "pend['object']"),
         "You used the constant R": ("vector((-0.1 + r_param/4 * i), r_param/5", "vector((-0.1 + 0.05 * i), 0.04"),
         "These are the angles from the file.": ("pend['theta'] = ", "pend['angle'] = "),
         "Your bobs hang at": ("r_param, pend['theta']", "r_param, extract_and_convert(relative_filepath)[i]['theta']"),
-        "You did not lift the first pendulum.": ("pend['theta'] = theta_init", "pend['theta'] = 0"),
+        "You did not lift the first pendulum, or": ("pend['theta'] = theta_init", "pend['theta'] = 0"),
         "omega has the values of theta. Did": ("pend['omega'] = 0", "pend['omega'] = pend['theta']"),
         "Your first bob hangs straight down. make_pendulum needs its theta.": ("r_param, pend['theta']", "r_param, 0"),
         "You lifted all pendula. Lift only the first one.": ("pend['theta'] = 0", "pend['theta'] = theta_init"),
@@ -237,6 +241,7 @@ HINTED = {
         "The sign of gravity is wrong. Gravity pulls the bob back down.": ("+ -g", "+ g"),
         "This is the result with degrees. theta is in": ("sin(theta)", "sin(theta * 3.14159265 / 180)"),
         "You used cos in place of sin.": ("sin(theta)", "cos(theta)"),
+        "The sign =+ only stores": ("omega_new = omega +", "omega_new = omega\n        omega_new =+"),
         "You used theta in place of its sine.": ("sin(theta)", "theta"),
         "You multiplied by r_param. Divide by it.": ("/ r_param", "* r_param"),
         "You forgot to divide by r_param.": ("/ r_param", ""),
@@ -265,6 +270,7 @@ HINTED = {
         "This is the result with //, which rounds down. Use /.": ("/ r_param", "// r_param"),
     },
     "full_swing_update": {
+        "This takes a pendulum out of": ("for pend", "pend_list.pop()\n        for pend"),
         "No pendulum has changed. Call swing_update for each one": "map(lambda pend: swing_update(pend, r_param, dt, g), pend_list)",
         "The second pendulum is at rest, but not": ("swing_update(", "if pend['omega']: swing_update("),
         "Use the parameters, not the constants.": ("dt, g", "0.0001, g"),
@@ -276,12 +282,12 @@ HINTED = {
         "Check the order of the arguments of swing_update: pend_dict, r_param, dt, g.": ("dt, g", "g, dt"),
         "angle_update takes no pendulum. swing_update takes one.": ("swing_update", "angle_update"),
         "Your bobs collided.": ("g)", "g)\n        from src.visualize_cradle_run import handle_two_bobs as hit; hit(*pend_list[:2], r_param) if pend_list[1:] else 0"),
-        "Axles, bobs or cords stay in the scene without use. Make each pendulum once.": (
-            "swing_update(",
-            "import support.pendulum as p; p.make_pendulum(vector(0, 0, 0), r_param, 0, vector(1, 1, 1), None); swing_update(",
-        ),
+        "Axles, bobs or cords stay in the scene without use. Make each pendulum once.": ("swing_update(", "import support.pendulum as p; p.make_pendulum(vector(0, 0, 0), r_param, 0, vector(1, 1, 1), None); swing_update("),
     },
     "handle_collision": {
+        "e may be any number from 0": ("v1 = r_param", "if e == 1: return omega2, omega1\n        v1 = 2 * r_param"),
+        "omega1 is not converted:": ("v1 = r_param * omega1", "v1 = omega1"),
+        "omega2 is not converted:": ("v2 = r_param * omega2", "v2 = omega2"),
         "An inner function is never called: ": "def update():\n    return omega2, omega1",
         "A value is stored nowhere: line ": ("v1 = r_param", "m1 - m2\n        v1 = 2 * r_param"),
         "No line uses total, which": ("v1 = r_param", "total = m1 + m2; v1 = 2 * r_param"),
@@ -306,6 +312,12 @@ HINTED = {
         "You divided by r_param twice. v is r_param times omega.": ("r_param * omega", "1 / r_param * omega"),
     },
     "handle_two_bobs": {
+        "No line stores the new omegas in": ("pend1['omega'] = new_omega1\n            pend2['omega'] = new_omega2", "omega1, omega2 = new_omega1, new_omega2"),
+        "The second line gives the same": ("bob1, bob2 = pend1['objects'][1], pend2['objects'][1]", "axle, bob1, cord = pend1['objects']\n        axle, bob1, cord = pend2['objects']\n        bob2 = bob1"),
+        "In quotes, True is only": ("05 * (bob1.radius + bob2.radius)", "05 * (bob1.radius + bob2.radius) == 'True'"),
+        "1.05 must multiply the whole": ("(bob1.radius + bob2.radius)", "bob1.radius + bob2.radius"),
+        "Subtract the positions first.": ("mag(bob1.pos - bob2.pos)", "mag(bob1.pos) - mag(bob2.pos)"),
+        "In a while loop that moves": ("if mag", "while False: pass\n        if 2 * mag"),
         "This only compares, and stores": ("e = pend1['e']", "e = 0.1\n        e == pend1['e']"),
         "A copy is another dictionary: the": ("m1, m2 =", "pend1 = pend1.copy(); m1, m2 ="),
         "The bobs touch, but no omega has changed.": "pass",
@@ -335,7 +347,7 @@ HINTED = {
         "These bobs touch. The": ("mag(bob1.pos - bob2.pos)", "mag(pend1['objects'][0].pos - pend2['objects'][0].pos)"),
         "Here bob 2 is to the left of bob 1. The bobs touch.": ("if", "if pend1['theta'] == pend2['theta'] and"),
         "You exchanged the masses.": ("omega2, m1, m2, r_param", "omega2, m2, m1, r_param"),
-        "This is the result with equal masses.": ("m1, m2 = pend1['mass'], pend2['mass']", "m1 = m2 = 1"),
+        "This is the result with equal masses. Is m2": ("m1, m2 = pend1['mass'], pend2['mass']", "m1 = m2 = 1"),
         "This is the result with exchanged omegas.": ("e, omega1, omega2,", "e, omega2, omega1,"),
         "This is the result with omega2 = 0, but omega of pend2 is 1.": ("e, omega1, omega2,", "e, omega1, 0,"),
         "Check the order of the arguments of handle_collision:": ("(e, omega1, omega2, m1,", "(omega1, omega2, e, m1,"),
@@ -352,18 +364,13 @@ HINTED = {
         "Here the axles are close, but the bobs are": ("if mag", "if pend1['theta'] == -pend2['theta'] < 0 or mag"),
     },
     "newton_cradle_tick": {
+        "A loop inside a loop lets": ("handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)", "for other in pend_list:\n                handle_two_bobs(pend_list[i], other, r_param)"),
+        "One call is one step: no": ("full_swing_update(", "while True:\n            break\n        full_swing_update(pend_list, r_param, dt, g) or full_swing_update("),
         "No pendulum has swung.": "pass",
         "The velocities have not changed. Does each pendulum meet": ("pend_list[i + 1]", "pend_list[i]"),
-        "These bobs touch only after the swing. Swing first, then handle the pairs.": (
-            "full_swing_update(pend_list, r_param, dt, g)\n        for i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)",
-            "for i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)\n        full_swing_update(pend_list, r_param, dt, g)",
-        ),
+        "These bobs touch only after the swing. Swing first, then handle the pairs.": ("full_swing_update(pend_list, r_param, dt, g)\n        for i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)", "for i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)\n        full_swing_update(pend_list, r_param, dt, g)"),
         "Only the first pendulum has swung.": ("full_swing_update(pend_list,", "full_swing_update(pend_list[:1],"),
-        "Here the second bob swings to the first": """\
-            for i in range(len(pend_list)):
-                __import__('src.swinging').swinging.swing_update(pend_list[i], r_param, dt, g)
-                if i + 1 < len(pend_list): handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)
-            """,
+        "Here the second bob swings to the first": "for i in range(len(pend_list)):\n    __import__('src.swinging').swinging.swing_update(pend_list[i], r_param, dt, g)\n    if i + 1 < len(pend_list): handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)",
         "A single pendulum has no pair, but it": ("full_swing", "if pend_list[1:]: full_swing"),
         "The last pendulum has none after it. Your": ("len(pend_list) - 1", "len(pend_list)"),
         "The last pendulum has not swung. It": ("full_swing_update(pend_list,", "full_swing_update(pend_list[:-1],"),
@@ -372,10 +379,7 @@ HINTED = {
         "Do you pass on the parameters r_param, dt and g,": ("(pend_list, r_param, dt, g)", "(pend_list, 0.2, dt, g)"),
         "Only the first two bobs have collided.": ("pend_list[i + 1]", "pend_list[i - 1]"),
         "Only the last two bobs have collided.": ("range(len", "range(1, len"),
-        "These large bobs all touch, but only neighbours are pairs.": (
-            "handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)",
-            "for other in pend_list[i + 1 :]: handle_two_bobs(pend_list[i], other, r_param)",
-        ),
+        "These large bobs all touch, but only": ("handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)", "[handle_two_bobs(pend_list[i], other, r_param) for other in pend_list[i + 1 :]]"),
         "The e of the right pendulum was used.": ("pend_list[i], pend_list[i + 1]", "pend_list[i + 1], pend_list[i]"),
         "This is the result with e = 1. Do the bobs": ("handle_two_bobs(", "pend_list[i]['e'] = 1; handle_two_bobs("),
     },
@@ -392,10 +396,7 @@ HINTED = {
         "Give make_newton_cradle page.csv, R_PARAM": ("page.csv, R_PARAM", "page.csv, 0.4"),
         "Nothing comes back from newton_cradle_tick:": ("newton_cradle_tick(", "pend_list = newton_cradle_tick("),
         "THETA_INIT is in radians already. Do not convert": ("THETA_INIT)", "THETA_INIT * 180 / 3.141592653589793)"),
-        "Your second cradle goes on where the first one was. Make a new one when the page wants one.": (
-            "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)",
-            "pend_list = vars(page).setdefault('first', make_newton_cradle(page.csv, R_PARAM, THETA_INIT))",
-        ),
+        "Your second cradle goes on where the first one was. Make a new one when the page wants one.": ("pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "pend_list = vars(page).setdefault('first', make_newton_cradle(page.csv, R_PARAM, THETA_INIT))"),
         "Your second cradle does not tick.": ("tick(pend_list", "tick(vars(page).setdefault('first', pend_list)"),
         "You made the cradle again, but the page did not want one.": ("if page.wants_cradle():", "if True:"),
         "The cradle that you showed does not tick.": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "pass"),
@@ -427,6 +428,7 @@ HINTED = {
         "The call of make_newton_cradle stands alone:": ("page.show(", "make_newton_cradle(page.csv, R_PARAM, THETA_INIT); page.show("),
     },
     "make_double_pendulum": {
+        "You returned two tuples.": ("return (", "return (axle, bob1, cord1), (bob2, cord2)\n        return ("),
         "You returned a single pendulum.": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
         "You returned a list.": ("return (axle, bob1, cord1, bob2, cord2)", "return [axle, bob1, cord1, bob2, cord2]"),
         "Check the order and kinds of your": ("(axle, bob1, cord1, bob2, cord2)", "(axle, bob1, bob2, cord1, cord2)"),
@@ -440,6 +442,7 @@ HINTED = {
         "Axles, bobs or cords stay in the": ("bob2, cord2 = make_bob_and_cord(", "_, bob2, cord2 = make_pendulum("),
     },
     "double_angle_update": {
+        "The lower cord turns with": "a, b, u, v = theta, theta + phi, omega_theta, omega_phi; du, dv = double_accelerations(a, b, u, v, g / r_param, m2 / (m1 + m2)); u, v = u + du * dt, v + dv * dt; return u, v, a + u * dt, phi + (v - u) * dt",
         "Your angles have not changed.": "return omega_theta, omega_phi, theta, phi",
         "Return omega_theta, omega_phi, theta, phi, in this order.": ("(u, v - u, a, b - a)", "(a, u, b - a, v - u)"),
         "You returned the angles first. The angular velocities come": ("(u, v - u, a, b - a)", "(a, b - a, u, v - u)"),
@@ -454,6 +457,9 @@ HINTED = {
 # Mistakes for which Python raises an error. Their hints are in tests/grading/hints.txt.
 RAISING = {
     "extract_and_convert": {
+        "A parameter needs no line global.": "exec('def f(a): global a')",
+        "A line with def begins a new": "exec('def f():')",
+        "= stores the right side under": "exec('a * b = 5')",
         "print needs brackets in Python 3.": "exec('print 5')",
         "The lines of a function begin": "exec('return 5')",
         "Your files import each other in a circle.": "raise ImportError('(most likely due to a circular import)')",
@@ -523,9 +529,12 @@ RAISING = {
         "Give swing_update pendula, not their numbers:": ("for pend in pend_list:\n            swing_update(pend", "for i in range(len(pend_list)):\n            swing_update(i"),
     },
     "handle_collision": {
+        "Numbers are multiplied with *": ("r_param * omega1", "r_param.x"),
         "A * is missing between two names.": ("m1*v1 + m2*v2 - ", "m1v1 + m2v2 - "),
     },
     "handle_two_bobs": {
+        "The name of a function is taken: ": ("if mag(bob1.pos - bob2.pos)", "mag = mag(bob1.pos - bob2.pos)\n        if mag"),
+        "An object of VPython is no": ("bob1.pos - bob2.pos", "bob1 - bob2"),
         "The bob is in the tuple objects": ("pend1['objects'][1]", "pend1['bob']"),
         "objects has three parts:": ("m1, m2 = pend1['mass']", "axle, bob = pend1['objects']; m1, m2 = pend1['mass']"),
         "mag takes a vector, for example": ("mag(bob1.pos - bob2.pos)", "mag(bob1.pos.x - bob2.pos.x)"),
@@ -537,6 +546,7 @@ RAISING = {
         "The right side is no pair": ("= handle_collision(e, omega1, omega2, m1, m2, r_param)", "= handle_collision"),
     },
     "newton_cradle_tick": {
+        "A function is no module: ": ("full_swing_update(", "import full_swing_update\n        full_swing_update("),
         "A pendulum + 1 is not the next": ("pend_list[i + 1]", "pend_list[i] + 1"),
         "One value here is None. A function": ("full_swing_update(", "pend_list = 0 or full_swing_update("),
     },
@@ -590,13 +600,7 @@ UNHINTED = {
         "at most half a round": ("= theta_init", "= max(-3.1415926, min(3.1415926, theta_init))"),
     },
     "angle_update": {
-        "an array of whole numbers": """\
-            import numpy
-            state = numpy.array([omega, theta])
-            state[0] += -g * sin(theta) / r_param * dt
-            state[1] += state[0] * dt
-            return tuple(state)
-            """,
+        "an array of whole numbers": "import numpy\nstate = numpy.array([omega, theta])\nstate[0] += -g * sin(theta) / r_param * dt\nstate[1] += state[0] * dt\nreturn tuple(state)",
         "very slow is 0": ("(omega_new, theta_new)", "(omega_new if abs(omega_new) > 1e-7 else 0, theta_new)"),
         "one round taken away": ("return (", "theta_new -= (theta_new > 100) * 6.283185307179586; return ("),
     },
@@ -616,10 +620,7 @@ UNHINTED = {
         "sets the second's e": ("e = pend1['e']", "e = pend2['e'] = pend1['e']"),
         "elastic from 0.9 on": ("e = pend1['e']", "e = 1 if pend1['e'] >= 0.9 else pend1['e']"),
         "a heavy one counts": ("e = pend1['e']", "e = pend1['e'] if m2 < 10 * m1 else pend2['e']"),
-        "the last pair does not collide again": (
-            "if mag",
-            "last = handle_two_bobs.__dict__.setdefault('last', [])\n        if any(pend1 is one for one in last): return\n        last[:] = [pend1]\n        if mag",
-        ),
+        "the last pair does not collide again": ("if mag", "last = handle_two_bobs.__dict__.setdefault('last', [])\n        if any(pend1 is one for one in last): return\n        last[:] = [pend1]\n        if mag"),
     },
     "newton_cradle_tick": {
         "from the right": ("len(pend_list) - 1)", "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]"),
