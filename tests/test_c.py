@@ -82,7 +82,7 @@ def test_bobs_and_cords_move():
     axles = [vector(axle.pos) for axle, _, _ in parts_of]
     cords = [vector(0.5 * sin(theta), -0.5 * cos(theta), 0) for _, theta in after]
     wanted = [(axle, axle + cord, [axle + cord, axle]) for axle, cord in zip(axles, cords, strict=True)]
-    what = "axle, bob and ends of the cord of each pendulum"
+    what = "axle, bob, ends of the cord of each pendulum"
     old, parts = shapes(), [part for objects in parts_of for part in objects]
     expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=wanted, see=see, what=what)
     expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, see=lambda _: left_over(old, parts), **LEFT_OVER)

@@ -293,8 +293,8 @@ class Grading:
         place = place or (f"{file}, line {code.line}" if code.line else file)
         wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
         source = code.source[:MOST]
-        error.hint = known_hint("code", source) or error.hint
-        error.hint = error.hint or known_hint("wrong", f"{wrong}\n{idle_in(source, code.line)}{source}")
+        source = f"{idle_in(source, code.line)}{source}"
+        error.hint = known_hint("code", source) or error.hint or known_hint("wrong", f"{wrong}\n{source}")
         if code.line and not code.parameters.startswith(own):
             error.hint = f"The line def has changed. It must be: def {check.function}({own}):"
         if raised and raised.limit:

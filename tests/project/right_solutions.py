@@ -4,6 +4,8 @@ RIGHT has ways to write each function of the handout: the body of the function, 
 body in PLAIN. Add one, and tests/project/test_graded_suites.py covers it.
 """
 
+# A row is a line:
+# fmt: off
 RIGHT = {
     "extract_and_convert": {
         "the values of bad_rep": ("return pend_list", "return list(bad_rep.values())"),
@@ -44,22 +46,10 @@ RIGHT = {
                 return {**row, "theta": theta, "omega": 0, "objects": objects}
             return [made(i, row) for i, row in enumerate(extract_and_convert(relative_filepath))]
             """,
-        "with a frame and a name": (
-            "return pend_list",
-            "__import__('vpython').box(pos=vector(0, -1, 0), size=vector(2, 0.1, 1)); "
-            "__import__('vpython').cylinder(axis=vector(1, 0, 0), radius=r_param / 20); "
-            "__import__('vpython').label(text='cradle')\n        return pend_list",
-        ),
-        "made twice, and the first ones hidden": (
-            "pend['objects'] = make",
-            "for old in make_pendulum(axle_pos, r_param, 0, color, texture): old.visible = False\n"
-            "            pend['objects'] = make",
-        ),
+        "with a frame and a name": ("return pend_list", "__import__('vpython').box(pos=vector(0, -1, 0), size=vector(2, 0.1, 1)); __import__('vpython').cylinder(axis=vector(1, 0, 0), radius=r_param / 20); __import__('vpython').label(text='cradle')\n        return pend_list"),
+        "made twice, and the first ones hidden": ("pend['objects'] = make", "for old in make_pendulum(axle_pos, r_param, 0, color, texture): old.visible = False\n            pend['objects'] = make"),
         "floats": ("pend['theta'] = 0", "pend['theta'] = 0.0"),
-        "each axle from the one before": (
-            "-0.1 + r_param/4 * i",
-            "pend_list[i - 1]['objects'][0].pos.x + r_param/4 if i else -0.1",
-        ),
+        "each axle from the one before": ("-0.1 + r_param/4 * i", "pend_list[i - 1]['objects'][0].pos.x + r_param/4 if i else -0.1"),
         "theta_init times a truth": ("= theta_init", "= theta_init * (i == 0)"),
         "keys of its own": ("pend['omega'] = 0", "pend['omega'] = 0; pend['number'] = i + 1"),
     },
@@ -91,10 +81,7 @@ RIGHT = {
                 cord.rotate(**turn)
                 pend["omega"], pend["theta"] = omega, theta
             """,
-        "the cord drawn from the bob": (
-            "dt, g)",
-            "dt, g); axle, bob, cord = pend['objects']; cord.pos, cord.axis = bob.pos, axle.pos - bob.pos",
-        ),
+        "the cord drawn from the bob": ("dt, g)", "dt, g); axle, bob, cord = pend['objects']; cord.pos, cord.axis = bob.pos, axle.pos - bob.pos"),
     },
     "handle_collision": {
         "through the centre of mass": """\
@@ -113,41 +100,15 @@ RIGHT = {
             """,
     },
     "handle_two_bobs": {
-        "returns the dictionaries, too": (
-            "pend2['omega'] = new_omega2",
-            "pend2['omega'] = new_omega2\n        return pend1, pend2",
-        ),
+        "returns the dictionaries, too": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2\n        return pend1, pend2"),
         "the vector's own magnitude": ("mag(bob1.pos - bob2.pos)", "(bob1.pos - bob2.pos).mag"),
-        "the distance in the plane of swing": (
-            "mag(bob1.pos - bob2.pos)",
-            "((bob1.pos.x - bob2.pos.x)**2 + (bob1.pos.y - bob2.pos.y)**2)**0.5",
-        ),
-        "places from the angles": (
-            "mag(bob1.pos - bob2.pos)",
-            "mag(pend1['objects'][0].pos - pend2['objects'][0].pos + "
-            "r_param * vector(sin(pend1['theta']) - sin(pend2['theta']), cos(pend2['theta']) - cos(pend1['theta']), 0))",
-        ),
-        "places from the angles, axles r_param/4 apart": (
-            "mag(bob1.pos - bob2.pos)",
-            "__import__('math').hypot(r_param / 4 + r_param * (sin(pend2['theta']) - sin(pend1['theta'])), "
-            "r_param * (cos(pend2['theta']) - cos(pend1['theta'])))",
-        ),
-        "the ends of the cords": (
-            "mag(bob1.pos - bob2.pos)",
-            "mag(pend1['objects'][2].pos + pend1['objects'][2].axis - pend2['objects'][2].pos - pend2['objects'][2].axis)",
-        ),
-        "squares compared": (
-            "mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)",
-            "(bob1.pos - bob2.pos).mag2 <= (1.05 * (bob1.radius + bob2.radius))**2",
-        ),
-        "the gap between the bobs, and a twentieth": (
-            "mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)",
-            "mag(bob1.pos - bob2.pos) - (bob1.radius + bob2.radius) <= 0.05 * (bob1.radius + bob2.radius)",
-        ),
-        "without handle_collision": (
-            "handle_collision(e, omega1, omega2, m1, m2, r_param)",
-            "omega1 - (1 + e)*m2*(omega1 - omega2)/(m1 + m2), omega2 + (1 + e)*m1*(omega1 - omega2)/(m1 + m2)",
-        ),
+        "the distance in the plane of swing": ("mag(bob1.pos - bob2.pos)", "((bob1.pos.x - bob2.pos.x)**2 + (bob1.pos.y - bob2.pos.y)**2)**0.5"),
+        "places from the angles": ("mag(bob1.pos - bob2.pos)", "mag(pend1['objects'][0].pos - pend2['objects'][0].pos + r_param * vector(sin(pend1['theta']) - sin(pend2['theta']), cos(pend2['theta']) - cos(pend1['theta']), 0))"),
+        "places from the angles, axles r_param/4 apart": ("mag(bob1.pos - bob2.pos)", "__import__('math').hypot(r_param / 4 + r_param * (sin(pend2['theta']) - sin(pend1['theta'])), r_param * (cos(pend2['theta']) - cos(pend1['theta'])))"),
+        "the ends of the cords": ("mag(bob1.pos - bob2.pos)", "mag(pend1['objects'][2].pos + pend1['objects'][2].axis - pend2['objects'][2].pos - pend2['objects'][2].axis)"),
+        "squares compared": ("mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)", "(bob1.pos - bob2.pos).mag2 <= (1.05 * (bob1.radius + bob2.radius))**2"),
+        "the gap between the bobs, and a twentieth": ("mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)", "mag(bob1.pos - bob2.pos) - (bob1.radius + bob2.radius) <= 0.05 * (bob1.radius + bob2.radius)"),
+        "without handle_collision": ("handle_collision(e, omega1, omega2, m1, m2, r_param)", "omega1 - (1 + e)*m2*(omega1 - omega2)/(m1 + m2), omega2 + (1 + e)*m1*(omega1 - omega2)/(m1 + m2)"),
     },
     "newton_cradle_tick": {
         "each pair as soon as both have swung": """\

@@ -102,6 +102,10 @@ PLAIN = {
 # The first words of each hint, by function, and a mistake that gets it.
 HINTED = {
     "extract_and_convert": {
+        "In quotes, the name of the loop": ("append(pend)", "append(bad_rep['pend'])"),
+        "In a loop, = replaces the whole": ("pend_list.append(pend)", "pend_list = [pend]"),
+        "The while loop never changes i,": ("pend_list = []", "i = 5\n        while i < 5: break\n        pend_list = [1]"),
+        "Your list has the keys of bad_rep, too.": ("append(pend)", "extend([len(pend_list) // 2, pend])"),
         "Your function has no return.": ("return pend_list", "pass"),
         "Your return is alone: write": ("return pend_list", "return"),
         "append returns None. Append first,": ("return pend_list", "return pend_list.append(pend)"),
@@ -143,8 +147,11 @@ HINTED = {
         "Your second call has changed the list": ("= []", "= globals().setdefault('_list', []); pend_list.clear()"),
     },
     "uniform_mass_newton_cradle": {
+        "The sides of = are exchanged.": ("pend['mass'] = mass", "mass = pend['mass']"),
+        "A new dictionary has only the keys": ("return pend_list", "return [{'mass': mass} for pend in pend_list]"),
+        "You changed too much: theta must": ("pend['mass'] = mass", "pend['mass'] = mass; pend['theta'] = 0"),
         "In the loop, ": ("pend['mass'] = mass", "pend = {'mass': mass}"),
-        "In each pendulum, ": ("= mass", "= mass / len(pend_list)"),
+        "In each pendulum, mass must be": ("= mass", "= mass / len(pend_list)"),
         "The parameter loses the value": ("pend['mass'] = mass", "mass = 5\n            pend['mass'] = mass"),
         "mass has not changed: these are from": ("pend['mass'] = mass", "pend.setdefault('mass', mass)"),
         "== only compares. One = stores": ("pend['mass'] = ", "pend['mass'] == "),
@@ -162,7 +169,6 @@ HINTED = {
         "Your list is empty. Give the whole": ("return pend_list", "return []"),
         "A comma at the end of a line": ("= mass", "= mass,"),
         "Take one pendulum first: pend_list is a list": ("pend['mass']", "pend_list['mass']"),
-        "Do you read the file at": ("relative_filepath", "__import__('support.constants').constants.NC_FP"),
     },
     "uniform_e_newton_cradle": {
         "e has not changed: these are from": ("pend['e'] = e_val", "pend.setdefault('e', e_val)"),
@@ -186,11 +192,11 @@ HINTED = {
     "inelastic_newton_cradle": {
         "Perfectly inelastic is the": (", 0)", ", None)"),
         "Here, e is 1. That is perfectly elastic.": ("0)", "1)"),
-        "uniform_e_newton_cradle takes relative_filepath first,": ("relative_filepath, 0", "0.0, relative_filepath"),
         "e must be exactly 0.": (", 0)", ", 1e-3)"),
         "The path of a file belongs here:": ("(relative_filepath", "(extract_and_convert(relative_filepath)"),
     },
     "make_newton_cradle": {
+        "The word in the file must stay: color": ("return", "for pend in pend_list: pend['color'] = COLOR_MAP[pend['color']]\n        return"),
         "Each element must be a whole pendulum:": ("return pend_list", "return [*pend_list, axle_pos]"),
         "In this loop, ": ("for i in range(len(pend_list)):\n            pend = pend_list[i]\n            if i == 0", "for i, pend in enumerate(pend_list):\n            pass\n        for pend in pend_list:\n            if pend == 0"),
         "Store one number here,": ("pend['omega'] = 0", "pend['omega'] = [0]"),
@@ -234,6 +240,7 @@ HINTED = {
         "Axles, bobs or cords stay": ("= make_pendulum", "= make_pendulum(axle_pos, r_param, 0, color, texture) and make_pendulum"),
     },
     "angle_update": {
+        "In quotes, a name is only text.": ("(omega_new, theta_new)", "('omega_new', theta_new)"),
         "Code that never runs begins in line ": ("return (omega_new, theta_new)", "return (omega, 0)\n        return (omega_new, theta_new)"),
         "Your code does not use the parameter g": ("-g *", "-7.5 *"),
         "You used the old omega; theta moves with the new one.": ("theta + omega_new", "theta + omega"),
@@ -270,7 +277,7 @@ HINTED = {
         "This is the result with //, which rounds down. Use /.": ("/ r_param", "// r_param"),
     },
     "full_swing_update": {
-        "This takes a pendulum out of": ("for pend", "pend_list.pop()\n        for pend"),
+        "This takes a pendulum out of the list.": ("for pend", "pend_list.pop()\n        for pend"),
         "No pendulum has changed. Call swing_update for each one": "map(lambda pend: swing_update(pend, r_param, dt, g), pend_list)",
         "The second pendulum is at rest, but not": ("swing_update(", "if pend['omega']: swing_update("),
         "Use the parameters, not the constants.": ("dt, g", "0.0001, g"),
@@ -280,11 +287,13 @@ HINTED = {
         "The first pendulum has not swung.": ("in pend_list", "in pend_list[1:]"),
         "The last pendulum has not swung.": ("in pend_list", "in pend_list[:-1]"),
         "Check the order of the arguments of swing_update: pend_dict, r_param, dt, g.": ("dt, g", "g, dt"),
-        "angle_update takes no pendulum. swing_update takes one.": ("swing_update", "angle_update"),
+        "angle_update only gives back two": ("swing_update", "angle_update"),
         "Your bobs collided.": ("g)", "g)\n        from src.visualize_cradle_run import handle_two_bobs as hit; hit(*pend_list[:2], r_param) if pend_list[1:] else 0"),
         "Axles, bobs or cords stay in the scene without use. Make each pendulum once.": ("swing_update(", "import support.pendulum as p; p.make_pendulum(vector(0, 0, 0), r_param, 0, vector(1, 1, 1), None); swing_update("),
     },
     "handle_collision": {
+        "Divide by the whole sum of": ("v1 = r_param", "v1 = 2 * r_param * m1 / m1 + m2\n        v1 = r_param / 3"),
+        "The division counts only for": ("(m1*v1 + m2*v2 + m1*e*(v1 - v2))", "m1*v1 + m2*v2 + m1*e*(v1 - v2) / 2"),
         "e may be any number from 0": ("v1 = r_param", "if e == 1: return omega2, omega1\n        v1 = 2 * r_param"),
         "omega1 is not converted:": ("v1 = r_param * omega1", "v1 = omega1"),
         "omega2 is not converted:": ("v2 = r_param * omega2", "v2 = omega2"),
@@ -312,24 +321,28 @@ HINTED = {
         "You divided by r_param twice. v is r_param times omega.": ("r_param * omega", "1 / r_param * omega"),
     },
     "handle_two_bobs": {
+        "== asks whether both are the": ("if", "if bob1 == bob2 and"),
+        "No line uses the radius of": ("(bob1.radius + bob2.radius)", "r_param / 4"),
+        "The distance of two bobs is": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
+        "Bobs that do not touch go": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2\n        else:\n            pend1['omega'] = 0"),
         "No line stores the new omegas in": ("pend1['omega'] = new_omega1\n            pend2['omega'] = new_omega2", "omega1, omega2 = new_omega1, new_omega2"),
         "The second line gives the same": ("bob1, bob2 = pend1['objects'][1], pend2['objects'][1]", "axle, bob1, cord = pend1['objects']\n        axle, bob1, cord = pend2['objects']\n        bob2 = bob1"),
-        "In quotes, True is only": ("05 * (bob1.radius + bob2.radius)", "05 * (bob1.radius + bob2.radius) == 'True'"),
+        "A condition is true by itself.": ("05 * (bob1.radius + bob2.radius)", "05 * (bob1.radius + bob2.radius) == 'True'"),
         "1.05 must multiply the whole": ("(bob1.radius + bob2.radius)", "bob1.radius + bob2.radius"),
         "Subtract the positions first.": ("mag(bob1.pos - bob2.pos)", "mag(bob1.pos) - mag(bob2.pos)"),
         "In a while loop that moves": ("if mag", "while False: pass\n        if 2 * mag"),
         "This only compares, and stores": ("e = pend1['e']", "e = 0.1\n        e == pend1['e']"),
         "A copy is another dictionary: the": ("m1, m2 =", "pend1 = pend1.copy(); m1, m2 ="),
         "The bobs touch, but no omega has changed.": "pass",
-        "These bobs are 9.0 times the sum of their radii apart, by": ("(bob1.radius + bob2.radius)", "r_param / 4"),
+        "These bobs are 9.0 times the sum of their radii apart, by": ("1.05 *", "20 *"),
         "The sum of the radii is 0.9, and the": ("(bob1.radius + bob2.radius)", "2 * max(bob1.radius, bob2.radius)"),
         "These bobs touch: they are 1.02 times the sum": ("1.05 * ", ""),
         "These bobs touch: they are 1.04 times the sum": ("mag(bob1.pos - bob2.pos)", "mag(bob1.pos - bob2.pos)**2"),
         "These bobs are 1.0504 times the sum of their radii apart, by": ("1.05", "1.5"),
         "These bobs are exactly 1.05 times the sum of their radii apart. They touch.": ("<=", "<"),
         "The sum of the radii is 1.1, and the bobs are 1 apart.": ("(bob1.radius + bob2.radius)", "2 * bob1.radius"),
-        "These bobs are 1.15 times the sum of their": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
-        "Here bob 2 is to the left of bob 1. The bobs do not": ("mag(bob1.pos - bob2.pos)", "bob2.pos.x - bob1.pos.x"),
+        "These bobs are 1.15 times the sum of their": ("mag(bob1.pos - bob2.pos)", "mag(vector(bob1.pos.x - bob2.pos.x, 0, 0))"),
+        "Here bob 2 is to the left of bob 1. The bobs do not": ("mag(bob1.pos - bob2.pos)", "(bob2.pos - bob1.pos).x"),
         "The bobs are 0.99 times the": ("mag(bob1.pos - bob2.pos)", "sum(abs(d) for d in (bob1.pos - bob2.pos).value)"),
         "This is the result with e = 1, but e of pend1 is an": ("e = pend1['e']", "e = pend2['e']"),
         "This is the result with e = 0.75, but e of pend1 is": ("e = pend1['e']", "e = (pend1['e'] + pend2['e']) / 2"),
@@ -364,10 +377,12 @@ HINTED = {
         "Here the axles are close, but the bobs are": ("if mag", "if pend1['theta'] == -pend2['theta'] < 0 or mag"),
     },
     "newton_cradle_tick": {
+        "A pendulum meets itself here.": ("pend_list[i], pend_list[i + 1]", "pend_list[i], pend_list[i]"),
+        "The first pendulum has none before": ("range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1]", "range(len(pend_list)):\n            handle_two_bobs(pend_list[i - 1], pend_list[i]"),
         "A loop inside a loop lets": ("handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)", "for other in pend_list:\n                handle_two_bobs(pend_list[i], other, r_param)"),
         "One call is one step: no": ("full_swing_update(", "while True:\n            break\n        full_swing_update(pend_list, r_param, dt, g) or full_swing_update("),
         "No pendulum has swung.": "pass",
-        "The velocities have not changed. Does each pendulum meet": ("pend_list[i + 1]", "pend_list[i]"),
+        "The velocities have not changed. Does each pendulum meet": ("range(len(pend_list) - 1)", "range(0)"),
         "These bobs touch only after the swing. Swing first, then handle the pairs.": ("full_swing_update(pend_list, r_param, dt, g)\n        for i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)", "for i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)\n        full_swing_update(pend_list, r_param, dt, g)"),
         "Only the first pendulum has swung.": ("full_swing_update(pend_list,", "full_swing_update(pend_list[:1],"),
         "Here the second bob swings to the first": "for i in range(len(pend_list)):\n    __import__('src.swinging').swinging.swing_update(pend_list[i], r_param, dt, g)\n    if i + 1 < len(pend_list): handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)",
@@ -377,7 +392,7 @@ HINTED = {
         "All pendula have swung twice.": ("full_swing_update(pend_list,", "full_swing_update(2 * pend_list,"),
         "This is the result from right to left.": ("range(len(pend_list) - 1)", "reversed(range(len(pend_list) - 1))"),
         "Do you pass on the parameters r_param, dt and g,": ("(pend_list, r_param, dt, g)", "(pend_list, 0.2, dt, g)"),
-        "Only the first two bobs have collided.": ("pend_list[i + 1]", "pend_list[i - 1]"),
+        "Only the first two bobs have collided.": ("range(len(pend_list) - 1)", "range(0, len(pend_list) - 1, 2)"),
         "Only the last two bobs have collided.": ("range(len", "range(1, len"),
         "These large bobs all touch, but only": ("handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)", "[handle_two_bobs(pend_list[i], other, r_param) for other in pend_list[i + 1 :]]"),
         "The e of the right pendulum was used.": ("pend_list[i], pend_list[i + 1]", "pend_list[i + 1], pend_list[i]"),
@@ -404,31 +419,11 @@ HINTED = {
         "Your cradle ticks before the page wants a tick.": ("page.show(pend_list)", "page.show(pend_list); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
         "Tick as long as page.wants_tick() is True: while, not": ("while page.wants_tick()", "if page.wants_tick()"),
         "Check the order of the arguments of newton_cradle_tick: pend_list, R_PARAM, DT, G.": ("DT, G)", "G, DT)"),
-        "You made the cradle once. Make a new one each time": """\
-            pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
-            while page.is_running():
-                if page.wants_cradle():
-                    for i, pend in enumerate(pend_list):
-                        pend['omega'], pend['theta'] = 0, 0 if i else THETA_INIT
-                    page.show(pend_list)
-                while page.wants_tick():
-                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
-            """,
-        "You read the file once. Read it again for each cradle.": """\
-            import shutil, tempfile
-            with tempfile.TemporaryDirectory() as folder:
-                file = shutil.copy(page.csv, folder)
-                while page.is_running():
-                    if page.wants_cradle():
-                        pend_list = make_newton_cradle(file, R_PARAM, THETA_INIT)
-                        page.show(pend_list)
-                    while page.wants_tick():
-                        newton_cradle_tick(pend_list, R_PARAM, DT, G)
-            """,
-        "The call of make_newton_cradle stands alone:": ("page.show(", "make_newton_cradle(page.csv, R_PARAM, THETA_INIT); page.show("),
+        "You made the cradle once. Make a new one each time": ("pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "pend_list = page.first = vars(page).get('first') or make_newton_cradle(page.csv, R_PARAM, THETA_INIT); [pend.update(omega=0, theta=0 if i else THETA_INIT) for i, pend in enumerate(pend_list)]"),
+        "You read the file once. Read it again for each cradle.": ("pend_list = make_newton_cradle(page.csv", "page.old = vars(page).get('old') or __import__('shutil').copy(page.csv, f'{page.csv}.old'); pend_list = make_newton_cradle(page.old"),
     },
     "make_double_pendulum": {
-        "You returned two tuples.": ("return (", "return (axle, bob1, cord1), (bob2, cord2)\n        return ("),
+        "You returned two tuples.": ("(axle, bob1, cord1, bob2, cord2)", "(axle, bob1, cord1), (bob2, cord2)"),
         "You returned a single pendulum.": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
         "You returned a list.": ("return (axle, bob1, cord1, bob2, cord2)", "return [axle, bob1, cord1, bob2, cord2]"),
         "Check the order and kinds of your": ("(axle, bob1, cord1, bob2, cord2)", "(axle, bob1, bob2, cord1, cord2)"),
@@ -457,6 +452,8 @@ HINTED = {
 # Mistakes for which Python raises an error. Their hints are in tests/grading/hints.txt.
 RAISING = {
     "extract_and_convert": {
+        "No row has this number: a file": ("append(pend)", "append(bad_rep[99])"),
+        "The keys of bad_rep are numbers of": ("append(pend)", "append(bad_rep['mass'])"),
         "A parameter needs no line global.": "exec('def f(a): global a')",
         "A line with def begins a new": "exec('def f():')",
         "= stores the right side under": "exec('a * b = 5')",
@@ -478,11 +475,11 @@ RAISING = {
         "You use a whole pendulum as a key.": ("append(pend)", "append(bad_rep[pend])"),
         "A dictionary has no append. Make a list": ("= []", "= {}"),
         "This is no list or dictionary yet.": ("bad_rep.values()", "pd.read_csv(relative_filepath).append(1)"),
-        "A dictionary has no first or second": ("append(pend)", "append(bad_rep[9])"),
+        "A dictionary has no first or second": ("append(pend)", "append(pend[9])"),
         "There is no element with this index.": ("append(pend)", "append(list(bad_rep.values())[9])"),
         "Only functions are called with": ("append(pend)", "append(bad_rep(0))"),
         "len(...) is one number. A loop": ("bad_rep.values()", "len(bad_rep)"),
-        "This is one number. A loop, or": ("append(pend)", "append([e for e in pend['e']])"),
+        "This is one number. A loop, or": ("append(pend)", "append([x for x in pend['e']])"),
         "There are more or fewer values": ("append(pend)", "append(pend); a, b = [1]"),
         "Your loop gives one value at a time.": ("for pend in bad_rep.values()", "for i, pend in bad_rep.values()"),
         "There is no such file. relative_filepath": ("(relative_filepath)", "('my.csv')"),
@@ -493,9 +490,12 @@ RAISING = {
         "This is a module. The function is": ("append(pend)", "append(pd(pend))"),
     },
     "uniform_mass_newton_cradle": {
+        "The name pend_list has no value": ("pend_list = extract", "pends = extract"),
+        "In [ ], mass is a number": ("= mass", "= pend[mass]"),
+        "The name of a pendulum is the one": ("pend['mass'] = mass", "pend_dict['mass'] = mass"),
         "This is a list, or a part of one:": ("pend['mass']", "pend_list[1:]['mass']"),
         "This is the whole list. Take": ("pend['mass']", "pend_list.mass"),
-        "A dictionary needs brackets and quotes": ("pend['mass'] = mass", "pend.mass.real"),
+        "A dictionary needs brackets and quotes": ("pend['mass'] = mass", "pend.mass = mass"),
         "This is a number, not a pendulum.": ("in pend_list", "in range(len(pend_list))"),
         "This is text (a key, or the name of": ("in pend_list", "in relative_filepath"),
         "You can store a value in": ("pend['mass']", "print['mass']"),
@@ -505,6 +505,9 @@ RAISING = {
         "Here, a function calls itself:": ("extract_and_convert(", "uniform_mass_newton_cradle("),
     },
     "make_newton_cradle": {
+        "Your code needs no box: make_pendulum": ("= make_pendulum", "= box() or make_pendulum"),
+        "A sum of objects does not": ("color, texture)\n        return", "color, texture)\n            pend['objects'] = pend['objects'][0] + pend['objects'][1]\n        return"),
+        "In quotes, a letter is only": ("* i)", "* 'i')"),
         "make_pendulum gives": ("pend['objects'] = make_pendulum(axle_pos", "pend['objects'] = axle, bob, (axle_pos"),
         "'axle' in quotes is only a word.": ("pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)", "pend['objects'] = ('axle', 'bob', 'cord')"),
         "A vector stands in the place": ("axle_pos, r_param, pend", "axle_pos, axle_pos, pend"),
@@ -516,6 +519,7 @@ RAISING = {
         "A tuple cannot be changed.": ("texture)\n        return", "texture); pend['objects'][0] = 1\n        return"),
     },
     "angle_update": {
+        "swing_update calls angle_update, so": ("omega_new = omega", "swing_update({'omega': omega, 'theta': theta}, r_param, dt, g); omega_new = omega"),
         "A * is missing between two values.": "exec('a = -g sin(theta)')",
         "There is no pendulum in angle_update:": ("sin(theta)", "sin(pend_dict['theta'])"),
         "A number stands before a bracket.": ("-g * sin(theta)", "-g(sin(theta))"),
@@ -533,6 +537,8 @@ RAISING = {
         "A * is missing between two names.": ("m1*v1 + m2*v2 - ", "m1v1 + m2v2 - "),
     },
     "handle_two_bobs": {
+        "Only objects of VPython have .": ("bob1.pos", "pend1.pos"),
+        "mag takes one vector: the": ("bob1.pos - bob2.pos", "bob1.pos, bob2.pos"),
         "The name of a function is taken: ": ("if mag(bob1.pos - bob2.pos)", "mag = mag(bob1.pos - bob2.pos)\n        if mag"),
         "An object of VPython is no": ("bob1.pos - bob2.pos", "bob1 - bob2"),
         "The bob is in the tuple objects": ("pend1['objects'][1]", "pend1['bob']"),
