@@ -399,6 +399,13 @@ HINTED = {
         "This is the result with e = 1. Do the bobs": ("handle_two_bobs(", "pend_list[i]['e'] = 1; handle_two_bobs("),
     },
     "main": {
+        "A function needs ( ) with its values": ("make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "make_newton_cradle"),
+        "The whole list belongs to newton_cradle_tick": ("newton_cradle_tick(pend_list", "for pend in pend_list:\n                    newton_cradle_tick(pend"),
+        "One tick is enough here:": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "while page.wants_tick():\n                    newton_cradle_tick(pend_list, R_PARAM, G, DT)"),
+        "In main, the word break": ("DT, G)", "DT, G)\n                break"),
+        "In main, make_newton_cradle makes": ("make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "extract_and_convert(page.csv)"),
+        "A list is inside of a list": ("make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "[make_newton_cradle(page.csv, R_PARAM, THETA_INIT)]"),
+        "The path of the file is page.csv,": ("(page.csv", "(page"),
         "You showed no cradle. Give your pend_list to page.show.": "pass",
         "You never called page.wants_tick, or you showed no cradle.": ("page.wants_tick()", "False"),
         "You gave page.show no pend_list, or an empty one.": ("page.show(pend_list)", "page.show(None)"),
@@ -423,6 +430,9 @@ HINTED = {
         "You read the file once. Read it again for each cradle.": ("pend_list = make_newton_cradle(page.csv", "page.old = vars(page).get('old') or __import__('shutil').copy(page.csv, f'{page.csv}.old'); pend_list = make_newton_cradle(page.old"),
     },
     "make_double_pendulum": {
+        "make_pendulum makes an axle each": ("bob2, cord2 = make_bob_and_cord", "_, bob2, cord2 = make_pendulum"),
+        "The first value of make_bob_and_cord": ("(bob1.pos", "(cord1.axis"),
+        "Both cords have the length r_param.": ("bob1.pos, r_param", "bob1.pos, 2 * r_param"),
         "You returned two tuples.": ("(axle, bob1, cord1, bob2, cord2)", "(axle, bob1, cord1), (bob2, cord2)"),
         "You returned a single pendulum.": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
         "You returned a list.": ("return (axle, bob1, cord1, bob2, cord2)", "return [axle, bob1, cord1, bob2, cord2]"),
@@ -434,9 +444,12 @@ HINTED = {
         "You ignored theta.": ("axle, bob1, cord1 =", "theta = 0; axle, bob1, cord1 ="),
         "You exchanged theta and phi.": ("axle, bob1, cord1 =", "theta, phi = phi, theta; axle, bob1, cord1 ="),
         "Your lower bob hangs from the axle. It must hang from the upper bob.": ("bob1.pos", "axle_pos"),
-        "Axles, bobs or cords stay in the": ("bob2, cord2 = make_bob_and_cord(", "_, bob2, cord2 = make_pendulum("),
+        "Axles, bobs or cords stay in the": ("bob2, cord2 = make_bob", "make_bob_and_cord(axle_pos, r_param, 0, color, texture); bob2, cord2 = make_bob"),
     },
     "double_angle_update": {
+        "A single pendulum swings by angle_update.": ("du, dv", "swing_update(0, r_param, dt, g); du, dv"),
+        "The last value of double_accelerations": ("m2 / (m1 + m2)", "m2 / (m1 - m2)"),
+        "The lower cord's angle from straight down": ("theta, theta + phi,", "theta, phi,"),
         "The lower cord turns with": "a, b, u, v = theta, theta + phi, omega_theta, omega_phi; du, dv = double_accelerations(a, b, u, v, g / r_param, m2 / (m1 + m2)); u, v = u + du * dt, v + dv * dt; return u, v, a + u * dt, phi + (v - u) * dt",
         "Your angles have not changed.": "return omega_theta, omega_phi, theta, phi",
         "Return omega_theta, omega_phi, theta, phi, in this order.": ("(u, v - u, a, b - a)", "(a, u, b - a, v - u)"),
@@ -452,6 +465,7 @@ HINTED = {
 # Mistakes for which Python raises an error. Their hints are in tests/grading/hints.txt.
 RAISING = {
     "extract_and_convert": {
+        "After def, ( ) have only names.": "exec('def f(page.csv):')",
         "No row has this number: a file": ("append(pend)", "append(bad_rep[99])"),
         "The keys of bad_rep are numbers of": ("append(pend)", "append(bad_rep['mass'])"),
         "A parameter needs no line global.": "exec('def f(a): global a')",
