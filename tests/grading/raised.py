@@ -12,7 +12,7 @@ from grading.handout import FUNCTIONS
 from grading.project_path import ROOT
 from support.start.preview import stubs_in
 
-MOST_TEXT = 2000  # characters of an error that are kept
+MOST_TEXT, MOST_PLACES = 2000, 20  # characters and lines of an error that are kept: a recursion has hundreds
 
 
 class Place(NamedTuple):
@@ -82,7 +82,7 @@ def own_places(error) -> list[Place]:
     # ROOT is resolved, for example to the share behind a drive on Windows. "<string>" is no file.
     files = [(Path(place.file).resolve(), place) for place in places if Path(place.file).is_absolute()]
     own = [(file, place) for file, place in files if file.is_relative_to(ROOT / "src")]
-    return [place._replace(file=file.relative_to(ROOT).as_posix()) for file, place in own]
+    return [place._replace(file=file.relative_to(ROOT).as_posix()) for file, place in own[:MOST_PLACES]]
 
 
 def stub_of(error) -> tuple[str | None, str]:

@@ -607,14 +607,12 @@ UNHINTED = {
         "ten at most": ("return pend_list", "return pend_list[:10]"),
     },
     "uniform_mass_newton_cradle": {
-        "the first column, with any name": ("'mass'", "list(pend)[0]"),
         "writes the file": ("return", "open(relative_filepath, 'a').write(' '); return"),
     },
     "uniform_e_newton_cradle": {
-        "only where e is not 0": ("for pend in pend_list", "for pend in filter(lambda pend: pend['e'], pend_list)"),
+        "writes the file": ("return", "open(relative_filepath, 'a').write(' '); return"),
     },
     "make_newton_cradle": {
-        "the color replaced by its vector": ("pend['objects'] =", "pend['color'], pend['objects'] = color,"),
         "sorted by mass": ("for i in", "pend_list.sort(key=lambda pend: pend['mass'])\n        for i in"),
         "the first known by its mass": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
         "at most half a round": ("= theta_init", "= max(-3.1415926, min(3.1415926, theta_init))"),
@@ -628,7 +626,6 @@ UNHINTED = {
         "five at most": ("in pend_list", "in pend_list[:5]"),
         "sorted by angle": "pend_list.sort(key=lambda pend: pend['theta'])\nfor pend in pend_list: swing_update(pend, r_param, dt, g)",
         "bobs that shrink": ("r_param, dt, g)", "r_param, dt, g); pend['objects'][1].radius *= 0.99"),
-        "angles only": "for pend in pend_list: pend['omega'], pend['theta'] = angle_update(pend['omega'], pend['theta'], r_param, dt, g)",
     },
     "handle_collision": {
         "a small e as 0": ("v1 = r_param", "e = e if e > 0.2 else 0; v1 = r_param"),

@@ -38,8 +38,7 @@ from teacher.crossing import Crossing, File, MOST_PRINTED
 SECONDS = 300  # of processor time
 MEMORY = limits.MOST_MEMORY * 10**6  # bytes more than at the start, for this process and for each one that it starts
 ADDRESSES = 2_500_000_000  # bytes, also of memory that processes share
-FILE_SIZE, FILES = 10_000_000, 64  # bytes, and the number of open files
-PROCESSES = 8
+FILE_SIZE, FILES, PROCESSES = 10_000_000, 64, 8  # bytes of a file, open files, processes
 
 
 class Solver:
@@ -128,6 +127,8 @@ class Desk(Crossing):
 class Page:
     """The page for main: all that it does, the judge's page does."""
 
+    __module__ = "test_a"  # an error names the class as in pytest
+
     def __init__(self, solver, text, methods):
         vars(self).update(_solver=solver, _text=text, _methods=methods)
 
@@ -189,7 +190,6 @@ def copy_for_each(control, user) -> None:
     """Let a copy of this process serve each socket that comes from the socket control.
 
     At the next byte, the copy ends, and the files that it has left are removed.
-
     The import of pandas takes longer than most solutions. A copy sees no process but its own: it cannot reach this one.
     It has neither /proc nor control.
     """
