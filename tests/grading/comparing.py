@@ -133,6 +133,8 @@ def mistake_in(what, found, wanted) -> str:
     if isinstance(like, (list, tuple)) and len(found) != len(like):
         elements = "element" if len(found) == 1 else "elements"
         return f"{whole} {have} {len(found)} {elements}, not {len(like)}."
+    if isinstance(wanted, Wanted) and isinstance(like, list):  # the forms of its elements
+        wanted = [Wanted("", lambda one, each=each: form_of(one) == form_of(each), like=each) for each in like]
     if isinstance(wanted, dict):
         for words, keys in (("misses", wanted.keys() - found.keys()), ("must not have", found.keys() - wanted.keys())):
             if keys:

@@ -103,6 +103,9 @@ PLAIN = {
 HINTED = {
     "extract_and_convert": {
         "In quotes, the name of the loop": ("append(pend)", "append(bad_rep['pend'])"),
+        "In each turn of the inner loop, pend_dict": ("pend_list.append(pend)", "for key in pend:\n                pend_dict = {}\n                pend_dict[key] = pend[key]\n            pend_list.append(pend_dict)"),
+        "Each element must be a whole pendulum:": ("append(pend)", "append(str(pend))"),
+        "All values of bad_rep are one element": ("for pend in bad_rep.values():\n            pend_list.append(pend)", "pend_list.append(bad_rep.values())"),
         "In a loop, = replaces the whole": ("pend_list.append(pend)", "pend_list = [pend]"),
         "The while loop never changes i,": ("pend_list = []", "i = 5\n        while i < 5: break\n        pend_list = [1]"),
         "Your list has the keys of bad_rep, too.": ("append(pend)", "extend([len(pend_list) // 2, pend])"),
@@ -147,6 +150,7 @@ HINTED = {
         "Your second call has changed the list": ("= []", "= globals().setdefault('_list', []); pend_list.clear()"),
     },
     "uniform_mass_newton_cradle": {
+        "This line calls nothing: map only": ("for pend in pend_list:\n            pend['mass'] = mass", "map(lambda pend: pend.update(mass=mass), pend_list)"),
         "The sides of = are exchanged.": ("pend['mass'] = mass", "mass = pend['mass']"),
         "A new dictionary has only the keys": ("return pend_list", "return [{'mass': mass} for pend in pend_list]"),
         "You changed too much: theta must": ("pend['mass'] = mass", "pend['mass'] = mass; pend['theta'] = 0"),
@@ -278,7 +282,7 @@ HINTED = {
     },
     "full_swing_update": {
         "This takes a pendulum out of the list.": ("for pend", "pend_list.pop()\n        for pend"),
-        "No pendulum has changed. Call swing_update for each one": "map(lambda pend: swing_update(pend, r_param, dt, g), pend_list)",
+        "No pendulum has changed. Call swing_update for each one": "swung = map(lambda pend: swing_update(pend, r_param, dt, g), pend_list)",
         "The second pendulum is at rest, but not": ("swing_update(", "if pend['omega']: swing_update("),
         "Use the parameters, not the constants.": ("dt, g", "0.0001, g"),
         "Change the pendulum itself. A function": "for i in range(len(pend_list)): pend_list[i] = swing_update(pend_list[i], r_param, dt, g)",
@@ -467,6 +471,8 @@ RAISING = {
     "extract_and_convert": {
         "After def, ( ) have only names.": "exec('def f(page.csv):')",
         "No row has this number: a file": ("append(pend)", "append(bad_rep[99])"),
+        "A loop over bad_rep gives its keys,": ("in bad_rep.values():\n            pend_list.append(pend)", "in bad_rep: pend_list.append(pend['mass'])"),
+        "list and dict are only kinds of": ("= []", "= list"),
         "The keys of bad_rep are numbers of": ("append(pend)", "append(bad_rep['mass'])"),
         "A parameter needs no line global.": "exec('def f(a): global a')",
         "A line with def begins a new": "exec('def f():')",
@@ -526,6 +532,7 @@ RAISING = {
         "'axle' in quotes is only a word.": ("pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)", "pend['objects'] = ('axle', 'bob', 'cord')"),
         "A vector stands in the place": ("axle_pos, r_param, pend", "axle_pos, axle_pos, pend"),
         "You looked for the word color.": ("COLOR_MAP[pend['color']]", "COLOR_MAP['color']"),
+        "This dictionary has no 'color':": ("pend = pend_list[i]", "pend = {}"),
         "No such key in TEXTURE_MAP.": ("TEXTURE_MAP[pend['texture']]", "TEXTURE_MAP[pend['color']]"),
         "COLOR_MAP has the vector of a color.": ("COLOR_MAP[pend['color']]", "pend['color']"),
         "A position is a vector, with": ("(axle_pos, r_param", "(r_param, r_param"),
@@ -544,7 +551,7 @@ RAISING = {
         "An index, or the end of a range, is": ("theta_new =", "range(theta); theta_new ="),
     },
     "full_swing_update": {
-        "Give swing_update pendula, not their numbers:": ("for pend in pend_list:\n            swing_update(pend", "for i in range(len(pend_list)):\n            swing_update(i"),
+        "Give swing_update whole pendula, such": ("for pend in pend_list:\n            swing_update(pend", "for i in range(len(pend_list)):\n            swing_update(i"),
     },
     "handle_collision": {
         "Numbers are multiplied with *": ("r_param * omega1", "r_param.x"),
