@@ -53,7 +53,9 @@ def next_step(outcomes) -> tuple[str, str]:
             step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
             dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
             steps = dict(rows_of("hints.txt", "steps"))[check.function]
-            return step, f"{outcome.wrong}{dot} {outcome.hint or steps}".strip()
+            more = f"{outcome.wrong}{dot} {outcome.hint or steps}".strip()
+            has_error = outcome.hint and "\nit raised " in outcome.message  # a plan helps, too
+            return step, f"{more}\n{steps}" if has_error else more
         if outcome.is_unwritten:
             return f"{check.function} in {outcome.place}", f"read in the handout: {function.read}"
     for check in made:
@@ -76,7 +78,7 @@ def mistakes_in(outcomes) -> list:
 
 def whole_step(graded) -> str:
     """Return the next step and the words about it in one line."""
-    return "; ".join(filter(None, (graded["next"], graded["more"])))
+    return "; ".join(filter(None, (graded["next"], graded["more"].replace("\n", " "))))
 
 
 def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
@@ -127,5 +129,6 @@ def table(outcomes, columns) -> list[tuple[str, str]]:
     ]
     notes = [f"Note:  {one.hint}" for one in outcomes.values() if one.state == PASSED and one.hint]
     steps = wrap(f"{graded['next']}.", columns, initial_indent="Next:  ", subsequent_indent=" " * 7)
-    steps += wrap(graded["more"], columns, initial_indent=" " * 7, subsequent_indent=" " * 7)
+    for line in graded["more"].split("\n"):
+        steps += wrap(line, columns, initial_indent=" " * 7, subsequent_indent=" " * 7)
     return [*rows, *((line, "yellow") for line in waits), *((line, "bold") for line in [*verdict, *notes, *steps])]

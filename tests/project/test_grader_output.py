@@ -77,6 +77,7 @@ def test_a_mistake_is_told_on_a_screen_and_again_in_the_last_ten_lines(starter):
 
 
 WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5.")
+ERROR = WRONG._replace(hint="Do this.", message="\nit raised   E: f")
 
 
 @pytest.mark.parametrize(
@@ -84,6 +85,7 @@ WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5.")
     [
         ("C", Outcome(PASSED), ["Tier C is complete.", "Next:  run all checks of tier D."]),
         ("B", WRONG._replace(hint="Do this."), ["Next:  handle_collision in a.py, line 7.", "       A is 5. Do this."]),
+        ("B", ERROR, ["       The steps: both omegas become linear velocities; the two formulas of the"]),
         ("C", WRONG, ["       A is 5. The steps: the new omega from g, r_param, theta and dt; then the"]),
     ],
 )
