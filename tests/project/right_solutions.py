@@ -19,8 +19,7 @@ RIGHT = {
                 except ValueError:
                     return text
             with open(relative_filepath) as file:
-                return [{key: number(cell) for key, cell in row.items()} for row in csv.DictReader(file)]
-            """,
+                return [{key: number(cell) for key, cell in row.items()} for row in csv.DictReader(file)]""",
     },
     "uniform_mass_newton_cradle": {
         "new dictionaries": "return [{**pend, 'mass': mass} for pend in extract_and_convert(relative_filepath)]",
@@ -44,8 +43,7 @@ RIGHT = {
                 looks = COLOR_MAP[row["color"]], TEXTURE_MAP[row["texture"]]
                 objects = make_pendulum(vector(-0.1 + i * r_param * 0.25, 0.2 * r_param, 0), r_param, theta, *looks)
                 return {**row, "theta": theta, "omega": 0, "objects": objects}
-            return [made(i, row) for i, row in enumerate(extract_and_convert(relative_filepath))]
-            """,
+            return [made(i, row) for i, row in enumerate(extract_and_convert(relative_filepath))]""",
         "with a frame and a name": ("return pend_list", "__import__('vpython').box(pos=vector(0, -1, 0), size=vector(2, 0.1, 1)); __import__('vpython').cylinder(axis=vector(1, 0, 0), radius=r_param / 20); __import__('vpython').label(text='cradle')\n        return pend_list"),
         "made twice, and the first ones hidden": ("pend['objects'] = make", "for old in make_pendulum(axle_pos, r_param, 0, color, texture): old.visible = False\n            pend['objects'] = make"),
         "floats": ("pend['theta'] = 0", "pend['theta'] = 0.0"),
@@ -70,8 +68,7 @@ RIGHT = {
                 pend["omega"], pend["theta"] = angle_update(pend["omega"], pend["theta"], r_param, dt, g)
                 axle, bob, cord = pend["objects"]
                 bob.pos = axle.pos + vector(sin(pend["theta"]), -cos(pend["theta"]), 0) * r_param
-                cord.axis = bob.pos - axle.pos
-            """,
+                cord.axis = bob.pos - axle.pos""",
         "the shapes turned": """\
             for pend in pend_list:
                 omega, theta = angle_update(pend["omega"], pend["theta"], r_param, dt, g)
@@ -79,25 +76,21 @@ RIGHT = {
                 turn = {"angle": theta - pend["theta"], "axis": vector(0, 0, 1), "origin": axle.pos}
                 bob.rotate(**turn)
                 cord.rotate(**turn)
-                pend["omega"], pend["theta"] = omega, theta
-            """,
+                pend["omega"], pend["theta"] = omega, theta""",
         "the cord drawn from the bob": ("dt, g)", "dt, g); axle, bob, cord = pend['objects']; cord.pos, cord.axis = bob.pos, axle.pos - bob.pos"),
     },
     "handle_collision": {
         "through the centre of mass": """\
             common = (m1 * omega1 + m2 * omega2) / (m1 + m2)
-            return common - e * (omega1 - common), common - e * (omega2 - common)
-            """,
+            return common - e * (omega1 - common), common - e * (omega2 - common)""",
         "by the impulse": """\
             impulse = (1 + e) * (omega1 - omega2) / (1 / m1 + 1 / m2)
-            return omega1 - impulse / m1, omega2 + impulse / m2
-            """,
+            return omega1 - impulse / m1, omega2 + impulse / m2""",
         "the second from the first by e": ("(w1, w2)", "(w1, w1 + e * (omega1 - omega2))"),
         "numpy's solver": """\
             import numpy
             left = [[m1, m2], [-1, 1]]
-            return tuple(numpy.linalg.solve(left, [m1 * omega1 + m2 * omega2, e * (omega1 - omega2)]))
-            """,
+            return tuple(numpy.linalg.solve(left, [m1 * omega1 + m2 * omega2, e * (omega1 - omega2)]))""",
     },
     "handle_two_bobs": {
         "returns the dictionaries, too": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2\n        return pend1, pend2"),
@@ -116,13 +109,11 @@ RIGHT = {
             for i in range(len(pend_list)):
                 swing_update(pend_list[i], r_param, dt, g)
                 if i > 0:
-                    handle_two_bobs(pend_list[i - 1], pend_list[i], r_param)
-            """,
+                    handle_two_bobs(pend_list[i - 1], pend_list[i], r_param)""",
         "with zip": """\
             full_swing_update(pend_list, r_param, dt, g)
             for left, right in zip(pend_list, pend_list[1:]):
-                handle_two_bobs(left, right, r_param)
-            """,
+                handle_two_bobs(left, right, r_param)""",
     },
     "main": {
         "the rule handed on": ("DT, G)", "DT, G, **page.rule)"),
@@ -142,8 +133,7 @@ RIGHT = {
                 while page.wants_tick():
                     rate(1 / DT)
                     newton_cradle_tick(cradle, R_PARAM, DT, G)
-                    name.text = f"cradle, from {mag(scene.camera.pos):.1f} m"
-            """,
+                    name.text = f'cradle, from {mag(scene.camera.pos):.1f} m'""",
         "a CSV of its own first": """\
             from src.pds_helper import write_to_csv
             rows = [{'mass': m, 'e': 1, 'theta': 0, 'omega': 0, 'color': 'red', 'texture': 'none'} for m in (1.0, 2.0)]
@@ -153,8 +143,7 @@ RIGHT = {
                     pend_list = make_newton_cradle(__import__('support.constants').constants.NC_FP, R_PARAM, THETA_INIT)
                     page.show(pend_list)
                 while page.wants_tick():
-                    newton_cradle_tick(pend_list, R_PARAM, DT, G)
-            """,
+                    newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
         "a list that stays": ("pend_list = make", "pend_list = vars(page).setdefault('list', []); pend_list[:] = make"),
     },
     "make_double_pendulum": {
@@ -162,22 +151,19 @@ RIGHT = {
             axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
             hidden, bob2, cord2 = make_pendulum(bob1.pos, r_param, theta + phi, color, texture)
             hidden.visible = False
-            return axle, bob1, cord1, bob2, cord2
-            """,
+            return axle, bob1, cord1, bob2, cord2""",
         "by hand": """\
             axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
             arm = vector(r_param * sin(theta + phi), -r_param * cos(theta + phi), 0)
             bob2 = sphere(pos=bob1.pos + arm, radius=bob1.radius, color=color, texture=texture)
             cord2 = cylinder(pos=bob2.pos, axis=-arm, radius=cord1.radius)
-            return axle, bob1, cord1, bob2, cord2
-            """,
+            return axle, bob1, cord1, bob2, cord2""",
     },
     "double_angle_update": {
         "explicit Euler": """\
             a, b, u, v = theta, theta + phi, omega_theta, omega_theta + omega_phi
             du, dv = double_accelerations(a, b, u, v, g / r_param, m2 / (m1 + m2))
-            return u + du * dt, v - u + (dv - du) * dt, a + u * dt, phi + (v - u) * dt
-            """,
+            return u + du * dt, v - u + (dv - du) * dt, a + u * dt, phi + (v - u) * dt""",
         "the midpoint": """\
             def rates(state):
                 u, v, a, b = state
@@ -185,7 +171,6 @@ RIGHT = {
             state = omega_theta, omega_theta + omega_phi, theta, theta + phi
             middle = [value + dt / 2 * rate for value, rate in zip(state, rates(state))]
             u, v, a, b = (value + dt * rate for value, rate in zip(state, rates(middle)))
-            return u, v - u, a, b - a
-            """,
+            return u, v - u, a, b - a""",
     },
 }
