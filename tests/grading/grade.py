@@ -52,10 +52,11 @@ def next_step(outcomes) -> tuple[str, str]:
         if outcome.state == FAILED:
             step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
             dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
-            steps = dict(rows_of("hints.txt", "steps"))[check.function]
-            more = f"{outcome.wrong}{dot} {outcome.hint or steps}".strip()
-            has_error = outcome.hint and "\nit raised " in outcome.message  # a plan helps, too
-            return step, f"{more}\n{steps}" if has_error else more
+            steps, has_error = dict(rows_of("hints.txt", "steps")), "\nit raised " in outcome.message
+            plan = steps[check.function]
+            hint = outcome.hint or (plan if has_error else steps.get(check.name, plan))
+            more = f"{outcome.wrong}{dot} {hint}".strip()
+            return step, f"{more}\n{plan}" if has_error and outcome.hint else more
         if outcome.is_unwritten:
             return f"{check.function} in {outcome.place}", f"read in the handout: {function.read}"
     for check in made:

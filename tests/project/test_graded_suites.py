@@ -7,7 +7,7 @@ import sys
 from contextlib import contextmanager
 from importlib import import_module
 from inspect import Signature, signature
-from math import ceil, cos, sin
+from math import ceil, cos, pi, sin
 from pathlib import Path
 from textwrap import dedent, indent
 
@@ -182,6 +182,22 @@ def test_each_hint_has_a_mistake_in_the_table(monkeypatch):
     assert min(map(len, begins)) > 4
 
 
+V1, V2, SUM = 0.4 * 3, 0.4 * -4, 2 * 0.4 * 3 + 8 * 0.4 * -4
+WORKED = {  # the numbers in the steps for a mistake without a hint
+    "angle_update": [sin(5 * pi / 6), -8 * sin(5 * pi / 6) / 0.4, 2, 2 * 0.1],
+    "handle_collision": [V1, V2, SUM, V1 - V2, *((SUM + part * 0.7 * (V1 - V2)) / 10 for part in (-8, 2))],
+}
+
+
+@pytest.mark.parametrize("function", WORKED)
+def test_the_steps_have_the_right_numbers_of_the_first_call(solve, function):
+    solve(function, "return 1, 1")
+    given, words = dict(comparing.rows_of("hints.txt", "steps"))[f"test_{function}"].split(": ")
+    given = given.removeprefix("With ").replace(" = ", "=").replace(" and ", ", ")
+    assert f"called      {function}({given})\n" in first_message(function)
+    assert [*map(float, re.findall(r"(?:is|by|are|and) (-?[\d.]*\d)", words))] == pytest.approx(WORKED[function])
+
+
 def test_two_mistakes_with_the_same_result_have_no_hint():
     first, second = (2.0, "You doubled it."), (2.0, "You added 1.")
     assert comparing.hint_for(2.0, 1.0, [first]) == comparing.hint_for(2.0, 1.0, [first, first]) == "You doubled it."
@@ -260,6 +276,7 @@ def test_a_message_shows_the_part_of_pendula_and_files_that_matters(solve):
         "'color': 'white', 'texture': 'none'}",
         *("expected    at index 0:", "{'mass': 12.625, 'e': 1, 'theta': 0.4375, 'omega': 0,"),
         "'color': 'white', 'texture': 'none'}",
+        "hint        Each mass must be as in its row of the file, and the rows must keep their order.",
         "read        handout, A CVS to pend_list converter (D Tests): extract_and_convert",
     ]
 

@@ -86,7 +86,7 @@ ERROR = WRONG._replace(hint="Do this.", message="\nit raised   E: f")
         ("C", Outcome(PASSED), ["Tier C is complete.", "Next:  run all checks of tier D."]),
         ("B", WRONG._replace(hint="Do this."), ["Next:  handle_collision in a.py, line 7.", "       A is 5. Do this."]),
         ("B", ERROR, ["       The steps: both omegas become linear velocities; the two formulas of the"]),
-        ("C", WRONG, ["       A is 5. The steps: the new omega from g, r_param, theta and dt; then the"]),
+        ("C", WRONG, ["       A is 5. With omega = 3, theta = 2.61799, r_param = 0.4, dt = 0.1 and g ="]),
     ],
 )
 def test_the_grade_and_the_next_step(tier, outcome, words):

@@ -93,6 +93,9 @@ HINTED = {
         "In quotes, the name of the loop": ("append(pend)", "append(bad_rep['pend'])"),
         "In each turn of the inner loop, pend_dict": ("pend_list.append(pend)", "for key in pend:\n                pend_dict = {}\n                pend_dict[key] = pend[key]\n            pend_list.append(pend_dict)"),
         "Each element must be a whole pendulum:": ("append(pend)", "append(str(pend))"),
+        "A loop over values begins with for,": ("for pend in bad_rep.values():", "while pend in bad_rep:"),
+        "All rows went into one dictionary.": ("append(pend)", "__setitem__(slice(None), [{'mass': pend['mass']}])"),
+        "Each theta must be as in its row": ("append(pend)", "append({**pend, 'theta': 0})"),
         "All values of bad_rep are one element": ("for pend in bad_rep.values():\n            pend_list.append(pend)", "pend_list.append(bad_rep.values())"),
         "In a loop, = replaces the whole": ("pend_list.append(pend)", "pend_list = [pend]"),
         "The while loop never changes i,": ("pend_list = []", "i = 5\n        while i < 5: break\n        pend_list = [1]"),
@@ -138,6 +141,7 @@ HINTED = {
         "Your second call has changed the list": ("= []", "= globals().setdefault('_list', []); pend_list.clear()"),
     },
     "uniform_mass_newton_cradle": {
+        "Each call of extract_and_convert reads": ("return pend_list", "return extract_and_convert(relative_filepath)"),
         "This line calls nothing: map only": ("for pend in pend_list:\n            pend['mass'] = mass", "map(lambda pend: pend.update(mass=mass), pend_list)"),
         "The sides of = are exchanged.": ("pend['mass'] = mass", "mass = pend['mass']"),
         "A new dictionary has only the keys": ("return pend_list", "return [{'mass': mass} for pend in pend_list]"),
@@ -190,7 +194,7 @@ HINTED = {
     "make_newton_cradle": {
         "The word in the file must stay: color": ("return", "for pend in pend_list: pend['color'] = COLOR_MAP[pend['color']]\n        return"),
         "Each element must be a whole pendulum:": ("return pend_list", "return [*pend_list, axle_pos]"),
-        "In this loop, ": ("for i in range(len(pend_list)):\n            pend = pend_list[i]\n            if i == 0", "for i, pend in enumerate(pend_list):\n            pass\n        for pend in pend_list:\n            if pend == 0"),
+        "In this loop, ": ("for i in range(len(pend_list)):\n            pend = pend_list[i]\n            if i == 0", "for i, pend in enumerate(pend_list):\n            if pend == 0"),
         "Store one number here,": ("pend['omega'] = 0", "pend['omega'] = [0]"),
         "Each turn of the loop does the same: ": ("return pend_list", "for p in pend_list:\n            pend_list[-1]['theta'] += 1\n        return pend_list"),
         "You returned one pendulum. You need the whole pend_list.": ("return pend_list", "return pend"),
@@ -232,6 +236,8 @@ HINTED = {
         "Axles, bobs or cords stay": ("= make_pendulum", "= make_pendulum(axle_pos, r_param, 0, color, texture) and make_pendulum"),
     },
     "angle_update": {
+        "One call is one step of dt: no loop": ("return (", "for i in range(2): omega_new += 1\n        return ("),
+        "You multiplied the acceleration by dt twice.": ("/ r_param * dt", "/ r_param * dt * dt"),
         "In quotes, a name is only text.": ("(omega_new, theta_new)", "('omega_new', theta_new)"),
         "Code that never runs begins in line ": ("return (omega_new, theta_new)", "return (omega, 0)\n        return (omega_new, theta_new)"),
         "Your code does not use the parameter g": ("-g *", "-7.5 *"),
@@ -348,6 +354,7 @@ HINTED = {
         "This is the result with the product of both e.": ("e = pend1['e']", "e = pend1['e'] * pend2['e']"),
         "return stores nothing in a dictionary.": ("pend1['omega'] = new_omega1\n            pend2['omega'] = new_omega2", "return new_omega1, new_omega2"),
         "The objects are axle, bob and cord:": ("pend1['objects'][1], pend2['objects'][1]", "pend1['objects'][2], pend2['objects'][2]"),
+        "Both omegas are from pend1. The second": ("pend2['omega']\n", "pend1['omega']\n"),
         "Both bobs are from pend1.": ("pend2['objects']", "pend1['objects']"),
         "These are several values at once.": ("pend1['omega'] = new_omega1", "pend1['omega'] = new_omega1, new_omega2"),
         "Objects of VPython have a dot, and no": ("bob1.radius", "bob1['radius']"),
@@ -466,6 +473,10 @@ HINTED = {
 RAISING = {
     "extract_and_convert": {
         "After def, ( ) have only names.": "exec('def f(page.csv):')",
+        "return gives a value back, and =": "exec('return a[0] = 1')",
+        "A for inside of ( ) does not repeat": "exec('print(i for i in [], 1)')",
+        "Python cannot read this line, or": "exec('for pend pend_list')",
+        "The name pend_list has no value yet. Begin": ("pend_list = []", "pends = []"),
         "No row has this number: a file": ("append(pend)", "append(bad_rep[99])"),
         "A loop over bad_rep gives its keys,": ("in bad_rep.values():\n            pend_list.append(pend)", "in bad_rep: pend_list.append(pend['mass'])"),
         "list and dict are only kinds of": ("= []", "= list"),
@@ -528,6 +539,7 @@ RAISING = {
         "'axle' in quotes is only a word.": ("pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)", "pend['objects'] = ('axle', 'bob', 'cord')"),
         "A vector stands in the place": ("axle_pos, r_param, pend", "axle_pos, axle_pos, pend"),
         "You looked for the word color.": ("COLOR_MAP[pend['color']]", "COLOR_MAP['color']"),
+        "make_pendulum takes the position of": ("make_pendulum(axle_pos", "make_pendulum(axle"),
         "This dictionary has no 'color':": ("pend = pend_list[i]", "pend = {}"),
         "No such key in TEXTURE_MAP.": ("TEXTURE_MAP[pend['texture']]", "TEXTURE_MAP[pend['color']]"),
         "COLOR_MAP has the vector of a color.": ("COLOR_MAP[pend['color']]", "pend['color']"),
@@ -595,6 +607,8 @@ FORMULAS = {
     "the sum of the masses needs brackets:": ("(m1 + m2)", "m1 + m2", "(m1 + m2)", "m1 + m2"),
     "you forgot to divide by the sum": (" / (m1 + m2)", "", " / (m1 + m2)", ""),
     "you divided by the product": ("(m1 + m2)", "(m1 * m2)", "(m1 + m2)", "(m1 * m2)"),
+    "you exchanged v1 and v2": ("m1*v1 + m2*v2", "m1*v2 + m2*v1", "m1*v1 + m2*v2", "m1*v2 + m2*v1"),
+    "you divided by the difference": ("(m1 + m2)", "(m1 - m2)", "(m1 + m2)", "(m1 - m2)"),
     "the velocity is linear.": ("2))", "2)) * r_param", "2))", "2)) * r_param"),
     "// rounds down.": ("/ (", "// (", "/ (", "// ("),
 }
@@ -609,15 +623,9 @@ for words, (old1, new1, old2, new2) in FORMULAS.items():
 
 # Mistakes without a hint, by function.
 UNHINTED = {
-    "extract_and_convert": {
-        "ten at most": ("return pend_list", "return pend_list[:10]"),
-    },
-    "uniform_mass_newton_cradle": {
-        "writes the file": ("return", "open(relative_filepath, 'a').write(' '); return"),
-    },
-    "uniform_e_newton_cradle": {
-        "writes the file": ("return", "open(relative_filepath, 'a').write(' '); return"),
-    },
+    "extract_and_convert": {"ten at most": ("return pend_list", "return pend_list[:10]")},
+    "uniform_mass_newton_cradle": {"writes the file": ("return", "open(relative_filepath, 'a').write(' '); return")},
+    "uniform_e_newton_cradle": {"writes the file": ("return", "open(relative_filepath, 'a').write(' '); return")},
     "make_newton_cradle": {
         "sorted by mass": ("for i in", "pend_list.sort(key=lambda pend: pend['mass'])\n        for i in"),
         "the first known by its mass": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
