@@ -31,7 +31,7 @@ def idle_parts(function):
                 yield "below", after.lineno, ast.unparse(node).split()[0]
             if isinstance(node, ast.Expr) and not isinstance(node.value, EFFECTS):
                 yield type(node.value).__name__, node.lineno, ast.unparse(node)
-            yield from ((type(node).__name__, node.lineno, name) for name in named_by(node) if name not in read)
+            yield from ((type(node).__name__, node.lineno, names[0]) for names in named_by(node) if not read & {*names})
     for name in [each.arg for each in function.args.args]:
         first = {type(node.ctx): node.lineno for node in names if node.id == name}
         if ast.Load not in first:
@@ -40,8 +40,8 @@ def idle_parts(function):
             yield "lost", first[ast.Store], name
 
 
-def named_by(node) -> list[str]:
-    """Return the name that a line with = , for or def gives to a value, in a list."""
-    targets = getattr(node, "targets", [getattr(node, "target", None)])
-    named = [target.id for target in targets if isinstance(target, ast.Name)]
-    return [node.name] if isinstance(node, ast.FunctionDef) else named
+def named_by(node) -> list[list[str]]:
+    """Return the names that a line with = , for or def gives to a value; a, b = ... has two."""
+    targets = [target for target in getattr(node, "targets", [getattr(node, "target", None)]) if target]
+    named = [[one.id for one in getattr(target, "elts", [target]) if isinstance(one, ast.Name)] for target in targets]
+    return [[node.name]] if isinstance(node, ast.FunctionDef) else [names for names in named if names]
