@@ -1,10 +1,11 @@
 """The grade from the outcomes of the checks, for people and for a gradebook."""
 
+import re
 from collections import Counter
 from textwrap import wrap
 
 from grading.comparing import rows_of
-from grading.grader import checks, FAILED, FAULT, PASSED, WAITING
+from grading.grader import checks, FAILED, FAULT, NUMBERS, PASSED, WAITING
 from grading.handout import FUNCTIONS, SUITES
 from support.start.output import in_one_line
 
@@ -54,7 +55,7 @@ def next_step(outcomes) -> tuple[str, str]:
             dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
             steps, has_error = dict(rows_of("hints.txt", "steps")), "\nit raised " in outcome.message
             plan = steps[check.function]
-            hint = outcome.hint or (plan if has_error else steps.get(check.name, plan))
+            hint = outcome.hint or (steps.get(check.name, plan) if re.search(NUMBERS, outcome.wrong) else plan)
             more = f"{outcome.wrong}{dot} {hint}".strip()
             return step, f"{more}\n{plan}" if has_error and outcome.hint else more
         if outcome.is_unwritten:

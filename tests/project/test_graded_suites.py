@@ -172,10 +172,9 @@ def test_each_hint_has_a_mistake_in_the_table(monkeypatch):
     known = tuple(words for mistakes in HINTED.values() for words in mistakes)
     assert [sentence for sentence in sentences if not sentence.startswith(known)] == []
     names = re.findall(r"^\[(\w[a-z_ ]*)\]$", HINTS_FILE.read_text(), re.MULTILINE)
-    kinds = {"code", "idle", "errors", "wrong"}
+    kinds = {"code", "errors", "wrong"}
     assert {name for words in names for name in words.split()} <= {*kinds, "steps", *(check.name for check in CHECKS)}
-    hints = [hint for kind in kinds for _, hint in comparing.rows_of("hints.txt", kind)]
-    begins = [hint.partition("\\")[0] for hint in hints]
+    begins = [hint.partition("\\")[0] for kind in kinds for _, hint in comparing.rows_of("hints.txt", kind)]
     assert [
         begin for begin in begins if not any(words.startswith((begin, begin[: len(words)])) for words in known)
     ] == []

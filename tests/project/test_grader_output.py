@@ -76,17 +76,18 @@ def test_a_mistake_is_told_on_a_screen_and_again_in_the_last_ten_lines(starter):
         assert words in last
 
 
-WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5.")
-ERROR = WRONG._replace(hint="Do this.", message="\nit raised   E: f")
+WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5, not 6.")
+ERROR = WRONG._replace(hint="Do.", message="\nit raised   E: f")
 
 
 @pytest.mark.parametrize(
     ("tier", "outcome", "words"),
     [
         ("C", Outcome(PASSED), ["Tier C is complete.", "Next:  run all checks of tier D."]),
-        ("B", WRONG._replace(hint="Do this."), ["Next:  handle_collision in a.py, line 7.", "       A is 5. Do this."]),
+        ("B", WRONG._replace(hint="Do."), ["Next:  handle_collision in a.py, line 7.", "       A is 5, not 6. Do."]),
         ("B", ERROR, ["       The steps: both omegas become linear velocities; the two formulas of the"]),
-        ("C", WRONG, ["       A is 5. With omega = 3, theta = 2.61799, r_param = 0.4, dt = 0.1 and g ="]),
+        ("A", WRONG._replace(wrong="A."), ["       A. The steps: full_swing_update once; then one loop, in which"]),
+        ("C", WRONG, ["       A is 5, not 6. With omega = 3, theta = 2.61799, r_param = 0.4, dt = 0.1"]),
     ],
 )
 def test_the_grade_and_the_next_step(tier, outcome, words):
