@@ -54,10 +54,13 @@ def next_step(outcomes) -> tuple[str, str]:
             step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
             dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
             steps, has_error = dict(rows_of("hints.txt", "steps")), "\nit raised " in outcome.message
-            plan = steps[check.function]
-            hint = outcome.hint or (steps.get(check.name, plan) if re.search(NUMBERS, outcome.wrong) else plan)
-            more = f"{outcome.wrong}{dot} {hint}".strip()
-            return step, f"{more}\n{plan}" if has_error and outcome.hint else more
+            worked = steps.get(check.name, "") if re.search(NUMBERS, outcome.wrong) else ""
+            lines = [f"{outcome.wrong}{dot} {outcome.hint or worked}".strip()]
+            if has_error or not (outcome.hint or worked):
+                lines.append(f"{steps[check.function]} In Python, with books:")
+                python = rows_of("hints.txt", "python")
+                lines += [f"  {code}" for code, names in python if check.function in names.split()]
+            return step, "\n".join(lines)
         if outcome.is_unwritten:
             return f"{check.function} in {outcome.place}", f"read in the handout: {function.read}"
     for check in made:
@@ -79,8 +82,8 @@ def mistakes_in(outcomes) -> list:
 
 
 def whole_step(graded) -> str:
-    """Return the next step and the words about it in one line."""
-    return "; ".join(filter(None, (graded["next"], graded["more"].replace("\n", " "))))
+    """Return the next step and the first of the words about it, in one line."""
+    return "; ".join(filter(None, (graded["next"], graded["more"].partition("\n")[0])))
 
 
 def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:

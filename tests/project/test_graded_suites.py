@@ -1,5 +1,6 @@
 """The graded suites reject wrong solutions, accept correct ones, and name the mistake."""
 
+import ast
 import linecache
 import os
 import re
@@ -173,7 +174,8 @@ def test_each_hint_has_a_mistake_in_the_table(monkeypatch):
     assert [sentence for sentence in sentences if not sentence.startswith(known)] == []
     names = re.findall(r"^\[(\w[a-z_ ]*)\]$", HINTS_FILE.read_text(), re.MULTILINE)
     kinds = {"code", "errors", "wrong"}
-    assert {name for words in names for name in words.split()} <= {*kinds, "steps", *(check.name for check in CHECKS)}
+    others = {"steps", "python", *(check.name for check in CHECKS)}
+    assert {name for words in names for name in words.split()} <= kinds | others
     begins = [hint.partition("\\")[0] for kind in kinds for _, hint in comparing.rows_of("hints.txt", kind)]
     assert [
         begin for begin in begins if not any(words.startswith((begin, begin[: len(words)])) for words in known)
@@ -195,6 +197,13 @@ def test_the_steps_have_the_right_numbers_of_the_first_call(solve, function):
     given = given.removeprefix("With ").replace(" = ", "=").replace(" and ", ", ")
     assert f"called      {function}({given})\n" in first_message(function)
     assert [*map(float, re.findall(r"(?:is|by|are|and) (-?[\d.]*\d)", words))] == pytest.approx(WORKED[function])
+
+
+def test_each_function_has_lines_of_python():
+    lines = comparing.rows_of("hints.txt", "python")
+    assert {name for _, names in lines for name in names.split()} == {*FUNCTIONS}
+    assert max(len(code) for code, _ in lines) <= 80 - 9  # one row of the screen
+    assert [ast.parse(code + "\n  ..." * (":  #" in code)) for code, _ in lines]
 
 
 def test_two_mistakes_with_the_same_result_have_no_hint():

@@ -86,7 +86,7 @@ ERROR = WRONG._replace(hint="Do.", message="\nit raised   E: f")
         ("C", Outcome(PASSED), ["Tier C is complete.", "Next:  run all checks of tier D."]),
         ("B", WRONG._replace(hint="Do."), ["Next:  handle_collision in a.py, line 7.", "       A is 5, not 6. Do."]),
         ("B", ERROR, ["       The steps: both omegas become linear velocities; the two formulas of the"]),
-        ("A", WRONG._replace(wrong="A."), ["       A. The steps: full_swing_update once; then one loop, in which"]),
+        ("A", WRONG._replace(wrong="A."), ["       gets each pendulum and the next one. In Python, with books:"]),
         ("C", WRONG, ["       A is 5, not 6. With omega = 3, theta = 2.61799, r_param = 0.4, dt = 0.1"]),
     ],
 )

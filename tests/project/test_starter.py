@@ -213,12 +213,13 @@ def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(
     result, _, lines, messages = graded(grade, starter)
     assert [counts["failed"] for counts in result["tiers"].values()] == [1, 1, 0, 0, 0]
     assert re.fullmatch(r"src/special_cradles.py, line \d+", result["next"])
-    named = [
-        "ModuleNotFoundError: No module named 'pds_helper'",
-        "Write src. in front of the file in the import: src.pds_helper.",
-    ]
-    assert lines[-2:] == named
-    assert {*named, "SyntaxError: expected ':'"} <= {*messages}
+    error = "ModuleNotFoundError: No module named 'pds_helper'"
+    hint = "Write src. in front of the file in the import: src.pds_helper."
+    assert lines[-2:] == [error, hint]
+    assert {error, hint, "SyntaxError: expected ':'"} <= {*messages}
+
+
+FAULTY = "show your teacher the grader's fault in test_angle_update"
 
 
 @pytest.mark.parametrize(
@@ -226,12 +227,7 @@ def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(
     [
         (["D", "B"], {}, "D", "run all checks of tier C"),
         (["D"], {"test_angle_update": Outcome(WAITING, place="line 9")}, "D", "angle_update in line 9"),
-        (
-            ["D", "C"],
-            {"test_angle_update": Outcome(FAULT)},
-            "D",
-            "show your teacher the grader's fault in test_angle_update",
-        ),
+        (["D", "C"], {"test_angle_update": Outcome(FAULT)}, "D", FAULTY),
     ],
 )
 def test_the_grade_is_the_highest_complete_tier_and_names_the_next_step(tiers, more, tier, next_step):
@@ -241,10 +237,8 @@ def test_the_grade_is_the_highest_complete_tier_and_names_the_next_step(tiers, m
 
 def test_without_assert_there_is_no_grade():
     """With -O and -OO, Python leaves out assert."""
-    source, scope = (
-        Path(pytest_grader.__file__).read_text(),
-        dict.fromkeys(("__name__", "__file__"), pytest_grader.__file__),
-    )
+    source = Path(pytest_grader.__file__).read_text()
+    scope = dict.fromkeys(("__name__", "__file__"), pytest_grader.__file__)
     exec(compile(source, pytest_grader.__file__, "exec", optimize=1), scope)
     with pytest.raises(pytest.UsageError, match="^Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python"):
         scope["pytest_configure"](None)
