@@ -133,7 +133,7 @@ def check_uniform(function, *arguments, also=(), **changed):
         (uniform(MIXED, **{key: str(value)}), f"You stored {key} as text. You need a number."),
         ([{**row, key: row[key] * value} for row in MIXED], f"You multiplied the old {key}. Replace it."),
         (uniform(MIXED, **{key: int(value)}), f"You rounded {key}. Store it as it is."),
-        ([], "Your list is empty. Give the whole pend_list back."),
+        ([], "Your list is empty. extract_and_convert gives a full one."),
         OTHER_FILE,
     ]
     with files(*FILES) as folder, working_in(folder):

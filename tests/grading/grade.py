@@ -53,10 +53,10 @@ def next_step(outcomes) -> tuple[str, str]:
         if outcome.state == FAILED:
             step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
             dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
-            steps, has_error = dict(rows_of("hints.txt", "steps")), "\nit raised " in outcome.message
-            worked = steps.get(check.name, "") if re.search(NUMBERS, outcome.wrong) else ""
-            lines = [f"{outcome.wrong}{dot} {outcome.hint or worked}".strip()]
-            if has_error or not (outcome.hint or worked):
+            steps, is_number = dict(rows_of("hints.txt", "steps")), re.search(NUMBERS, outcome.wrong)
+            hint = outcome.hint or (steps.get(check.name, "") if is_number else "")
+            lines = [f"{outcome.wrong}{dot} {hint}".strip()]
+            if not (is_number and hint):
                 lines.append(f"{steps[check.function]} In Python, with books:")
                 python = rows_of("hints.txt", "python")
                 lines += [f"  {code}" for code, names in python if check.function in names.split()]

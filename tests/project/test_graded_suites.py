@@ -177,9 +177,7 @@ def test_each_hint_has_a_mistake_in_the_table(monkeypatch):
     others = {"steps", "python", *(check.name for check in CHECKS)}
     assert {name for words in names for name in words.split()} <= kinds | others
     begins = [hint.partition("\\")[0] for kind in kinds for _, hint in comparing.rows_of("hints.txt", kind)]
-    assert [
-        begin for begin in begins if not any(words.startswith((begin, begin[: len(words)])) for words in known)
-    ] == []
+    assert [each for each in begins if not any(words.startswith((each, each[: len(words)])) for words in known)] == []
     assert min(map(len, begins)) > 4
 
 

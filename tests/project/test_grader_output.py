@@ -77,7 +77,7 @@ def test_a_mistake_is_told_on_a_screen_and_again_in_the_last_ten_lines(starter):
 
 
 WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5, not 6.")
-ERROR = WRONG._replace(hint="Do.", message="\nit raised   E: f")
+ERROR = WRONG._replace(wrong="E: f.", hint="Do.")
 
 
 @pytest.mark.parametrize(
