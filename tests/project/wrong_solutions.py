@@ -428,6 +428,7 @@ HINTED = {
     "handle_two_bobs": {
         "== asks whether both are the": ("if", "if bob1 == bob2 and"),
         "No line uses the radius of": ("(bob1.radius + bob2.radius)", "r_param / 4"),
+        "Both pendula store new_omega1. Each": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega1"),
         "handle_collision takes only numbers, in": ("handle_collision(e, omega1, omega2, m1, m2,", "handle_collision(pend1, pend2,"),
         "The distance of two bobs is": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
         "The distance of bob1 from itself": ("bob1.pos - bob2.pos", "bob1.pos - bob1.pos"),
@@ -674,7 +675,6 @@ UNHINTED = {
         "a lower bob that cannot be seen": ("return (", "bob2.visible = False\n        return ("),
     },
     "double_angle_update": {
-        "an array of whole numbers": ("return (u, v - u, a, b - a)", "state = __import__('numpy').array([omega_theta, omega_phi, theta, phi]); state[:] = (u, v - u, a, b - a); return tuple(state)"),
         "phi of half a round at most": ("b - a)", "max(-3.14, min(3.14, b - a)))"),
         "theta alone updated": ("b = b + v * dt", "b = a + phi"),
         "the lower bob's turning forgotten": ("(a, b, u, v, g", "(a, b, u, 0, g"),
