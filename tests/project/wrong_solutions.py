@@ -364,7 +364,7 @@ HINTED = {
         "Return all values, with commas": ("(omega_new, theta_new)", "omega_new"),
         "You divided theta by r_param. Divide its sine.": ("sin(theta) / r_param", "sin(theta / r_param)"),
         "This is the result with //, which rounds down. Use /.": ("/ r_param", "// r_param"),
-        "A * is missing between two values.": "exec('a = -g sin(theta)')",
+        "A sign is missing between two values: *": "exec('a = -g sin(theta)')",
         "There is no pendulum in angle_update:": ("sin(theta)", "sin(pend_dict['theta'])"),
         "A number stands before a bracket.": ("-g * sin(theta)", "-g(sin(theta))"),
         "All angles here are in radians, as": ("sin(theta)", "sin(radians(theta))"),
@@ -430,6 +430,7 @@ HINTED = {
         "No line uses the radius of": ("(bob1.radius + bob2.radius)", "r_param / 4"),
         "Both pendula store new_omega1. Each": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega1"),
         "handle_two_bobs gets two pendula, pend1": ("pend1['mass']", "pend_list[0]['mass']"),
+        "omega1 is only a name. The new": ("pend1['omega'] = new_omega1", "omega1 = new_omega1"),
         "handle_collision takes only numbers, in": ("handle_collision(e, omega1, omega2, m1, m2,", "handle_collision(pend1, pend2,"),
         "The distance of two bobs is": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
         "The distance of bob1 from itself": ("bob1.pos - bob2.pos", "bob1.pos - bob1.pos"),
@@ -649,7 +650,6 @@ UNHINTED = {
         "bobs that shrink": ("r_param, dt, g)", "r_param, dt, g); pend['objects'][1].radius *= 0.99"),
     },
     "handle_collision": {
-        "elastic from 0.9 on": ("v1 = r_param", "e = 1 if e >= 0.9 else e; v1 = r_param"),
         "a small e as 0": ("v1 = r_param", "e = e if e > 0.2 else 0; v1 = r_param"),
     },
     "handle_two_bobs": {
