@@ -1,8 +1,7 @@
 """Wrong solutions with the mistakes of beginners. The graded suites must reject them all, and name the mistake.
 
 A version of a function is the body, or a pair (old text, new text) that puts a mistake into the right body in PLAIN. It
-can use all names of the function's file, and `from ... import ...`. Add a row, and
-tests/project/test_graded_suites.py covers it. right_solutions.py has the correct versions.
+can use all names of the function's file, and `from ... import ...`. right_solutions.py has the correct versions.
 """
 
 PLAIN = {
@@ -176,7 +175,7 @@ HINTED = {
         "True and False come from ==, in or not.": ("return pend_list", "return pend_list == []"),
         "range takes a number: range(len(...)).": ("bad_rep.values()", "range([*bad_rep])"),
         "The name COLOR_MAP comes from another file": ("append(pend)", "append(COLOR_MAP)"),
-        "A name has no ' in Python.": 'exec("omega\' = 5")',
+        "A name has no ' in Python.": 'exec("v = 1; omega\' = 5")',
         "At this line, your function has no value for pend_list": ("pend_list = []", "pend_list = pend_list or []"),
         "An index is a number. In": ("append(pend)", "append(pend_list[pend])"),
         "You use a whole pendulum as a key.": ("append(pend)", "append(bad_rep[pend])"),
@@ -197,6 +196,7 @@ HINTED = {
         "This is a module. The function is": ("append(pend)", "append(pd(pend))"),
     },
     "uniform_mass_newton_cradle": {
+        "The comma makes a tuple of several": ("return pend_list", "return pend_list, mass"),
         "Each call of extract_and_convert reads": ("return pend_list", "return extract_and_convert(relative_filepath)"),
         "This key is a number. The key of": ("pend['mass'] =", "pend[mass] ="),
         "The loop in line 3 gives mass other values.": ("for pend in", "for mass in [1]: pass\n        for pend in"),
@@ -317,7 +317,7 @@ HINTED = {
         "You looked for the word color.": ("COLOR_MAP[pend['color']]", "COLOR_MAP['color']"),
         "make_pendulum takes the position of": ("make_pendulum(axle_pos", "make_pendulum(axle"),
         "This dictionary has no 'color':": ("pend = pend_list[i]", "pend = {}"),
-        "No such key in TEXTURE_MAP.": ("TEXTURE_MAP[pend['texture']]", "TEXTURE_MAP[pend['color']]"),
+        "COLOR_MAP[...] takes the color of": ("TEXTURE_MAP[pend['texture']]", "TEXTURE_MAP[pend['color']]"),
         "COLOR_MAP[...] is the vector of a color.": ("COLOR_MAP[pend['color']]", "pend['color']"),
         "The handout has no key 'theta_init'": ("pend['theta'] = theta_init", "pend['theta_init'] = theta_init"),
         "A position is a vector, with": ("(axle_pos, r_param", "(r_param, r_param"),
@@ -375,6 +375,8 @@ HINTED = {
         "An index, or the end of a range, is": ("theta_new =", "range(theta); theta_new ="),
     },
     "full_swing_update": {
+        "A call has no = between swing_update": "for pend in pend_list:\n    swing_update = pend, dt",
+        "A pendulum has swung twice.": ("swing_update(", "swing_update(pend, r_param, dt, g); swing_update("),
         "This takes a pendulum out of the list.": ("for pend", "pend_list.pop()\n        for pend"),
         "No pendulum has changed. Call swing_update for each one": "swung = map(lambda pend: swing_update(pend, r_param, dt, g), pend_list)",
         "The second pendulum is at rest, but not": ("swing_update(", "if pend['omega']: swing_update("),
@@ -393,6 +395,7 @@ HINTED = {
         "Give swing_update whole pendula, such": ("for pend in pend_list:\n            swing_update(pend", "for i in range(len(pend_list)):\n            swing_update(i"),
     },
     "handle_collision": {
+        "The second formula needs the old omega1,": "omega1 = e * omega2\nomega2 = e * omega1\nreturn omega1, omega2",
         "** is a power. One * multiplies.": ("m2*e*(v1 - v2)", "m2*e**(v1 - v2)"),
         "Line 2 gives e another value.": ("v1 = r_param * omega1", "e = 0.5\n        v1 = r_param * omega1"),
         "Divide by the whole sum of": ("v1 = r_param", "v1 = 2 * r_param * m1 / m1 + m2\n        v1 = r_param / 3"),
@@ -426,6 +429,7 @@ HINTED = {
         "A * is missing between two names.": ("m1*v1 + m2*v2 - ", "m1v1 + m2v2 - "),
     },
     "handle_two_bobs": {
+        "Each pendulum has objects of its own:": ("e = pend1['e']", "e = objects"),
         "== asks whether both are the": ("if", "if bob1 == bob2 and"),
         "No line uses the radius of": ("(bob1.radius + bob2.radius)", "r_param / 4"),
         "Both pendula store new_omega1. Each": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega1"),
@@ -641,7 +645,6 @@ UNHINTED = {
     },
     "angle_update": {
         "an array of whole numbers": "import numpy\nstate = numpy.array([omega, theta])\nstate[0] += -g * sin(theta) / r_param * dt\nstate[1] += state[0] * dt\nreturn tuple(state)",
-        "very slow is 0": ("(omega_new, theta_new)", "(omega_new if abs(omega_new) > 1e-7 else 0, theta_new)"),
         "one round taken away": ("return (", "theta_new -= (theta_new > 100) * 6.283185307179586; return ("),
     },
     "full_swing_update": {
@@ -660,8 +663,6 @@ UNHINTED = {
     },
     "newton_cradle_tick": {
         "from the right": ("len(pend_list) - 1)", "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]"),
-        "six pairs at most": ("range(len(pend_list) - 1)", "range(min(6, len(pend_list) - 1))"),
-        "sorted by the axles'": ("for i in", "pend_list.sort(key=lambda p: p['objects'][0].pos.x)\n        for i in"),
     },
     "main": {
         "another G": ("DT, G)", "DT, 10)"),
@@ -669,7 +670,6 @@ UNHINTED = {
     },
     "make_double_pendulum": {
         "a lower cord of the shipped length": ("(bob1.pos, r_param", "(bob1.pos, 0.2"),
-        "theta of half a round at most": ("theta + phi", "max(-3.1415926, min(3.1415926, theta)) + phi"),
         "the lower cord hung from the axle": ("return", "cord2.pos = axle_pos\n        return"),
         "a white lower bob": ("theta + phi, color", "theta + phi, vector(1, 1, 1)"),
         "a lower bob that cannot be seen": ("return (", "bob2.visible = False\n        return ("),
