@@ -8,7 +8,6 @@ from tempfile import TemporaryDirectory
 
 from vpython import box, color, cylinder, sphere, textures, vector
 
-from grading.comparing import same
 from grading.cradles import csv_of, LEFT_OVER, left_over, MIXED, MIXED_CSV, R, shapes
 from grading.grader import check, expect
 from grading.messages import Wanted
@@ -54,11 +53,6 @@ def files(*names) -> Iterator[Path]:
         yield Path(folder)
 
 
-def is_shipped(found):
-    """Return whether a result has as many pendula as the file that the grader puts in place of NC_FP: none of FILES."""
-    return isinstance(found, list) and len(found) == 5
-
-
 def are_three(found):
     return isinstance(found, list) and len(found) == 3 and all(isinstance(pend, dict) for pend in found)
 
@@ -71,9 +65,6 @@ def values_of(first, key):
     return lambda last: ([pend[key] for pend in first], [pend[key] for pend in last])
 
 
-OTHER_FILE = (is_shipped, "Do you read the file at relative_filepath?")
-
-
 # --- extract_and_convert ---------------------------------------------------------------------------------------------
 
 
@@ -81,7 +72,7 @@ OTHER_FILE = (is_shipped, "Do you read the file at relative_filepath?")
 def test_pend_list_is_a_list_of_dictionaries():
     """Each pendulum is represented by a dictionary in a list called pend_list."""
     with files("mixed.csv") as folder:
-        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=THREE, hints=[OTHER_FILE])
+        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=THREE)
 
 
 @check("extract_and_convert")
@@ -96,7 +87,7 @@ def test_a_row_is_a_pendulum():
 def test_the_file_given_is_read():
     """Creates and returns pend_list with the provided relative_filepath."""
     with files("one.csv") as folder, working_in(folder):
-        first = expect("extract_and_convert", "one.csv", wanted=[ONE], hints=[OTHER_FILE])
+        first = expect("extract_and_convert", "one.csv", wanted=[ONE])
         (folder / "one.csv").write_text(FILES["two.csv"])
         what = "each mass from the first call, each mass from this call with a new file"
         both = {"see": values_of(first, "mass"), "what": what}
@@ -118,32 +109,16 @@ def uniform(rows, **changed):
     return [{**row, **changed} for row in rows]
 
 
-def check_uniform(function, *arguments, also=(), **changed):
-    """Check that all pendula of two files get the changed value and keep the others. also: more hints."""
+def check_uniform(function, *arguments, **changed):
+    """Check that all pendula of two files get the changed value and keep the others."""
     ((key, value),) = changed.items()
-    right = uniform(MIXED, **changed)
-    hints = [
-        *also,
-        (MIXED, f"{key} has not changed: these are from the file. Store the new one in them, under '{key}'."),
-        ([right[0], *MIXED[1:]], f"You changed {key} only in the first pendulum."),
-        ([*MIXED[:-1], right[-1]], f"You changed {key} only in the last pendulum."),
-        (right[0], "You returned only the first pendulum. You need the whole pend_list."),
-        (right[-1], "You returned only the last pendulum. You need the whole pend_list."),
-        (right[:1], "You returned only the first pendulum. You need the whole pend_list."),
-        (uniform(MIXED, **{key: str(value)}), f"You stored {key} as text. You need a number."),
-        ([{**row, key: row[key] * value} for row in MIXED], f"You multiplied the old {key}. Replace it."),
-        (uniform(MIXED, **{key: int(value)}), f"You rounded {key}. Store it as it is."),
-        ([], "Your list is empty. extract_and_convert gives a full one."),
-        OTHER_FILE,
-    ]
     with files(*FILES) as folder, working_in(folder):
-        first = expect(function, "mixed.csv", *arguments, wanted=right, hints=hints)
+        first = expect(function, "mixed.csv", *arguments, wanted=uniform(MIXED, **changed))
         for name, rows in (("seven", SEVEN), ("many", MANY), ("none", [])):
             expect(function, f"{name}.csv", *arguments, wanted=uniform(rows, **changed))
         what = f"each {key} from the first call, each {key} from this call"
         both = {"see": values_of(first, key), "what": what, "wanted": ([value] * 3, [value])}
-        hints = [(lambda found: OTHER_FILE[0](found[1]), OTHER_FILE[1])]
-        expect(function, "one.csv", *arguments, **both, hints=hints)
+        expect(function, "one.csv", *arguments, **both)
 
 
 @check("uniform_mass_newton_cradle")
@@ -157,39 +132,28 @@ def test_uniform_mass():
 def test_uniform_e():
     """All the pendulum's coefficients of restitution are assigned the e value."""
     check_uniform("uniform_e_newton_cradle", 0.0625, e=0.0625)
-    zero = [(uniform(MIXED, e=1), "0 is a value, too. Do not replace it by 1.")]
-    check_uniform("uniform_e_newton_cradle", 0, e=0, also=zero)
+    check_uniform("uniform_e_newton_cradle", 0, e=0)
     check_uniform("uniform_e_newton_cradle", 1, e=1)
-
-
-def with_helper(e):
-    """Return hints for the use of uniform_e_newton_cradle, with this e."""
-    return [
-        (uniform(MIXED, mass=e), "You changed mass, not e."),
-        (lambda found: 0 < abs(found[0]["e"] - e) < 0.05, f"e must be exactly {e}."),
-    ]
 
 
 @check("elastic_newton_cradle")
 def test_elastic():
     """Returns a pend_list such that each pendulum has a perfectly elastic restitution coefficient value."""
-    check_uniform("elastic_newton_cradle", e=1, also=with_helper(1))
+    check_uniform("elastic_newton_cradle", e=1)
 
 
 @check("inelastic_newton_cradle")
 def test_inelastic():
     """Returns a pend_list such that each pendulum has a perfectly inelastic restitution coefficient value."""
-    check_uniform("inelastic_newton_cradle", e=0, also=with_helper(0))
+    check_uniform("inelastic_newton_cradle", e=0)
 
 
 # --- make_newton_cradle ----------------------------------------------------------------------------------------------
 
 
-def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6, hints=()):
+def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6):
     """Check what see(pend) returns for each pendulum of the cradle from file."""
-    one = (lambda found: isinstance(found, dict), "You returned one pendulum. You need the whole pend_list.")
-    options = {"wanted": wanted, "what": what, "hints": [*hints, one]}
-    options["see"] = lambda pend_list: [*map(see, pend_list)]
+    options = {"wanted": wanted, "what": what, "see": lambda pend_list: [*map(see, pend_list)]}
     with files(file) as folder, working_in(folder):
         expect("make_newton_cradle", file, r_param, theta_init, **options)
 
@@ -202,9 +166,7 @@ def test_a_cradle_keeps_the_files_values():
         return {key: pend[key] for key in ("mass", "e", "color", "texture")}
 
     for file, rows in (("mixed.csv", MIXED), ("one.csv", [ONE]), ("seven.csv", SEVEN), ("many.csv", MANY)):
-        again = [*map(kept, MIXED)], "These are the rows of an earlier call. Read the file in each call."
-        hints = [OTHER_FILE, again] if file == "one.csv" else []
-        expect_cradle(kept, "each pendulum", [*map(kept, rows)], file=file, hints=hints)
+        expect_cradle(kept, "each pendulum", [*map(kept, rows)], file=file)
 
 
 @check("make_newton_cradle")
@@ -236,9 +198,8 @@ def test_objects_are_axle_bob_and_cord():
     def are_own(found):
         return len({id(bob) for _, bob, _ in found}) == len(found)
 
-    hints = [(lambda found: type(found[0]) is tuple and not is_one(found[0]), "Keep the order axle, bob, cord.")]
     wanted = Wanted("an axle, a bob and a cord for each", lambda found: all(map(is_one, found)) and are_own(found))
-    expect_cradle(lambda pend: pend["objects"], "the value of objects in each pendulum", wanted, hints=hints)
+    expect_cradle(lambda pend: pend["objects"], "the value of objects in each pendulum", wanted)
 
     def strays(pend_list):
         return left_over(old, [part for pend in pend_list for part in pend["objects"]])
@@ -246,6 +207,11 @@ def test_objects_are_axle_bob_and_cord():
     old = shapes()
     with files("mixed.csv") as folder, working_in(folder):
         expect("make_newton_cradle", "mixed.csv", R, 0.6, see=strays, **LEFT_OVER)
+
+
+def axles(left, apart, height, count=3):
+    """Return the positions of count axles (m); left is that of the first one."""
+    return [vector(left + apart * i, height, 0) for i in range(count)]
 
 
 @check("make_newton_cradle", watched=True)
@@ -257,62 +223,29 @@ def test_axle_positions():
 
     # r_param, and by hand the distance and the height of the axles (m).
     for r_param, apart, height in ((0.3, 0.075, 0.06), (1.0, 0.25, 0.2)):
-
-        def places(left, apart, height):
-            return [vector(left + apart * i, height, 0) for i in range(3)]
-
-        hints = [
-            (
-                lambda found: same(found, [found[0]] * 3),
-                "All axles are in one place. Does i count the pendula? Do you round r_param/4?",
-            ),
-            (places(-0.1 + apart, apart, height), "You counted the pendula from 1. Let i start at 0."),
-            (places(0, apart, height), "You forgot the -0.1."),
-            (places(0.1, apart, height), "The sign of 0.1 is wrong."),
-            (places(0, -0.1 + apart, height), "Check your brackets: i must multiply only r_param/4."),
-            (places(-0.1, apart, 0), "You forgot the height of the axles, r_param/5."),
-            (places(-0.1, apart, -height), "The sign of y is wrong. The axles must be above 0."),
-            (places(-0.1, height, apart), "You mixed up r_param/4 and r_param/5."),
-            (places(-0.1, -apart, height), "Your row goes to the left. It must go to the right."),
-            (places(-0.1, 0.05, 0.04), "You used the constant R_PARAM. Use the parameter r_param."),
-        ]
-        expect_cradle(place, "position of each axle", places(-0.1, apart, height), r_param=r_param, hints=hints)
-    seven = [vector(x, 0.08, 0) for x in (-0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5)]  # R is 0.4 m
-    expect_cradle(place, "position of each axle", seven, file="seven.csv")
+        expect_cradle(place, "position of each axle", axles(-0.1, apart, height), r_param=r_param)
+    expect_cradle(place, "position of each axle", axles(-0.1, 0.1, 0.08, 7), file="seven.csv")  # R is 0.4 m
 
 
 @check("make_newton_cradle", watched=True)
 def test_bobs_hang_from_their_axles():
     """Use one relevant helper function to create the tuple of objects."""
 
-    def places(thetas, r_param=R):
-        return [arm(theta, r_param) for theta in thetas]
-
     def place(pend):
         axle, bob, _ = pend["objects"]
         return bob.pos - axle.pos
 
-    def is_another_length(found):
-        return same(found[1].x, 0) and not same(found[1].mag, R) and found[1].mag > 0
-
-    exchanged = [place for theta in (0.6, 0, 0) for place in places([R], theta)]
-    hints = [
-        (exchanged, "make_pendulum takes r_param first, then theta."),
-        (places([0, 0, 0]), "Your first bob hangs straight down. make_pendulum needs its theta."),
-        (places([0.6, 0.6, 0.6]), "All your bobs are lifted. Each hangs at the theta of its pendulum."),
-        (places([row["theta"] for row in MIXED]), "Your bobs hang at the angles from the file, not at the new ones."),
-        (is_another_length, "Do you give r_param to make_pendulum unchanged?"),
-    ]
     what = "position from the axle (m) of each bob"
-    expect_cradle(place, what, places([0.6, 0, 0]), hints=hints)
-    expect_cradle(place, what, places([-0.3, 0, 0], 1.0), r_param=1.0, theta_init=-0.3)
+    bobs = [arm(theta, R) for theta in (0.6, 0, 0)]
+    expect_cradle(place, what, bobs)
+    lower = [arm(theta, 1.0) for theta in (-0.3, 0, 0)]
+    expect_cradle(place, what, lower, r_param=1.0, theta_init=-0.3)
 
     def ends(pend):  # from the axle, the upper one first
         axle, _, cord = pend["objects"]
         return sorted([cord.pos - axle.pos, cord.pos + cord.axis - axle.pos], key=lambda end: -end.y)
 
-    wanted = [[vector(0, 0, 0), place] for place in places([0.6, 0, 0])]
-    expect_cradle(ends, "ends of the cord of each pendulum", wanted)
+    expect_cradle(ends, "ends of the cord of each pendulum", [[vector(0, 0, 0), bob] for bob in bobs])
     radius = make_pendulum(vector(0, 0, 0), R, 0, vector(1, 1, 1), None)[1].radius
     expect_cradle(lambda pend: pend["objects"][1].radius, "radius (m) of each bob", [radius] * 3)
 

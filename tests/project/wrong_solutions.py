@@ -242,7 +242,7 @@ HINTED = {
         "You changed e only in the last pendulum.": ("in pend_list", "in pend_list[-1:]"),
         "You changed mass, not e.": ("['e']", "['mass']"),
         "You stored e as text. You need a number.": ("= e_val", "= str(e_val)"),
-        "0 is a value, too. Do not": ("= e_val", "= e_val or 1"),
+        "Here, e is 1, but e_val is not.": ("= e_val", "= e_val or 1"),
         "( ) only calls a function.": ("pend['e'] = e_val", "pend['e'](e_val)"),
         "You multiplied the old e.": ("= e_val", "*= e_val"),
         "You rounded e.": ("= e_val", "= int(e_val)"),
