@@ -68,15 +68,6 @@ def pair(apart=1.0, radius1=0.5, radius2=0.5, values1=None, values2=None):
 def check_pair(wanted, apart=1.0, *radii, hints=(), **values):
     """Check the omegas of two such pendula after the call."""
     pend1, pend2 = pair(apart, *radii, **values)
-    before = pend1["omega"], pend2["omega"]
-    if wanted != before:
-        unchanged = {
-            before: TOUCH,
-            (wanted[1], before[1]): "Both new omegas went to pend1. The second one belongs to pend2.",
-            (before[0], wanted[1]): "omega of pend1 has not changed.",
-            (wanted[0], before[1]): "omega of pend2 has not changed.",
-        }
-        hints = [*{**unchanged, **dict(hints)}.items()]
     expect("handle_two_bobs", pend1, pend2, 4 * apart, wanted=wanted, hints=hints, **omegas(pend1, pend2))
 
 
@@ -146,7 +137,7 @@ def test_bobs_that_do_not_touch_go_on():
 @check("handle_two_bobs", watched=True)
 def test_both_radii_count():
     """You can access positions and radii of VPython objects with bob.pos and bob.radius."""
-    check_pair(HITS)
+    check_pair(HITS, hints=[(MISSES, TOUCH)])
     hits = [(HITS, *sizes) for sizes in ((1.0, 0.9, 0.2), (1.0, 0.2, 0.9))]
     misses = [(MISSES, *sizes) for sizes in ((1.0, 0.2, 0.7), (1.0, 0.7, 0.2), (1.0, 0.05, 0.05))]
     for wanted, apart, radius1, radius2 in hits + misses:
@@ -171,8 +162,7 @@ def test_e_is_the_first_pendulums():
 def test_bobs_that_touch_collide_whatever_their_velocities_are():
     """If true, use the helper function handle_collision to get the new angular velocity values for both pendula."""
     check_pair(HITS)
-    apart = [((-1.0, 2.0), "These bobs move apart, but they touch. In the handout, they collide too.")]
-    check_pair((1.25, -0.25), values1={"omega": -1.0}, values2={"omega": 2.0}, hints=apart)
+    check_pair((1.25, -0.25), values1={"omega": -1.0}, values2={"omega": 2.0})
     check_pair((-2.25, -0.75), values1={"omega": 0.0}, values2={"omega": -3.0})
     check_pair((-2.5, -1.5), values1={"omega": -1.0}, values2={"omega": -3.0})
     check_pair((1.75, 3.25), values2={"omega": 1.0})

@@ -30,6 +30,7 @@ def test_angle_update_of_other_swings():
 # theta, omega, mass and e of pendula, and their omega and theta after 0.1 s with g = 10 m/s^2 and cords of 0.5 m. The
 # first one is there three times, and they are not sorted.
 SWINGING = cases_of("full_swing_update", globals())
+START, END = [(omega, theta) for (theta, omega, *_), _ in SWINGING[:3]], [after for _, after in SWINGING[:3]]
 
 
 def swinging_row(count):
@@ -44,23 +45,8 @@ def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
     for count in (3, 10, 40):
         pend_list, after = swinging_row(count)
-        before = [(pend["omega"], pend["theta"]) for pend in pend_list]
-        hints = [
-            (before, "No pendulum has changed. Call swing_update for each one, not for a copy, in a for loop."),
-            (
-                [after[0], before[1], *after[2:]],
-                "The second pendulum is at rest, but not straight down. It swings, too.",
-            ),
-            (
-                [after[0], *before[1:]],
-                "Only the first pendulum has swung. Is there a for loop, without a return in it?",
-            ),
-            ([*before[:-1], after[-1]], "Only the last pendulum has swung."),
-            ([*after[:-1], before[-1]], "The last pendulum has not swung."),
-            ([before[0], *after[1:]], "The first pendulum has not swung."),
-        ]
         states = each(pend_list, "omega", "theta")
-        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=after, hints=hints, **states)
+        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=after, **states)
     other = [hang(theta=-pi / 6, omega=2.0, r_param=0.25)]
     omega = {"see": lambda _: other[0]["omega"], "what": "omega of one pendulum"}
     expect("full_swing_update", other, 0.25, 0.2, 5.0, wanted=4.0, **omega)

@@ -238,8 +238,7 @@ def test_bobs_hang_from_their_axles():
     what = "position from the axle (m) of each bob"
     bobs = [arm(theta, R) for theta in (0.6, 0, 0)]
     expect_cradle(place, what, bobs)
-    lower = [arm(theta, 1.0) for theta in (-0.3, 0, 0)]
-    expect_cradle(place, what, lower, r_param=1.0, theta_init=-0.3)
+    expect_cradle(place, what, [arm(theta, 1.0) for theta in (-0.3, 0, 0)], r_param=1.0, theta_init=-0.3)
 
     def ends(pend):  # from the axle, the upper one first
         axle, _, cord = pend["objects"]

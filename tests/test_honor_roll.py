@@ -39,6 +39,11 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
     check_double_pendulum(lambda objects: left_over(old, objects), theta=0.7, phi=0.4, **LEFT_OVER)
 
 
+def places(upper, lower):
+    """Return the positions of the axle and of both bobs, if these are so far from the axle."""
+    return AXLE, AXLE + upper, AXLE + lower
+
+
 @check("make_double_pendulum", watched=True)
 def test_bobs_are_where_the_angles_say():
     """Correctly calculated positions for all the components."""
@@ -52,21 +57,8 @@ def test_bobs_are_where_the_angles_say():
     angles = [(0.7, 0.4, 1.1), (0, 0, 0), (0.7, 0, 0.7), (0, 0.7, 0.7), (0.6, -0.4, 0.2), (-2.0, 3.0, 1.0)]
     angles += [(3.5, 1.0, 4.5), (0.5, 4.0, 4.5), (-7.0, -9.0, -16.0)]
 
-    def places(upper, lower):
-        return AXLE, AXLE + upper, AXLE + lower
-
     for theta, phi, beta in angles:
-        upper, lower = arm(theta), arm(beta)
-        hints = [
-            (places(upper, upper + arm(phi)), "The lower cord's angle from straight down is theta + phi."),
-            (places(upper, upper + arm(phi - theta)), "The lower cord's angle is theta + phi, not phi - theta."),
-            (places(upper, upper + arm(theta - phi)), "The lower cord's angle is theta + phi, not theta - phi."),
-            (places(upper, lower), "Your lower bob hangs from the axle. It must hang from the upper bob."),
-            (places(upper, upper + arm(theta)), "You ignored phi."),
-            (places(arm(phi), arm(phi) + lower), "You exchanged theta and phi."),
-            (places(arm(0), arm(0) + arm(phi)), "You ignored theta."),
-        ]
-        check_double_pendulum(see, what, theta, phi, places(upper, upper + lower), hints)
+        check_double_pendulum(see, what, theta, phi, places(arm(theta), arm(theta) + arm(beta)))
     longer = places(3 * arm(0.7), 3 * arm(0.7) + 3 * arm(1.1))
     check_double_pendulum(see, what, 0.7, 0.4, longer, cord=3 * CORD)
 
