@@ -17,7 +17,7 @@ import make_autograder
 import make_starter
 import pytest
 import watch
-from programs import on_posix, ROOT, SECONDS
+from programs import call, on_posix, ROOT, SECONDS
 from students import change, COUNTS, files_of, put_files, write
 
 from grading.grader import checks
@@ -159,11 +159,7 @@ def main(made, process, monkeypatch, capsys):
 
     def main(*arguments, program=grade_class):
         monkeypatch.setattr(sys, "argv", [program.__name__ + ".py", *map(str, arguments)])
-        try:
-            program.main()
-        except SystemExit as ended:
-            return ended.code, *capsys.readouterr()
-        return 0, *capsys.readouterr()
+        return call(program.main, capsys)
 
     return main
 
