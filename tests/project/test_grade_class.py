@@ -314,12 +314,10 @@ while True:
     "grows": "rows = [0]\nwhile True: rows += rows",
     "nests": "a = [0, 0]\nfor _ in range(60): a = [a, a]\nreturn a",
 }
-ODD = {  # added to a file of a complete solution
-    "closes": ("swinging.py", "import sys\nsys.stdout.close()"),
-    "links": ("swinging.py", "import os\nos.symlink('/dev', os.environ['HOME'] + '/link')"),
-    "code": (
-        "pds_helper.py",
-        """
+ODD = {  # their names, and what they add to this file of a complete solution
+    ("closes", "swinging.py"): "import sys\nsys.stdout.close()",
+    ("links", "swinging.py"): "import os\nos.symlink('/dev', os.environ['HOME'] + '/link')",
+    ("code", "pds_helper.py"): """
 import contextlib, time
 class Function:
     __call__ = lambda self, file: 5
@@ -330,24 +328,17 @@ class Function:
                 time.sleep(100)
 extract_and_convert = Function()
 """,
-    ),
-    "letters": (
-        "pds_helper.py",
-        """
+    ("letters", "pds_helper.py"): """
 class Odd:
     __repr__ = lambda self: 'a\\ud800b'
 extract_and_convert = lambda file: Odd()
 """,
-    ),
-    "vectors": (
-        "double_cradle.py",
-        """
+    ("vectors", "double_cradle.py"): """
 original = make_double_pendulum
 def make_double_pendulum(axle_pos, r_param, theta, phi, color, texture):
     axle_pos.x = color.x = 1e18
     return original(axle_pos, r_param, 0, 0, color, texture)
 """,
-    ),
 }
 SAID = {
     "floods": "gave an answer that the grader cannot read",
@@ -369,7 +360,7 @@ def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_pat
     students = dict.fromkeys(["ann", "zoe", "=1+1", "x" * 252], ours)
     for name, text in IMPORTED.items():
         students[f"empty {name}"] = {**empty, "pds_helper.py": f"{text}\n{empty['pds_helper.py']}"}
-    for name, (file, text) in {**ODD, "outside": ("swinging.py", outside)}.items():
+    for (name, file), text in {**ODD, ("outside", "swinging.py"): outside}.items():
         students[name] = {**ours, file: f"{ours[file]}\n{text}\n"}
     for name, body in BODIES.items():
         changed = ours["swinging.py"].replace(FIRST, f"{indent(body, '    ')}\n{FIRST}", 1)
