@@ -112,23 +112,16 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv, monkey
     assert drawn(wall)["1"][0] == [0, pytest.approx(wall.viewer.angles[1])]
 
 
-AFTER = {
-    "restart": lambda wall: wall.press("r"),
-    "reload": lambda wall: wall.save(FIVE_CSV.replace("red", "blue")),
-    "page": lambda wall: wall.give("show again"),
-}
-
-
-@pytest.mark.parametrize("after", AFTER)
-def test_settings_stay(wall, after):
+def test_settings_stay_after_a_restart_on_a_reloaded_page_and_for_a_saved_csv(wall):
     wall.use(wall.panel.speed.slider, value=0.5)
     wall.use(wall.panel.separating, checked=True)
     wall.use(wall.panel.collisions, selected="inelastic, e = 0")
     wall.press(" ")
-    AFTER[after](wall)
-    assert (wall.viewer.pace.speed, wall.viewer.separating, wall.viewer.running) == (0.5, True, False)
-    assert wall.values("e") == [0] * 5
-    assert wall.panel.pause.text == "Run"
+    for does in (lambda: wall.press("r"), lambda: wall.give("show again"), lambda: wall.save(HEADER + GOOD * 3)):
+        does()
+        assert (wall.viewer.pace.speed, wall.viewer.separating, wall.viewer.running) == (0.5, True, False)
+        assert (wall.values("e"), wall.panel.pause.text) == ([0] * len(wall.thetas()), "Run")
+    assert len(wall.thetas()) == 3
 
 
 def test_the_program_ends_after_its_last_message_is_sent(wall, monkeypatch):
