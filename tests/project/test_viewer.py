@@ -15,6 +15,7 @@ from whole_cradles import FIVE_CSV, GOOD, HEADER, PERIOD, thetas
 
 from src import visualize_cradle_run
 from support.constants import COLOR_MAP, G, R_PARAM
+from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.real_time import FRAME
 from support.files.cradle_csv import POLL
@@ -137,21 +138,23 @@ def test_the_program_ends_after_its_last_message_is_sent(wall, monkeypatch):
 
 
 @pytest.mark.parametrize("paused", [False, True])
-def test_a_bob_is_dragged_along_its_arc_and_let_go(wall, paused):
+@pytest.mark.parametrize(("kind", "bob", "cords"), [(Cradle, 4, 1), (DoubleCradle, 8, 1), (DoubleCradle, 9, 2)])
+def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(csv, kind, bob, cords, paused):
+    wall = Wall(csv, *[0] * len(kind.angles), kind=kind)
+    cradle, pend = wall.viewer.cradle, wall.viewer.cradle.pend_list[4]
+    axle, bob = cradle.axles()[4].pos, cradle.bobs()[bob]
     if paused:
         wall.panel.pause.bind()
-    wall.use(wall.panel.lifted.slider, value=0)
-    axle, bob = wall.viewer.cradle.axles()[4], wall.viewer.cradle.bobs()[4]
+    pend.update(dict.fromkeys(kind.rate_keys, 1.0))
     wall.mouse("mousedown", vector(bob.pos) + vector(bob.radius / 2, 0, 0))
-    wall.mouse("mousemove", axle.pos + vector(1, -1, 0))
-    assert wall.lifts() == [0, 0, 0, 0, 45]
-    assert wall.percents() == ["100.0 %", "0.0 %", "100.0 %"]
-    wall.wait(0.5)
-    assert wall.lifts() == [0, 0, 0, 0, 45]
-    wall.mouse("mouseup", axle.pos)
-    assert wall.viewer.cradle.pend_list[4]["omega"] == 0
-    assert wall.percents() == ["100.0 %", "0.0 %", "100.0 %"]
-    wall.mouse("mousemove", axle.pos)
+    assert not any(pend[key] for key in kind.rate_keys)
+    wall.mouse("mousemove", axle + vector(3, -3, 0))  # far away
+    for after in (lambda: wall.wait(0.5), lambda: wall.mouse("mouseup", axle), lambda: wall.mouse("mousemove", axle)):
+        assert wall.lifts() == [0, 0, 0, 0, 45]
+        assert (bob.pos - axle).value == pytest.approx([cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0])
+        assert wall.percents() == ["100.0 %", "0.0 %", "100.0 %"]
+        assert not any(pend[key] for key in kind.rate_keys)
+        after()
     assert wall.lifts() == [0, 0, 0, 0, 45]
     wall.wait(0.1)
     assert (wall.lifts()[4] == 45) == paused
