@@ -46,6 +46,7 @@ PROJECT = {**SOLUTION, **OTHERS}
 MAC = {**below("cradle", PROJECT), **{f"__MACOSX/{name}": "mac" for name in below("cradle")}}
 MORE = {"src/helpers/angles.py": "a", "src/notes.txt": "n", "src/__pycache__/x.py": "x"}
 NAMED = {name.replace("swinging", "Swinging (1)"): text for name, text in SOLUTION.items()}
+NAMED_READ = {name.replace("swinging", "Swinging (1)"): text for name, text in READ.items()}
 OUTSIDE = ["../src/swinging.py", "src/../../swinging.py", "..\\src\\swinging.py", "C:/swinging.py"]
 NONE = "none of the handout's files is there; found: "
 FORMS = {  # the files of a submission, those that count, and the problem
@@ -54,10 +55,7 @@ FORMS = {  # the files of a submission, those that count, and the problem
     "more files": ({**SOLUTION, **MORE}, {**READ, "helpers/angles.py": b"a"}, None),
     "paths that lead outside": ({**SOLUTION, **dict.fromkeys(OUTSIDE, "x")}, READ, None),
     "two projects": ({**below("new"), "old/src/swinging.py": "old"}, READ, "took new/src, left old/src"),
-    "another name": (
-        *(NAMED, {name.replace("swinging", "Swinging (1)"): text for name, text in READ.items()}),
-        "src/swinging.py is missing, found 'Swinging (1).py'",
-    ),
+    "another name": (NAMED, NAMED_READ, "src/swinging.py is missing, found 'Swinging (1).py'"),
     "nothing": ({}, {}, f"{NONE}nothing"),
     "something else": ({"b.txt": "b", "essay.docx": "a"}, {}, f"{NONE}b.txt, essay.docx"),
     "much": ({**SOLUTION, "src/big.py": "#" * MOST_BYTES}, {}, "too large: found 6 Python files, allowed are at most"),
