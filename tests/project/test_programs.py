@@ -14,6 +14,7 @@ from unittest.mock import Mock
 
 import pytest
 from programs import call, copy_project, on_posix, python, ROOT, with_vpython
+from students import put_files
 from whole_cradles import FIVE_CSV, go_on
 
 import pds_tester
@@ -40,9 +41,8 @@ def test_a_program_finds_its_own_project_from_any_folder_and_refuses_in_one_line
 
     VPython's server does not start so early either: it would wait for a browser.
     """
-    project, hiding = copy_project(tmp_path, ""), tmp_path / "hiding"
-    hiding.mkdir()
-    (hiding / ("pandas.py" if "visualize" in program else "vpython.py")).write_text("raise ModuleNotFoundError")
+    project, hidden = copy_project(tmp_path, ""), "pandas.py" if "visualize" in program else "vpython.py"
+    hiding = put_files(tmp_path / "hiding", {hidden: "raise ModuleNotFoundError"})
     done = python(project / f"{program}.py", folder=os.sep, PYTHONSAFEPATH="1", PYTHONPATH=str(hiding))
     line = f"{project / 'newton_cradle_pends.csv'}: is empty, the first line must name the columns\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
@@ -65,9 +65,7 @@ def test_an_older_python_is_named_before_it_stumbles():
 
 def test_a_file_that_hides_a_module_is_named(tmp_path):
     """test.py is no mistake, because nobody needs Python's module test; neither is a file that is no module."""
-    folder = copy_project(tmp_path, FIVE_CSV)
-    for name in ("test.py", "random.csv"):
-        (folder / name).write_text("x = 1\n")
+    folder = put_files(copy_project(tmp_path, FIVE_CSV), {"test.py": "x = 1\n", "random.csv": "x = 1\n"})
     assert python("-c", "import support", folder=folder).returncode == 0
     (folder / "src" / "contextlib.py").write_text("x = 1\n")
     done = python("src/text_cradle_run.py", folder=folder)

@@ -88,9 +88,8 @@ def test_the_lines_of_the_handout_are_there_as_it_has_them(made):
 
 
 def test_the_folder_has_the_handouts_files_the_programs_and_the_graded_tests_alone(made):
-    assert {f"src/{path.name}" for path in made.glob("src/*")} == HANDOUTS | {
-        *("src/__init__.py", "src/text_cradle_run.py", "src/visualize_double_cradle_run.py"),
-    }
+    others = {"src/__init__.py", "src/text_cradle_run.py", "src/visualize_double_cradle_run.py"}
+    assert {f"src/{path.name}" for path in made.glob("src/*")} == HANDOUTS | others
     suites = {f"{suite}.py" for suite in SUITES.values()}
     assert {path.name for path in made.glob("tests/*")} - {"__pycache__"} == suites | {"grading", "watch.py"}
     assert not [*made.rglob("many_ticks.py")]
@@ -283,16 +282,12 @@ def test_a_program_without_a_cradle_names_the_functions_to_write(run, starter, p
     assert run(starter, program) == (2, "", f"There is no cradle to see yet. Write first: {missing}.\n")
 
 
+FIRST_TWO = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
 COLLIDE = "in src/visualize_cradle_run.py. Then the bobs collide. If no pendulum swings, type pytest."
 STAGES = [  # the tiers that are written, what the line says, and the angles of the first and of the last pendulum
     ("D", "Write next: angle_update, full_swing_update in src/swinging.py. Then the pendula swing.", (-45, 0)),
     ("DC", f"Write next: handle_collision, handle_two_bobs, newton_cradle_tick, main {COLLIDE}", (44, 0)),
-    (
-        "DCB",
-        "Write next: newton_cradle_tick, main in src/visualize_cradle_run.py. "
-        "Here are the first two pendula alone: their bobs collide. If not, type pytest.",
-        (0, 44),
-    ),
+    ("DCB", f"Write next: newton_cradle_tick, main in src/visualize_cradle_run.py. {FIRST_TWO}", (0, 44)),
     ("DCBA", "", (0, 44)),
 ]
 
