@@ -59,6 +59,16 @@ def copy_project(folder, csv) -> Path:
     return folder
 
 
+def call(main, capsys):
+    """Call main in this process; return its status, and what it has printed on stdout and stderr."""
+    status = 0
+    try:
+        main()
+    except SystemExit as ended:
+        status = ended.code
+    return status, *capsys.readouterr()
+
+
 @contextmanager
 def running(program=None, *arguments, folder=os.sep, python=sys.executable, patience=5 * SECONDS, **environment):
     """Start the program as a user would, from this folder; yield the process, and end it in any case.

@@ -53,9 +53,8 @@ def grade(made, process):
     """A function that grades the files of a solution, by their paths below src/."""
 
     def grade(files):
-        return judge.grade(
-            {**given_files(made), **{f"src/{name}": content for name, content in files.items()}}, process
-        )
+        below_src = {f"src/{name}": content for name, content in files.items()}
+        return judge.grade({**given_files(made), **below_src}, process)
 
     return grade
 

@@ -200,25 +200,6 @@ def test_a_held_bob_stays_and_throws_others_back(swing, kind, bob, separating):
     assert values(player, "mass") == masses
 
 
-@pytest.mark.parametrize(("kind", "bob", "cords"), [(Cradle, 4, 1), (DoubleCradle, 8, 1), (DoubleCradle, 9, 2)])
-def test_a_bob_is_dragged_let_go_and_swings_on_with_no_speed(swing, kind, bob, cords):
-    player = swing(lift=5, kind=kind)
-    player.swing(300)
-    cradle, pend = player.cradle, player.cradle.pend_list[4]
-    assert all(pend[key] for key in kind.rate_keys)
-    cradle.hand.hold(bob)
-    assert not any(pend[key] for key in kind.rate_keys)
-    axle = cradle.axles()[4].pos
-    cradle.hand.drag(axle.x + 3, axle.y - 3)  # along its arc, even if the mouse is far away
-    at = [cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0]
-    player.swing(100)
-    assert (cradle.bobs()[bob].pos - axle).value == pytest.approx(at)
-    cradle.hand.held = None
-    assert not any(pend[key] for key in kind.rate_keys)
-    player.swing(100)
-    assert cradle.bobs()[bob].pos.x - axle.x < at[0]
-
-
 def drag(pend_list, held, theta):
     """Drag the held pendulum to theta in one step; return the thetas of all pendula."""
     drag_pendulum(pend_list, held, [theta], R)

@@ -8,13 +8,13 @@ from unittest.mock import patch
 import pytest
 from programs import slow_but_for
 from vpython import mag
-from whole_cradles import check_places, distances, hang_double, PERIOD, velocities
+from whole_cradles import check_places, distances, energy, hang_double, PERIOD, velocities
 
 from grading.cradles import left_over, MIXED, MIXED_CSV, shapes
 from src.double_collisions import collide_pairs, handle_two_double_bobs, keep_apart, touching_pairs
 from src.double_cradle import double_angle_update, double_cradle_tick, double_swing_update, make_double_newton_cradle
 from support.constants import BUFFER, COLOR_MAP, DOUBLE_DT, G, PHI_INIT, R_PARAM, TEXTURE_MAP, THETA_INIT
-from support.energy import kinetic_energy, potential_energy
+from support.energy import kinetic_energy
 from support.files.cradle_csv import MOST_TIMES
 
 RATES, ANGLES = ["omega", "phi_omega"], ["theta", "phi"]
@@ -30,11 +30,6 @@ def make_row(count, theta=0.0, phi=0.0, apart=R_PARAM / 4):
 
 def values(pend_list, keys):
     return [pend[key] for pend in pend_list for key in keys]
-
-
-def energy(pend_list):
-    """Return the total energy (J)."""
-    return kinetic_energy(pend_list, R_PARAM) + potential_energy(pend_list, R_PARAM, G)
 
 
 def tick(pend_list, ticks, dt=DOUBLE_DT):

@@ -122,20 +122,17 @@ def test_a_missing_file_a_folder_a_pipe_and_a_device_are_refused_at_once(tmp_pat
 
 
 PADDED = "\n".join("  " + line.replace(",", " ,\t ") + "  " for line in MIXED_CSV.splitlines())
+READABLE = {
+    "marks": MIXED_CSV.replace("mass", '\ufeff\ufeff"\ufeffmass"').replace("2.5", "\ufeff2.5"),
+    "windows": MIXED_CSV.replace("\n", "\r\n\r\n").rstrip("\r\n"),
+    "spaces": PADDED,
+    "order": "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.splitlines()),
+    "quotes": MIXED_CSV.replace("red", ' "red" '),
+    "hard spaces": MIXED_CSV.replace(",", "\u00a0,\u00a0") + '""\n\u00a0\n',
+}
 
 
-@pytest.mark.parametrize(
-    "content",
-    [
-        MIXED_CSV.replace("mass", '\ufeff\ufeff"\ufeffmass"').replace("2.5", "\ufeff2.5"),
-        MIXED_CSV.replace("\n", "\r\n\r\n").rstrip("\r\n"),
-        PADDED,
-        "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.splitlines()),
-        MIXED_CSV.replace("red", ' "red" '),
-        MIXED_CSV.replace(",", "\u00a0,\u00a0") + '""\n\u00a0\n',
-    ],
-    ids=["marks", "windows", "spaces", "order", "quotes", "hard spaces"],
-)
+@pytest.mark.parametrize("content", READABLE.values(), ids=READABLE)
 def test_a_csv_is_read_however_a_program_has_written_it(content, save):
     filepath = save(content)
     assert extract_and_convert(filepath) == MIXED

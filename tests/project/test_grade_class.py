@@ -17,7 +17,7 @@ import make_autograder
 import make_starter
 import pytest
 import watch
-from programs import on_posix, ROOT, SECONDS
+from programs import call, on_posix, ROOT, SECONDS
 from students import change, COUNTS, files_of, put_files, write
 
 from grading.grader import checks
@@ -46,6 +46,7 @@ PROJECT = {**SOLUTION, **OTHERS}
 MAC = {**below("cradle", PROJECT), **{f"__MACOSX/{name}": "mac" for name in below("cradle")}}
 MORE = {"src/helpers/angles.py": "a", "src/notes.txt": "n", "src/__pycache__/x.py": "x"}
 NAMED = {name.replace("swinging", "Swinging (1)"): text for name, text in SOLUTION.items()}
+NAMED_READ = {name.replace("swinging", "Swinging (1)"): text for name, text in READ.items()}
 OUTSIDE = ["../src/swinging.py", "src/../../swinging.py", "..\\src\\swinging.py", "C:/swinging.py"]
 NONE = "none of the handout's files is there; found: "
 FORMS = {  # the files of a submission, those that count, and the problem
@@ -54,10 +55,7 @@ FORMS = {  # the files of a submission, those that count, and the problem
     "more files": ({**SOLUTION, **MORE}, {**READ, "helpers/angles.py": b"a"}, None),
     "paths that lead outside": ({**SOLUTION, **dict.fromkeys(OUTSIDE, "x")}, READ, None),
     "two projects": ({**below("new"), "old/src/swinging.py": "old"}, READ, "took new/src, left old/src"),
-    "another name": (
-        *(NAMED, {name.replace("swinging", "Swinging (1)"): text for name, text in READ.items()}),
-        "src/swinging.py is missing, found 'Swinging (1).py'",
-    ),
+    "another name": (NAMED, NAMED_READ, "src/swinging.py is missing, found 'Swinging (1).py'"),
     "nothing": ({}, {}, f"{NONE}nothing"),
     "something else": ({"b.txt": "b", "essay.docx": "a"}, {}, f"{NONE}b.txt, essay.docx"),
     "much": ({**SOLUTION, "src/big.py": "#" * MOST_BYTES}, {}, "too large: found 6 Python files, allowed are at most"),
@@ -159,11 +157,7 @@ def main(made, process, monkeypatch, capsys):
 
     def main(*arguments, program=grade_class):
         monkeypatch.setattr(sys, "argv", [program.__name__ + ".py", *map(str, arguments)])
-        try:
-            program.main()
-        except SystemExit as ended:
-            return ended.code, *capsys.readouterr()
-        return 0, *capsys.readouterr()
+        return call(program.main, capsys)
 
     return main
 
@@ -318,12 +312,10 @@ while True:
     "grows": "rows = [0]\nwhile True: rows += rows",
     "nests": "a = [0, 0]\nfor _ in range(60): a = [a, a]\nreturn a",
 }
-ODD = {  # added to a file of a complete solution
-    "closes": ("swinging.py", "import sys\nsys.stdout.close()"),
-    "links": ("swinging.py", "import os\nos.symlink('/dev', os.environ['HOME'] + '/link')"),
-    "code": (
-        "pds_helper.py",
-        """
+ODD = {  # their names, and what they add to this file of a complete solution
+    ("closes", "swinging.py"): "import sys\nsys.stdout.close()",
+    ("links", "swinging.py"): "import os\nos.symlink('/dev', os.environ['HOME'] + '/link')",
+    ("code", "pds_helper.py"): """
 import contextlib, time
 class Function:
     __call__ = lambda self, file: 5
@@ -334,24 +326,17 @@ class Function:
                 time.sleep(100)
 extract_and_convert = Function()
 """,
-    ),
-    "letters": (
-        "pds_helper.py",
-        """
+    ("letters", "pds_helper.py"): """
 class Odd:
     __repr__ = lambda self: 'a\\ud800b'
 extract_and_convert = lambda file: Odd()
 """,
-    ),
-    "vectors": (
-        "double_cradle.py",
-        """
+    ("vectors", "double_cradle.py"): """
 original = make_double_pendulum
 def make_double_pendulum(axle_pos, r_param, theta, phi, color, texture):
     axle_pos.x = color.x = 1e18
     return original(axle_pos, r_param, 0, 0, color, texture)
 """,
-    ),
 }
 SAID = {
     "floods": "gave an answer that the grader cannot read",
@@ -373,7 +358,7 @@ def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_pat
     students = dict.fromkeys(["ann", "zoe", "=1+1", "x" * 252], ours)
     for name, text in IMPORTED.items():
         students[f"empty {name}"] = {**empty, "pds_helper.py": f"{text}\n{empty['pds_helper.py']}"}
-    for name, (file, text) in {**ODD, "outside": ("swinging.py", outside)}.items():
+    for (name, file), text in {**ODD, ("outside", "swinging.py"): outside}.items():
         students[name] = {**ours, file: f"{ours[file]}\n{text}\n"}
     for name, body in BODIES.items():
         changed = ours["swinging.py"].replace(FIRST, f"{indent(body, '    ')}\n{FIRST}", 1)

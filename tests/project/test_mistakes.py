@@ -9,7 +9,7 @@ from pathlib import Path
 from unittest.mock import patch
 
 import pytest
-from programs import copy_project, end, first_lines, running
+from programs import call, copy_project, end, first_lines, running
 from students import change
 from whole_cradles import FIVE_CSV, make_swing
 
@@ -92,17 +92,14 @@ def check_end(status, stderr, name):
 @pytest.mark.parametrize("name", MISTAKES)
 def test_a_mistake_ends_a_program_with_the_students_line_last(project, capsys, name, program):
     change(*MISTAKES[name][:3])
-    with pytest.raises(SystemExit) as ended:
-        start(*program)
-    check_end(ended.value.code, capsys.readouterr().err, name)
+    status, _, stderr = call(lambda: start(*program), capsys)
+    check_end(status, stderr, name)
 
 
 def test_a_mistake_of_the_project_is_reported_in_full(project, capsys, monkeypatch):
     monkeypatch.setattr(Motion, "time", lambda self: 1 / 0)
-    with pytest.raises(SystemExit) as ended:
-        start(*PLAYED)
-    report = capsys.readouterr().err
-    assert (ended.value.code, "players.py" in report, "ZeroDivisionError" in report) == (1, True, True)
+    status, _, report = call(lambda: start(*PLAYED), capsys)
+    assert (status, "players.py" in report, "ZeroDivisionError" in report) == (1, True, True)
 
 
 def test_a_mistake_ends_the_process_of_the_browser_program_and_its_page_says_so(page, project):

@@ -7,6 +7,7 @@ from math import degrees, inf
 from pathlib import Path
 
 import pytest
+from programs import call
 from wall import Wall
 
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
@@ -71,10 +72,8 @@ def test_help_has_each_option_with_its_unit_and_default(capsys):
 
 def refusal(program, words, capsys):
     """Return the one line on stderr with which a program refuses these words, after its name."""
-    with pytest.raises(SystemExit) as refused:
-        PROGRAMS[program][0](words)
-    stdout, stderr = capsys.readouterr()
-    assert (refused.value.code, stdout, stderr.count("\n")) == (2, "", 1)
+    status, stdout, stderr = call(lambda: PROGRAMS[program][0](words), capsys)
+    assert (status, stdout, stderr.count("\n")) == (2, "", 1)
     return stderr.partition(": error: ")[2].removesuffix(" (--help shows all options)\n")
 
 

@@ -10,13 +10,12 @@ from math import cos, degrees, pi, radians, sqrt
 import pytest
 from programs import slow_but_for
 from vpython import color, sphere, textures
-from whole_cradles import do_at_once
+from whole_cradles import do_at_once, energy
 
 from grading.cradles import hang
 from src.visualize_cradle_run import handle_two_bobs
 from support import shapes
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.energy import kinetic_energy, potential_energy
 
 SAMPLE = 0.01  # s between two measurements
 
@@ -26,11 +25,6 @@ def make_row(count, theta=0.0, **values):
     row = [hang(axle=(i * R_PARAM / 4, 0, 0), r_param=R_PARAM, **values) for i in range(count)]
     row[0]["theta"] = theta
     return row
-
-
-def energy(pend_list):
-    """Return the total energy (J)."""
-    return kinetic_energy(pend_list, R_PARAM) + potential_energy(pend_list, R_PARAM, G)
 
 
 def advance(pend_list, seconds):

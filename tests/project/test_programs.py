@@ -6,13 +6,15 @@ import os
 import shlex
 import subprocess
 import sys
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pytest
-from programs import copy_project, on_posix, python, ROOT, with_vpython
+from programs import call, copy_project, on_posix, python, ROOT, with_vpython
+from students import put_files
 from whole_cradles import FIVE_CSV, go_on
 
 import pds_tester
@@ -39,9 +41,8 @@ def test_a_program_finds_its_own_project_from_any_folder_and_refuses_in_one_line
 
     VPython's server does not start so early either: it would wait for a browser.
     """
-    project, hiding = copy_project(tmp_path, ""), tmp_path / "hiding"
-    hiding.mkdir()
-    (hiding / ("pandas.py" if "visualize" in program else "vpython.py")).write_text("raise ModuleNotFoundError")
+    project, hidden = copy_project(tmp_path, ""), "pandas.py" if "visualize" in program else "vpython.py"
+    hiding = put_files(tmp_path / "hiding", {hidden: "raise ModuleNotFoundError"})
     done = python(project / f"{program}.py", folder=os.sep, PYTHONSAFEPATH="1", PYTHONPATH=str(hiding))
     line = f"{project / 'newton_cradle_pends.csv'}: is empty, the first line must name the columns\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
@@ -64,9 +65,7 @@ def test_an_older_python_is_named_before_it_stumbles():
 
 def test_a_file_that_hides_a_module_is_named(tmp_path):
     """test.py is no mistake, because nobody needs Python's module test; neither is a file that is no module."""
-    folder = copy_project(tmp_path, FIVE_CSV)
-    for name in ("test.py", "random.csv"):
-        (folder / name).write_text("x = 1\n")
+    folder = put_files(copy_project(tmp_path, FIVE_CSV), {"test.py": "x = 1\n", "random.csv": "x = 1\n"})
     assert python("-c", "import support", folder=folder).returncode == 0
     (folder / "src" / "contextlib.py").write_text("x = 1\n")
     done = python("src/text_cradle_run.py", folder=folder)
@@ -160,8 +159,9 @@ def test_each_signal_ends_a_program_once_with_its_status_unless_it_is_ignored(mo
 # --- main ------------------------------------------------------------------------------------------------------------
 
 
-def test_pds_tester_shows_each_step(mixed, monkeypatch, capsys):
-    monkeypatch.setattr(pds_tester, "NC_FP", str(mixed))
+def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
+    csv.write_text(MIXED_CSV)
+    monkeypatch.setattr(pds_tester, "NC_FP", str(csv))
     pds_tester.main()
     df, bad_rep, pend_list = [block.splitlines() for block in capsys.readouterr().out.split("\n\n")]
     assert (df[0].partition(":")[0], len(df)) == ("df", 1 + 1 + 3)  # the name df, a header, three pendula
@@ -170,15 +170,16 @@ def test_pds_tester_shows_each_step(mixed, monkeypatch, capsys):
 
 
 @pytest.fixture
-def start(monkeypatch):
-    """A function that starts a program with a command line, and returns what its page and its main were given."""
+def start(monkeypatch, csv):
+    """A function that starts a program for three unequal pendula; it returns what its page and its main were given."""
+    csv.write_text(MIXED_CSV)
     shown = []
     monkeypatch.setattr("support.page.page.open_page", lambda *given: shown.append(given[:3]))
     monkeypatch.setattr("support.page.page.page_sockets", lambda port: port)
     monkeypatch.setattr("support.page.page.run", lambda main, viewer: shown.append(viewer))
     monkeypatch.setattr("os._exit", lambda status: None)
 
-    def start(csv, *arguments, is_double=False):
+    def start(*arguments, is_double=False):
         monkeypatch.setattr(sys, "argv", ["program.py", str(csv), *arguments])
         program = visualize_double_cradle_run if is_double else visualize_cradle_run
         (show_double_cradle if is_double else show_cradle)(program.main, pds_helper, special_cradles)
@@ -188,13 +189,6 @@ def start(monkeypatch):
         return page, viewer
 
     return start
-
-
-@pytest.fixture
-def mixed(csv):
-    """The path of a CSV with three unequal pendula."""
-    csv.write_text(MIXED_CSV)
-    return csv
 
 
 SOME = "--inelastic --separating --mass 3 --angle 20 --lift 3 --port 8000 --no-browser"
@@ -209,8 +203,8 @@ DOUBLED = "--mass 3 --angle 25 --phi=-12.5 --lift 2"
         ("Newton's double cradle", DOUBLED, (0, True), [(0.9, 3, 25, -12.5), (0.8, 3, 25, -12.5), (0.7, 3, 0, 0)]),
     ],
 )
-def test_main_does_as_the_options_say(mixed, start, program, line, given, pendula):
-    (port, title, browser), viewer = start(mixed, *line.split(), is_double="double" in program)
+def test_main_does_as_the_options_say(start, program, line, given, pendula):
+    (port, title, browser), viewer = start(*line.split(), is_double="double" in program)
     assert (title, port, browser) == (program, *given)
     separating = "--separating" in line
     assert (viewer.panel.separating.checked, viewer.rule) == (separating, {"approaching_only": not separating})
@@ -219,10 +213,8 @@ def test_main_does_as_the_options_say(mixed, start, program, line, given, pendul
         assert [to_lift(pend[key]) for key in viewer.cradle.angle_keys] == pytest.approx(lifts)
 
 
-def test_main_refuses_in_one_line_before_a_page_opens(mixed, start, capsys):
+def test_main_refuses_in_one_line_before_a_page_opens(start, capsys):
     for option, value, allowed in (("--lift", "4", "at most 3, "), ("--experiment", "none", "one of 1_one_bob, ")):
-        with pytest.raises(SystemExit, match="^2$"):
-            start(mixed, option, value)
-        stdout, stderr = capsys.readouterr()
-        assert (stdout, stderr.count("\n")) == ("", 1)
+        status, stdout, stderr = call(partial(start, option, value), capsys)
+        assert (status, stdout, stderr.count("\n")) == (2, "", 1)
         assert stderr.startswith(f"{option}: found {value!r}, allowed is {allowed}")

@@ -6,7 +6,6 @@ import os
 import re
 import runpy
 import shutil
-import subprocess
 import sys
 from math import degrees
 from pathlib import Path
@@ -16,7 +15,7 @@ from unittest.mock import Mock
 import pandas as pd
 import pytest
 from make_starter import CHANGES, make_starter
-from programs import ROOT, SECONDS
+from programs import call, python, ROOT
 from students import change, COUNTS, files_of, write, write_tiers
 
 from grading import grade as grades
@@ -26,13 +25,6 @@ from grading.handout import FUNCTIONS, SUITES
 from grading.own_process import OwnProcess
 
 HANDOUTS = {function.file for function in FUNCTIONS.values()}
-
-
-def start(*arguments, folder):
-    """Return the finished process of Python with these arguments in this folder."""
-    environment = {name: value for name, value in os.environ.items() if name != "PYTEST_ADDOPTS"}
-    command = [sys.executable, *map(str, arguments)]
-    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=2 * SECONDS)
 
 
 def table_of(lines):
@@ -45,12 +37,13 @@ def table_of(lines):
 
 def test_a_starter_is_made_all_waits_and_with_the_solutions_all_is_green(tmp_path):
     folder = tmp_path / "starter"
-    done = start(ROOT / "tests" / "make_starter.py", folder, folder=tmp_path)
+    done = python(ROOT / "tests" / "make_starter.py", folder, folder=tmp_path)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith(f"{folder} is ready")
 
     def run_pytest():
-        done = start("-m", "pytest", "-p", "no:cacheprovider", "--grade-json", "grade.json", folder=folder)
+        words = ["-m", "pytest", "-p", "no:cacheprovider", "--grade-json", "grade.json"]
+        done = python(*words, folder=folder, PYTEST_ADDOPTS="")
         assert done.stderr == ""
         return done.returncode, done.stdout.splitlines(), json.loads((folder / "grade.json").read_text())
 
@@ -95,9 +88,8 @@ def test_the_lines_of_the_handout_are_there_as_it_has_them(made):
 
 
 def test_the_folder_has_the_handouts_files_the_programs_and_the_graded_tests_alone(made):
-    assert {f"src/{path.name}" for path in made.glob("src/*")} == HANDOUTS | {
-        *("src/__init__.py", "src/text_cradle_run.py", "src/visualize_double_cradle_run.py"),
-    }
+    others = {"src/__init__.py", "src/text_cradle_run.py", "src/visualize_double_cradle_run.py"}
+    assert {f"src/{path.name}" for path in made.glob("src/*")} == HANDOUTS | others
     suites = {f"{suite}.py" for suite in SUITES.values()}
     assert {path.name for path in made.glob("tests/*")} - {"__pycache__"} == suites | {"grading", "watch.py"}
     assert not [*made.rglob("many_ticks.py")]
@@ -119,7 +111,7 @@ def test_a_student_meets_no_reference_to_a_file_module_or_name_that_is_not_there
     for file in HANDOUTS - {"src/double_cradle.py"}:
         assert re.findall(rf"\b(?:{words})\b", (made / file).read_text()) == []
     options = ["--isolated", "--no-cache", "--select", "F", "--ignore", "F401,F821,F841"]
-    done = start("-m", "ruff", "check", *options, "src", folder=made)
+    done = python("-m", "ruff", "check", *options, "src", folder=made)
     assert (done.returncode, done.stderr) == (0, ""), done.stdout
 
 
@@ -201,7 +193,7 @@ def test_a_half_written_project(grade, starter):
     assert "hint        You used the old omega; theta moves with the new one." in lines
     assert "it raised   ValueError: invalid literal for int() with base 10: 'm1'" in messages
 
-    done = start("tests/watch.py", "test_angle_update", "--seconds", 0.6, folder=starter)
+    done = python("tests/watch.py", "test_angle_update", "--seconds", 0.6, folder=starter)
     assert (done.returncode, done.stderr) == (0, "")
     assert re.findall("^t = .*?   ", done.stdout, re.MULTILINE) == ["t = 0.00 s   ", "t = 0.50 s   "]
 
@@ -266,12 +258,8 @@ def run(monkeypatch, capsys):
         monkeypatch.setattr("support.start.preview.SRC", starter / "src")
         monkeypatch.setattr(sys, "path", [str(starter), *sys.path])
         monkeypatch.setattr(sys, "argv", [str(starter / program), *arguments])
-        try:
-            with OwnProcess().again():
-                runpy.run_path(str(starter / program), run_name="__main__")
-        except SystemExit as ended:
-            return ended.code, *capsys.readouterr()
-        return 0, *capsys.readouterr()
+        with OwnProcess().again():
+            return call(lambda: runpy.run_path(str(starter / program), run_name="__main__"), capsys)
 
     return run
 
@@ -294,16 +282,12 @@ def test_a_program_without_a_cradle_names_the_functions_to_write(run, starter, p
     assert run(starter, program) == (2, "", f"There is no cradle to see yet. Write first: {missing}.\n")
 
 
+FIRST_TWO = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
 COLLIDE = "in src/visualize_cradle_run.py. Then the bobs collide. If no pendulum swings, type pytest."
 STAGES = [  # the tiers that are written, what the line says, and the angles of the first and of the last pendulum
     ("D", "Write next: angle_update, full_swing_update in src/swinging.py. Then the pendula swing.", (-45, 0)),
     ("DC", f"Write next: handle_collision, handle_two_bobs, newton_cradle_tick, main {COLLIDE}", (44, 0)),
-    (
-        "DCB",
-        "Write next: newton_cradle_tick, main in src/visualize_cradle_run.py. "
-        "Here are the first two pendula alone: their bobs collide. If not, type pytest.",
-        (0, 44),
-    ),
+    ("DCB", f"Write next: newton_cradle_tick, main in src/visualize_cradle_run.py. {FIRST_TWO}", (0, 44)),
     ("DCBA", "", (0, 44)),
 ]
 

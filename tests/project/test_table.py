@@ -76,14 +76,20 @@ def test_the_table_shows_pend_list_as_it_is_now(opened):
 # --- edit ------------------------------------------------------------------------------------------------------------
 
 
-def test_main_makes_the_cradle_of_an_edited_cell(opened, csv):
+def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_shown(opened, csv):
+    """They came from --mass and from the menu: nothing else may change with the edit."""
+    opened.viewer.cradle.mass = 3.0
+    opened.press("r")
+    opened.use(opened.panel.collisions, selected="inelastic, e = 0")
+    assert [float(e) for e in column(opened, "e")] == [0] * 5
     opened.wait(0.3)
     command(opened, "edit", [1, "mass", "2.50"])
-    assert column(opened, "mass") == ["1.0", "2.50", "1.0", "1.0", "1.0"]
-    assert (opened.time(), opened.lifts()) == (0, [30, 0, 0, 0, 0])
+    assert column(opened, "mass") == ["3.0", "2.50", "3.0", "3.0", "3.0"]
+    assert (opened.time(), opened.lifts(), opened.values("e")) == (0, [30, 0, 0, 0, 0], [0] * 5)
+    assert opened.panel.collisions.selected == "as in the CSV"
     command(opened, "edit", [4, "e", "0.5"])
     command(opened, "edit", [2, "color", "blue"])
-    assert (opened.values("mass"), opened.values("e")) == ([1, 2.5, 1, 1, 1], [1, 1, 1, 1, 0.5])
+    assert (opened.values("mass"), opened.values("e")) == ([3, 2.5, 3, 3, 3], [0, 0, 0, 0, 0.5])
     assert opened.viewer.cradle.bobs()[2].color == COLOR_MAP["blue"]
     assert csv.read_text() == FIVE_CSV
 
@@ -137,17 +143,6 @@ def test_pendula_are_added_up_to_the_limit_and_deleted_but_for_the_last_one(open
         command(opened, "delete", 0)
     command(opened, "edit", [3, "mass", "2"])
     assert (opened.values("mass"), mistakes(opened)) == ([7], {})
-
-
-def test_an_edit_takes_the_masses_and_e_that_are_shown(opened):
-    """They came from --mass and from the menu: nothing else may change with the edit."""
-    opened.viewer.cradle.mass = 3.0
-    opened.press("r")
-    opened.use(opened.panel.collisions, selected="inelastic, e = 0")
-    assert [float(e) for e in column(opened, "e")] == [0] * 5
-    command(opened, "edit", [1, "mass", "2"])
-    assert (opened.values("mass"), opened.values("e")) == ([3, 2, 3, 3, 3], [0] * 5)
-    assert opened.panel.collisions.selected == "as in the CSV"
 
 
 def test_an_edited_experiment_keeps_its_bobs_lifted(opened):

@@ -16,7 +16,7 @@ from unittest.mock import Mock
 
 import pandas as pd
 import pytest
-from programs import on_posix, ROOT, SECONDS
+from programs import call, on_posix, ROOT, SECONDS
 from whole_cradles import GOOD, HEADER, make_live, make_swing, PERIOD
 
 from grading.cradles import hang, R
@@ -39,11 +39,7 @@ def main(monkeypatch, capsys):
 
     def main(*arguments):
         monkeypatch.setattr(sys, "argv", ["text_cradle_run.py", *map(str, arguments)])
-        try:
-            text_cradle_run.main()
-        except SystemExit as ended:
-            return ended.code, *capsys.readouterr()
-        return 0, *capsys.readouterr()
+        return call(text_cradle_run.main, capsys)
 
     return main
 

@@ -17,6 +17,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.many_ticks import many_ticks
 from support.cradle.player import Player
+from support.energy import kinetic_energy, potential_energy
 from support.files.cradle_csv import Snapshot
 from support.pendulum import from_lift
 
@@ -58,6 +59,11 @@ def velocities(pend) -> list:
     """Return the velocities (m/s) of a pendulum's bobs as vectors, the upper one first."""
     turns = zip(along(pend, ("theta", "phi")), along(pend, ("omega", "phi_omega")), strict=True)
     return [*accumulate(R_PARAM * rate * vector(cos(angle), sin(angle), 0) for angle, rate in turns)]
+
+
+def energy(pend_list) -> float:
+    """Return the total energy (J)."""
+    return kinetic_energy(pend_list, R_PARAM) + potential_energy(pend_list, R_PARAM, G)
 
 
 def distances(pend_list) -> list[float]:
