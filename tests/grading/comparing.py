@@ -9,15 +9,13 @@ from pathlib import Path
 
 from vpython import vector
 
-from grading.messages import about, shown, Wanted
+from grading.messages import about, form_of, shown, Wanted
 
 MOST = 8_000  # characters of a student's code in which hints are looked for
 LONG = 130  # characters; of a longer list, a message shows only the first difference
 
 # Errors of a check that reads a value of the wrong form.
 OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
-
-FORMS = {list: "a list", tuple: "a tuple", dict: "a dictionary", str: "text", bool: "a bool", type(None): "None"}
 
 
 def fits(found, wanted, *change) -> bool:
@@ -149,12 +147,6 @@ def mistake_in(what, found, wanted) -> str:
     digits = digits_of(found, wanted)
     is_plain = not isinstance(wanted, Wanted) and isinstance(found, (Real, str, vector))
     return f"{whole} {are} {f'{shown(found, digits)}, not {shown(wanted, digits)}' if is_plain else 'wrong'}."
-
-
-def form_of(value) -> str:
-    """Return the form of a value in words."""
-    words = [words for kind, words in FORMS.items() if isinstance(value, kind)]
-    return words[0] if words else "a number" if isinstance(value, Real) else f"a {type(value).__name__}"
 
 
 def parts_of(what, count) -> list[str]:

@@ -10,6 +10,8 @@ from grading.handout import FUNCTIONS, SUITES
 from support.start.output import in_one_line
 
 PRINTED = 10  # lines that are shown of what a solution has printed
+BOOKS = "In Python, with books:"
+LAST = 9  # lines of the next step; below it, pytest has one more
 
 
 def grade(outcomes) -> dict:
@@ -53,13 +55,11 @@ def next_step(outcomes) -> tuple[str, str]:
         if outcome.state == FAILED:
             step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
             dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
-            steps, is_number = dict(rows_of("hints.txt", "steps")), re.search(NUMBERS, outcome.wrong)
-            hint = outcome.hint or (steps.get(check.name, "") if is_number else "")
-            lines = [f"{outcome.wrong}{dot} {hint}".strip()]
-            if not (is_number and hint):
-                lines.append(f"{steps[check.function]} In Python, with books:")
-                python = rows_of("hints.txt", "python")
-                lines += [f"  {code}" for code, names in python if check.function in names.split()]
+            steps, python = dict(rows_of("hints.txt", "steps")), rows_of("hints.txt", "python")
+            hint = outcome.hint or (steps.get(check.name, "") if re.search(NUMBERS, outcome.wrong) else "")
+            lines = [f"{outcome.wrong}{dot} {hint}".strip(), *[outcome.values] * bool(outcome.values)]
+            lines += [steps[check.function], BOOKS]
+            lines += [f"  {code}" for code, names in python if check.function in names.split()]
             return step, "\n".join(lines)
         if outcome.is_unwritten:
             return f"{check.function} in {outcome.place}", f"read in the handout: {function.read}"
@@ -86,10 +86,11 @@ def whole_step(graded) -> str:
     return "; ".join(filter(None, (graded["next"], graded["more"].partition("\n")[0])))
 
 
-def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
+def words(outcomes, printed, columns=100, note="") -> list[tuple[str, str]]:
     """Return what a student reads about outcomes, as lines of text, each with its color or "".
 
     printed has the output of the student's code by the names of the checks that fail. columns is the width of rules.
+    note is about something else than the checks.
     """
     lines = []
     for first in mistakes_in(outcomes)[:1]:
@@ -104,7 +105,7 @@ def words(outcomes, printed, columns=100) -> list[tuple[str, str]]:
     places = {check.function: outcomes[check.name].place for check in made if outcomes[check.name].place}
     lines += [(rule("Not written yet", "=", columns), "")] * bool(places)
     lines += [(f"{function} in {place}", "yellow") for function, place in places.items()]
-    return [*lines, (rule("Grade", "=", columns), ""), *table(outcomes, columns)]
+    return [*lines, (rule("Grade", "=", columns), ""), *table(outcomes, columns, note)]
 
 
 def rule(title, sign, columns) -> str:
@@ -113,7 +114,7 @@ def rule(title, sign, columns) -> str:
     return f" {title} ".center(columns, sign)
 
 
-def table(outcomes, columns) -> list[tuple[str, str]]:
+def table(outcomes, columns, note="") -> list[tuple[str, str]]:
     """Return the grade of outcomes as lines of text, each with its color.
 
     Without the first tier, they say which tiers are complete, in place of the grade.
@@ -132,8 +133,11 @@ def table(outcomes, columns) -> list[tuple[str, str]]:
     waits = [
         f"{count} check{'s' * (count > 1)} wait{'s' * (count == 1)} for {cause}" for cause, count in causes.items()
     ]
-    notes = [f"Note:  {one.hint}" for one in outcomes.values() if one.state == PASSED and one.hint]
+    notes = []
+    for hint in [*(one.hint for one in outcomes.values() if one.state == PASSED), note]:
+        notes += wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=" " * 7) if hint else []
     steps = wrap(f"{graded['next']}.", columns, initial_indent="Next:  ", subsequent_indent=" " * 7)
     for line in graded["more"].split("\n"):
         steps += wrap(line, columns, initial_indent=" " * 7, subsequent_indent=" " * 7)
+    steps = steps[: LAST - (len(steps) >= LAST and steps[LAST - 1].strip() == BOOKS)]
     return [*rows, *((line, "yellow") for line in waits), *((line, "bold") for line in [*verdict, *notes, *steps])]

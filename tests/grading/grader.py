@@ -21,9 +21,10 @@ from grading import limits
 from grading.comparing import both, fits, hint_for, hints_of, known_hint, mistake_in, MOST, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
 from grading.idle import idle_in
-from grading.messages import about, Call, damage, end_of, error_lines, message, plain, PlainFile, shown
+from grading.messages import about, Call, damage, end_of, error_lines, message, MOST_CHARACTERS, plain, PlainFile, shown
 from grading.own_process import OwnProcess
 from grading.raised import StoppedError
+from support.start.output import in_one_line
 
 # --- checks ----------------------------------------------------------------------------------------------------------
 
@@ -160,7 +161,7 @@ def run(call, arguments, expected, hints) -> Any:
     if raised.stub not in (None, call.function):
         raise WaitError(raised.stub)
     if raised.stub and not raised.hint:
-        place = place_of(raised, call.function) or file
+        place = place_of(raised, call.function)[0] or file
         raise WaitError(f"you to write {raised.stub} in {place}", place)
     hint = hint_for(raised, None, hints) or hint_at(raised)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
@@ -176,10 +177,10 @@ def hint_at(raised) -> str:
     return "" if raised.limit else raised.hint or known_hint("errors", "\n".join(lines))
 
 
-def place_of(raised, function="") -> str:
-    """Return the place of an error in a student's files, in this function if the error has passed it, or ""."""
+def place_of(raised, function) -> tuple[str, str]:
+    """Return the place of an error in a student's files, in this function if it has passed it, and the values there."""
     own = [place for place in raised.places if place.function == function] or raised.places
-    return f"{own[-1].file}, line {own[-1].line}" if own else ""
+    return (f"{own[-1].file}, line {own[-1].line}", own[-1].values) if own else ("", "")
 
 
 def is_right_alone(check, number) -> bool:
@@ -211,6 +212,7 @@ class Outcome(NamedTuple):
     hint: str = ""  # it is in the message, too; of a check that passes, a note
     cause: str = ""  # the functions or the file that a check waits for, or the file that makes it fail
     wrong: str = ""  # in a sentence
+    values: str = ""  # of the names in the line that stopped, or at the function's end, in words
 
     @property
     def is_unwritten(self) -> bool:
@@ -289,7 +291,7 @@ class Grading:
         """Return the outcome of a check that raised this WrongError."""
         raised, file = error.raised, FUNCTIONS[check.function].file
         code, own = student.codes[check.function], FUNCTIONS[check.function].parameters
-        place = place_of(raised, check.function) if raised else ""
+        place, values = place_of(raised, check.function) if raised else ("", code.values)
         place = place or (f"{file}, line {code.line}" if code.line else file)
         wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
         source = code.source[:MOST]
@@ -309,9 +311,11 @@ class Grading:
         index = re.search(r"pend_list\[(\d+)\]", f"{error}")
         called = error.call.lines(int(index[1]) if index else 0)
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
+        where = "Here" if raised else "At the end" if re.search(NUMBERS, wrong) and not error.hint else ""
         rows = [("wrong", f"{error}"), ("called", called), *error.lines, ("hint", error.hint), ("read", read)]
         watch = ("watch", f"{student.watch} {check.name}" if call else "")
-        return Outcome(FAILED, message([*rows, watch]), call, place, error.hint, wrong=wrong)
+        values = in_one_line(f"{where}, {values[:MOST_CHARACTERS]}.") if where and values else ""
+        return Outcome(FAILED, message([*rows, watch]), call, place, error.hint, wrong=wrong, values=values)
 
     def broken_by(self, check, error) -> Outcome:
         """Return the outcome of a check whose file cannot be imported: the first one fails, and the others wait."""

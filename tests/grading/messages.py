@@ -25,6 +25,8 @@ LINES = 5  # lines shown of a result, and of an expected value
 MOST_CHARACTERS = 300  # shown of a text
 MOST_PARTS = 10_000  # of a value that is shown
 
+FORMS = {list: "a list", tuple: "a tuple", dict: "a dictionary", str: "text", bool: "a bool", type(None): "None"}
+
 
 @dataclass(frozen=True)
 class Wanted:
@@ -127,6 +129,12 @@ def shown(value, digits=6) -> str:
         return f"a {type(value).__name__} that has no text"
 
 
+def form_of(value) -> str:
+    """Return the form of a value in words."""
+    words = [words for kind, words in FORMS.items() if isinstance(value, kind)]
+    return words[0] if words else "a number" if isinstance(value, Real) else f"a {type(value).__name__}"
+
+
 def text_of(value, digits, parts) -> str:
     """Return the same as shown, but let errors of the value pass. parts limits the number of its parts."""
     next(parts)
@@ -135,7 +143,7 @@ def text_of(value, digits, parts) -> str:
     if isinstance(value, bool) or value is None:
         return str(value)
     if isinstance(value, Real):
-        return f"{value:.{digits}g}"
+        return f"{value + 0:.{digits}g}"  # no -0
     if isinstance(value, vector):
         return f"vector({', '.join(text_of(number, digits, parts) for number in value.value)})"
     if isinstance(value, (box, sphere, cylinder)):
@@ -185,7 +193,7 @@ def message(pairs) -> str:
 def own_lines(places) -> list[str]:
     """Return places in a student's own files as lines of text."""
     lines = []
-    for file, line, function, code in places:
+    for file, line, function, code, _ in places:
         lines += [f"{file}, line {line}{', in ' * bool(function)}{function}", f"    {code}"]
     return lines if len(lines) <= 4 else [*lines[:2], "...", *lines[-2:]]
 

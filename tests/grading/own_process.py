@@ -19,6 +19,7 @@ from grading import limits
 from grading.handout import FUNCTIONS
 from grading.project_path import ROOT
 from grading.raised import Raised, raised_by, StoppedError
+from grading.values import joined, noting_ends
 from support.start.options import command_line
 
 # What solutions find in place of newton_cradle_pends.csv: as many pendula as it has, all with a value of their own.
@@ -32,6 +33,7 @@ class Code(NamedTuple):
     names: list[str] = []  # in its code
     parameters: str = ""  # with commas
     source: str = ""
+    values: str = ""  # of its names at its end, in words
 
 
 class OwnProcess:
@@ -86,17 +88,19 @@ class OwnProcess:
 
         times is the number of calls; if the function returns values, they begin the arguments of the next call.
         """
-        self.has_written = False
+        self.has_written, values = False, {}
         try:
             solution = self.find(function)
-            if hasattr(solution, "__code__"):
-                self.codes[function] = known_of(solution.__code__)
-            with limits.limited_memory():
+            code = getattr(solution, "__code__", None)
+            if code:
+                self.codes[function] = known_of(code)
+            with limits.limited_memory(), noting_ends(code, values):
                 for _ in range(times):
                     result = solution(*arguments)
                     if FUNCTIONS[function].returns and isinstance(result, tuple):
                         arguments = (*result, *arguments[len(result) :])
-                return result
+            self.codes[function] = self.codes[function]._replace(values=joined(values.items()))
+            return result
         except StoppedError:
             raise
         except BaseException as error:  # also SystemExit

@@ -147,13 +147,13 @@ def pytest_terminal_summary(terminalreporter, config):
         terminalreporter.stats["failed"] = failed
     terminalreporter.currentfspath = None  # no line is begun: or an empty one would be put in
     printed = {name_of(report): report.capstdout for report in mistakes}
-    for line, color in words(RAN, printed, get_terminal_size().columns) if RAN else []:
-        terminalreporter.line(line, **{color: True} if color else {})
+    note = ""
     try:
         check_cradle(NC_FP)
     except ValueError as error:  # the checks have files of their own
-        text = f"{error}".replace(f"{config.rootpath}{os.sep}", "")
-        terminalreporter.write_line(f"Note:  your CSV has a mistake. {text}", yellow=True)
+        note = f"your CSV has a mistake. {error}".replace(f"{config.rootpath}{os.sep}", "")
+    for line, color in words(RAN, printed, get_terminal_size().columns, note) if RAN else []:
+        terminalreporter.line(line, **{color: True} if color else {})
     if not RAN and config.session.exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED:
         terminalreporter.write_line(f"The checks are not here. Type: cd {config.rootpath} && pytest", red=True)
     if hasattr(config, "not_written"):

@@ -4,12 +4,14 @@ import re
 import traceback
 from dataclasses import dataclass
 from difflib import get_close_matches
+from linecache import getline
 from pathlib import Path
 from typing import NamedTuple
 
 from grading import limits
 from grading.handout import FUNCTIONS
 from grading.project_path import ROOT
+from grading.values import values_at
 from support.start.preview import stubs_in
 
 MOST_TEXT, MOST_PLACES = 2000, 20  # characters and lines of an error that are kept: a recursion has hundreds
@@ -22,6 +24,7 @@ class Place(NamedTuple):
     line: int
     function: str  # "" for a line that is no Python
     code: str
+    values: str = ""  # of the names in it, in words
 
 
 @dataclass(frozen=True)
@@ -75,14 +78,17 @@ def nearest_name(error) -> str:
 
 def own_places(error) -> list[Place]:
     """Return the places of an error in the student's own files."""
-    frames = traceback.extract_tb(error.__traceback__)
-    places = [Place(frame.filename, frame.lineno, frame.name, frame.line) for frame in frames]
+    stack = [(frame, frame.f_code.co_filename, line) for frame, line in traceback.walk_tb(error.__traceback__)]
+    places = [(Place(file, line, at.f_code.co_name, getline(file, line).strip()), at) for at, file, line in stack]
     if isinstance(error, SyntaxError) and error.filename:
-        places.append(Place(error.filename, error.lineno, "", (error.text or "").strip()))
+        places.append((Place(error.filename, error.lineno, "", (error.text or "").strip()), None))
     # ROOT is resolved, for example to the share behind a drive on Windows. "<string>" is no file.
-    files = [(Path(place.file).resolve(), place) for place in places if Path(place.file).is_absolute()]
-    own = [(file, place) for file, place in files if file.is_relative_to(ROOT / "src")]
-    return [place._replace(file=file.relative_to(ROOT).as_posix()) for file, place in own[:MOST_PLACES]]
+    files = [(Path(place.file).resolve(), place, at) for place, at in places if Path(place.file).is_absolute()]
+    own = [each for each in files if each[0].is_relative_to(ROOT / "src")][:MOST_PLACES]
+    for i, (file, place, at) in enumerate(own):
+        values = values_at(at, place.line, isinstance(error, NameError))
+        own[i] = place._replace(file=file.relative_to(ROOT).as_posix(), values=values)
+    return own
 
 
 def stub_of(error) -> tuple[str | None, str]:

@@ -282,9 +282,30 @@ def test_a_message_shows_the_part_of_pendula_and_files_that_matters(solve):
         "'color': 'white', 'texture': 'none'}",
         *("expected    at index 0:", "{'mass': 12.625, 'e': 1, 'theta': 0.4375, 'omega': 0,"),
         "'color': 'white', 'texture': 'none'}",
-        "hint        Each mass must be as in its row of the file, and the rows must keep their order.",
+        "hint        round changes the value. Give back the exact one.",
         "read        handout, A CVS to pend_list converter (D Tests): extract_and_convert",
     ]
+
+
+VALUES = {  # a mistake, and the values that the next step shows
+    "if theta > [1]: pass": "Here, theta is 2.61799.",
+    "one, two, three = [], 'red', {'mass': 1}\none[two]": "Here, one is [], two is the text 'red'.",
+    "row = [0]; two = row * 2\ntwo[row]": "Here, two is a list of 2 elements, row is a list of 1 element.",
+    "place = vector(1, 2, 0), None, sin\nplace[0].pos": "Here, place[0] is vector(1, 2, 0).",
+    "a = (\n    omega\n    + None\n)": "Here, omega is 3.",
+    "a = omega\nreturn a + b": "Here, these names have a value: omega, theta, r_param, dt, g, a.",
+    "a = omega + theta * dt * g; b = a / r_param\nreturn a, b": "At the end, a is 5.0944, b is 12.736.",
+    "return 7.5 * omega, 1": "",  # a wrong number, and no name has a value
+    "theta_new = theta + omega * dt\nreturn 2, theta_new": "",  # the hint is enough
+    "part = {'mass': 1}\npart[object()]": "Here, part is a pendulum (a dictionary).",
+    "part = {'a': object()}\npart['b']": "Here, part is a dictionary with the keys 'a'.",
+}
+
+
+@pytest.mark.parametrize("body", VALUES)
+def test_the_values_of_the_line_that_stopped_or_of_the_end_are_shown(solve, body):
+    solve("angle_update", body)
+    assert failures("angle_update")[0].values == VALUES[body]
 
 
 STRANGE = {  # what a body returns or raises

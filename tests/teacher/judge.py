@@ -175,6 +175,6 @@ def ended(status=None) -> Raised:
 def raised_in(fields) -> Raised:
     """Return the error in an answer; raise an error if it has another form."""
     kind, text, places, limit, ends, stub, culprit, hint, before = fields
-    lines = tuple(Place(bounded(a), int(line), bounded(b), bounded(c)) for a, line, b, c in places)
+    lines = tuple(Place(bounded(a), int(line), *map(bounded, rest)) for a, line, *rest in places)
     text, culprit, stub = (None if part is None else bounded(part) for part in (text, culprit, stub))
     return Raised(bounded(kind), text, lines, bounded(limit), bool(ends), stub, culprit, bounded(hint), bounded(before))

@@ -30,7 +30,10 @@ IN_SANDBOX = Path("/cradle")  # the solver's folder
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
 SOLVERS = (  # the files of tests/ that a solver needs
-    *(f"grading/{name}" for name in ("handout", "limits", "own_process", "project_path", "raised")),
+    *(
+        f"grading/{name}"
+        for name in ("handout", "limits", "messages", "own_process", "project_path", "raised", "values")
+    ),
     *(f"teacher/{name}" for name in ("crossing", "solver")),
 )
 

@@ -1,0 +1,95 @@
+"""The values in a student's code, in words: where it stopped, and at its end."""
+
+import ast
+import linecache
+import os
+import sys
+from contextlib import contextmanager, suppress
+from itertools import islice
+from numbers import Real
+from types import ModuleType
+
+from vpython import box, cylinder, sphere, vector
+
+from grading.messages import form_of, shown
+
+SHORT, MOST = 50, 160  # characters of a value that is shown whole, and of all values
+
+
+def in_words(value) -> str:
+    """Return a value in a few words: "a list of 3 pendula"."""
+    if isinstance(value, dict) and value:
+        keys = f"a dictionary with the keys {', '.join(map(shown, islice(value, 7)))}"
+        return "a pendulum (a dictionary)" if "mass" in value else keys
+    if isinstance(value, list) and value:
+        are_pendula = all(isinstance(one, dict) and "mass" in one for one in value[:20])
+        one, more = ("pendulum", "pendula") if are_pendula else ("element", "elements")
+        return f"a list of {len(value)} {one if len(value) == 1 else more}"
+    if isinstance(value, str) and os.path.isfile(value):
+        return f"the path of {os.path.basename(value)}"
+    text = shown(value)
+    if len(text) > SHORT or "\n" in text or " at 0x" in text:
+        return form_of(value)
+    return f"the text {text}" if isinstance(value, str) else text
+
+
+def joined(values) -> str:
+    """Return (name, value) pairs in words, numbers last, without functions and modules."""
+    text = ""
+    for name, value in sorted(values, key=lambda pair: isinstance(pair[1], Real)):
+        if len(text) < MOST and not callable(value) and not isinstance(value, ModuleType):
+            text += f"{', ' * bool(text)}{name} is {in_words(value)}"
+    return text
+
+
+def value_of(node, names):
+    """Return the value of a name, an element or a part of an object; raise a LookupError if it is none of these."""
+    if isinstance(node, ast.Name):
+        return names[node.id]
+    if isinstance(node, ast.Constant):
+        return node.value
+    whole = value_of(node.value, names) if isinstance(node, (ast.Subscript, ast.Attribute)) else None
+    if isinstance(node, ast.Subscript) and type(whole) in (dict, list, tuple):
+        return whole[value_of(node.slice, names)]
+    if isinstance(node, ast.Attribute) and isinstance(whole, (box, sphere, cylinder, vector)):
+        return getattr(whole, node.attr)
+    raise LookupError
+
+
+def values_at(frame, line, only_names) -> str:
+    """Return the values of the names and elements in this line of a frame, in words, or only all names of the frame."""
+    found, inner = {}, set()
+    with suppress(Exception):  # a line of no file, and a value that says nothing of itself
+        if only_names:
+            return f"these names have a value: {', '.join(islice(frame.f_locals, 12))}"
+        tree = ast.parse("".join(linecache.getlines(frame.f_code.co_filename)))
+        for node in ast.walk(tree):  # the outer ones first
+            is_read = isinstance(getattr(node, "ctx", None), ast.Load) and getattr(node, "lineno", 0) == line
+            if is_read and node not in inner:
+                with suppress(LookupError, TypeError, AttributeError):
+                    found.setdefault(ast.unparse(node), value_of(node, frame.f_locals))
+                    inner.update(ast.walk(node))
+    return joined(found.items())
+
+
+@contextmanager
+def noting_ends(code, values):
+    """In the body of the with statement, put what a function with this code has at its end into values."""
+    own = code.co_varnames[code.co_argcount :] if code else ()
+
+    def note(frame, event, _):
+        if frame.f_code is not code:
+            return None
+        frame.f_trace_lines = False
+        if event == "return":
+            values.clear()
+            values.update((name, frame.f_locals[name]) for name in own if name in frame.f_locals)
+        return note
+
+    if sys.gettrace() is None:  # no debugger is there
+        sys.settrace(note)
+    try:
+        yield
+    finally:
+        if sys.gettrace() is note:
+            sys.settrace(None)
