@@ -89,6 +89,7 @@ PLAIN = {
 # The first words of each hint, by function, and a mistake that gets it.
 HINTED = {
     "extract_and_convert": {
+        "A word cannot become a number.": ("append(pend)", "append({key: float(pend[key]) for key in pend})"),
         "A dictionary has no append: a list has.": ("append(pend)", "append(pend.append(1))"),
         "Your list has a dictionary for each value.": ("pend_list.append(pend)", "pend_list += [{key: value} for key, value in pend.items()]"),
         "The keys of bad_rep are numbers,": ("append(pend)", "append(bad_rep['0'])"),
@@ -262,10 +263,10 @@ HINTED = {
         "A key is text. Write it in quotes: ['e'].": ("['e']", "[e]"),
     },
     "elastic_newton_cradle": {
+        "extract_and_convert reads the file again. Return": ("return", "uniform_e_newton_cradle(relative_filepath, 1); return extract_and_convert(relative_filepath) or"),
         "A perfectly elastic collision has e = 1": ("1)", "100)"),
         "Here, e is 0. That is perfectly inelastic.": ("1)", "0)"),
         "uniform_e_newton_cradle takes relative_filepath first, then": ("relative_filepath, 1", "1, relative_filepath"),
-        "The call of uniform_e_newton_cradle stands alone:": "uniform_e_newton_cradle(relative_filepath, 1)\nreturn extract_and_convert(relative_filepath)",
         "e must be exactly 1.": (", 1)", ", 0.99)"),
     },
     "inelastic_newton_cradle": {
@@ -276,6 +277,8 @@ HINTED = {
         "The path of a file belongs here:": ("(relative_filepath", "(extract_and_convert(relative_filepath)"),
     },
     "make_newton_cradle": {
+        "These are the angles from the file.": ("pend['theta'] =", "theta ="),
+        "Keep all keys of each pendulum, and": ("pend['omega'] = 0", "pend['omega'] = 0; pend.pop('mass')"),
         "This line is inside the loop: i = 0.": ("for i in range(len(pend_list)):\n            pend = pend_list[i]", "for pend in pend_list:\n            i = 0\n            i += 1"),
         "Only one objects is computed,": "pend_list = extract_and_convert(relative_filepath)\nobjects = make_pendulum(vector(-0.1, 0, 0), r_param, theta_init, COLOR_MAP['red'], None)\nfor pend in pend_list:\n    pend.update(theta=0, omega=0, objects=objects)\nreturn pend_list",
         "Exchange both: COLOR_MAP stands in": ("COLOR_MAP[pend['color']]", "pend['color'][COLOR_MAP]"),
@@ -298,9 +301,7 @@ HINTED = {
         "theta_init is in radians already. Do not": ("= theta_init", "= __import__('math').radians(theta_init)"),
         "All pendula have the same objects. Make them": ("pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)", "pend['objects'] = pend_list[0].get('objects') or make_pendulum(axle_pos, r_param, theta_init, color, texture)"),
         "objects must be the tuple that make_pendulum": ("texture)\n        return", "texture)[::-1]\n        return"),
-        "Keep all keys of each pendulum, and": ("pend['objects']", "pend['object']"),
         "You used the constant R": ("vector((-0.1 + r_param/4 * i), r_param/5", "vector((-0.1 + 0.05 * i), 0.04"),
-        "These are the angles from the file.": ("pend['theta'] = ", "pend['angle'] = "),
         "Your bobs hang at": ("r_param, pend['theta']", "r_param, extract_and_convert(relative_filepath)[i]['theta']"),
         "You did not lift the first pendulum, or": ("pend['theta'] = theta_init", "pend['theta'] = 0"),
         "omega has the values of theta. Did": ("pend['omega'] = 0", "pend['omega'] = pend['theta']"),
@@ -431,6 +432,7 @@ HINTED = {
         "Give swing_update whole pendula, such": ("for pend in pend_list:\n            swing_update(pend", "for i in range(len(pend_list)):\n            swing_update(i"),
     },
     "handle_collision": {
+        "omega is no angle: no sin and": ("r_param * omega1", "r_param * cos(omega1)"),
         "Here, you calculate with several values": ("w1, w2 = v1_new / r_param, v2_new / r_param", "w1, w2 = (v1_new, v2_new) / r_param"),
         "In Python, [ ] make a list.": ("(m1*v1 + m2*v2 - m2*e*(v1 - v2)) / (m1 + m2)", "[m1*v1 + m2*v2 - m2*e*(v1 - v2)] / [m1 + m2]"),
         "These values are numbers, and no": ("v1 = r_param * omega1", "v1 = cross(r_param, omega1)"),
@@ -470,6 +472,7 @@ HINTED = {
         "A * is missing between two names.": ("m1*v1 + m2*v2 - ", "m1v1 + m2v2 - "),
     },
     "handle_two_bobs": {
+        "The bracket of mag closes too": ("bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)", "bob2.pos <= 1.05 * (bob1.radius + bob2.radius))"),
         "The name pend1 gets another": ("pend1['omega'] = new_omega1", "pend1 = {**pend1, 'omega': new_omega1}"),
         "Store one value with its key: pend1": ("pend1['omega'] = new_omega1", "pend1.update(new_omega1)"),
         "The call of handle_collision stands": ("new_omega1, new_omega2 = handle", "handle"),
@@ -558,6 +561,8 @@ HINTED = {
         "The right side is no pair": ("= handle_collision(e, omega1, omega2, m1, m2, r_param)", "= handle_collision"),
     },
     "newton_cradle_tick": {
+        "There may be any number of pendula, and": ("for i in", "handle_two_bobs(pend_list[98], pend_list[99], r_param)\n        for i in"),
+        "Use the parameters r_param, dt and g,": ("(pend_list, r_param, dt, g)", "(pend_list, 0.2, 0.0001, 9.81); R_PARAM = DT = G = 0"),
         "Only the first two bobs have collided.": ("range(len(pend_list) - 1)", "range(1)"),
         "The 2 in range leaves out pairs.": ("range(len(pend_list) - 1)", "range(0, len(pend_list) - 1, 2)"),
         "handle_two_bobs handles two pendula.": ("handle_two_bobs(", "handle_collision("),
@@ -628,7 +633,7 @@ HINTED = {
         "You returned two tuples.": ("(axle, bob1, cord1, bob2, cord2)", "(axle, bob1, cord1), (bob2, cord2)"),
         "You returned a single pendulum.": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
         "You returned a list.": ("return (axle, bob1, cord1, bob2, cord2)", "return [axle, bob1, cord1, bob2, cord2]"),
-        "Check the order and kinds of your": ("(axle, bob1, cord1, bob2, cord2)", "(axle, bob1, bob2, cord1, cord2)"),
+        "Return them in this order: axle, upper": ("(axle, bob1, cord1, bob2, cord2)", "(axle, bob1, bob2, cord1, cord2)"),
         "The lower cord's angle from straight down is theta + phi.": ("theta + phi", "phi"),
         "The lower cord's angle is theta + phi, not theta - phi.": ("theta + phi", "theta - phi"),
         "The lower cord's angle is theta + phi, not phi - theta.": ("theta + phi", "phi - theta"),
