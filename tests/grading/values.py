@@ -62,9 +62,12 @@ def values_at(frame, line, only_names) -> str:
     with suppress(Exception):  # a line of no file, and a value that says nothing of itself
         if only_names:
             return f"these names have a value: {', '.join(islice(frame.f_locals, 12))}"
-        tree = ast.parse("".join(linecache.getlines(frame.f_code.co_filename)))
-        for node in ast.walk(tree):  # the outer ones first
-            is_read = isinstance(getattr(node, "ctx", None), ast.Load) and getattr(node, "lineno", 0) == line
+        nodes = [*ast.walk(ast.parse("".join(linecache.getlines(frame.f_code.co_filename))))]  # the outer ones first
+        *_, inmost = (node for node in nodes if isinstance(node, ast.stmt) and node.lineno <= line <= node.end_lineno)
+        lines = (line, line) if hasattr(inmost, "body") else (inmost.lineno, inmost.end_lineno)
+        for node in nodes:
+            is_there = lines[0] <= getattr(node, "lineno", 0) <= lines[1]
+            is_read = is_there and isinstance(getattr(node, "ctx", None), ast.Load)
             if is_read and node not in inner:
                 with suppress(LookupError, TypeError, AttributeError):
                     found.setdefault(ast.unparse(node), value_of(node, frame.f_locals))
