@@ -136,8 +136,13 @@ def table(outcomes, columns, note="") -> list[tuple[str, str]]:
     notes = []
     for hint in [*(one.hint for one in outcomes.values() if one.state == PASSED), note]:
         notes += wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=" " * 7) if hint else []
-    steps = wrap(f"{graded['next']}.", columns, initial_indent="Next:  ", subsequent_indent=" " * 7)
+    steps = [wrap(f"{graded['next']}.", columns, initial_indent="Next:  ", subsequent_indent=" " * 7)]
     for line in graded["more"].split("\n"):
-        steps += wrap(line, columns, initial_indent=" " * 7, subsequent_indent=" " * 7)
-    steps = steps[: LAST - (len(steps) >= LAST and steps[LAST - 1].strip() == BOOKS)]
-    return [*rows, *((line, "yellow") for line in waits), *((line, "bold") for line in [*verdict, *notes, *steps])]
+        steps.append(wrap(line, columns, initial_indent=" " * 7, subsequent_indent=" " * 7))
+    while len(steps) > 2 and (sum(map(len, steps)) > LAST or steps[-1] == [f"{' ' * 7}{BOOKS}"]):
+        steps.pop()
+    return [
+        *rows,
+        *((line, "yellow") for line in waits),
+        *((line, "bold") for line in [*verdict, *notes, *sum(steps, [])]),
+    ]

@@ -19,7 +19,7 @@ from grading import limits
 from grading.handout import FUNCTIONS
 from grading.project_path import ROOT
 from grading.raised import Raised, raised_by, StoppedError
-from grading.values import joined, noting_ends
+from grading.values import all_in_words, noting_ends
 from support.start.options import command_line
 
 # What solutions find in place of newton_cradle_pends.csv: as many pendula as it has, all with a value of their own.
@@ -99,7 +99,7 @@ class OwnProcess:
                     result = solution(*arguments)
                     if FUNCTIONS[function].returns and isinstance(result, tuple):
                         arguments = (*result, *arguments[len(result) :])
-            self.codes[function] = self.codes[function]._replace(values=joined(values.items()))
+            self.codes[function] = self.codes[function]._replace(values=all_in_words(values.items()))
             return result
         except StoppedError:
             raise

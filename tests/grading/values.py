@@ -13,14 +13,14 @@ from vpython import box, cylinder, sphere, vector
 
 from grading.messages import form_of, shown
 
-SHORT, MOST = 50, 160  # characters of a value that is shown whole, and of all values
+SHORT, MOST, KEYS = 50, 160, 7  # characters of a value that is shown whole, and of all values; keys
 
 
 def in_words(value) -> str:
     """Return a value in a few words: "a list of 3 pendula"."""
     if isinstance(value, dict) and value:
-        keys = f"a dictionary with the keys {', '.join(map(shown, islice(value, 7)))}"
-        return "a pendulum (a dictionary)" if "mass" in value else keys
+        keys = ", ".join([*map(shown, islice(value, KEYS)), *["..."] * (len(value) > KEYS)])
+        return "a pendulum (a dictionary)" if "mass" in value else f"a dictionary with the keys {keys}"
     if isinstance(value, list) and value:
         are_pendula = all(isinstance(one, dict) and "mass" in one for one in value[:20])
         one, more = ("pendulum", "pendula") if are_pendula else ("element", "elements")
@@ -33,12 +33,15 @@ def in_words(value) -> str:
     return f"the text {text}" if isinstance(value, str) else text
 
 
-def joined(values) -> str:
-    """Return (name, value) pairs in words, numbers last, without functions and modules."""
+def all_in_words(values) -> str:
+    """Return (name, value) pairs in words, without functions and modules."""
     text = ""
-    for name, value in sorted(values, key=lambda pair: isinstance(pair[1], Real)):
-        if len(text) < MOST and not callable(value) and not isinstance(value, ModuleType):
-            text += f"{', ' * bool(text)}{name} is {in_words(value)}"
+    for name, value in values:
+        with suppress(Exception):  # a value that says nothing of itself
+            if not callable(value) and not isinstance(value, ModuleType):
+                text += f"{', ' * bool(text)}{name} is {in_words(value)}"
+        if len(text) > MOST:
+            return f"{text}, ..."
     return text
 
 
@@ -59,7 +62,7 @@ def value_of(node, names):
 def values_at(frame, line, only_names) -> str:
     """Return the values of the names and elements in this line of a frame, in words, or only all names of the frame."""
     found, inner = {}, set()
-    with suppress(Exception):  # a line of no file, and a value that says nothing of itself
+    with suppress(Exception):  # a line of no file
         if only_names:
             return f"these names have a value: {', '.join(islice(frame.f_locals, 12))}"
         nodes = [*ast.walk(ast.parse("".join(linecache.getlines(frame.f_code.co_filename))))]  # the outer ones first
@@ -72,24 +75,27 @@ def values_at(frame, line, only_names) -> str:
                 with suppress(LookupError, TypeError, AttributeError):
                     found.setdefault(ast.unparse(node), value_of(node, frame.f_locals))
                     inner.update(ast.walk(node))
-    return joined(found.items())
+    return all_in_words(sorted(found.items(), key=lambda pair: isinstance(pair[1], Real)))  # numbers last
 
 
 @contextmanager
 def noting_ends(code, values):
-    """In the body of the with statement, put what a function with this code has at its end into values."""
-    own = code.co_varnames[code.co_argcount :] if code else ()
+    """In the body of the with statement, put the names that a function with this code has changed into values."""
+    start = {}
 
     def note(frame, event, _):
         if frame.f_code is not code:
             return None
         frame.f_trace_lines = False
-        if event == "return":
+        if event == "call":
+            start.clear()
+            start.update(frame.f_locals)
+        elif event == "return":
             values.clear()
-            values.update((name, frame.f_locals[name]) for name in own if name in frame.f_locals)
+            values.update((name, value) for name, value in frame.f_locals.items() if value is not start.get(name, note))
         return note
 
-    if sys.gettrace() is None:  # no debugger is there
+    if code and sys.gettrace() is None:  # no debugger is there
         sys.settrace(note)
     try:
         yield

@@ -389,12 +389,12 @@ def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
 
 
 @pytest.mark.parametrize("catches", ["", "try: {}\nexcept BaseException: pass"])
-def test_ctrl_c_ends_the_run(solve, catches):
-    """Also if the solution catches it."""
+def test_ctrl_c_ends_the_run_also_if_the_solution_catches_it(solve, catches):
     press = "__import__('signal').raise_signal(2)"
     solve("angle_update", catches.format(press) or press)
     with pytest.raises(KeyboardInterrupt):
         Grading().judge(checks(function="angle_update")[0])
+    limits.PRESSED.clear()  # for the tests that follow
 
 
 @pytest.mark.parametrize(
