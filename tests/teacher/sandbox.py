@@ -29,13 +29,9 @@ LONGEST = 20.0  # s, of the start of a process and of its end
 IN_SANDBOX = Path("/cradle")  # the solver's folder
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
-SOLVERS = (  # the files of tests/ that a solver needs
-    *(
-        f"grading/{name}"
-        for name in ("handout", "limits", "messages", "own_process", "project_path", "raised", "values")
-    ),
-    *(f"teacher/{name}" for name in ("crossing", "solver")),
-)
+GRADING = "handout", "limits", "messages", "own_process", "project_path", "raised", "values"
+# The files of tests/ that a solver needs.
+SOLVERS = (*(f"grading/{name}" for name in GRADING), "teacher/crossing", "teacher/solver")
 
 COPIES, BWRAP, USER, LIMITS = "copies", "bwrap", "user", "limits"  # what holds a solver off
 # What a solution can use nevertheless. Where COPIES do not work, each solution has a sandbox and a start of its own.
