@@ -80,7 +80,7 @@ def values_at(frame, line, only_names) -> str:
 
 @contextmanager
 def noting_ends(code, values):
-    """In the body of the with statement, put the names that a function with this code has changed into values."""
+    """In the body of the with statement, fill values with the names that a function with this code sets, at its end."""
     start = {}
 
     def note(frame, event, _):
