@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from inspect import isfunction, signature
 from itertools import accumulate
-from math import cos, inf
+from math import cos, inf, sqrt
 from typing import Any, NamedTuple
 
 from support.constants import DT, G, R_PARAM
@@ -49,7 +49,7 @@ class Cradle:
         self.collisions: dict[str, Any] = {  # name -> function that returns pendula with the e of this kind
             "as in the CSV": None,  # each pendulum keeps its own e
             "elastic, e = 1": special_cradles.elastic_newton_cradle,
-            "inelastic, e = 0": special_cradles.inelastic_newton_cradle,
+            "perfectly inelastic, e = 0": special_cradles.inelastic_newton_cradle,
         }
         self.collision = list(self.collisions)[1 if options.elastic else 2 if options.inelastic else 0]
         if self.e is not None:
@@ -186,6 +186,15 @@ class Cradle:
     def energies(self) -> tuple[float, float]:
         """Return the kinetic and the potential energy (J)."""
         return kinetic_energy(self.pend_list, R_PARAM), potential_energy(self.pend_list, R_PARAM, G)
+
+    def top_speeds(self) -> list[float]:
+        """Return the speed (m/s) of each pendulum at its lowest point, with the energy that it has now."""
+        energies = [kinetic_energy([p], R_PARAM) + potential_energy([p], R_PARAM, G) for p in self.pend_list]
+        return [sqrt(2 * energy / self.weight(p)) for energy, p in zip(energies, self.pend_list, strict=True)]
+
+    def weight(self, pend) -> float:
+        """Return the mass (kg) of all bobs of a pendulum."""
+        return pend["mass"] * len(self.angles)
 
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""

@@ -6,6 +6,7 @@ that follow each other quickly. If two bobs come in, it has two paths: 2-3-4-5  
 
 from collections import Counter, deque
 from inspect import signature
+from typing import NamedTuple
 
 GAP = 0.005  # s: the longest time between two hits of one train
 MOST_PATHS = 12  # in a train
@@ -14,13 +15,25 @@ STRIP_WIDTH = 44  # characters
 LONGEST = 9  # bobs: of a longer path, only the ends are shown
 
 
+class Hit(NamedTuple):
+    """A hit of two pendula; each of them is a copy of its dictionary."""
+
+    left: int  # indices of pendula
+    right: int
+    rightwards: bool  # whether the two moved to the right before it
+    speed: float  # at which they approached each other (m/s)
+    before: tuple[dict, dict]
+    after: tuple[dict, dict]
+
+
 class Hits:
     """Notes hits, and calls of the function that lets two pendula collide: it stands in its place, and calls it."""
 
     def __init__(self, cradle):
         """Listen to nothing yet."""
         self.cradle = cradle
-        self.new: list[tuple[int, int, bool, float]] = []  # (left, right, rightwards, speed), with indices of pendula
+        self.new: list[Hit] = []  # that nobody has counted yet
+        self.kept: list[Hit] = []  # since listen
         self.calls: list[str] = []  # of the collision function, as text
         self.replaced: list[tuple[dict, str, object]] = []
 
@@ -31,6 +44,7 @@ class Hits:
         hits: after a train of hits, the bobs in the middle have their old velocity. Hits of a held bob do not count.
         """
         self.calls.clear()
+        self.kept.clear()
         if calls:
             self.replace(self.cradle.names.shown, self.noting_calls)
         if self.cradle.hand.held is None:
@@ -80,9 +94,12 @@ class Hits:
     def add(self, two, before) -> None:
         """Add the hit of two pendula; before has them as they were before it."""
         numbers = [self.cradle.numbers[id(pend)] for pend in two]
-        left, right = before if numbers[0] < numbers[1] else reversed(before)
+        turn = 1 if numbers[0] < numbers[1] else -1  # the left one comes first
+        (left, right), (left_after, right_after) = before[::turn], map(dict, two[::turn])
         rightwards = self.cradle.velocity(left) + self.cradle.velocity(right) > 0
-        self.new.append((min(numbers), max(numbers), rightwards, self.cradle.approach(left, right)))
+        speed = self.cradle.approach(left, right)
+        self.kept.append(Hit(min(numbers), max(numbers), rightwards, speed, (left, right), (left_after, right_after)))
+        self.new.append(self.kept[-1])
 
     def in_short(self, value) -> str:
         """Return a value as short text; a pendulum is pend_list[...]."""

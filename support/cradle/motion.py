@@ -32,9 +32,9 @@ class Motion:
 
     def note_hits(self) -> None:
         """Add the new hits of the cradle to the trains, with the present time."""
-        for left, right, rightwards, speed in self.cradle.hits.new:
-            self.trains.add(self.ticks * self.cradle.dt, left, right, rightwards)
-            self.fastest = max(self.fastest, speed)
+        for hit in self.cradle.hits.new:
+            self.trains.add(self.ticks * self.cradle.dt, hit.left, hit.right, hit.rightwards)
+            self.fastest = max(self.fastest, hit.speed)
         self.cradle.hits.new.clear()
 
     def do_at_once(self, ticks, rule) -> bool:

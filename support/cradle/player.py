@@ -18,7 +18,7 @@ from support.files.cradle_csv import clean_copy
 from support.start.mistake import MistakeError
 
 ENDLESS = 1.0  # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends
-GRIP = 10  # ticks after which a held bob is put back; in this time it falls by less than 0.01 degrees
+FEW = 10  # ticks after which a held bob is put back; in this time it falls by less than 0.01 degrees
 
 
 class Player:
@@ -48,6 +48,7 @@ class Player:
         self.planned: float = 0  # ticks that no part has yet
         self.deadline = inf  # the time on the pace's clock at which no more of them begin
         self.with_calls = False  # whether the loop must do them
+        self.looks_at_hits = False  # whether the loop must do all ticks, a few in a part
         self.is_in_part, self.due = False, 0.0  # whether a part is being done, and its ticks for the loop
         self.offered = False, 0.0  # is_wanted and due when is_running last returned
 
@@ -147,12 +148,12 @@ class Player:
 
     def begin_part(self) -> None:
         """Do the next part of the planned ticks in one call, or let the loop do it."""
-        longest = self.step if self.cradle.hand.held is None else GRIP
+        longest = FEW if self.looks_at_hits or self.cradle.hand.held is not None else self.step
         part = min(self.planned, longest - self.motion.ticks % longest)
         self.planned -= part
         self.is_in_part = True
         self.cradle.hand.grip()
-        if self.with_calls or not self.motion.do_at_once(part, self.rule):
+        if self.with_calls or self.looks_at_hits or not self.motion.do_at_once(part, self.rule):
             self.cradle.hits.listen(self.with_calls)
             self.due = part
 

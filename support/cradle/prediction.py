@@ -1,7 +1,7 @@
 """Measure an experiment, and compare it with the answers to its question."""
 
 import re
-from math import degrees
+from math import degrees, inf
 
 from support.constants import R_PARAM
 from support.files.experiments import Experiment
@@ -20,6 +20,8 @@ class Measurement:
         self.energy = 100.0  # % that is left
         self.start_energy: float | None = None  # J
         self.has_hit = self.is_over = False
+        self.hit_time = inf  # s: the first sample after a hit
+        self.end = experiment.seconds  # s: the last sample
 
     def note(self, sample, has_hit) -> None:
         """Measure a sample of Motion; has_hit says whether two bobs have hit each other by then."""
@@ -34,8 +36,11 @@ class Measurement:
             fastest[i] = max(fastest[i], speed)
             if has_hit and abs(theta) > abs(self.swings[i]):
                 self.swings[i] = theta
+        if has_hit and not self.has_hit:
+            self.hit_time = sample["t"]
         self.has_hit = has_hit
-        self.is_over = sample["t"] >= self.experiment.seconds
+        if sample["t"] >= self.experiment.seconds:
+            self.is_over, self.end = True, sample["t"]
 
     def outcome(self) -> int | None:
         """Return the index of the answer that comes nearest to what the bobs did; None if none is near, or none hit."""

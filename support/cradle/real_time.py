@@ -59,5 +59,5 @@ class RealTime:
         self.sleep(max(FRAME - BUSY, self.frame_start + FRAME - self.clock()))
 
     def remark(self) -> str:
-        """Return the part of the speed that the machine reaches, as in x0.6, or nothing if it keeps up."""
-        return f"x{self.kept_up:.1f}" if self.kept_up < 0.95 else ""
+        """Return the speed that the machine reaches, as in 0.6x real time, or nothing if it keeps up."""
+        return f"{self.kept_up * self.speed:.1f}x real time" if self.kept_up < 0.95 else ""

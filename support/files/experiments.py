@@ -14,8 +14,8 @@ EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
 LONGEST = 60.0  # s from the release to the measurement
 MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
-YOUR_CSV = "your CSV"  # the name in the menu that no experiment can have
-NAME = re.compile(rf"(?!{YOUR_CSV}$)[^&<>]+")  # VPython's menu would change the letters & < >
+YOUR_CSV = "My cradle (CSV)"  # the name in the menu that no experiment can have
+NAME = re.compile(rf"(?!{re.escape(YOUR_CSV)}$)[^&<>]+")  # VPython's menu would change the letters & < >
 
 
 class Answer(NamedTuple):

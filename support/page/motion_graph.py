@@ -1,20 +1,30 @@
-"""The graph: energies, angles or velocities over the last ten seconds, or the phase picture of a pendulum."""
+"""The graph: energies, angles or velocities over the last seconds, or the phase picture of a pendulum."""
 
 from itertools import islice
+from typing import NamedTuple
 
 from vpython import color, gcurve, graph, vector
 
 from support.files.data_file import EVERY
 
-SHOWN = 10.0  # s on the axis
-INTERVAL = 0.03  # s from point to point
-PHASE_SHOWN = 3.0  # s of the phase picture
+SPANS = {"last 2 s": (2.0, 0.01), "last 10 s": (10.0, 0.03)}  # the times on the axis, and from point to point (s)
+PHASE_SPAN = 3.0, EVERY  # of the phase picture
 MOST = 20  # pendula in the graph: more curves could not be told apart
 
 # Three colors of Okabe and Ito's palette, which look different to color-blind people, too.
 ENERGIES = {"kinetic": vector(213, 94, 0) / 255, "potential": vector(0, 114, 178) / 255, "total": color.black}
-ENERGY, NOTHING = "Energies (J)", "no graph"  # panel.css knows the second one, too
+ENERGY, NOTHING = "Energies", "no graph"  # panel.css knows the second one, too
 PHASE = "phase"  # the label of its curve; panel.js knows it
+
+
+class Choice(NamedTuple):
+    """A choice of the menu."""
+
+    x: str  # the names of the axes, with their units
+    y: str
+    columns: dict[
+        str, tuple[str, str]
+    ]  # of the data that each curve draws, by the curve's label: over which, and which
 
 
 class MotionGraph:
@@ -26,10 +36,10 @@ class MotionGraph:
         angle_keys and rate_keys are the keys of the pendula's angles (rad) and of their rates (rad/s).
         """
         self.recording, self.angle_keys, self.rate_keys = recording, angle_keys, rate_keys
-        self.graph = graph(xmin=0, xmax=SHOWN)
+        self.graph = graph()
         self.curves = {name: gcurve(graph=self.graph, color=hue, label=name) for name, hue in ENERGIES.items()}
         self.curves[PHASE] = gcurve(graph=self.graph, label=PHASE)
-        self.choice = ENERGY
+        self.choice, self.span = ENERGY, next(iter(SPANS))
         self.take([])
 
     def take(self, colors) -> None:
@@ -39,41 +49,44 @@ class MotionGraph:
             if str(number) not in self.curves:  # VPython keeps every curve for ever
                 self.curves[str(number)] = gcurve(graph=self.graph, label=str(number))
             self.curves[str(number)].color = hue
-        # What each choice of the menu draws: a column for each curve, over the time or over another column.
         numbers = range(1, len(self.colors) + 1)
-        self.choices: dict[str, dict[str, tuple[str, str]]] = {ENERGY: {name: ("t", name) for name in ENERGIES}}
+        self.choices = {ENERGY: Choice("t (s)", "% of the start", {name: ("t", name) for name in ENERGIES})}
         for title, unit, keys in (("Angles", "rad", self.angle_keys), ("Velocities", "rad/s", self.rate_keys)):
             for key in keys:
-                self.choices[f"{title} {key} ({unit})"] = {str(number): ("t", f"{key}_{number}") for number in numbers}
+                columns = {str(number): ("t", f"{key}_{number}") for number in numbers}
+                self.choices[f"{title} {key}"] = Choice("t (s)", f"{key} ({unit})", columns)
         for number in numbers:
             for angle, rate in zip(self.angle_keys, self.rate_keys, strict=True):
                 columns = {PHASE: (f"{angle}_{number}", f"{rate}_{number}")}
-                self.choices[f"Phase picture of bob {number}: {rate} over {angle}"] = columns
-        self.choices[NOTHING] = {}
+                name = f"Phase {number}" if len(self.angle_keys) == 1 else f"Phase {number}, {angle}"
+                self.choices[name] = Choice(f"{angle} (rad)", f"{rate} (rad/s)", columns)
+        self.choices[NOTHING] = Choice("", "", {})
         self.show(self.choice)
 
     def show(self, choice) -> None:
         """Show this one of the choices, or the energies if the present cradle does not have it."""
         self.choice = choice if choice in self.choices else ENERGY
+        columns = self.choices[self.choice].columns
         for name, curve in self.curves.items():
-            if curve.data and name not in self.choices[self.choice]:
+            if curve.data and name not in columns:
                 curve.data = []
-        for number, hue in enumerate(self.colors, start=1):
-            if self.choice.startswith(f"Phase picture of bob {number}:"):
-                self.curves[PHASE].color = hue
+        if PHASE in columns:
+            self.curves[PHASE].color = self.colors[int(columns[PHASE][0].split("_")[-1]) - 1]
 
-    def draw(self) -> None:
-        """Send the points to the page, and move the time axis to the last ten seconds."""
-        drawn, recording = self.choices[self.choice], self.recording
+    def draw(self, start_energy) -> None:
+        """Send the points to the page, and move the time axis to the last seconds; start_energy (J) is 100 %."""
+        drawn, recording = self.choices[self.choice].columns, self.recording
         if not drawn or not recording.rows:
             return
-        rows = last_rows(recording.rows, *((PHASE_SHOWN, EVERY) if PHASE in drawn else (SHOWN, INTERVAL)))
+        seconds, interval = PHASE_SPAN if PHASE in drawn else SPANS[self.span]
+        rows = last_rows(recording.rows, seconds, interval)
         # VPython never removes points that are plotted one by one. A new list of points replaces the old one.
         for name, columns in drawn.items():
             x, y = map(recording.columns.index, columns)
-            self.curves[name].data = [[row[x], row[y]] for row in rows]
-        self.graph.xmax = max(SHOWN, rows[-1][0])
-        self.graph.xmin = self.graph.xmax - SHOWN
+            unit = (start_energy or 1) / 100 if name in ENERGIES else 1
+            self.curves[name].data = [[row[x], row[y] / unit] for row in rows]
+        self.graph.xmax = max(seconds, rows[-1][0])
+        self.graph.xmin = self.graph.xmax - seconds
 
 
 def last_rows(rows, seconds, interval) -> list:

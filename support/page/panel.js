@@ -9,7 +9,7 @@
   const find = selector => [...document.querySelectorAll(selector)];
   const bobs = () => glowObjs.filter(o => o?.constructor.name === "sphere" && o.visible);
   const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const dark = matchMedia("(prefers-color-scheme: dark)"), tall = matchMedia("(max-aspect-ratio: 14/10)"); // as in panel.css
   const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in dragging.py
 
   // --- the graph -----------------------------------------------------------------------------------------------------
@@ -22,7 +22,8 @@
     if (!place.width() || !place.height()) return place.data("plot") ?? { draw() {} }; // flot draws nothing that is hidden
     const seen = curves.filter(({ data }) => Number.isFinite(data[0]?.[0])).map(curve => ({ ...curve, color: legible(curve.color) }));
     const phase = seen.find(curve => curve.label === "phase"), tickFormatter = value => Number(value.toPrecision(6));
-    const limits = seen.some(curve => curve.label === "total") ? [{}, { min: 0 }] : [{}, {}];
+    const total = seen.find(curve => curve.label === "total")?.data.map(([, percent]) => percent);
+    const limits = total ? [{}, { min: 0, max: 1.05 * Math.max(0.01, ...total) }] : [{}, {}];
     if (phase) {
       delete phase.label;
       for (const axis of [0, 1]) { // with the origin in the middle
@@ -31,7 +32,8 @@
       }
     }
     return plot(place, seen, $.extend(true, {}, options, {
-      xaxis: { ...limits[0], tickFormatter: value => tickFormatter(value) + (phase ? "" : " s") },
+      // The name of the axis takes the place of its last number.
+      xaxis: { ...limits[0], tickFormatter: (value, { min, max }) => (max - value) / (max - min) * place.width() < 80 ? "" : tickFormatter(value) },
       yaxis: { ...limits[1], tickFormatter, labelWidth: 44 },
       legend: { show: seen.length < 9, noColumns: 8, position: "ne", margin: [0, -24], backgroundOpacity: 0 },
       grid: { color: css("--pale"), borderColor: css("--line"), tickColor: css("--line"), backgroundColor: "transparent", borderWidth: 1 },
@@ -78,6 +80,8 @@
     new MutationObserver(moveGraph).observe(document.querySelector(".glowscript"), { childList: true });
     arrangeTable();
     nameWidgets();
+    tall.addEventListener("change", placeGraph);
+    placeGraph();
     new ResizeObserver(fit).observe(canvas);
     dark.addEventListener("change", paint);
     paint();
@@ -107,6 +111,12 @@
     new ResizeObserver(redraw).observe(graph);
   }
 
+  function placeGraph() { // below the cradle; in a tall window, among the other parts of the panel
+    const panel = document.querySelector(".panel"), graph = document.querySelector("section.graph");
+    if (tall.matches) panel.querySelector(".folds").before(graph);
+    else panel.after(graph);
+  }
+
   function fit() { // the canvas fills its part of the window; the program then points the camera
     const { clientWidth: width, clientHeight: height } = document.querySelector(".canvas");
     if (width && height) {
@@ -131,7 +141,7 @@
       box.before(label);
       label.append(box, text);
     }
-    find(".panel .label").forEach((label, number) => {
+    find(":is(.panel, .graph) .label").forEach((label, number) => {
       const widget = label.parentElement.nextElementSibling;
       const element = widget.matches("select") ? widget : widget.querySelector(".ui-slider-handle");
       label.id = `label-${number}`;
@@ -150,6 +160,8 @@
       new MutationObserver(update).observe(value, { childList: true });
       update();
     });
+    const keys = [...document.querySelector("#keys").querySelectorAll("dt")];
+    document.querySelectorAll(".controls button").forEach((button, number) => button.title ||= `Key: ${keys[number].innerText}`);
     document.querySelector(".canvas").setAttribute("role", "img");
   }
 
@@ -227,6 +239,7 @@
     if (event.target !== document.body || !known || repeated) event.stopPropagation();
     else if (event.key === " " || event.key === "ArrowRight") event.preventDefault();
     else if (event.key.toLowerCase() === "f" && !event.ctrlKey && !event.altKey) present();
+    else if (event.key === "?") document.querySelector("#keys").togglePopover();
   });
   addEventListener("keydown", event => { // without full screen, Escape does not reach fullscreenchange
     if (event.key === "Escape" && document.documentElement.classList.contains("presenting")) present();

@@ -1,33 +1,44 @@
 """The control panel beside the canvas: the settings, the motion of the cradle in numbers, and the parts of both."""
 
+import re
 from html import escape
 from pathlib import Path
 
 from vpython import button, checkbox, menu, scene, slider, wtext
 
+from support.page.motion_graph import SPANS
 from support.pendulum import from_lift, to_lift
 
 FOLDER = Path(__file__).parent  # its .css and .js files are the style of the page, and additions to VPython's page
 
-PRESENT = (
-    '<button onclick="present()" title="Show only the cradle and its numbers, in full screen (F)">Present</button>'
-)
+PRESENT = """\
+<button onclick="present()" title="Show only the cradle and its numbers, in full screen (F)">Present</button>
+<button class="keys" popovertarget="keys" aria-label="Keys" title="Keys">?</button>
+<div id="keys" popover><h2>Keys</h2><dl>KEYS</dl><p>Drag a bob with the mouse or a finger.</p></div>"""
 LEAVE = '<button class="leave" onclick="present()" aria-label="End the presentation">&times;</button>'
-KEYS_HINT = (
-    "Space pauses, &rarr; steps, R restarts, 1 to 9 lift that many bobs, V resets the view, F presents. Drag a bob."
-)
+KEYS = {  # what you press, and what it does; panel.js shows the first four as hints of their buttons
+    "Space": "pause, run",
+    "&rarr;": "one step, while paused",
+    "R": "restart",
+    "V": "reset the view",
+    "F": "present; F or Escape ends it",
+    "1 to 9": "lift that many bobs",
+    "A to E": "answer a question",
+    "N": "next experiment",
+    "H": "slow hits",
+}
 SEPARATING_HINT = (
     "The handout lets two bobs collide in each tick in which they touch, also when they already move apart. A second "
     "hit then undoes a part of the first one: bobs with e below 1 stick together."
 )
 TAKE_AWAY = """\
 <button onclick="takePicture()" title="Download a PNG of the cradle">Picture</button>
-<button onclick="takeFilm()" class="film" title="Record the cradle until you press it again">Film</button>
 <button onclick="takeData()" title="Download the data since the last restart">Data (CSV)</button>
 <button onclick="takeCommand()" title="Copy the command that starts this cradle again">Copy command</button>"""
-UNWRITTEN = "No file has this cradle. Write to my CSV (below Pendula) puts it in your file; then copy the command."
+UNWRITTEN = "No file has this cradle. Write to my CSV (For programmers) puts it in your file; then copy the command."
 SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
-TRAINS = 7  # of impacts, a line for each
+TRAINS = 10  # of impacts, a line for each
+SINGLE = re.compile(r" (\d+-\d+|\d+ single hits)$")  # a line that panel.css shows pale, and only when you want it
 
 
 class Panel:
@@ -52,14 +63,16 @@ class Panel:
             wtext(text=f'<div class="remark" role="note">{escape(remark)}</div>')
         begin_part("asked")
         self.questions.add_area()
+        begin_part("hit-part")
+        self.hit_words = wtext()
         begin_part("controls")
         self.pause = button(text="Pause", bind=lambda: give("pause"))
         self.step = button(text="Step", bind=lambda: give("step"))
         self.restart = button(text="Restart", bind=lambda: give("restart"))
-        self.view = button(text="Reset view", bind=lambda: give("view"))
-        scene.append_to_caption(PRESENT)
-        end_row()
-        add_hint(KEYS_HINT)
+        self.view = button(text="Reset view", disabled=True, bind=lambda: give("view"))
+        scene.append_to_caption(
+            PRESENT.replace("KEYS", "".join(f"<dt>{key}</dt><dd>{does}</dd>" for key, does in KEYS.items()))
+        )
         begin_part("numbers")
         self.readout, self.impacts = wtext(), wtext()
         scene.append_to_caption(LEAVE)
@@ -67,21 +80,19 @@ class Panel:
         self.questions.add_menu(give)
         begin_part("settings")
         self.add_settings(give, cradle)
+        begin_part("shows")
+        self.arrows = checkbox(text="Arrows", bind=lambda box: give("arrows", box.checked))
+        self.slow_hits = checkbox(text="Slow hits", bind=lambda box: give("slow hits", box.checked))
+        self.sound = checkbox(text="Sound", bind=lambda box: give("sound", box.checked))
+        self.hit = wtext(text='<i class="hit"></i>')  # sound.js knows it, and the checkbox before it
         begin_part("graph")
         add_label("Graph")
         self.graph = menu(choices=[""], bind=lambda menu: give("graph", menu.selected))
+        add_label("Time of the graph")
+        self.span = menu(choices=list(SPANS), bind=lambda menu: give("span", menu.selected))
         self.chosen = wtext()
-        begin_part("pendula-part", fold="Pendula")
+        begin_part("pendula-part", fold="For programmers")
         self.table.add(give)
-        begin_part("data", fold="Take away")
-        scene.append_to_caption(TAKE_AWAY)
-        self.command = wtext()
-        scene.append_to_caption('<span class="copied hint" role="status"></span>')
-        add_hint("Data (CSV) downloads the data since the last restart, at most ten minutes.")
-        begin_part("advanced", fold="Advanced")
-        self.sound = checkbox(text="Sound", bind=lambda box: give("sound", box.checked))
-        self.hit = wtext(text='<i class="hit"></i>')  # sound.js knows it, and the checkbox before it
-        add_hint("a click for each hit, the louder the faster the bobs meet")
         self.separating = checkbox(text="Separating bobs collide too", bind=lambda box: give("separating", box.checked))
         end_row()
         add_hint(SEPARATING_HINT)
@@ -89,6 +100,11 @@ class Panel:
             self.separating.disabled = True
             add_hint("Your functions have no parameter approaching_only, so this rule is fixed.")
         add_hint(escape(cradle.constants()))
+        begin_part("data", fold="Take away")
+        scene.append_to_caption(TAKE_AWAY)
+        self.command = wtext()
+        scene.append_to_caption('<span class="copied hint" role="status"></span>')
+        add_hint("Data (CSV) downloads the data since the last restart, at most ten minutes.")
         scene.append_to_caption("<script>arrange()</script>")
 
     def add_settings(self, give, cradle) -> None:
@@ -107,14 +123,24 @@ class Panel:
     def send_again(self) -> None:
         """Send what you have set to a page that was loaded again: VPython has only received it, and never sent it."""
         sent = [(setting.slider, "value") for setting in (self.speed, self.lifted, *self.angles)]
-        sent += [(menu, "selected") for menu in (self.collisions, self.questions.menu)]
-        sent += [(box, "checked") for box in (self.sound, self.separating, self.questions.box)]
+        sent += [(menu, "selected") for menu in (self.collisions, self.span, self.questions.menu)]
+        sent += [
+            (box, "checked") for box in (self.arrows, self.slow_hits, self.sound, self.separating, self.questions.box)
+        ]
         for widget, name in sent:
             setattr(widget, name, getattr(widget, name))
 
     def show_error(self, message) -> None:
         """Show this message above everything else; an empty message removes it."""
         change(self.error, text=f'<div class="error" role="alert">{escape(message)}</div>' if message else "")
+
+    def show_view(self, has_moved) -> None:
+        """Show whether the view is another one than at the start: panel.css hides a button that is disabled."""
+        change(self.view, disabled=not has_moved)
+
+    def show_hit(self, words) -> None:
+        """Show these words (HTML) about a hit above the cradle."""
+        change(self.hit_words, text=words)
 
     def show_end(self, words) -> None:
         """Show that the program has ended, and why; nothing on the page moves any more."""
@@ -141,19 +167,18 @@ class Panel:
         self.lifted.show(lifted / count, bobs)
         change(self.collisions, selected=collision)
 
-    def show_motion(self, time, percents, momentum, remark) -> None:
-        """Show the time (s), the energies (% by name), the momentum (kg m/s), and a remark about the speed."""
-        rows = {"t": f"{time:.2f} s {remark}"}
-        rows |= {name: percent_cell(percent) for name, percent in percents.items()}
-        rows["momentum"] = momentum_cell(momentum)
+    def show_motion(self, time, energy, momentum, remark) -> None:
+        """Show the time (s), the energy (%), the momentum (kg m/s), and a remark about the speed."""
+        rows = {"t": f"{time:.2f} s {remark}", "energy": percent_cell(energy), "momentum": momentum_cell(momentum)}
         lines = [f'<tr><th scope="row">{name}</th><td>{cell}</td></tr>' for name, cell in rows.items()]
         change(self.readout, text=f'<table class="readout">{"".join(lines)}</table>')
 
     def show_graphs(self, choices, choice) -> None:
-        """Show these choices of graphs in the menu, and the present choice."""
-        change(self.graph, choices=choices, selected=choice)
+        """Show these choices of graphs (by their names) in the menu, and the present one with the names of its axes."""
+        change(self.graph, choices=list(choices), selected=choice)
         # The page gets new choices after what is selected, and then selects the first one. panel.js mends this.
-        change(self.chosen, text=f'<i class="chosen" data-name="{escape(choice)}"></i>')
+        axes = "".join(f'<span class="axis">{name}</span>' for name in choices[choice][:2])
+        change(self.chosen, text=f'<i class="chosen" data-name="{choice}"></i>{axes}')
 
     def show_command(self, command) -> None:
         """Show the command that starts the program with the present settings; an empty one if there is none."""
@@ -162,8 +187,10 @@ class Panel:
 
     def show_impacts(self, lines, swung_through=False) -> None:
         """Show the last trains of impacts, a line for each, and a note if a bob has swung through others."""
-        note = f'\n<span class="hint">{self.swung_through}</span>' if swung_through and self.swung_through else ""
-        change(self.impacts, text='<pre class="impacts">' + "\n".join(["Impacts", *lines]) + note + "</pre>")
+        kinds = ["single" if SINGLE.search(line) else "train" for line in lines]
+        rows = [f'<span class="{kind}">{line}</span>' for kind, line in zip(kinds, lines, strict=True)]
+        note = f'<span class="hint">{self.swung_through}</span>' if swung_through and self.swung_through else ""
+        change(self.impacts, text=f'<div class="impacts" tabindex="0">Impacts{"".join(rows)}{note}</div>')
 
 
 def percent_cell(percent) -> str:

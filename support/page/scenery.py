@@ -11,6 +11,7 @@ STEEL = vector(0.75, 0.76, 0.78)
 BACKGROUND = vector(241, 242, 244) / 255  # the same as in panel.css, so that the canvas has no visible edge
 FORWARD = vector(-0.25, -0.18, -1)  # the camera looks a little from the left and from above
 NEAREST, FARTHEST = 0.1, 3.0  # of the range with which the whole cradle fills the canvas
+MOVED = 1e-3  # the least part of the range, or turn (rad), by which a camera has moved
 MARGIN = 1.04  # the view is larger than the cradle by this factor
 INK = vector(0.5, 0.5, 0.53)  # of the numbers on the axles, on a pale and on a dark page
 TEXT = 1 / 30  # height of the numbers, in heights of the canvas
@@ -45,6 +46,7 @@ class Scenery:
         self.frame: list = []
         self.room = Room(0, 0, 0, 0, 0, 0, 0)
         self.whole_circles = False  # whether the view has room for bobs that swing above the frame
+        self.below, self.lines = 0.0, 0  # in view, too: m below the base, and lines of text above the cradle
         self.home = scene.center, scene.range  # of the camera that shows the whole cradle
         self.axles: list = []
         self.masses: list[float] = []  # kg; empty if all are equal
@@ -82,27 +84,42 @@ class Scenery:
         left, right, bottom = frame_corners(room)
         top = room.top + (swing if self.whole_circles else room.radius)
         depth, ground = room.depth / 2 + room.reach / 10, bottom - room.reach / 20  # the base stands out a little
+        ground -= self.below
         corners = [vector(x, y, z) for x in (left, right) for y in (room.top, ground) for z in (-depth, depth)]
         swings = [vector(x, y, 0) for x in (room.left - swing, room.right + swing) for y in (room.top, top)]
         # The canvas is about 1.1 times as high as the frame.
-        writing = room.radius / 2 + (room.lines + 0.5) * 1.3 * TEXT * 1.1 * (room.top - ground)
+        writing = room.radius / 2 + (room.lines + self.lines + 0.5) * 1.3 * TEXT * 1.1 * (room.top - ground)
         texts = [vector(x, room.top + writing, 0) for x in (room.left, room.right)]
         view(corners + swings + texts)
         self.home = scene.center, scene.range
         self.number_axles()
+
+    def bottom(self) -> float:
+        """Return the height of the base (m)."""
+        return frame_corners(self.room)[2]
+
+    def leave_room(self, below, lines) -> None:
+        """Leave room for this much (m) below the base, and for these lines of text above the cradle."""
+        self.below, self.lines = below, lines
+        self.point_camera()
 
     def reset_view(self) -> None:
         """Point the camera at the cradle as at the start."""
         scene.forward, scene.up = FORWARD, vector(0, 1, 0)
         self.point_camera()
 
-    def limit_view(self) -> None:
-        """Bring the camera back if it is so near, so far or so much to one side that nothing of the cradle is seen."""
+    def limit_view(self) -> bool:
+        """Return whether you have moved the camera.
+
+        Bring it back if it is so near, so far or so much to one side that nothing of the cradle is seen.
+        """
         center, distance = self.home
         if not NEAREST * distance <= scene.range <= FARTHEST * distance:
             scene.range = min(max(scene.range, NEAREST * distance), FARTHEST * distance)
         if mag(scene.center - center) > 1.001 * distance:
             scene.center = center + norm(scene.center - center) * distance
+        turned = mag(norm(scene.forward) - norm(FORWARD)) > MOVED
+        return turned or max(abs(scene.range - distance), mag(scene.center - center)) > MOVED * distance
 
     def number_axles(self) -> None:
         """Write the numbers of the pendula, and their masses if these differ, above the axles that have room for it."""
@@ -151,7 +168,7 @@ def view(points) -> None:
 
 def frame_corners(room) -> tuple[float, float, float]:
     """Return the left and the right end of the frame, and its bottom (m)."""
-    return room.left - room.reach / 4, room.right + room.reach / 4, room.top - 1.35 * room.reach
+    return room.left - room.reach, room.right + room.reach, room.top - 1.3 * room.reach
 
 
 def make_frame(room) -> list:

@@ -126,8 +126,27 @@ class Source:
         """Take an answer: (key of the experiment that asks, index of the answer, or None); the cradle then runs."""
         self.viewer.running = self.questions.answer(*question_and_answer) or self.viewer.running
 
+    def say(self, number) -> None:
+        """Take the answer with this index to the question that is asked now, if there is one."""
+        if self.questions.experiment:
+            self.answer((self.questions.experiment.key, number))
+
+    def repeat(self, slowly) -> None:
+        """Run the experiment again with the same answer, maybe slowly."""
+        if self.questions.measurement:
+            self.questions.repeat(slowly)
+            self.viewer.running = True
+            self.viewer.make()
+
+    def choose_next(self) -> None:
+        """Choose the next experiment of the menu, after the last one the first."""
+        experiments = self.questions.experiments
+        now = self.questions.experiment
+        if experiments:
+            self.choose(1 + (experiments.index(now) + 1 if now else 0) % len(experiments))
+
     def pose(self) -> None:
-        """Lift the bobs as the present experiment says, and ask its question, if Ask first is ticked."""
+        """Lift the bobs as the present experiment says, and ask its question, if Predict first is ticked."""
         if not self.poses or len(self.poses) != len(self.cradle.pend_list):  # main may read another file
             return
         self.cradle.pose(self.poses)

@@ -108,6 +108,9 @@ def give_command(give, text) -> None:
             | ["delete", int() as value]
             | ["edit", [int(), "mass" | "e" | "color", str()] as value]
             | ["answer", [str(), int() | None] as value]
+            | ["vote", [str(), int()] as value]
+            | ["again", bool() as value]
+            | ["next", None as value]
         ):
             give(command[0], value)
 

@@ -12,14 +12,20 @@ from support.cradle.dragging import bob_at, point_in_plane
 from support.cradle.player import Player
 from support.cradle.real_time import FRAME
 from support.files.data_file import EVERY, Recording
+from support.page.marks import Marks
 from support.page.motion_graph import MotionGraph
 from support.page.panel import Panel, TRAINS
+from support.page.questions import LETTERS
 from support.page.scenery import Scenery
+from support.page.slow_hits import SlowHits
 from support.page.source import Source
 from support.start.options import ANGLES, page_arguments, same_program
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
 QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
+SLOWLY = 0.1  # times real time: the speed of an experiment that is repeated slowly
+HIT_LINES = 3  # of text, above the cradle
+REST = 3.0  # s that the picture rests when an experiment has been measured
 GOODBYE = 10.0  # s that the page has to fetch the last message
 
 # The commands of the keys, with their values; the names of the keys are VPython's.
@@ -28,6 +34,9 @@ KEYS = {
     "right": ("step", None),
     "r": ("restart", None),
     "v": ("view", None),
+    "n": ("next", None),
+    "h": ("slow hits", None),
+    **{letter.lower(): ("say", number) for number, letter in enumerate(LETTERS)},
     **{str(count): ("lift", count) for count in range(1, 10)},
 }
 
@@ -51,12 +60,14 @@ class Viewer(Player):
         self.next_refresh = -inf
         self.swung_through = False  # whether a bob has swung through others since the last restart
         self.sound = False
+        self.speed = 1.0  # that you have set, times real time
+        self.rest_end = -inf  # the time on the pace's clock until which the picture rests
         self.one_tick: dict[str, float] | None = None  # the coordinates before it, while One tick is carried out
 
         self.source = Source(self, file)
         self.table, self.questions = self.source.table, self.source.questions
         self.actions = self.make_actions()
-        self.scenery = Scenery()
+        self.scenery, self.marks, self.slow_hits = Scenery(), Marks(), SlowHits(cradle)
         self.panel = Panel(self.give, cradle, self.questions, self.table, remark)
         self.panel.separating.checked = self.separating
         if self.options.get("experiment") is not None:
@@ -77,17 +88,30 @@ class Viewer(Player):
                 self.show_settings()
         if not self.is_wanted and self.source.file.changed():
             self.source.reload()
-        if not self.running:
+        if not self.running or self.holds():
             self.pace.restart()
         elif not (self.is_wanted or self.planned):
             self.keep_time()
 
+    def holds(self) -> bool:
+        """Return whether the time holds: after the measurement of an experiment, or to show hits slowly."""
+        now = self.pace.clock()
+        if self.questions.slowly and -inf < self.rest_end <= now:
+            self.questions.slowly, self.pace.speed = False, self.speed
+            self.show_settings()
+        return now < self.rest_end or self.slow_hits.holds(now)
+
     def show_frame(self) -> None:
-        """Show the result of the last ticks: view, sound, numbers and graph."""
+        """Show the result of the last ticks: view, marks, sound, numbers and graph."""
         if self.cradle.hand.held is not None:
             self.motion.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
-        self.scenery.limit_view()
+        self.panel.show_view(self.scenery.limit_view())
+        shown = self.slow_hits.shown
+        self.marks.show_arrows(shown.pendula if shown else self.cradle.pend_list)
+        self.marks.show_halos((shown.hit.left, shown.hit.right) if shown else ())
+        self.marks.show_ghosts(self.questions.predicted(self.motion.time()))
+        self.panel.show_hit(self.slow_hits.words())
         fastest = self.motion.take_fastest()
         if self.sound and fastest > QUIET:
             self.panel.click(fastest)
@@ -97,9 +121,13 @@ class Viewer(Player):
 
     def made(self) -> None:
         """Show a new cradle. On a new page, it starts when the page has it, so that you see the release."""
+        self.rest_end = -inf
+        self.slow_hits.clear()
         self.source.pose()
+        self.pace.speed = SLOWLY if self.questions.slowly else self.speed
         masses = self.cradle.values("mass")
         self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, masses)
+        self.marks.take(self.cradle, self.scenery.bottom())
         self.recording.clear()
         self.graph.take([pend["objects"][1].color for pend in self.cradle.pend_list])
         self.swung_through = False
@@ -116,11 +144,15 @@ class Viewer(Player):
         """Add this moment to the recording, and to the measurement of an experiment."""
         sample = self.motion.sample()
         self.recording.add(sample)
-        self.questions.note(sample, self.motion.has_hit())
+        if self.questions.note(sample, self.motion.has_hit()):
+            self.rest_end, self.planned = self.pace.clock() + REST, 0
 
     def end_part(self) -> None:
-        """Look at the result of a part; show One tick."""
+        """Look at the result of a part; show One tick, or its hits."""
         super().end_part()
+        if self.looks_at_hits:
+            self.slow_hits.take(self.cradle.hits.kept, self.motion.time())
+            self.planned *= not self.slow_hits.waiting
         if self.one_tick is not None:
             calls = self.cradle.hits.calls or [f"{self.cradle.names.shown} was not called."]
             self.table.show_tick(self.cradle.dt, self.one_tick, self.cradle.coordinates(), calls)
@@ -168,9 +200,12 @@ class Viewer(Player):
             "step": self.do_step,
             "tick": self.do_one_tick,
             "restart": lambda _: self.make(),
-            "speed": lambda speed: setattr(self.pace, "speed", speed),
+            "speed": self.set_speed,
+            "arrows": self.show_arrows,
+            "slow hits": self.slow_down_hits,
             "sound": lambda sound: setattr(self, "sound", sound),
             "graph": lambda choice: self.graph.show(choice),
+            "span": lambda span: setattr(self.graph, "span", span),
             "resize": lambda _: self.scenery.point_camera(),
             "view": lambda _: self.scenery.reset_view(),
             "show again": self.show_again,
@@ -184,6 +219,10 @@ class Viewer(Player):
             "experiment": self.source.choose,
             "ask first": self.source.ask_first,
             "answer": self.source.answer,
+            "say": self.source.say,
+            "vote": lambda vote: self.questions.vote(*vote),
+            "again": self.source.repeat,
+            "next": lambda _: self.source.choose_next(),
             "table": self.source.open_table,
             "edit": self.source.edit,
             "add": self.source.add,
@@ -197,10 +236,34 @@ class Viewer(Player):
         self.questions.skip()
 
     def do_step(self, _) -> None:
-        """Do the ticks of one frame, while paused."""
-        if not self.running:
+        """Do the ticks of one frame, while paused, or show the next one of slow hits."""
+        if not self.running and self.slow_hits.shown:
+            self.slow_hits.skip()
+            self.slow_hits.holds(self.pace.clock())
+        elif not self.running:
             self.questions.skip()
             self.plan(round(FRAME * self.pace.speed / self.cradle.dt))
+
+    def set_speed(self, speed) -> None:
+        """Let the time go on at this speed, times real time."""
+        self.speed = self.pace.speed = speed
+
+    def show_arrows(self, shown) -> None:
+        """Show arrows and bars, or not."""
+        self.marks.has_arrows = shown
+        self.marks.place_arrows()
+        self.leave_room()
+
+    def leave_room(self) -> None:
+        """Let the view make room for the bars, and for the words about a hit."""
+        self.scenery.leave_room(self.marks.depth(), HIT_LINES * self.looks_at_hits)
+
+    def slow_down_hits(self, slow) -> None:
+        """Show the hits slowly, or not; None stands for the other way than now."""
+        self.looks_at_hits = not self.looks_at_hits if slow is None else slow
+        self.panel.slow_hits.checked = self.looks_at_hits
+        self.slow_hits.clear()
+        self.leave_room()
 
     def do_one_tick(self, _) -> None:
         """Do one tick, while paused, and show its effect on each pendulum, and the collisions in it."""
@@ -257,13 +320,14 @@ class Viewer(Player):
         self.panel.show_settings(self.running, self.pace.speed, angles, lifted, count, self.cradle.collision)
         arguments = self.arguments()
         self.panel.show_command("" if arguments is None else same_program(arguments))
-        self.panel.show_graphs(list(self.graph.choices), self.graph.choice)
+        self.panel.show_graphs(self.graph.choices, self.graph.choice)
 
     def show_motion(self) -> None:
         """Show time, energy, momentum, impacts and graph."""
-        self.panel.show_motion(self.motion.time(), self.motion.percents(), self.cradle.momentum(), self.pace.remark())
+        energy = self.motion.percents()["energy"]
+        self.panel.show_motion(self.motion.time(), energy, self.cradle.momentum(), self.pace.remark())
         self.swung_through = self.swung_through or self.cradle.swings_through()
         self.panel.show_impacts(self.motion.trains.lines(), self.swung_through)
-        self.graph.draw()
+        self.graph.draw(self.motion.start_energy)
         if self.table.is_open:
             self.table.show_now(self.cradle.coordinates())

@@ -83,7 +83,7 @@ def screen(motion, picture, speed, remark="") -> list[str]:
     size = shutil.get_terminal_size()
     columns = min(WIDTH, size.columns or WIDTH)  # Python 3.10 returns 0 for a terminal that does not know its size
     rows = size.lines or ROWS
-    lines = [f"{motion.reading()}   {speed}", *textwrap.wrap(remark, columns), ""]
+    lines = [motion.reading(), *textwrap.wrap(remark, columns), speed]
     rest = rows - len(lines)
     if rows < LOW:
         lines += picture.lines(motion.cradle, columns, rest)

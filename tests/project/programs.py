@@ -108,7 +108,7 @@ QUIETLY = (0, "", "")
 # --- pages -----------------------------------------------------------------------------------------------------------
 
 SPEED, LIFTED, ANGLE = range(3)  # the sliders of a single cradle, in their order
-SEPARATING = "Separating bobs collide too"  # a checkbox below the title Advanced
+SEPARATING = "Separating bobs collide too"  # a checkbox below the title For programmers
 
 # Before the page's own scripts: make the canvas small, because no graphics card draws it.
 SMALL = """addEventListener("DOMContentLoaded", () => document.head.insertAdjacentHTML("beforeend",

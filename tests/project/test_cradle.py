@@ -163,7 +163,9 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     cradle.scope["handle_two_bobs"](cradle.pend_list[4], pend2=cradle.pend_list[3], r_param=R_PARAM)  # in any order
     cradle.hits.stop()
     speed = pytest.approx(2 * R_PARAM)
-    assert cradle.hits.new == [*((i, i + 1, True, speed) for i in range(4)), (3, 4, True, pytest.approx(-2 * R_PARAM))]
+    *four, last = [(*hit[:4], *(pend["omega"] for pend in (*hit.before, *hit.after))) for hit in cradle.hits.new]
+    assert four == [(i, i + 1, True, speed, 2, 0, 0, 2) for i in range(4)]
+    assert last == (3, 4, True, pytest.approx(-2 * R_PARAM), 0, 2, 2, 0)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 import re
 from itertools import combinations
-from math import radians
+from math import atan2, degrees, radians
 
 import pytest
 from students import put_files
@@ -61,14 +61,14 @@ def test_an_experiment_is_read(files):
 
 ANGLES = "allowed are 5 angles from -180 to 180 (degrees), one for each pendulum"
 BRACES = "allowed is {energy}, or swing_, speed_ or before_ with the number of a bob, 1 to 5, in braces"
-NAMES = "allowed is a text without & < >, but not 'your CSV'"
+NAMES = "allowed is a text without & < >, but not 'My cradle (CSV)'"
 TO_FIVE = "allowed are 2 to 5, one of them with an asterisk"
 BAD = [
     ("theta = -45", "theta = -181", f"theta: found '-181 -45 0 0 0', {ANGLES}"),
     ("seconds = 0.5", "seconds = 0", "seconds: found '0', allowed is a number above 0 and up to 60"),
     ("name = Two bobs\n", "", "name: found nothing, allowed is a text"),
     ("name = Two bobs", "name = <Two>", f"name: found '<Two>', {NAMES}"),
-    ("name = Two bobs", "name = your CSV", f"name: found 'your CSV', {NAMES}"),
+    ("name = Two bobs", "name = My cradle (CSV)", f"name: found 'My cradle (CSV)', {NAMES}"),
     ("* Two", "Two", f"[answers]: found 2 answers, 0 of them with an asterisk, {TO_FIVE}"),
     ("One = 0 0 0 0 100\n", "", f"[answers]: found 1 answers, 1 of them with an asterisk, {TO_FIVE}"),
     ("* Two", "* One", "[answers]: found an answer twice"),
@@ -110,8 +110,10 @@ def test_bad_experiments_are_named_in_one_line_each_and_the_other_one_works(file
 # --- the menu --------------------------------------------------------------------------------------------------------
 
 TWO, FROM_BOTH_SIDES, HEAVY = 1, 3, 4  # indices of experiments
+SAID_B = "You said: B, One bob, as far as the two."
 QUESTION = "Two bobs come in. What leaves on the other side?"
-THAT, OTHER = "That is what happened.", "What happened: Two bobs, as far as the two."
+THAT, OTHER = "That is what happened.", "What happened: C, Two bobs, as far as the two."
+SHEET, AFTER = "Print a sheet", ["Again", "Again slowly", "Next experiment", "Print a sheet"]
 
 
 @pytest.fixture
@@ -132,14 +134,17 @@ def ask_first(wall, checked):
 
 
 def shown(wall):
-    """Return the lines of the question's area."""
-    return [re.sub("<.*?>", "", line) for line in re.split("</p>|</button>", wall.viewer.questions.area.text)[:-1]]
+    """Return the lines of the question's area, and the words on its last buttons."""
+    text = re.sub(
+        '<button class="hands".*?</button>', "", wall.viewer.questions.area.text.split('<div class="sheet')[0]
+    )
+    return [re.sub("<.*?>", "", line).replace("&ensp;", " ") for line in re.split("</p>|</button>", text)[:-1]]
 
 
 def test_an_experiment_is_as_its_files_say_and_back_at_your_csv_all_is_as_you_had_set_it(wall):
     wall.use(wall.panel.angles[0].slider, value=20)
     wall.use(wall.panel.lifted.slider, value=0.4)
-    wall.use(wall.panel.collisions, selected="inelastic, e = 0")
+    wall.use(wall.panel.collisions, selected="perfectly inelastic, e = 0")
     wall.viewer.cradle.mass = 3.0  # as with --mass
     choose(wall, HEAVY)
     assert (wall.values("mass"), wall.values("e")) == ([5, 1, 1, 1, 1], [1] * 5)
@@ -152,7 +157,7 @@ def test_an_experiment_is_as_its_files_say_and_back_at_your_csv_all_is_as_you_ha
     wall.press("3")  # changes an experiment, too
     assert wall.lifts() == [45, 45, 45, 0, 0]
     choose(wall, None)
-    assert (wall.lifts(), wall.panel.collisions.selected) == ([20, 20, 0, 0, 0], "inelastic, e = 0")
+    assert (wall.lifts(), wall.panel.collisions.selected) == ([20, 20, 0, 0, 0], "perfectly inelastic, e = 0")
     assert (wall.values("mass"), wall.values("e")) == ([3] * 5, [0] * 5)
 
 
@@ -169,7 +174,7 @@ def test_a_mistake_in_an_experiment_is_shown_below_the_menu(csv, tmp_path, monke
     texts, folder = [], put_files(tmp_path / "experiments", {"single/no_<text>.csv": FIVE_CSV})
     monkeypatch.setattr("support.page.source.EXPERIMENTS", folder)
     monkeypatch.setattr("support.page.questions.wtext", lambda text="": texts.append(text))
-    assert Wall(csv).viewer.questions.menu.choices == ["your CSV"]
+    assert Wall(csv).viewer.questions.menu.choices == ["My cradle (CSV)"]
     [mistake] = [text for text in texts if text]
     assert mistake.startswith('<span class="failed">')
     assert "no_&lt;text&gt;.txt: cannot be read: No such file or directory" in mistake
@@ -190,23 +195,24 @@ def test_a_main_that_reads_another_file_does_not_end_the_page(asking, monkeypatc
 
 @pytest.mark.parametrize(("answer", "happened"), [(2, THAT), (0, OTHER), (None, OTHER)])
 def test_the_question_comes_before_each_release_and_the_explanation_after_it(asking, answer, happened):
-    answers = [each.text for each in asking.viewer.questions.experiments[TWO].answers]
-    said = [] if answer is None else [f"You said: {answers[answer]}."]
+    texts = [each.text for each in asking.viewer.questions.experiments[TWO].answers]
+    answers = [f"{letter} {text}" for letter, text in zip("ABCD", texts, strict=True)]
+    said = [] if answer is None else [f"You said: {answers[answer].replace(' ', ', ', 1)}."]
     for _ in range(2):
-        assert shown(asking) == [QUESTION, *answers, "Run it without an answer"]
+        assert shown(asking) == [QUESTION, *answers, "Run it without an answer", SHEET]
         asking.wait(0.5)
         assert (asking.time(), asking.lifts(), asking.panel.pause.text) == (0, [45, 45, 0, 0, 0], "Run")
         asking.viewer.give("answer", ["2_two_bobs", answer])
         asking.wait(0.3)
-        assert shown(asking) == [QUESTION, *said]
+        assert shown(asking) == [QUESTION, *said, SHEET]
         assert asking.time() > 0.2
         asking.wait(0.3)
-        *before, result = shown(asking)
-        assert before == [QUESTION, *said]
+        *before, result = shown(asking)[:-4]
+        assert (before, shown(asking)[-4:]) == ([QUESTION, *said], AFTER)
         # From 45 degrees, a bob comes down at sqrt(2 g R (1 - cos 45 degrees)) = 1.07 m/s.
         assert result.startswith(f"{happened} Two bobs came in at 1.07 m/s, and two left at 1.07 and 1.07 m/s.")
         asking.wait(0.5)
-        assert shown(asking)[-1] == result
+        assert shown(asking)[-5] == result
         asking.press("r")
 
 
@@ -215,20 +221,21 @@ def test_the_cradle_also_runs_without_an_answer(asking, command):
     """The measurement begins at the release."""
     asking.viewer.give(command)
     asking.wait(0.05)
-    assert shown(asking) == [QUESTION]
+    assert shown(asking) == [QUESTION, SHEET]
     assert 0 < asking.viewer.motion.ticks < 1000
     if asking.panel.pause.text == "Run":
         asking.panel.pause.bind()
     asking.wait(0.6)
-    assert shown(asking)[-1].startswith(f"{OTHER} Two bobs came in at 1.07 m/s")
+    assert shown(asking)[-5].startswith(f"{OTHER} Two bobs came in at 1.07 m/s")
 
 
 @pytest.mark.parametrize("value", [["1_one_bob", 0], ["5_heavy_hits_light", None], ["2_two_bobs", 99]])
 def test_an_answer_to_another_question_does_nothing(asking, value):
     """You may click faster than the page shows the new question."""
     asking.viewer.give("answer", value)
+    asking.viewer.give("vote", value)
     asking.wait(0.1)
-    assert (len(shown(asking)), asking.time()) == (6, 0)
+    assert (len(shown(asking)), asking.time(), asking.viewer.questions.votes) == (7, 0, [0] * 4)
     choose(asking, None)
     asking.click(asking.panel.pause)
     asking.viewer.give("answer", ["2_two_bobs", 0])
@@ -238,7 +245,7 @@ def test_an_answer_to_another_question_does_nothing(asking, value):
 
 def test_the_box_asks_at_once_and_takes_the_question_back(wall):
     """It asks nothing about your CSV."""
-    for number, (time, lines) in {None: (0.2, 0), TWO: (0, 6)}.items():
+    for number, (time, lines) in {None: (0.2, 0), TWO: (0, 7)}.items():
         choose(wall, number)
         wall.wait(0.2)
         ask_first(wall, True)
@@ -251,7 +258,7 @@ def test_the_box_asks_at_once_and_takes_the_question_back(wall):
 CHANGES = {
     "angle": lambda wall: wall.use(wall.panel.angles[0].slider, value=10),
     "lift": lambda wall: wall.press("4"),
-    "collisions": lambda wall: wall.use(wall.panel.collisions, selected="inelastic, e = 0"),
+    "collisions": lambda wall: wall.use(wall.panel.collisions, selected="perfectly inelastic, e = 0"),
     "separating": lambda wall: wall.give("separating", True),
     "drag": lambda wall: wall.mouse("mousedown", wall.viewer.cradle.bobs()[4].pos),
     "edit": lambda wall: wall.give("edit", [0, "mass", "2"]),
@@ -265,13 +272,82 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
     CHANGES[change](asking)
     asking.wait(0.6)  # the measurement would be over
     assert (shown(asking), asking.panel.pause.text) == ([], "Pause")  # only the question has held it up
-    assert asking.viewer.questions.menu.selected == ("your CSV" if change == "file" else None)
+    assert asking.viewer.questions.menu.selected == ("My cradle (CSV)" if change == "file" else None)
     asking.press("r")
     ask_first(asking, False)
     ask_first(asking, True)
     assert shown(asking) == []
     choose(asking, TWO)
-    assert len(shown(asking)) == 6
+    assert len(shown(asking)) == 7
+
+
+def test_hands_are_counted_a_key_answers_and_ghosts_swing_as_far_as_the_answer_says(asking):
+    """The picture rests for three seconds at the measurement. Then they have gone, and keys of answers do nothing."""
+    for number in (1, 2, 2):
+        asking.give("vote", ["2_two_bobs", number])
+    assert re.findall(r'class="hands"[^>]*>(\d+)<', asking.viewer.questions.area.text) == ["0", "1", "2", "0"]
+    asking.press("e")  # there are four answers
+    assert asking.panel.pause.text == "Run"
+    asking.press("a")
+    asking.wait(0.2)
+    assert ghosts(asking) == []
+    asking.wait(0.15)
+    assert 0 < ghosts(asking)[4] < 100
+    asking.wait(2.5)
+    assert (asking.time(), shown(asking)[1]) == (
+        0.47,
+        "You said: A, One bob, twice as fast. Hands: A 0, B 1, C 2, D 0.",
+    )
+    assert ghosts(asking) == pytest.approx([0, 0, 0, 0, 100])  # the pale bobs that its file says
+    asking.press("b")
+    asking.wait(1)
+    assert (asking.time() > 0.6, ghosts(asking), shown(asking)[1][:11]) == (True, [], "You said: A")
+
+
+def ghosts(wall):
+    """Return the angles of the visible ghosts (degrees)."""
+    visible = [ghost for ghost in wall.viewer.marks.shapes["ghosts"] if ghost.visible]
+    arms = [ghost.pos - axle.pos for ghost, axle in zip(visible, wall.viewer.cradle.axles(), strict=bool(visible))]
+    return [degrees(atan2(arm.x, -arm.y)) for arm in arms]
+
+
+def test_again_maybe_slowly_and_next(asking):
+    """Again keeps the answer. Slow motion ends with the rest, and the speed is as you have set it."""
+    asking.use(asking.panel.speed.slider, value=2.0)
+    asking.press("b")
+    asking.wait(0.5)
+    for slowly, speed in ((True, 0.1), (False, 2.0)):
+        asking.give("again", slowly)
+        assert (asking.viewer.pace.speed, asking.lifts()[:2], shown(asking)[1]) == (speed, [45, 45], SAID_B)
+        asking.wait(0.47 / speed + 0.1)
+        assert (asking.time(), shown(asking)[-4:], asking.viewer.pace.speed) == (0.47, AFTER, speed)
+        asking.wait(3)
+        assert (asking.time() > 0.47, asking.viewer.pace.speed) == (True, 2.0)
+    names = [experiment.name for experiment in asking.viewer.questions.experiments]
+    for name in (*names[2:], *names[:2]):
+        asking.press("n")
+        assert (asking.viewer.questions.menu.selected, asking.time()) == (name, 0)
+        assert asking.viewer.questions.is_asking
+    choose(asking, None)
+    asking.give("again", False)
+    asking.press("a")
+    assert shown(asking) == []
+
+
+def test_a_sheet_has_the_question_and_after_the_run_the_measured_figures(asking):
+    def pages():
+        text = asking.viewer.questions.area.text.split('<div class="sheet">')[1]
+        return [" ".join(re.sub("<.*?>", " ", page).split()) for page in text.split("</article>")[:-1]]
+
+    [page] = pages()
+    for text in ("Two bobs", QUESTION, "Three bobs, not so far", "My answer", "My sketch", "I measured: speed ___"):
+        assert text in page
+    asking.press("c")
+    asking.wait(0.6)
+    first, second = pages()
+    assert first == page
+    for text in (f"{THAT} Two bobs came in", "(m/s) 1.07 1.07 0.00 0.00 0.00", "swung to (degrees) 0 0 0 45 45"):
+        assert text in second
 
 
 # --- what happens ----------------------------------------------------------------------------------------------------

@@ -97,7 +97,7 @@ def shared(started, file):
 
 
 def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
-    shared.set_viewport_size({"width": 1000, "height": 400})  # so that the panel can scroll
+    shared.set_viewport_size({"width": 1000, "height": 300})  # so that the panel can scroll
     wait_until(lambda: shared.get_by_role("button", name="Step").is_disabled())
     slide(shared, SPEED, 0.5)
     shared.keyboard.press("Space")
@@ -146,7 +146,7 @@ def test_the_graph_has_even_ticks_and_a_choice(shared):
     steps = [b - a for a, b in pairwise(sorted(ticks))]
     assert steps == pytest.approx([steps[0]] * len(steps))  # which VPython's own, rounded ones are not always
     assert min(ticks) == 0
-    menu(shared, "Graph").select_option("Angles theta (rad)")
+    menu(shared, "Graph").select_option("Angles theta")
     graph.get_by_text("potential").wait_for(state="detached")
     menu(shared, "Graph").select_option("no graph")
     graph.wait_for(state="hidden")
@@ -160,9 +160,9 @@ def test_the_cursor_shows_that_a_bob_can_be_grabbed_and_it_is_let_go_outside_of_
     wait_until(lambda: shared.evaluate(cursor) == "grab")
     shared.mouse.down()
     shared.mouse.move(*pixel(shared, 0, -30), steps=3)
-    wait_until(lambda: lifts(shared)[0] == pytest.approx(-30, abs=0.5) and shared.evaluate(cursor) == "grabbing")
+    wait_until(lambda: lifts(shared)[0] == pytest.approx(-30, abs=1) and shared.evaluate(cursor) == "grabbing")
     shared.mouse.move(20, 230, steps=3)  # below the canvas
-    wait_until(lambda: -28 < lifts(shared)[0] < -20)
+    wait_until(lambda: -32 < lifts(shared)[0] < -20)
     shared.mouse.up()
     wait_until(lambda: "1-2-3-4-5" in shared.locator(".impacts").inner_text())
     shared.mouse.move(20, 20)
@@ -185,19 +185,19 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, file):
 
 
 def test_predict_then_see(shared):
-    shared.get_by_role("checkbox", name="Ask first").check()
+    shared.get_by_role("checkbox", name="Predict first").check()
     menu(shared, "Experiment").select_option("Two bobs")
-    answer = shared.get_by_role("button", name="One bob, twice as fast")
+    answer = shared.get_by_role("button", name="A One bob, twice as fast")
     answer.wait_for()
     programs.wait_for_lifts(shared, -45, -45, 0, 0, 0)
     programs.wait_for_rest(shared)
     shared.keyboard.press("f")  # the question is there while you present
-    wait_until(lambda: menu(shared, "Experiment").is_hidden())
+    wait_until(lambda: menu(shared, "Collisions").is_hidden())
     answer.click()
-    shared.get_by_text("What happened: Two bobs, as far as the two.").wait_for()
-    assert shared.get_by_text("You said: One bob, twice as fast.").is_visible()
+    shared.locator(".question").get_by_text("What happened: C, Two bobs, as far as the two.").wait_for()
+    assert shared.locator(".question").get_by_text("You said: A, One bob, twice as fast.").is_visible()
     shared.keyboard.press("Escape")
-    wait_until(lambda: menu(shared, "Experiment").is_visible())
+    wait_until(lambda: menu(shared, "Collisions").is_visible())
 
 
 def cell(page, column, row):
@@ -206,7 +206,7 @@ def cell(page, column, row):
 
 def test_the_table_moves_and_is_edited_and_written(shared, file):
     assert cell(shared, "mass", 1).count() == 0  # folded away
-    unfold(shared, "Pendula")
+    unfold(shared, "For programmers")
     theta = shared.locator(".pendula .now").first
     wait_until(lambda: theta.inner_text() not in ("", "-0.785398"))
     pause(shared)
@@ -239,32 +239,22 @@ def test_the_table_moves_and_is_edited_and_written(shared, file):
 
 # --- the fold Take away ----------------------------------------------------------------------------------------------
 
-# What a picture or a film shows: its size, the fewest colors of a look, how much of the numbers on the axles is where
-# the canvas has it, and how many different looks there are.
+# What a picture shows: its size, its colors, and how much of the numbers on the axles is where the canvas has it.
 LOOK = """async address => {
     const labels = glowObjs[0].__overlay_element, { width, height } = labels;
-    const isFilm = address.startsWith("data:video"), source = document.createElement(isFilm ? "video" : "img");
+    const source = Object.assign(document.createElement("img"), { src: address });
     const pixels = source => {
         const paper = new OffscreenCanvas(width, height).getContext("2d");
         paper.drawImage(source, 0, 0, width, height);
         return [...new Uint32Array(paper.getImageData(0, 0, width, height).data.buffer)];
     };
     const light = pixel => (pixel & 255) + (pixel >> 8 & 255) + (pixel >> 16 & 255);
-    Object.assign(source, { src: address, muted: true });
-    await (isFilm ? source.play() : source.decode());
-    const looks = [];
-    for (let count = 0; count < (isFilm ? 10 : 1); count++) {
-        await new Promise(resolve => setTimeout(resolve, 100));
-        const seen = pixels(source), ink = pixels(labels).map((pixel, i) => [pixel, seen[i]]);
-        const inked = ink.filter(([pixel]) => pixel >>> 24 > 250);
-        const alike = inked.filter(([pixel, other]) => Math.abs(light(pixel) - light(other)) < 90);
-        looks.push({ colors: new Set(seen).size, labels: alike.length / inked.length, text: seen.join() });
-    }
-    return {
-        size: isFilm ? [source.videoWidth, source.videoHeight] : [source.naturalWidth, source.naturalHeight],
-        colors: Math.min(...looks.map(look => look.colors)), labels: Math.max(...looks.map(look => look.labels)),
-        looks: new Set(looks.map(look => look.text)).size,
-    };
+    await source.decode();
+    const seen = pixels(source), ink = pixels(labels).map((pixel, i) => [pixel, seen[i]]);
+    const inked = ink.filter(([pixel]) => pixel >>> 24 > 250);
+    const alike = inked.filter(([pixel, other]) => Math.abs(light(pixel) - light(other)) < 90);
+    const size = [source.naturalWidth, source.naturalHeight];
+    return { size, colors: new Set(seen).size, labels: alike.length / inked.length };
 }"""
 
 
@@ -275,35 +265,14 @@ def download(page, button):
     return coming.value.suggested_filename, Path(coming.value.path()).read_bytes()
 
 
-def look(page, kind, content):
-    """Return what a picture or a film of this kind, with this content, shows."""
-    return page.evaluate(LOOK, f"data:{kind};base64,{b64encode(content).decode()}")
-
-
-def test_a_picture_and_a_film_show_the_cradle_with_its_numbers(shared):
-    """The film keeps its size in a window that changes, and shows the motion."""
+def test_a_picture_shows_the_cradle_with_its_numbers(shared):
     draw(shared, True)
     unfold(shared, "Take away")
-    size = shared.evaluate("[glowObjs[0].width & ~1, glowObjs[0].height & ~1]")
     name, content = download(shared, "Picture")
-    picture = look(shared, "image/png", content)
-    assert (name, picture["size"]) == ("newtons_cradle.png", size)
+    picture = shared.evaluate(LOOK, f"data:image/png;base64,{b64encode(content).decode()}")
+    assert (name, picture["size"]) == ("newtons_cradle.png", shared.evaluate("[glowObjs[0].width, glowObjs[0].height]"))
     assert picture["colors"] > 500
     assert picture["labels"] > 0.9
-    button = shared.locator(".film")
-    button.click()
-    shared.get_by_role("button", name=re.compile(r"Stop film \(\d+ s\)")).wait_for()
-    shared.set_viewport_size({"width": 300, "height": 300})
-    wait_until(lambda: shared.evaluate("[glowObjs[0].width, glowObjs[0].height]") == [300, 144])
-    shared.set_viewport_size({"width": 1000, "height": 700})
-    shared.get_by_role("button", name=re.compile(r"Stop film \(([2-9]|\d\d+) s\)")).wait_for()
-    name, content = download(shared, "Stop film")
-    film = look(shared, "video/webm", content)
-    assert (name, film["size"]) == ("newtons_cradle.webm", size)
-    assert film["colors"] > 500  # in each look: no picture is empty
-    assert film["labels"] > 0.7  # a film is not exact
-    assert film["looks"] > 3
-    assert button.inner_text() == "Film"
     draw(shared, False)
 
 
@@ -316,7 +285,7 @@ def test_the_data_since_the_restart_and_the_command_for_the_settings_are_taken_a
     times = [float(row[0]) for row in rows]
     assert times == pytest.approx([0.01 * i for i in range(len(times))])
     assert times[-1] == pytest.approx(programs.readout(shared, "t"), abs=0.011)
-    menu(shared, "Collisions").select_option("inelastic, e = 0")
+    menu(shared, "Collisions").select_option("perfectly inelastic, e = 0")
     shared.keyboard.press("2")
     command = shared.locator(".command")
     wait_until(lambda: "--inelastic" in command.inner_text() and "--lift 2" in command.inner_text())
@@ -347,7 +316,6 @@ def test_a_faster_hit_is_louder_but_never_too_loud_and_only_if_you_ask_for_sound
     wait_until(lambda: "1-2-3-4-5" in shared.locator(".impacts").inner_text())
     assert shared.evaluate("peak()") is None
     assert shared.locator(".hit").get_attribute("data-speed") is None
-    unfold(shared, "Advanced")
     shared.get_by_role("checkbox", name="Sound").check()
     wait_until(lambda: shared.evaluate("peak()") > 0.1)  # a hit of the cradle
     pause(shared)
@@ -421,7 +389,7 @@ def test_the_page_fits_the_window(at_rest, size):
         selectors = (".readout", ".impacts", ".glowscript-graph", "select", "summary")
         assert all(is_whole(at_rest, selector) for selector in selectors)
         assert right < edges(at_rest, ".panel")[0] + 1
-        assert (right - left) * (bottom - top) >= 0.45 * size[0] * size[1]
+        assert pixel(at_rest, 4, 90)[0] - pixel(at_rest, 0, -90)[0] >= 0.8 * (right - left) >= 0.45 * size[0]
         assert at_rest.evaluate(LETTERS) >= 0.022 * size[1]
 
 
@@ -509,7 +477,7 @@ def test_widgets_have_names_roles_and_values_and_keep_their_keys(at_rest):
         assert menu(at_rest, name).count() == 1
     assert at_rest.evaluate("document.documentElement.lang") == "en"
     at_rest.get_by_role("img", name=re.compile("Newton's cradle with 5 bobs: t .* s, energy .* %")).wait_for()
-    unfold(at_rest, "Advanced")
+    unfold(at_rest, "For programmers")
     for is_checked in (True, False):
         at_rest.get_by_text(programs.SEPARATING).click()
         assert at_rest.get_by_role("checkbox", name=programs.SEPARATING).is_checked() == is_checked

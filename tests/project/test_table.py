@@ -80,7 +80,7 @@ def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_
     """They came from --mass and from the menu: nothing else may change with the edit."""
     opened.viewer.cradle.mass = 3.0
     opened.press("r")
-    opened.use(opened.panel.collisions, selected="inelastic, e = 0")
+    opened.use(opened.panel.collisions, selected="perfectly inelastic, e = 0")
     assert [float(e) for e in column(opened, "e")] == [0] * 5
     opened.wait(0.3)
     command(opened, "edit", [1, "mass", "2.50"])
@@ -177,7 +177,7 @@ def test_write_to_my_csv_writes_the_pendula_of_the_table_with_write_to_csv(opene
     monkeypatch.setattr(pds_helper, "write_to_csv", lambda pends, path: paths.append(path) or write(pends, path))
     opened.save(FIVE_CSV.replace("texture\n", "texture,note\n").replace("metal\n", "metal,mine\n"))
     command(opened, "edit", [1, "mass", "2.5"])
-    opened.use(opened.panel.collisions, selected="inelastic, e = 0")
+    opened.use(opened.panel.collisions, selected="perfectly inelastic, e = 0")
     assert opened.viewer.arguments() is None  # no file has this cradle
     opened.click(opened.viewer.table.write)
     rows = extract_and_convert(csv)
@@ -192,13 +192,16 @@ def test_write_to_my_csv_writes_the_pendula_of_the_table_with_write_to_csv(opene
 def test_an_experiment_is_written_only_if_you_press_the_button(opened, csv):
     """The page then shows the pendula of your file: --mass and the menu belonged to the old file."""
     opened.viewer.cradle.mass = 3.0
-    opened.use(opened.panel.collisions, selected="inelastic, e = 0")
+    opened.use(opened.panel.collisions, selected="perfectly inelastic, e = 0")
     opened.give("experiment", 5)
     assert csv.read_text() == FIVE_CSV
     opened.click(opened.viewer.table.write)
     assert [row["mass"] for row in extract_and_convert(csv)] == [5, 1, 1, 1, 1]
     assert (opened.values("mass"), opened.values("e")) == ([5, 1, 1, 1, 1], [1] * 5)
-    assert (opened.panel.collisions.selected, opened.viewer.questions.menu.selected) == ("as in the CSV", "your CSV")
+    assert (opened.panel.collisions.selected, opened.viewer.questions.menu.selected) == (
+        "as in the CSV",
+        "My cradle (CSV)",
+    )
 
 
 def write_half(pend_list, filepath):

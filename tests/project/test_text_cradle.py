@@ -161,7 +161,7 @@ def test_the_lines_fit_into_a_terminal_of_any_size(tmp_path, monkeypatch):
     for rows, columns in product([1, 2, 3, 4, 17, 18, 19], [1, 2, 6, 7, 11, 40]):
         monkeypatch.setattr("shutil.get_terminal_size", lambda size=(columns, rows): os.terminal_size(size))
         for remark in ("", "Write next: handle_collision."):
-            lines = screen.screen(motion, TextPicture(), "x0.6", remark)
+            lines = screen.screen(motion, TextPicture(), "0.6x real time", remark)
             assert 1 <= len(lines) <= rows
             assert max(map(len, lines)) <= columns
             assert lines[0] == motion.reading()[:columns].rstrip()
@@ -176,10 +176,10 @@ def test_a_screen_has_numbers_remark_picture_and_impacts(tmp_path, monkeypatch, 
         motion.trains.add(1.0, left, left + 1, True)
     motion.trains.add(2.0, 0, 1, True)
     remark = "Write next: handle_collision, handle_two_bobs, newton_cradle_tick, main. Then the bobs collide."
-    lines = screen.screen(motion, TextPicture(), "x0.6", remark)
+    lines = screen.screen(motion, TextPicture(), "0.6x real time", remark)
     assert len(lines) <= 24
-    assert lines[0].startswith("t = 0.00 s") and lines[0].endswith("x0.6")
-    assert " ".join(lines[1:3]) == remark
+    assert lines[0].startswith("t = 0.00 s")
+    assert (" ".join(lines[1:3]), lines[3]) == (remark, "0.6x real time")
     _, latest, before, *rest = lines[lines.index("Impacts") :]
     assert (latest, len(before), rest) == ("t = 2.00 s  1-2", 80, ["", "", "", "Ctrl+C ends it."])
     assert before.startswith("t = 1.00 s  1-2-3-...-20  ")

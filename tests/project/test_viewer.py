@@ -5,7 +5,7 @@ Time passes only when a test moves its own wall clock.
 
 import re
 from itertools import pairwise
-from math import pi
+from math import hypot, pi
 from unittest.mock import Mock
 
 import pytest
@@ -18,9 +18,11 @@ from support.constants import COLOR_MAP, G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.real_time import FRAME
+from support.energy import bob_motions, momentum
 from support.files.cradle_csv import POLL
 from support.files.data_file import EVERY
-from support.page.motion_graph import ENERGIES, ENERGY, INTERVAL, MOST, NOTHING, PHASE, PHASE_SHOWN, SHOWN
+from support.page.marks import ARROW_TIME, STILL
+from support.page.motion_graph import ENERGIES, ENERGY, MOST, NOTHING, PHASE, PHASE_SPAN, SPANS
 from support.page.scenery import FORWARD
 
 
@@ -48,7 +50,7 @@ def test_speed_and_slow_motion(wall, speed):
     assert wall.readout()["t"].endswith(" s")
     wall.viewer.pace.kept_up = 0.4
     wall.wait()
-    assert wall.readout()["t"].endswith(" s x0.4")
+    assert wall.readout()["t"].endswith(f" s {0.4 * speed:.1f}x real time")
     wall.click(wall.panel.pause)
     ticks = wall.viewer.motion.ticks
     wall.panel.step.bind()
@@ -97,26 +99,33 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv, monkey
     ranges = [(setting.slider.min, setting.slider.max, setting.slider.step) for setting in (theta, phi)]
     assert ranges == [(0, 180, 1), (-180, 180, 1)]
     labels = re.findall('<span class="label">(.*?)</span>', "".join(texts))
-    assert labels == ["Experiment", "Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions", "Graph"]
+    assert labels == [
+        "Experiment",
+        "Speed",
+        "Bobs lifted",
+        "Angle theta",
+        "Angle phi",
+        "Collisions",
+        "Graph",
+        "Time of the graph",
+    ]
     wall.use(theta.slider, value=75)
     wall.use(phi.slider, value=-12.5)
     assert wall.viewer.angles == thetas([75, -12.5])
     assert [wall.values(key)[0] for key in ("theta", "phi")] == pytest.approx(thetas([75, -12.5]))
     assert ">75&deg;<" in theta.text.text and ">-12.5&deg;<" in phi.text.text
     assert wall.panel.graph.choices == [
-        *(ENERGY, "Angles theta (rad)", "Angles phi (rad)", "Velocities omega (rad/s)", "Velocities phi_omega (rad/s)"),
-        *("Phase picture of bob 1: omega over theta", "Phase picture of bob 1: phi_omega over phi"),
-        *("Phase picture of bob 2: omega over theta", "Phase picture of bob 2: phi_omega over phi"),
-        NOTHING,
+        *(ENERGY, "Angles theta", "Angles phi", "Velocities omega", "Velocities phi_omega"),
+        *("Phase 1, theta", "Phase 1, phi", "Phase 2, theta", "Phase 2, phi", NOTHING),
     ]
-    choose(wall, "Angles phi (rad)")
+    choose(wall, "Angles phi")
     assert drawn(wall)["1"][0] == [0, pytest.approx(wall.viewer.angles[1])]
 
 
 def test_settings_stay_after_a_restart_on_a_reloaded_page_and_for_a_saved_csv(wall):
     wall.use(wall.panel.speed.slider, value=0.5)
     wall.use(wall.panel.separating, checked=True)
-    wall.use(wall.panel.collisions, selected="inelastic, e = 0")
+    wall.use(wall.panel.collisions, selected="perfectly inelastic, e = 0")
     wall.press(" ")
     for does in (lambda: wall.press("r"), lambda: wall.give("show again"), lambda: wall.save(HEADER + GOOD * 3)):
         does()
@@ -132,6 +141,92 @@ def test_the_program_ends_after_its_last_message_is_sent(wall, monkeypatch):
     monkeypatch.setattr("support.page.viewer.time.sleep", send)
     wall.viewer.end("NameError")
     send.assert_called_once()
+
+
+# --- arrows and slow hits --------------------------------------------------------------------------------------------
+
+
+def visible(wall, name):
+    return [shape for shape in wall.viewer.marks.shapes.get(name, []) if shape.visible]
+
+
+@pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
+def test_arrows_show_each_velocity_and_bars_the_momenta_and_their_sum(csv, kind):
+    """Also for other pendula; they stay on a reloaded page, and the view has room for them."""
+    wall = Wall(csv, *[30] * len(kind.angle_keys), kind=kind)
+    scene.width, scene.height = 1000, 400
+    wall.give("resize")
+    near = scene.range
+    wall.use(wall.panel.arrows, checked=True)
+    assert scene.range > 1.05 * near
+    for csv_text in ("", HEADER + "3.0,1.0,0,0,blue,metal\n" + GOOD):
+        wall.save(csv_text) if csv_text else None
+        wall.give("show again")
+        wall.wait(0.15)
+        cradle = wall.viewer.cradle
+        moves = [(vx, vy) for pend in cradle.pend_list for _, vx, vy in bob_motions(pend, R_PARAM)]
+        shown = [(bob, v) for bob, v in zip(cradle.bobs(), moves, strict=True) if hypot(*v) > STILL]
+        assert len(shown) == len(kind.angle_keys)
+        for arrow, (bob, v) in zip(visible(wall, "arrows"), shown, strict=True):
+            assert (arrow.axis / ARROW_TIME).value == pytest.approx([*v, 0])
+            assert (arrow.pos.x, arrow.pos.y) == (bob.pos.x, bob.pos.y)
+        heights = [bar.pos.y - wall.viewer.marks.level for bar in visible(wall, "bars")]
+        momenta = [momentum([pend], R_PARAM) for pend in cradle.pend_list]
+        shares = [p / cradle.momentum() for p in (*momenta, cradle.momentum())]
+        assert [height / heights[-1] for height in heights] == pytest.approx(shares)
+        assert [bar.color for bar in visible(wall, "bars")[:-1]] == [p["objects"][1].color for p in cradle.pend_list]
+    wall.use(wall.panel.arrows, checked=False)
+    assert (visible(wall, "arrows"), visible(wall, "bars"), visible(wall, "words")) == ([], [], [])
+
+
+def reversed_order(pend_list, r_param, dt, g):
+    """Let the pairs collide from right to left, as a student may have written it, without approaching_only."""
+    visualize_cradle_run.full_swing_update(pend_list, r_param, dt, g)
+    for pend1, pend2 in reversed([*pairwise(pend_list)]):
+        visualize_cradle_run.handle_two_bobs(pend1, pend2, r_param, approaching_only=True)
+
+
+@pytest.mark.parametrize(("tick", "pairs"), [(None, "23 12 34 23 45 34"), (reversed_order, "23 34 12 45 23 34")])
+def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_goes_on(csv, monkeypatch, tick, pairs):
+    """With its speeds, its halos and the arrows after it."""
+    if tick:
+        monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", tick)
+    wall = Wall(csv, 45, lifted=2)
+    for _ in range(3):
+        wall.press("h")
+    assert wall.panel.slow_hits.checked
+    wall.use(wall.panel.arrows, checked=True)
+    shown = []
+    while len(shown) < 6:
+        wall.wait(0.1)
+        hit, words = wall.viewer.slow_hits.shown, wall.panel.hit_words.text
+        assert bool(hit) == bool(words) == bool(visible(wall, "halos"))
+        if not hit or f"Hit {len(shown)}:" in words:
+            continue
+        left, right = map(int, re.search(rf"Hit {len(shown) + 1}: bobs (\d) and (\d)<", words).groups())
+        shown.append(f"{left}{right}")
+        exchange = f"bob {left}: +1.07 &rarr; +0.00 m/s</span><span>bob {right}: +0.00 &rarr; +1.07 m/s"
+        assert exchange in words and "order is the model's: handle_two_bobs takes" in words
+        assert len(visible(wall, "arrows")) == 2
+        bobs = wall.viewer.cradle.bobs()[left - 1 : right]
+        assert [halo.pos.x for halo in visible(wall, "halos")] == [bob.pos.x for bob in bobs]
+        ticks = wall.viewer.motion.ticks
+    assert " ".join(shown) == pairs
+    wall.wait(1)
+    assert wall.viewer.motion.ticks == ticks
+    wall.wait(0.5)
+    assert wall.viewer.motion.ticks > ticks
+
+
+def test_a_step_goes_on_to_the_next_of_the_slow_hits(wall):
+    wall.press("h")
+    wall.wait(0.4)
+    wall.click(wall.panel.pause)
+    for number in (1, 2, 3, 4):
+        wall.wait(3)
+        assert f"Hit {number}:" in wall.panel.hit_words.text
+        wall.press("right")
+    assert wall.panel.hit_words.text == ""
 
 
 # --- dragging --------------------------------------------------------------------------------------------------------
@@ -152,7 +247,7 @@ def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(csv, 
     for after in (lambda: wall.wait(0.5), lambda: wall.mouse("mouseup", axle), lambda: wall.mouse("mousemove", axle)):
         assert wall.lifts() == [0, 0, 0, 0, 45]
         assert (bob.pos - axle).value == pytest.approx([cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0])
-        assert wall.percents() == ["100.0 %", "0.0 %", "100.0 %"]
+        assert wall.readout()["energy"] == "100.0 %"
         assert not any(pend[key] for key in kind.rate_keys)
         after()
     assert wall.lifts() == [0, 0, 0, 0, 45]
@@ -238,20 +333,20 @@ def test_the_readout(wall, omega, text):
     start = G * R_PARAM * (1 - 3**0.5 / 2)  # J: 1 kg at 30 degrees
     percent = 100 * (omega * R_PARAM) ** 2 / 2 / start
     shown = "&gt; 999 %" if omega == 1e6 else f"{percent:.1f} %"
-    assert wall.percents() == [shown, shown, "0.0 %"]
+    assert wall.readout()["energy"] == shown
     assert (f'<span class="exact">{percent:.4f} %</span>' in wall.panel.readout.text) == (omega < 1e6)
     assert wall.readout()["momentum"] == text.format(abs(omega) * R_PARAM)
     wall.use(wall.panel.lifted.slider, value=0)
-    assert wall.percents() == ["0.0 %", "0.0 %", "0.0 %"]
+    assert wall.readout()["energy"] == "0.0 %"
 
 
 def test_the_impacts_until_a_restart(wall):
     at_start = wall.thetas()
     wall.wait(0.9 * PERIOD)
-    title, *lines = re.sub("<.*?>", "", wall.panel.impacts.text).splitlines()
-    assert title == "Impacts"
-    assert re.fullmatch(r"t = \d\.\d\d s  5-4-3-2-1", lines[0])
-    assert lines[-1] == f"t = {wall.viewer.motion.trains.trains[0].begin:.2f} s  1-2-3-4-5"
+    lines = re.findall('<span class="(.*?)">(.*?)</span>', wall.panel.impacts.text)
+    assert lines[0][0] == "train" and re.fullmatch(r"t = \d\.\d\d s  5-4-3-2-1", lines[0][1])
+    assert lines[-1] == ("train", f"t = {wall.viewer.motion.trains.trains[0].begin:.2f} s  1-2-3-4-5")
+    assert {kind for kind, line in lines if line[-2:] == "ts" or line.count("-") == 1} <= {"single"}
     assert wall.viewer.motion.trains.trains[0].begin == pytest.approx(PERIOD / 4, rel=0.05)
     wall.click(wall.panel.restart)
     assert (wall.thetas(), wall.time(), wall.viewer.motion.trains.lines()) == (at_start, 0, [])
@@ -285,7 +380,10 @@ def test_unchanged_texts_are_not_sent_again(wall):
 
 def test_the_view_is_reset_with_a_button_and_a_key_and_comes_back_from_far_away(wall):
     for reset in (lambda: wall.click(wall.panel.view), lambda: wall.press("v")):
+        assert wall.panel.view.disabled  # panel.css hides it
         scene.forward, scene.range = vector(0, 0, -1), 1.5 * scene.range
+        wall.wait()
+        assert not wall.panel.view.disabled
         reset()
         assert scene.forward == FORWARD
         assert scene.range == wall.viewer.scenery.home[1]
@@ -343,7 +441,7 @@ def test_numbers_change_ten_times_a_second(wall):
 
 # --- the graph -------------------------------------------------------------------------------------------------------
 
-ANGLES, VELOCITIES = "Angles theta (rad)", "Velocities omega (rad/s)"
+ANGLES, VELOCITIES = "Angles theta", "Velocities omega"
 
 
 def choose(wall, choice):
@@ -363,21 +461,25 @@ def recorded(wall, column):
     return {row[0]: row[at] for row in wall.viewer.recording.rows}
 
 
-def test_the_graph_shows_the_energies_of_the_last_ten_seconds(wall):
-    """Its points are always at the same times, so they do not shake."""
-    wall.wait(SHOWN + 2)
+@pytest.mark.parametrize("span", SPANS)
+def test_the_graph_shows_the_energies_of_the_last_seconds(wall, span):
+    """In percent. Its points are always at the same times, so they do not shake."""
+    shown, interval = SPANS[span]
+    wall.use(wall.panel.span, selected=span)
+    wall.wait(shown + 2)
     assert wall.panel.graph.selected == ENERGY
     assert list(drawn(wall)) == ["kinetic", "potential", "total"]
     kinetic, potential, total = drawn(wall).values()
     graph = wall.viewer.graph.graph
-    assert graph.xmax - graph.xmin == SHOWN
+    assert graph.xmax - graph.xmin == pytest.approx(shown)
     times = [t for t, _ in total]
-    assert times == pytest.approx([INTERVAL * round(t / INTERVAL) for t in times])
-    assert times[0] == pytest.approx(graph.xmin, abs=2 * INTERVAL)
-    assert times[-1] == pytest.approx(SHOWN + 2, abs=2 * INTERVAL)
+    assert times == pytest.approx([interval * round(t / interval) for t in times])
+    assert times[0] == pytest.approx(graph.xmin, abs=2 * interval)
+    assert times[-1] == pytest.approx(shown + 2, abs=2 * interval)
     for (t, k), (_, p), (_, both) in zip(kinetic, potential, total, strict=True):
         assert k + p == pytest.approx(both)
-        assert 0 <= t - graph.xmin <= SHOWN
+        assert both == pytest.approx(100, abs=0.1)
+        assert 0 <= t - graph.xmin <= shown
     assert len({(*wall.viewer.graph.curves[name].color.value,) for name in ENERGIES}) == 3
 
 
@@ -395,11 +497,12 @@ def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(wall):
 
 
 def test_the_phase_picture_is_that_of_one_bob(wall):
-    choose(wall, "Phase picture of bob 1: omega over theta")
-    wall.wait(PHASE_SHOWN + 1)
+    choose(wall, "Phase 1")
+    wall.wait(PHASE_SPAN[0] + 1)
+    assert re.findall('"axis">(.*?)<', wall.panel.chosen.text) == ["theta (rad)", "omega (rad/s)"]
     assert list(drawn(wall)) == [PHASE]
     points = drawn(wall)[PHASE]
-    assert len(points) == pytest.approx(PHASE_SHOWN / EVERY, abs=2)
+    assert len(points) == pytest.approx(PHASE_SPAN[0] / EVERY, abs=2)
     assert points[-1] == [[*recorded(wall, f"{key}_1").values()][-1] for key in ("theta", "omega")]
     assert wall.viewer.graph.curves[PHASE].color == COLOR_MAP["red"]
 
@@ -410,7 +513,7 @@ def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wa
     assert wall.panel.graph.selected == ANGLES
     assert list(drawn(wall)) == [str(number) for number in range(1, MOST + 1)]  # the first ones
     assert wall.viewer.graph.curves["1"].color == COLOR_MAP["green"]
-    choose(wall, "Phase picture of bob 7: omega over theta")
+    choose(wall, "Phase 7")
     wall.save(HEADER + GOOD * 2)
     assert wall.panel.graph.selected == ENERGY
     assert set(drawn(wall)) == set(ENERGIES)
@@ -420,9 +523,9 @@ def test_no_graph_is_hidden_and_sends_nothing_and_a_restart_empties_it(wall):
     wall.wait(1)
     choose(wall, NOTHING)
     wall.wait(1)
-    assert wall.panel.chosen.text == '<i class="chosen" data-name="no graph"></i>'  # panel.css hides it
+    assert wall.panel.chosen.text.startswith('<i class="chosen" data-name="no graph"></i>')  # panel.css hides it
     assert not drawn(wall)
     choose(wall, ENERGY)
-    assert len(drawn(wall)["total"]) == pytest.approx(2 / INTERVAL, abs=2)  # it shows what was recorded meanwhile
+    assert len(drawn(wall)["total"]) == pytest.approx(2 / EVERY, abs=2)  # it shows what was recorded meanwhile
     wall.click(wall.panel.restart)
     assert [len(points) for points in drawn(wall).values()] == [1, 1, 1]

@@ -63,11 +63,6 @@ class Wall:
         rows = re.findall(r'<th scope="row">(\w+)</th><td>(.*?)</td>', self.panel.readout.text)
         return {name: re.sub('<span class="exact">.*?</span>|<.*?>', "", text).strip() for name, text in rows}
 
-    def percents(self):
-        """Return the energies of the readout."""
-        readout = self.readout()
-        return [readout[name] for name in ("energy", "kinetic", "potential")]
-
     def press(self, key, **modifiers):
         scene.bound["keydown"](SimpleNamespace(**{"key": key, "ctrl": False, "alt": False, **modifiers}))
         self.wait()

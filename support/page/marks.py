@@ -1,0 +1,106 @@
+"""What the page draws beside the cradle, to show why it moves so: arrows, bars, ghosts and halos."""
+
+from math import hypot
+
+from vpython import arrow, box, cylinder, label, sphere, vector
+
+from support.constants import R_PARAM
+from support.energy import bob_motions, momentum
+from support.page.scenery import INK
+from support.pendulum import arm
+
+ARROW_TIME = 0.1  # s: an arrow is as long as its bob's way in this time
+GREEN, YELLOW = vector(0.0, 0.62, 0.45), vector(1.0, 0.75, 0.0)  # of the arrows, and of the halos
+BAR, BELOW = 0.15, 0.17  # the height of the largest bar, and its distance from the base, in reaches of the cradle
+STILL = 0.02  # m/s: a slower bob has no arrow
+FLAT = 0.01  # the least part of that height: no shape can have the size 0
+PALE = 0.3  # the opacity of a ghost
+
+
+class Marks:
+    """The marks of one cradle. VPython keeps every shape for ever, so the next cradle takes the same ones."""
+
+    def __init__(self):
+        """Show nothing yet."""
+        self.has_arrows = False
+        self.shapes: dict[str, list] = {}
+
+    def take(self, cradle, bottom) -> None:
+        """Take a new cradle; its base is at the height bottom (m)."""
+        self.cradle, self.height = cradle, BAR * cradle.reach
+        self.level = bottom - BELOW * cradle.reach - self.height  # the height of the lower end of a bar that points up
+        speeds = zip(cradle.pend_list, cradle.top_speeds(), strict=True)
+        self.largest = sum(cradle.weight(pend) * speed for pend, speed in speeds) or 1.0  # momentum (kg m/s)
+        self.place_arrows()
+
+    def enough(self, name, count, kind, **attributes) -> list:
+        """Return this number of visible shapes of a kind: old ones with this name, and new ones; hide the others."""
+        shapes = self.shapes.setdefault(name, [])
+        shapes += [kind(**attributes) for _ in range(count - len(shapes))]
+        for number, shape in enumerate(shapes):
+            if shape.visible != (number < count):
+                shape.visible = number < count
+        return shapes[:count]
+
+    def depth(self) -> float:
+        """Return how far the bars reach below the base (m)."""
+        return self.has_arrows * (BELOW + 2 * BAR) * self.cradle.reach
+
+    # --- arrows and bars ---------------------------------------------------------------------------------------------
+
+    def place_arrows(self) -> None:
+        """Make the arrows of the velocities, and below the cradle the bars of the momenta, or hide them all.
+
+        Each pendulum has a bar in its color below its axle. The last bar is their sum.
+        """
+        shown, bobs, colors = self.has_arrows, self.cradle.bobs(), [INK]
+        xs = [axle.pos.x for axle in self.cradle.axles()]
+        left, right = xs[0] - self.cradle.reach / 2, xs[-1] + self.cradle.reach / 3
+        self.arrows = self.enough("arrows", shown * len(bobs), arrow, color=GREEN, shaftwidth=bobs[0].radius / 3)
+        self.bars = self.enough("bars", shown * (len(xs) + 1), box)
+        words = self.enough("words", shown * 2, label, box=False, line=False, opacity=0, color=INK, height=14)
+        self.xs, colors = [*xs, right], [*(bob.color for bob in bobs[:: len(self.cradle.angles)]), INK]
+        for bar, color in zip(self.bars, colors, strict=False):
+            bar.color = color
+        for word, text, x in zip(
+            words, ("momentum\n(up = right)", "sum"), (left, right + self.cradle.reach / 4), strict=False
+        ):
+            word.pos, word.text = vector(x, self.level, 0), text
+
+    def show_arrows(self, pend_list) -> None:
+        """Show the velocities and momenta of these pendula; a bar points up if the momentum is to the right."""
+        if not self.has_arrows:
+            return
+        moves = [(vx, vy) for pend in pend_list for _, vx, vy in bob_motions(pend, R_PARAM)]
+        for each, bob, (vx, vy) in zip(self.arrows, self.cradle.bobs(), moves, strict=True):
+            if each.visible != (hypot(vx, vy) > STILL):
+                each.visible = not each.visible
+            if each.visible:
+                each.pos, each.axis = bob.pos + vector(0, 0, bob.radius), vector(ARROW_TIME * vx, ARROW_TIME * vy, 0)
+        momenta = [momentum([pend], R_PARAM) for pend in pend_list]
+        for bar, x, p in zip(self.bars, self.xs, [*momenta, sum(momenta)], strict=True):
+            height = self.height * max(-1, min(p / self.largest, 1))
+            bar.size = vector(R_PARAM / 8, max(abs(height), FLAT * self.height), R_PARAM / 40)
+            bar.pos = vector(x, self.level + height / 2, 0)
+
+    # --- ghosts and halos --------------------------------------------------------------------------------------------
+
+    def show_ghosts(self, thetas) -> None:
+        """Show a pale upper bob and cord at each of these angles (rad), or none for an empty list."""
+        bobs, cords = self.cradle.bobs()[:: len(self.cradle.angles)], self.cradle.cords()[:: len(self.cradle.angles)]
+        ghosts = self.enough("ghosts", len(thetas), sphere, opacity=PALE)
+        threads = self.enough("threads", len(thetas), cylinder, opacity=PALE)
+        each = zip(ghosts, threads, bobs, cords, self.cradle.axles(), thetas, strict=False)
+        for ghost, thread, bob, cord, axle, theta in each:
+            axis = arm(theta, R_PARAM)
+            # Inside of the bob, where it is as predicted.
+            ghost.pos, ghost.radius, ghost.color = axle.pos + axis, 0.97 * bob.radius, bob.color
+            thread.pos, thread.axis, thread.radius, thread.color = axle.pos, axis, cord.radius, cord.color
+
+    def show_halos(self, pair) -> None:
+        """Light up these pendula (indices), or none."""
+        each = len(self.cradle.angles)
+        lit = [bob for number in pair for bob in self.cradle.bobs()[each * number : each * (number + 1)]]
+        for halo, bob in zip(self.enough("halos", len(lit), cylinder, color=YELLOW), lit, strict=True):
+            halo.pos, halo.axis = bob.pos - vector(0, 0, bob.radius), vector(0, 0, bob.radius / 20)
+            halo.radius = 1.3 * bob.radius

@@ -1,0 +1,81 @@
+"""Slow hits: when a train of hits comes, the time holds, and you see the hits one after another."""
+
+from collections import deque
+from html import escape
+from math import inf
+from typing import NamedTuple
+
+from support.constants import R_PARAM
+from support.cradle.impacts import GAP, Hit
+from support.energy import momentum
+
+EACH = 1.2  # s that each hit is shown
+LEAST = 0.1  # of the fastest bob's speed: slower hits are not shown, for instance those of bobs that hang
+
+
+class SlowHit(NamedTuple):
+    """A hit to show."""
+
+    hit: Hit
+    number: int  # in its train
+    pendula: list[dict]  # all of them, with their velocities after it
+
+
+class SlowHits:
+    """The hits that are to be shown, and the one that is shown now.
+
+    They come from the calls of the function that lets two pendula collide, in the order of these calls.
+    """
+
+    def __init__(self, cradle):
+        """Show nothing yet."""
+        self.cradle = cradle
+        self.clear()
+
+    def clear(self) -> None:
+        """Forget all hits: the cradle is new, or its hits were not shown until now."""
+        self.waiting: deque[SlowHit] = deque()
+        self.shown: SlowHit | None = None
+        self.until = -inf  # the time on the pace's clock at which the next one comes
+        self.count, self.last = 0, -inf  # of this train: the number and the time (s) of its last hit
+        self.least = LEAST * max(self.cradle.top_speeds(), default=0.0)  # m/s
+
+    def take(self, hits, time) -> None:
+        """Take the hits of the last few ticks, at this simulated time (s)."""
+        pendula = list(self.cradle.pend_list)
+        for hit in reversed(hits):  # back to the velocities before them
+            pendula[hit.left], pendula[hit.right] = hit.before
+        for hit in hits:
+            pendula[hit.left], pendula[hit.right] = hit.after
+            if hit.speed >= self.least:
+                self.count = self.count + 1 if time - self.last <= 2 * GAP else 1
+                self.last = time
+                self.waiting.append(SlowHit(hit, self.count, list(pendula)))
+
+    def holds(self, now) -> bool:
+        """Return whether the time holds; now is the time on the pace's clock. Go on to the next hit if it is due."""
+        if self.shown and now < self.until:
+            return True
+        self.shown, self.until = (self.waiting.popleft(), now + EACH) if self.waiting else (None, -inf)
+        return bool(self.shown)
+
+    def skip(self) -> None:
+        """Go on to the next hit now."""
+        self.until = -inf
+
+    def words(self) -> str:
+        """Return what is shown now, as HTML."""
+        if not self.shown:
+            return ""
+        hit, number, _ = self.shown
+        lines = []
+        for bob, before, after in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
+            lines.append(f"bob {bob + 1}: {self.velocity(before)} &rarr; {self.velocity(after)} m/s")
+        title = f"Hit {number}: bobs {hit.left + 1} and {hit.right + 1}"
+        order = f"This order is the model's: {escape(self.cradle.names.collide)} takes one pair after the other."
+        texts = f"<strong>{title}</strong><span>{'</span><span>'.join(lines)}</span><small>{order}</small>"
+        return f'<div class="hit-words" role="status">{texts}</div>'
+
+    def velocity(self, pend) -> str:
+        """Return the (mean) velocity of a pendulum's bobs to the right (m/s)."""
+        return f"{round(momentum([pend], R_PARAM) / self.cradle.weight(pend), 2) + 0.0:+.2f}"  # not -0.00
