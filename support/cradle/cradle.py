@@ -107,11 +107,6 @@ class Cradle:
         self.collision, make = collision, self.collisions[collision]
         self.adopt("e", [pend["e"] for pend in make(csv)] if make else self.es)
 
-    def options(self) -> dict[str, Any]:
-        """Return the options with which the programs make the present collisions and masses: e, mass, ..."""
-        kind = list(self.collisions).index(self.collision)
-        return {"elastic": kind == 1, "inelastic": kind == 2, "e": self.e if kind == 3 else None, "mass": self.mass}
-
     def release(self, angles, lifted) -> None:
         """Lift the first `lifted` pendula to these angles (rad) and let the others hang, all at rest.
 

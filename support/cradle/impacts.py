@@ -113,7 +113,8 @@ class Hits:
 class ImpactTrains:
     """The last trains.
 
-    Two things would fill the list: single hits in a row, and bobs that stay together. Each gets one line of words.
+    Two things would fill the list: single hits after a train, of bobs that hardly move, and bobs that stay together.
+    The first are left out, the second get one line of words.
     """
 
     def __init__(self, count):
@@ -132,25 +133,24 @@ class ImpactTrains:
         rightwards is True if the two moved to the right before the hit.
         """
         if not self.trains or time - self.trains[-1].end > GAP:
-            self.join_last_two()  # not earlier: a hit that was single could go on
+            if self.trains and self.is_noise(self.trains[-1]):  # not earlier: a hit that was single could go on
+                self.trains.pop()
             self.trains.append(Train(time))
         train = self.trains[-1]
         train.add(time, left + 1, right + 1, rightwards)
         self.has_path = self.has_path or not train.is_single()
-        if train.together:
-            self.join_last_two()
+        if train.together and len(self.trains) > 1 and self.trains[-2].together:
+            self.trains.pop()
+            self.trains[-1].join(train)
 
-    def join_last_two(self) -> None:
-        """Make the last two trains one if both are single hits, or bobs that stay together."""
-        if len(self.trains) < 2:
-            return
-        before, latest = self.trains[-2], self.trains[-1]
-        if (before.together and latest.together) or (self.has_path and before.is_single() and latest.is_single()):
-            before.join(self.trains.pop())
+    def is_noise(self, train) -> bool:
+        """Return whether a train is a single hit of a cradle whose hits can go on to a third bob."""
+        return self.has_path and train.is_single()
 
     def lines(self, longest=STRIP_WIDTH) -> list[str]:
         """Return a line for each train, the latest first, with at most `longest` characters: t = 0.71 s  1-2-3-4-5."""
-        lines = [f"t = {train.begin:.2f} s  {train}" for train in reversed(self.trains)]
+        trains = [train for train in reversed(self.trains) if not self.is_noise(train)]
+        lines = [f"t = {train.begin:.2f} s  {train}" for train in trains]
         return [line if len(line) <= longest else line[: longest - 3] + "..." for line in lines]
 
 
@@ -164,7 +164,6 @@ class Train:
         self.hits: Counter[tuple[int, int]] = Counter()  # of each two bobs
         self.last = (0, 0)  # the bobs of the last hit
         self.together: set[tuple[int, int]] = set()  # each two that stay together
-        self.singles = 0  # single hits, if several trains have become this one
 
     def add(self, time, left, right, rightwards) -> None:
         """Add a hit of two bobs, by their numbers; see ImpactTrains."""
@@ -195,9 +194,7 @@ class Train:
         return not self.together and all(len(path) == 2 for path in self.paths)
 
     def join(self, later) -> None:
-        """Take over a later train of the same kind."""
-        if self.is_single():
-            self.singles = (self.singles or len(self.paths)) + len(later.paths)
+        """Take over a later train; the bobs of both stay together."""
         self.together |= later.together
         self.end, self.last, self.hits = later.end, later.last, later.hits
 
@@ -205,7 +202,7 @@ class Train:
         if self.together:
             groups = [f"{a} {'and' if b == a + 1 else 'to'} {b}" for a, b in first_and_last(self.together)]
             return ", ".join(groups) + " stay together"
-        return f"{self.singles} single hits" if self.singles else "  ".join(map(path_text, self.paths))
+        return "  ".join(map(path_text, self.paths))
 
 
 def first_and_last(pairs) -> list[list[int]]:

@@ -1,6 +1,5 @@
 """The control panel beside the canvas: the settings, the motion of the cradle in numbers, and the parts of both."""
 
-import re
 from html import escape
 from pathlib import Path
 
@@ -33,12 +32,9 @@ SEPARATING_HINT = (
 )
 TAKE_AWAY = """\
 <button onclick="takePicture()" title="Download a PNG of the cradle">Picture</button>
-<button onclick="takeData()" title="Download the data since the last restart">Data (CSV)</button>
-<button onclick="takeCommand()" title="Copy the command that starts this cradle again">Copy command</button>"""
-UNWRITTEN = "No file has this cradle. Write to my CSV (For programmers) puts it in your file; then copy the command."
+<button onclick="takeData()" title="Download the data since the last restart">Data (CSV)</button>"""
 SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
-TRAINS = 10  # of impacts, a line for each
-SINGLE = re.compile(r" (\d+-\d+|\d+ single hits)$")  # a line that panel.css shows pale, and only when you want it
+TRAINS = 5  # of impacts, a line for each
 
 
 class Panel:
@@ -102,8 +98,6 @@ class Panel:
         add_hint(escape(cradle.constants()))
         begin_part("data", fold="Take away")
         scene.append_to_caption(TAKE_AWAY)
-        self.command = wtext()
-        scene.append_to_caption('<span class="copied hint" role="status"></span>')
         add_hint("Data (CSV) downloads the data since the last restart, at most ten minutes.")
         scene.append_to_caption("<script>arrange()</script>")
 
@@ -180,17 +174,10 @@ class Panel:
         axes = "".join(f'<span class="axis">{name}</span>' for name in choices[choice][:2])
         change(self.chosen, text=f'<i class="chosen" data-name="{choice}"></i>{axes}')
 
-    def show_command(self, command) -> None:
-        """Show the command that starts the program with the present settings; an empty one if there is none."""
-        code = f'<code class="command">{escape(command)}</code>'
-        change(self.command, text=code if command else f'<span class="hint">{UNWRITTEN}</span>')
-
     def show_impacts(self, lines, swung_through=False) -> None:
         """Show the last trains of impacts, a line for each, and a note if a bob has swung through others."""
-        kinds = ["single" if SINGLE.search(line) else "train" for line in lines]
-        rows = [f'<span class="{kind}">{line}</span>' for kind, line in zip(kinds, lines, strict=True)]
-        note = f'<span class="hint">{self.swung_through}</span>' if swung_through and self.swung_through else ""
-        change(self.impacts, text=f'<div class="impacts" tabindex="0">Impacts{"".join(rows)}{note}</div>')
+        note = f'\n<span class="hint">{self.swung_through}</span>' if swung_through and self.swung_through else ""
+        change(self.impacts, text='<pre class="impacts">' + "\n".join(["Impacts", *lines]) + note + "</pre>")
 
 
 def percent_cell(percent) -> str:

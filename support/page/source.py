@@ -82,11 +82,6 @@ class Source:
             self.viewer.snapshot = csv
         self.choose(0)
 
-    def is_in_a_file(self) -> bool:
-        """Return whether the present CSV is that of your file, or of an experiment, and was not edited in the table."""
-        experiment = self.questions.experiment
-        return self.viewer.snapshot == (experiment.csv if experiment else self.file.current)
-
     # --- experiments -------------------------------------------------------------------------------------------------
 
     def begin_with(self, key) -> None:

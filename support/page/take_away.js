@@ -1,4 +1,4 @@
-// What you take away: a picture and the data as downloads, the command for the clipboard, and the sheet of an experiment.
+// What you take away: a picture and the data as downloads, and the sheet of an experiment.
 {
   const NAME = "newtons_cradle";
   const scene = () => glowObjs[0];
@@ -10,21 +10,6 @@
 
   const takePicture = () => scene().capture(`${NAME}.png`);
   const takeData = () => download(`/cradle_data.csv${location.search}`, "cradle_data.csv");
-
-  // --- the command ---------------------------------------------------------------------------------------------------
-
-  async function takeCommand() {
-    const command = find(".command"), copied = find(".copied");
-    if (!command) return; // the panel says why there is none
-    try {
-      await navigator.clipboard.writeText(command.textContent);
-      copied.textContent = "Copied.";
-    } catch { // the browser does not allow it
-      getSelection().selectAllChildren(command);
-      copied.textContent = "Press Ctrl+C to copy it.";
-    }
-    setTimeout(() => copied.textContent = "", 5000);
-  }
 
   // --- the sheet -----------------------------------------------------------------------------------------------------
 
@@ -48,5 +33,5 @@
     if (image) image.src = picture;
   });
 
-  Object.assign(window, { takePicture, takeData, takeCommand });
+  Object.assign(window, { takePicture, takeData });
 }

@@ -19,7 +19,6 @@ from support.page.questions import LETTERS
 from support.page.scenery import Scenery
 from support.page.slow_hits import SlowHits
 from support.page.source import Source
-from support.start.options import ANGLES, page_arguments, same_program
 
 REFRESH = 0.1  # s between two changes of the numbers and the graph
 QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
@@ -301,16 +300,6 @@ class Viewer(Player):
 
     # --- texts and numbers -------------------------------------------------------------------------------------------
 
-    def arguments(self) -> list[str] | None:
-        """Return the arguments with which the program starts with the present settings; None if no file has its CSV."""
-        if not self.source.is_in_a_file():
-            return None
-        lifted = None if self.lifted is None else min(self.lifted, len(self.cradle.pend_list))
-        separating = self.separating and self.cradle.takes_rule
-        now = {**dict(zip(ANGLES, self.angles, strict=False)), "lift": lifted, "separating": separating}
-        now["experiment"] = self.questions.experiment.key if self.questions.experiment else None
-        return page_arguments({**self.options, **self.cradle.options(), **now})
-
     def show_settings(self) -> None:
         """Show the present settings."""
         made_angles, made_lifted = self.cradle.as_made
@@ -318,8 +307,6 @@ class Viewer(Player):
         count = len(self.cradle.pend_list)
         lifted = made_lifted if self.lifted is None else min(self.lifted, count)
         self.panel.show_settings(self.running, self.pace.speed, angles, lifted, count, self.cradle.collision)
-        arguments = self.arguments()
-        self.panel.show_command("" if arguments is None else same_program(arguments))
         self.panel.show_graphs(self.graph.choices, self.graph.choice)
 
     def show_motion(self) -> None:

@@ -20,9 +20,6 @@ ROOT = Path(__file__).resolve().parents[2]
 # VPython's environment variable for the port of the page; --port overrides it.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
 
-ANGLES = ("angle", "phi")  # options whose value is an angle (rad), and degrees in the command
-NUMBERS = ("e", "mass", *ANGLES, "lift", "port")
-
 
 class OneLineParser(argparse.ArgumentParser):
     """A parser that prints an error in one line, without the usage."""
@@ -100,23 +97,6 @@ def read_double_page_options(arguments=None) -> argparse.Namespace:
     text = "angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees"
     parser.add_argument("--phi", type=phi, metavar="DEGREES", help=f"{text} (default: {to_lift(PHI_INIT):g})")
     return parser.parse_args(arguments)
-
-
-def page_arguments(options) -> list[str]:
-    """Return the command-line arguments for these options (a dictionary); angles are rounded to 1e-9 degrees.
-
-    A missing option, or None, has no argument.
-    """
-    csv, flags = options.get("csv", NC_FP), ("elastic", "inelastic", "separating")
-    words = [] if csv == NC_FP else [csv]
-    words += [f"--{name}" for name in flags if options.get(name)]
-    for name in ("experiment", *NUMBERS):
-        value = options.get(name)
-        if value is not None and (name, value) != ("port", 0):
-            number = repr(to_lift(value) if name in ANGLES else value).removesuffix(".0")
-            text = value if name == "experiment" else number
-            words += [f"--{name}={text}"] if text.startswith("-") else [f"--{name}", text]
-    return words if options.get("browser", True) else [*words, "--no-browser"]
 
 
 def command_line(program, folder, arguments=()) -> str:

@@ -8,11 +8,8 @@ from pathlib import Path
 
 import pytest
 from programs import call
-from wall import Wall
 
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
-from support.cradle.cradle import Cradle
-from support.cradle.double_cradle import DoubleCradle
 from support.pendulum import from_lift
 from support.start import options
 
@@ -41,14 +38,9 @@ PROGRAMS = {
         ("text", f"--seconds 1 --record data.csv --every {DT}", {"seconds": 1.0, "record": "data.csv", "every": DT}),
     ],
 )
-def test_options_are_read_with_their_units_and_the_copied_command_has_them_again(program, line, changed):
+def test_options_are_read_with_their_units(program, line, changed):
     read_options, defaults = PROGRAMS[program]
-    read = vars(read_options(line.split()))
-    assert read == {**defaults, **changed}
-    if program != "text":
-        arguments = options.page_arguments(read)
-        assert sorted(arguments) == sorted(line.split())
-        assert vars(read_options(arguments)) == read
+    assert vars(read_options(line.split())) == {**defaults, **changed}
 
 
 def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
@@ -109,55 +101,6 @@ BAD = [  # a program, an option, its bad values, and what is allowed
 )
 def test_bad_options_are_refused_in_one_line(program, line, message, capsys):
     assert refusal(program, line.split(), capsys) == message
-
-
-def test_an_angle_is_rounded_to_a_billionth_of_a_degree(monkeypatch):
-    for outwards in (-1, 1):
-        monkeypatch.setattr("support.pendulum.OUTWARDS", outwards)
-        for lift, argument in ((45, "45"), (100 / 3, "33.333333333"), (-179.0000000004, "-179")):
-            assert options.page_arguments({"angle": from_lift(lift)})[-1].removeprefix("--angle=") == argument
-
-
-def arguments_after(wall, command, value):
-    """Return the arguments of the viewer's command after it has carried out this command."""
-    wall.give(command, value)
-    return (wall.viewer.arguments() or [])[1:]
-
-
-def opened(csv, *lifts, kind=Cradle, lifted=None, line=""):
-    """Return a wall whose viewer has the options of this command line."""
-    wall = Wall(csv, *(lifts or [None]), kind=kind, lifted=lifted)
-    wall.viewer.options = vars(options.read_page_options([str(csv), *line.split()]))
-    return wall
-
-
-def test_the_page_shows_the_command_for_its_settings(csv, monkeypatch):
-    monkeypatch.setattr(sys, "argv", ["/anywhere/visualize_cradle_run.py"])
-    wall = opened(csv, 12.5, lifted=4, line="--port 8000 --no-browser")
-    given = ["--angle", "12.5", "--lift", "4", "--port", "8000", "--no-browser"]
-    assert wall.viewer.arguments() == [str(csv), *given]
-    assert arguments_after(wall, "separating", True) == ["--separating", *given]
-    assert arguments_after(wall, "collisions", "elastic, e = 1")[0] == "--elastic"
-    arguments_after(wall, "angle", (0, from_lift(60)))
-    settings = ["--elastic", "--separating", "--angle", "60", "--lift", "5", *given[4:]]
-    assert arguments_after(wall, "lift", 9) == settings
-    words = wall.panel.command.text.removeprefix('<code class="command">').removesuffix("</code>")
-    assert words.endswith(f"visualize_cradle_run.py {csv} {' '.join(settings)}")
-    wall.viewer.cradle.takes_rule = False  # functions without approaching_only need no option
-    assert "--separating" not in arguments_after(wall, "collisions", "as in the CSV")
-    assert arguments_after(wall, "edit", [0, "mass", "2"]) == []
-    assert wall.viewer.arguments() is None
-    assert "No file has this cradle." in wall.panel.command.text
-    assert 'class="command"' not in wall.panel.command.text
-
-
-def test_an_experiment_has_its_command_and_the_csv_its_own_again(csv):
-    wall, experiment = opened(csv, 20, lifted=2), ["--experiment", "2_two_bobs"]
-    assert arguments_after(wall, "experiment", 2) == experiment
-    assert arguments_after(wall, "angle", (0, from_lift(30))) == [*experiment, "--angle", "30", "--lift", "2"]
-    assert arguments_after(wall, "experiment", 0) == ["--angle", "20", "--lift", "2"]
-    double = opened(csv, None, 20, kind=DoubleCradle)
-    assert arguments_after(double, "angle", (1, from_lift(-45))) == ["--phi=-45"]
 
 
 @pytest.mark.parametrize(

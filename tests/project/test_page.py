@@ -50,16 +50,15 @@ AudioNode.prototype.connect = function (to, ...others) {
 
 @pytest.fixture(scope="module")
 def started(chromium, tmp_path_factory):
-    """A page with a touch screen, which may use the clipboard, and its program's project.
+    """A page with a touch screen, and its program's project.
 
     In the end, Ctrl+C ends the program: until then, it has printed nothing more.
     """
     project = programs.copy_project(tmp_path_factory.mktemp("shared"), FIVE_CSV)
-    permissions = ["clipboard-read", "clipboard-write"]
     program = project / "src" / programs.PROGRAM.name
     with (
         programs.running(program, "--angle", "45", folder=project, patience=60 * programs.SECONDS) as process,
-        programs.new_page(chromium, permissions=permissions, has_touch=True) as page,
+        programs.new_page(chromium, has_touch=True) as page,
     ):
         page.add_init_script(LISTEN)
         programs.open_cradle(page, programs.first_lines(process))
@@ -276,7 +275,7 @@ def test_a_picture_shows_the_cradle_with_its_numbers(shared):
     draw(shared, False)
 
 
-def test_the_data_since_the_restart_and_the_command_for_the_settings_are_taken_away(shared):
+def test_the_data_since_the_restart_are_taken_away(shared):
     unfold(shared, "Take away")
     pause(shared)
     name, content = download(shared, "Data (CSV)")
@@ -285,13 +284,6 @@ def test_the_data_since_the_restart_and_the_command_for_the_settings_are_taken_a
     times = [float(row[0]) for row in rows]
     assert times == pytest.approx([0.01 * i for i in range(len(times))])
     assert times[-1] == pytest.approx(programs.readout(shared, "t"), abs=0.011)
-    menu(shared, "Collisions").select_option("perfectly inelastic, e = 0")
-    shared.keyboard.press("2")
-    command = shared.locator(".command")
-    wait_until(lambda: "--inelastic" in command.inner_text() and "--lift 2" in command.inner_text())
-    press(shared, "Copy command")
-    shared.get_by_text("Copied.").wait_for()
-    assert shared.evaluate("navigator.clipboard.readText()") == command.inner_text()
 
 
 # --- sound -----------------------------------------------------------------------------------------------------------

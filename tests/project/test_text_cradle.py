@@ -174,14 +174,15 @@ def test_a_screen_has_numbers_remark_picture_and_impacts(tmp_path, monkeypatch, 
     motion = make_swing(tmp_path, HEADER + GOOD * 20, angle=180, lift=3).motion
     for left in [*range(19), *range(18, -1, -1)]:
         motion.trains.add(1.0, left, left + 1, True)
-    motion.trains.add(2.0, 0, 1, True)
+    for left in range(2):
+        motion.trains.add(2.0, left, left + 1, True)
     remark = "Write next: handle_collision, handle_two_bobs, newton_cradle_tick, main. Then the bobs collide."
     lines = screen.screen(motion, TextPicture(), "0.6x real time", remark)
     assert len(lines) <= 24
     assert lines[0].startswith("t = 0.00 s")
     assert (" ".join(lines[1:3]), lines[3]) == (remark, "0.6x real time")
     _, latest, before, *rest = lines[lines.index("Impacts") :]
-    assert (latest, len(before), rest) == ("t = 2.00 s  1-2", 80, ["", "", "", "Ctrl+C ends it."])
+    assert (latest, len(before), rest) == ("t = 2.00 s  1-2-3", 80, ["", "", "", "Ctrl+C ends it."])
     assert before.startswith("t = 1.00 s  1-2-3-...-20  ")
 
 
