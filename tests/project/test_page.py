@@ -176,6 +176,7 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, file):
     colors = BOBS.replace("[o.pos.x, o.pos.y]", "[o.color.x, o.color.y, o.color.z]")
     file.write_text(HEADER + GOOD.replace("red", "blue") * 7)
     wait_until(lambda: shared.evaluate(colors) == [[0, 0, 1]] * 7 and values(shared)[programs.LIFTED] == "1 of 7")
+    assert shared.get_by_role("slider", name="Bobs lifted").evaluate("e => e.style.left") == "14.286%"
     file.write_text(FIVE_CSV + GOOD.replace("1.0", "-1", 1))
     error = shared.locator(".error")
     error.wait_for(state="visible")
