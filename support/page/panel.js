@@ -151,7 +151,7 @@
       const value = widget.nextElementSibling;
       const update = () => {
         const slider = $(widget), bobs = value.querySelector("[data-count]")?.dataset;
-        if (bobs) slider.slider("option", "step", 1 / bobs.count); // a key lifts one bob more
+        if (bobs) slider.slider("option", { step: 1 / bobs.count, value: bobs.lifted / bobs.count }); // the value came before its step
         const now = { now: slider.slider("value"), min: slider.slider("option", "min"), max: slider.slider("option", "max") };
         if (bobs) Object.assign(now, { now: +bobs.lifted, max: +bobs.count });
         for (const [name, number] of Object.entries({ ...now, text: value.innerText }))

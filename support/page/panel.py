@@ -52,7 +52,9 @@ class Panel:
         self.swung_through = "" if remark else SWUNG_THROUGH  # while functions are missing, no bobs collide
         for file in sorted(FOLDER.glob("*.css")):
             scene.append_to_caption(f"<style>{file.read_text(encoding='utf-8')}</style>")
-        for file in sorted(FOLDER.glob("*.js")):  # VPython's page runs each script twice, so each is one block, after an if
+        for file in sorted(
+            FOLDER.glob("*.js")
+        ):  # VPython's page runs each script twice, so each is one block, after an if
             once = f"if (!window['{file.name}'] && (window['{file.name}'] = true))"
             scene.append_to_caption(f"<script>{once}\n{file.read_text(encoding='utf-8')}</script>")
         begin_part("messages")

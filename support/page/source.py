@@ -8,7 +8,7 @@ from support.files.cradle_csv import check_cradle, clean_copy, MOST_PENDULA, Sna
 from support.files.data_file import whole_file
 from support.files.experiments import EXPERIMENTS
 from support.page.questions import Questions
-from support.page.table import cells_of, have_same_pendula, Table, with_cell, with_numbers, with_rows
+from support.page.table import cells_of, have_same_pendula, Table, what_changes, with_cell, with_numbers, with_rows
 
 
 class Settings(NamedTuple):
@@ -33,7 +33,8 @@ class Source:
         self.poses: list | None = None  # the angles of each pendulum at the release, if an experiment sets them
         self.own = self.settings()  # of your CSV, while an experiment is shown
         self.questions = Questions(EXPERIMENTS / self.cradle.kind, len(self.cradle.angle_keys))
-        self.table = Table([*self.cradle.angle_keys, *self.cradle.rate_keys], file.filepath)
+        self.table = Table([*self.cradle.angle_keys, *self.cradle.rate_keys])
+        self.undoable: tuple | None = None  # your file before and after the last write, to undo it
 
     def settings(self) -> Settings:
         """Return the present settings of the cradle."""
@@ -75,6 +76,7 @@ class Source:
             check_cradle(csv, len(self.cradle.angle_keys))
         except ValueError as error:
             self.viewer.panel.show_error(str(error))
+            self.show_rows()
             return
         self.viewer.panel.show_error("")
         self.own = self.own._replace(csv=csv)
@@ -100,11 +102,9 @@ class Source:
             self.own = self.settings()
         viewer.running = viewer.running or self.questions.is_asking or place > 0
         experiment = self.questions.choose(place)
+        chosen = self.own
         if experiment:
-            as_in_csv = next(iter(cradle.collisions))
-            chosen = Settings(experiment.csv, [None] * len(viewer.angles), None, as_in_csv, None)
-        else:
-            chosen = self.own
+            chosen = Settings(experiment.csv, [None] * len(viewer.angles), None, next(iter(cradle.collisions)), None)
         viewer.snapshot, viewer.angles, viewer.lifted, cradle.collision, cradle.mass = chosen
         self.poses = experiment.angles if experiment else None
         self.table.mistakes.clear()
@@ -169,9 +169,13 @@ class Source:
         self.show_rows()
 
     def show_rows(self) -> None:
-        """Show the pendula in the table, if it is open."""
+        """Show the pendula in the table, and what Write to my CSV would change, if the table is open."""
         if self.table.is_open:
-            self.table.show_rows(*cells_of(self.present_csv()))
+            csv, file = self.present_csv(), self.file.current
+            self.table.show_rows(*cells_of(csv))
+            can_undo = bool(self.undoable and self.undoable[1] == file)
+            self.table.show_written(self.table.news or what_changes(file, csv), can_undo=can_undo)
+            self.table.news = ""
 
     def present_csv(self) -> Snapshot:
         """Return the CSV of the present pendula: with the masses and e that they have now."""
@@ -192,9 +196,9 @@ class Source:
         """Add a pendulum like the last one; there are at most MOST_PENDULA."""
         csv, has_place = self.present_csv(), len(self.cradle.pend_list) < MOST_PENDULA
         rows = cells_of(csv)[1]
+        self.take_edited(with_rows(csv, [*rows, rows[-1]]) if has_place else None, has_new_rows=True)
         if not has_place:
             self.table.show_written(f"Add a pendulum: {WHY_NOT_MORE}", failed=True)
-        self.take_edited(with_rows(csv, [*rows, rows[-1]]) if has_place else None, has_new_rows=True)
 
     def delete(self, row) -> None:
         """Delete this row (its index); the last pendulum stays."""
@@ -232,14 +236,30 @@ class Source:
                 written = Snapshot(copy)
             if not have_same_pendula(written, csv):
                 raise ValueError("write_to_csv has written other pendula, so your CSV stays as it is")
-            with whole_file(self.file.filepath) as file:
-                file.write(written.data.decode("utf-8-sig"))
-        except OSError as error:
-            self.table.show_written(f"{error.filename or self.file.filepath}: {error.strerror}", failed=True)
         except Exception as error:  # of a student's function
             self.table.show_written(f"{type(error).__name__}: {' '.join(str(error).split())}", failed=True)
-        else:
-            self.file.look_now()
-            self.own = self.own._replace(collision=next(iter(self.cradle.collisions)), mass=None)  # the CSV has them
-            self.table.news = f"{self.file.filepath} has these pendula now."
-            self.reload()
+            return
+        before = Snapshot(self.file.filepath)
+        if self.replace_file(written, "has these pendula now") and before != written:  # a second click changes nothing
+            self.undoable = None if before.error else (before, written)
+
+    def undo(self, _) -> None:
+        """Put your CSV back as it was before the last write, once; if it has changed since, it stays as it is."""
+        if self.undoable and Snapshot(self.file.filepath) != self.undoable[1]:
+            self.table.show_written("Your CSV has changed since the write, so Undo leaves it as it is.", failed=True)
+        elif self.undoable and self.replace_file(self.undoable[0], "is again as it was before the write"):
+            self.undoable = None
+
+    def replace_file(self, csv, news) -> bool:
+        """Put the bytes of a Snapshot into your CSV, and let main make its cradle; return whether it worked."""
+        try:
+            with whole_file(self.file.filepath) as file:
+                file.buffer.write(csv.data)
+        except OSError as error:
+            self.table.show_written(f"{self.file.filepath}: {error.strerror}", failed=True)
+            return False
+        self.file.look_now()
+        self.own = self.own._replace(collision=next(iter(self.cradle.collisions)), mass=None)  # the CSV has them
+        self.table.news = f"{Path(self.file.filepath).name} {news}."
+        self.reload()
+        return True

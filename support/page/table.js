@@ -15,15 +15,13 @@
   const body = make("tbody"), table = make("table", { className: "pendula" }, make("thead"), body);
   let cells = {}, now = {}; // of the numbers that move, by their names: the cells, and the texts
 
-  function editor(kind, row, column, text, data) {
+  function editor(row, column, text, data) {
     const mistake = data.mistakes[`${row},${column}`];
-    const field = kind === "select"
+    const field = column === "color"
       ? make("select", {}, ...data.colors.map(name => make("option", {}, name)))
       : make("input", { type: "text", inputMode: "decimal", size: 6 });
-    field.value = mistake ? mistake[0] : text;
+    Object.assign(field, { value: mistake?.[0] ?? text, ariaLabel: `${column} of pendulum ${row + 1}`, ariaInvalid: !!mistake });
     field.dataset.place = `${row},${column}`;
-    field.setAttribute("aria-label", `${column} of pendulum ${row + 1}`);
-    field.setAttribute("aria-invalid", !!mistake);
     field.addEventListener("change", () => tell("edit", [row, column, field.value]));
     return make("td", {}, field, ...mistake ? [make("div", { className: "failed", role: "alert" }, mistake[1])] : []);
   }
@@ -31,19 +29,17 @@
   function showRows(data) {
     const isNew = !table.rows.length;
     const last = document.activeElement?.dataset.place;
-    const head = ["", "mass", "e", "color", ...data.keys, ""].map(name => make("th", { scope: "col" }, name));
+    const head = ["", "mass", "e", "color", "", ...data.keys].map(name => make("th", { scope: "col" }, name));
     table.tHead.replaceChildren(make("tr", {}, ...head));
     cells = {};
     body.replaceChildren(...data.rows.map((pendulum, row) => make("tr", {},
       make("th", { scope: "row" }, String(row + 1)),
-      editor("input", row, "mass", pendulum.mass, data),
-      editor("input", row, "e", pendulum.e, data),
-      editor("select", row, "color", pendulum.color, data),
-      ...data.keys.map(key => cells[`${key}_${row + 1}`] = make("td", { className: "now" })),
+      ...["mass", "e", "color"].map(column => editor(row, column, pendulum[column], data)),
       make("td", {}, make("button", {
         title: `Delete pendulum ${row + 1}`, ariaLabel: `Delete pendulum ${row + 1}`, disabled: data.rows.length === 1,
         onclick: () => tell("delete", row),
-      }, "×")))));
+      }, "×")),
+      ...data.keys.map(key => cells[`${key}_${row + 1}`] = make("td", { className: "now" })))));
     body.append(make("tr", {}, make("td", { colSpan: 5 }, make("button", { onclick: () => tell("add", null) }, "Add a pendulum"))));
     showNow(now);
     if (isNew) table.closest("details").scrollIntoView({ block: "nearest" });
@@ -52,14 +48,13 @@
 
   function showNow(numbers) {
     now = numbers;
-    for (const [name, number] of Object.entries(numbers))
-      if (cells[name]) cells[name].textContent = number;
+    for (const name in cells) cells[name].textContent = numbers[name] ?? "";
   }
 
   // panel.js calls this when the parts of the page are in their places.
   function arrangeTable() {
     const section = document.querySelector("section.pendula-part");
-    section.prepend(table);
+    section.prepend(make("div", { className: "sideways" }, table));
     section.querySelector("input").remove(); // of VPython
     section.closest("details").addEventListener("toggle", event => tell("table", event.target.open));
     const spans = section.querySelectorAll(":scope > span");

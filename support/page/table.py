@@ -4,7 +4,10 @@ import csv
 import io
 import json
 from html import escape
+from itertools import zip_longest
+from math import isnan
 from pathlib import Path
+from textwrap import shorten
 
 from vpython import button, winput, wtext
 
@@ -13,6 +16,8 @@ from support.files.cradle_csv import are_in_range, check_cradle, IN_RANGE, read_
 from support.page.panel import add_hint, change, end_row
 
 HINT = "Row 1 is pend_list[0]. A change restarts the cradle. Your file stays as it is until you write it."
+UNDO = " <button onclick=\"tell('undo', null)\">Undo</button>"
+MOST_TOLD, LONGEST_TOLD = 3, 300  # changes of your CSV, and their letters
 
 
 class Table:
@@ -21,11 +26,11 @@ class Table:
     While the table is folded away, nothing of it is sent.
     """
 
-    def __init__(self, keys, csv):
-        """Begin folded away; keys are those of the numbers that move, csv is the path of your CSV."""
-        self.keys, self.csv = keys, csv
+    def __init__(self, keys):
+        """Begin folded away; keys are those of the numbers that move."""
+        self.keys = keys
         self.is_open = False
-        self.news = ""  # about your CSV, for the next cradle
+        self.news = ""  # about your CSV, to be shown once
         self.mistakes: dict[str, tuple[str, str]] = {}  # "row,column" -> (the text in the cell, what is allowed)
 
     def add(self, give) -> None:
@@ -39,7 +44,6 @@ class Table:
         end_row()
         add_hint(HINT)
         self.before_and_after = wtext()
-        self.refresh()
 
     def open(self, is_open) -> None:
         """Open the table, or fold it away; a page that was loaded again has a folded, empty table."""
@@ -54,7 +58,7 @@ class Table:
         self.mistakes.pop(f"{row},{column}", None)
         fits = is_allowed(text.strip())
         if fits and column == "mass" and "phi" in self.keys:
-            fits, words = are_in_range(values_of(with_cell(csv, row, column, text.strip()), column)), IN_RANGE
+            fits, words = are_in_range(columns_of(with_cell(csv, row, column, text.strip()))[column]), IN_RANGE
         if not fits:
             self.mistakes[f"{row},{column}"] = text, f"{column}: allowed is {words}"
         return fits
@@ -69,9 +73,10 @@ class Table:
         """Show the present coordinates of the pendula, by their names: theta_1, ..."""
         change(self.now, text=as_data({name: f"{number:.6f}" for name, number in coordinates.items()}))
 
-    def show_written(self, message, failed=False) -> None:
-        """Show a message about your CSV: what happened, or, if failed, the reason."""
-        change(self.written, text=f'<span class="{"failed" if failed else "hint"}">{escape(message)}</span>')
+    def show_written(self, message, failed=False, can_undo=False) -> None:
+        """Show a message about your CSV: what a click changes, what happened, or, if failed, the reason; and Undo."""
+        kind, undo = "failed" if failed else "hint", UNDO * can_undo
+        change(self.written, text=f'<span class="{kind}">{escape(message)}</span>{undo}')
 
     def show_tick(self, dt, before, after, calls) -> None:
         """Show what one tick of dt (s) did: the coordinates before and after it, and the calls in it."""
@@ -82,12 +87,6 @@ class Table:
             lines.append(f"[{i}] {' '.join(changes)}".rstrip())
         lines += calls
         change(self.before_and_after, text=f'<pre class="tick" tabindex="0">{escape(chr(10).join(lines))}</pre>')
-
-    def refresh(self) -> None:
-        """Remove the texts about an earlier cradle, and show the news, if there are some."""
-        change(self.before_and_after, text="")
-        self.show_written(self.news or f"replaces {Path(self.csv).name}")
-        self.news = ""
 
 
 def as_data(data) -> str:
@@ -104,7 +103,7 @@ def give_command(give, text) -> None:
     match command:
         case (
             ["table", bool() as value]
-            | ["add", None as value]
+            | ["add" | "undo", None as value]
             | ["delete", int() as value]
             | ["edit", [int(), "mass" | "e" | "color", str()] as value]
             | ["answer", [str(), int() | None] as value]
@@ -140,19 +139,37 @@ def with_numbers(original, column, numbers) -> Snapshot:
 
 def have_same_pendula(csv, other) -> bool:
     """Return whether two Snapshots describe the same cradle: the same masses, e, colors and textures, row by row."""
+    one, two = columns_of(csv), columns_of(other)
+    return bool(one and two) and all(one[column] == two[column] for column in RULES)
+
+
+def what_changes(file, csv) -> str:
+    """Return in a line what Write to my CSV changes in the file if it writes csv, a cradle; both are Snapshots."""
+    name, old, new = Path(str(file)).name, columns_of(file), columns_of(csv)
+    if not old:
+        return f"replaces all of {name}, which {'cannot be read: no Undo then' if file.error else 'has a mistake now'}"
+    told = [f"{'adds' if column in new else 'removes'} column {column}" for column in sorted(old.keys() ^ new.keys())]
+    both = [column for column in old if column in new]
+    before, after = (zip(*map(columns.get, both), strict=True) for columns in (old, new))
+    for row, (a, b) in enumerate(zip_longest(before, after), start=1):
+        if not (a and b):
+            told.append(f"removes row {row}" if a else f"adds row {row}")
+        elif a != b:
+            cells = [f"{column} {x} to {y}" for column, x, y in zip(both, a, b, strict=True) if x != y]
+            told.append(f"row {row}: {', '.join(cells)}")
+    told[MOST_TOLD:] = [f"and {len(told) - MOST_TOLD} more"] * (len(told) > MOST_TOLD)
+    return f"changes {name}: {shorten('; '.join(told), LONGEST_TOLD)}" if told else f"{name} has these pendula."
+
+
+def columns_of(csv) -> dict[str, tuple]:
+    """Return the values in each column of a Snapshot: numbers, or else texts; no columns if it is no cradle."""
     try:
-        for each in (csv, other):
-            check_cradle(each)
+        check_cradle(csv)
     except ValueError:
-        return False
-    return all(values_of(csv, column) == values_of(other, column) for column in RULES)
-
-
-def values_of(csv, column) -> list:
-    """Return the values in a column: numbers for mass and e, texts for the others."""
+        return {}
     header, rows = cells_of(csv)
-    texts = [cells[header.index(column)] for cells in rows]
-    return [to_number(text) for text in texts] if column in ("mass", "e") else texts
+    values = [[text if isnan(to_number(text)) else to_number(text) for text in cells] for cells in rows]
+    return dict(zip(header, zip(*values, strict=True), strict=True))
 
 
 def cells_of(original) -> tuple[list[str], list[list[str]]]:

@@ -14,7 +14,7 @@ from support.cradle.real_time import FRAME
 from support.files.data_file import EVERY, Recording
 from support.page.marks import Marks
 from support.page.motion_graph import MotionGraph
-from support.page.panel import Panel, TRAINS
+from support.page.panel import change, Panel, TRAINS
 from support.page.questions import LETTERS
 from support.page.scenery import Scenery
 from support.page.slow_hits import SlowHits
@@ -131,7 +131,7 @@ class Viewer(Player):
         self.graph.take([pend["objects"][1].color for pend in self.cradle.pend_list])
         self.swung_through = False
         self.note()
-        self.table.refresh()
+        change(self.table.before_and_after, text="")
         self.source.show_rows()
         self.show_settings()
         if self.is_new_page:
@@ -227,6 +227,7 @@ class Viewer(Player):
             "add": self.source.add,
             "delete": self.source.delete,
             "write": self.source.write,
+            "undo": self.source.undo,
         }
 
     def pause(self, _) -> None:

@@ -3,7 +3,7 @@
 import json
 import os
 import re
-from html import unescape
+from html import escape, unescape
 
 import pytest
 from wall import Wall
@@ -14,6 +14,7 @@ from src.pds_helper import extract_and_convert
 from support.constants import COLOR_MAP, DT, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
+from support.files.cradle_csv import Snapshot, WHY_NOT_MORE
 from support.page.table import give_command
 
 
@@ -53,14 +54,12 @@ def text(wtext):
 
 def test_nothing_of_a_folded_table_is_sent(wall):
     """A page that was loaded again has folded it."""
-    wall.wait(0.3)
-    assert (wall.viewer.table.rows.text, wall.viewer.table.now.text) == ("", "")
-    for fold in (lambda: command(wall, "table", False), lambda: wall.give("show again")):
-        command(wall, "table", True)
-        assert (column(wall, "mass"), len(data(wall.viewer.table.now))) == (["1.0"] * 5, 10)
+    for fold in (wall.wait, lambda: command(wall, "table", False), lambda: wall.give("show again")):
         fold()
         wall.wait(0.3)
         assert (wall.viewer.table.rows.text, wall.viewer.table.now.text) == ("", "")
+        command(wall, "table", True)
+        assert (column(wall, "mass"), len(data(wall.viewer.table.now))) == (["1.0"] * 5, 10)
 
 
 def test_the_table_shows_pend_list_as_it_is_now(opened):
@@ -90,16 +89,14 @@ def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_
     command(opened, "edit", [4, "e", "0.5"])
     command(opened, "edit", [2, "color", "blue"])
     assert (opened.values("mass"), opened.values("e")) == ([3, 2.5, 3, 3, 3], [0, 0, 0, 0, 0.5])
-    assert opened.viewer.cradle.bobs()[2].color == COLOR_MAP["blue"]
-    assert csv.read_text() == FIVE_CSV
+    assert (opened.viewer.cradle.bobs()[2].color, csv.read_text()) == (COLOR_MAP["blue"], FIVE_CSV)
 
 
 def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(opened):
     opened.wait(0.3)
     command(opened, "edit", [3, "mass", "<b>"])
     mistake = {"3,mass": ["<b>", "mass: allowed is a number from 1e-300 to 1e6, without its unit, kg"]}
-    assert mistakes(opened) == mistake
-    assert opened.time() > 0.2
+    assert (mistakes(opened), opened.time() > 0.2) == (mistake, True)
     command(opened, "edit", [0, "e", "0.25"])  # another cell does not hide the mistake
     assert mistakes(opened) == mistake
     command(opened, "edit", [3, "mass", " 0.5 "])
@@ -133,8 +130,7 @@ def test_pendula_are_added_up_to_the_limit_and_deleted_but_for_the_last_one(open
     for _ in range(2):
         command(opened, "add", None)
         assert opened.values("mass") == [1, 1, 1, 1, 7, 7]
-    limit = "Add a pendulum: allowed are at most 1000, which already move in slow motion on the page"
-    assert text(opened.viewer.table.written) == limit
+    assert text(opened.viewer.table.written) == f"Add a pendulum: {WHY_NOT_MORE}"
     for _ in range(2):
         command(opened, "delete", 0)
         assert "Add" not in text(opened.viewer.table.written)
@@ -155,7 +151,7 @@ def test_an_edited_experiment_keeps_its_bobs_lifted(opened):
 
 
 NOT_GIVEN = [
-    *("", "{", "7", "[]", "null", '["add"]', '["save", null]', '["add", null, 1]', '["add", 1]', "[" * 100_000),
+    *("", "{", "7", "[]", "null", '["add"]', '["save", null]', '["add", null, 1]', '["undo", 1]', "[" * 100_000),
     *('["table", 1]', '["delete", "0"]', '["delete", null]', '["answer", "a"]', '["answer", ["a", "0"]]'),
     *('["edit", null]', '["edit", [0, "mass"]]', '["edit", [0, "mass", 2]]', '["edit", [0, "texture", "metal"]]'),
 ]
@@ -171,6 +167,28 @@ def test_the_page_gives_only_the_commands_of_its_script():
 # --- write -----------------------------------------------------------------------------------------------------------
 
 
+BLUE = GOOD.replace("1", "2", 1).replace("red", "blue")
+WRITTEN, UNDONE = "cradle.csv has these pendula now.", "cradle.csv is again as it was before the write."
+CHANGES = {  # what a click changes in your file, if the table has five equal red bobs
+    HEADER + GOOD.replace("1.0", " 1") * 5: "cradle.csv has these pendula.",
+    HEADER + BLUE + GOOD * 5: "changes cradle.csv: row 1: mass 2.0 to 1.0, color blue to red; removes row 6",
+    HEADER + BLUE: "changes cradle.csv: row 1: mass 2.0 to 1.0, color blue to red; adds row 2; adds row 3; and 2 more",
+    FIVE_CSV.replace("theta", "my"): "changes cradle.csv: removes column my; adds column theta",
+    FIVE_CSV + "\0\r": "replaces all of cradle.csv, which has a mistake now",
+}
+
+
+@pytest.mark.parametrize(("old", "words"), CHANGES.items())
+def test_the_page_says_what_a_click_writes_and_undoes_it_once(opened, csv, old, words):
+    opened.save(old)
+    opened.viewer.snapshot = Snapshot(csv, FIVE_CSV.encode())
+    steps = [("restart", old, words)] + [("write", FIVE_CSV, f"{WRITTEN} Undo")] * 2 + [("undo", old, UNDONE)] * 2
+    for name, *expected in steps:
+        opened.give(name)
+        assert [csv.read_bytes().decode(), text(opened.viewer.table.written)] == expected
+    assert (opened.viewer.snapshot == opened.viewer.source.file.current) != bool(opened.panel.error.text)
+
+
 def test_write_to_my_csv_writes_the_pendula_of_the_table_with_write_to_csv(opened, csv, monkeypatch):
     """Not to your file at once: it may fail."""
     paths, write = [], pds_helper.write_to_csv
@@ -182,9 +200,12 @@ def test_write_to_my_csv_writes_the_pendula_of_the_table_with_write_to_csv(opene
     rows = extract_and_convert(csv)
     assert [(row["mass"], row["e"]) for row in rows] == [(1, 0), (2.5, 0), (1, 0), (1, 0), (1, 0)]
     assert {(row["note"], row["theta"]) for row in rows} == {("mine", 0)}  # not the present angles
-    assert text(opened.viewer.table.written) == f"{csv} has these pendula now."
-    assert (len(paths), csv in paths) == (1, False)
-    assert opened.values("mass") == [1, 2.5, 1, 1, 1]
+    assert (len(paths), csv in paths, opened.values("mass")) == (1, False, [1, 2.5, 1, 1, 1])
+    csv.write_text(FIVE_CSV.replace("1.0,0.0", "0.5,0.0"))
+    command(opened, "undo", None)  # before the page has seen the edit
+    assert text(opened.viewer.table.written) == "Your CSV has changed since the write, so Undo leaves it as it is."
+    opened.wait(1)
+    assert re.fullmatch(r"changes cradle.csv: (row \d: e 0.5 to 0.0; ){3}and 2 more", text(opened.viewer.table.written))
 
 
 def test_an_experiment_is_written_only_if_you_press_the_button(opened, csv):
@@ -207,12 +228,8 @@ def write_half(pend_list, filepath):
     raise ValueError("no more\n<ink>")
 
 
-def write_too_few(pend_list, filepath, write=pds_helper.write_to_csv):
-    write(pend_list[1:], filepath)
-
-
-OTHER = "write_to_csv has written other pendula, so your CSV stays as it is"
-WRONG = {write_half: "no more <ink>", write_too_few: OTHER, lambda *_: None: OTHER}
+OTHER, WRITE = "write_to_csv has written other pendula, so your CSV stays as it is", pds_helper.write_to_csv
+WRONG = {write_half: "no more <ink>", lambda pends, path: WRITE(pends[1:], path): OTHER, lambda *_: None: OTHER}
 
 
 @pytest.mark.parametrize(("write_to_csv", "words"), WRONG.items())
@@ -220,16 +237,19 @@ def test_a_write_to_csv_with_a_mistake_leaves_your_csv_alone(opened, csv, monkey
     monkeypatch.setattr(pds_helper, "write_to_csv", write_to_csv)
     command(opened, "edit", [1, "mass", "2"])
     opened.click(opened.viewer.table.write)
-    assert text(opened.viewer.table.written) == f"ValueError: {words}"
-    assert '<span class="failed">' in opened.viewer.table.written.text
-    assert csv.read_text() == FIVE_CSV
-    assert opened.values("mass") == [1, 2, 1, 1, 1]
+    assert opened.viewer.table.written.text == f'<span class="failed">ValueError: {escape(words)}</span>'
+    assert (csv.read_text(), opened.values("mass")) == (FIVE_CSV, [1, 2, 1, 1, 1])
 
 
 def test_a_file_that_cannot_be_written_is_named_in_a_line(opened, csv):
     os.rename(csv.parent, csv.parent.with_name("elsewhere"))
+    opened.wait(1)
+    assert text(opened.viewer.table.written) == "replaces all of cradle.csv, which cannot be read: no Undo then"
     opened.click(opened.viewer.table.write)
     assert text(opened.viewer.table.written) == f"{csv}: cannot be written: No such file or directory"
+    csv.parent.mkdir()
+    opened.click(opened.viewer.table.write)
+    assert text(opened.viewer.table.written) == WRITTEN
 
 
 # --- one tick --------------------------------------------------------------------------------------------------------
@@ -241,9 +261,8 @@ def shown_tick(wall):
 
 def test_one_tick_shows_each_pendulum_before_and_after_while_paused(wall, monkeypatch):
     """Also before handle_collision is written."""
-    assert wall.viewer.table.tick.disabled
     wall.click(wall.viewer.table.tick)
-    assert shown_tick(wall) == []
+    assert (wall.viewer.table.tick.disabled, shown_tick(wall)) == (True, [])
     wall.click(wall.panel.pause)
     theta = wall.values("theta")[0]
     wall.click(wall.viewer.table.tick)
