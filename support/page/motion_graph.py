@@ -50,7 +50,7 @@ class MotionGraph:
                 self.curves[str(number)] = gcurve(graph=self.graph, label=str(number))
             self.curves[str(number)].color = hue
         numbers = range(1, len(self.colors) + 1)
-        self.choices = {ENERGY: Choice("t (s)", "% of the start", {name: ("t", name) for name in ENERGIES})}
+        self.choices = {ENERGY: Choice("t (s)", "%", {name: ("t", name) for name in ENERGIES})}
         for title, unit, keys in (("Angles", "rad", self.angle_keys), ("Velocities", "rad/s", self.rate_keys)):
             for key in keys:
                 columns = {str(number): ("t", f"{key}_{number}") for number in numbers}
