@@ -4,18 +4,14 @@ import csv
 import errno
 import os
 import shutil
-from array import array
-from collections import deque
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from secrets import token_hex
 from stat import S_ISREG
-from threading import Lock
 
 from support.files.cradle_csv import LARGEST
 
 EVERY = 0.01  # s from sample to sample
-REMEMBERED = 600.0  # s of samples that a Recording keeps
 
 
 @contextmanager
@@ -64,31 +60,3 @@ def check_record(filepath) -> None:
 def data_writer(file):
     """Return a writer to this file for the rows of a CSV: first the names of the columns, then the data."""
     return csv.writer(file, lineterminator="\n")
-
-
-class Recording:
-    """The samples of the last ten minutes. One thread adds them; any thread can write them."""
-
-    def __init__(self):
-        """Begin without samples."""
-        self.lock = Lock()  # between two cradles, the rows and the columns may not belong together
-        self.columns: list[str] = []
-        self.rows: deque[array] = deque(maxlen=round(REMEMBERED / EVERY))
-
-    def clear(self) -> None:
-        """Forget all samples."""
-        with self.lock:
-            self.rows.clear()
-
-    def add(self, sample) -> None:
-        """Add a sample of Motion; all samples have the same names."""
-        with self.lock:
-            self.columns = list(sample)
-            self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
-
-    def write(self, writer) -> None:
-        """Write all samples of this moment to a data_writer, however many are added meanwhile."""
-        with self.lock:
-            columns, rows = self.columns, list(self.rows)
-        for row in [columns, *rows]:  # not writerows: between two rows, Python lets the other threads run
-            writer.writerow(row)

@@ -8,8 +8,7 @@ any client disconnects from the websocket, and show a page that is loaded again 
   another machine. The program takes both ports before anything else starts, and keeps them: no other program can take
   one in between.
 - The address that the program prints and opens has a key, a new one at each start. A request for the page must have the
-  key. So must the page's request for the data at /cradle_data.csv, and its report at /no-webgl that the browser cannot
-  draw; the program prints this report in the terminal.
+  key. So must the page's report at /no-webgl that the browser cannot draw; the program prints it in the terminal.
 - Requests for the files in VPython's own two folders need no key. The server looks a path up in a list of these files.
   It never joins a path to a folder, so no spelling of a path leads elsewhere.
 - Only the page can use the websocket. For each connection, the page sends the key, and the browser sends the Origin,
@@ -23,7 +22,6 @@ any client disconnects from the websocket, and show a page that is loaded again 
 """
 
 import asyncio
-import codecs
 import errno
 import http.server
 import json
@@ -44,7 +42,7 @@ from support.start.output import say
 RETURN = 3.0  # s that a closed tab has to come back
 ELSEWHERE = 4001  # closes the websocket of a tab because another one shows the cradle; page_head.html knows it
 LARGEST_MESSAGE = 2**26  # bytes; closes the websocket of a tab that sends more: the program would keep it in memory
-FOR_THE_PAGE = ("/", "/no-webgl", "/cradle_data.csv")  # the paths that need the key
+FOR_THE_PAGE = ("/", "/no-webgl")  # the paths that need the key
 NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key.\n"
 
 
@@ -148,17 +146,17 @@ class PageServer(http.server.ThreadingHTTPServer):
     block the page.
     """
 
-    def __init__(self, sockets, access, head, no_webgl, write_data, handler) -> None:
+    def __init__(self, sockets, access, head, no_webgl, handler) -> None:
         """Serve at sockets, made by page_sockets; head is HTML for the beginning of the page, before VPython's own.
 
         access (an Access) checks the key. no_webgl is the text to print if the page reports that its browser has no
-        WebGL. write_data(file) writes the data since the last restart to a file, as text.
+        WebGL.
         """
         page_socket, websocket = sockets
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
         vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
-        own_handler = own_files_only(handler, access, no_webgl, write_data)
+        own_handler = own_files_only(handler, access, no_webgl)
         super().__init__(page_socket.getsockname(), own_handler, bind_and_activate=False)
         self.socket.close()
         self.socket = page_socket  # it listens already
@@ -167,12 +165,11 @@ class PageServer(http.server.ThreadingHTTPServer):
         """Print nothing: the browser disconnected in the middle of an answer."""
 
 
-def own_files_only(handler: Any, access, no_webgl, write_data) -> Any:
+def own_files_only(handler: Any, access, no_webgl) -> Any:
     """Return VPython's request handler, limited to the page, which needs the key, and VPython's own two folders.
 
     With each request, access waits again for the tab: a slow machine loads a page for seconds before it opens the
-    websocket. If the page reports that its browser has no WebGL, the handler prints the text no_webgl. It calls
-    write_data(file) for the data.
+    websocket. If the page reports that its browser has no WebGL, the handler prints the text no_webgl.
     """
     files = {
         f"/{file.relative_to(folder).as_posix()}": (content_type, file)
@@ -198,13 +195,9 @@ def own_files_only(handler: Any, access, no_webgl, write_data) -> Any:
             elif path == "/":
                 self.path = path  # VPython knows no query
                 super().do_GET()  # the page; VPython waits for this call
-            elif path == "/no-webgl":
+            else:
                 self.begin({}, 204)
                 say(no_webgl)
-            else:
-                name = "attachment; filename=cradle_data.csv"  # the browser downloads it
-                self.begin({"Content-Type": "text/csv; charset=utf-8", "Content-Disposition": name})
-                write_data(codecs.getwriter("utf-8")(self.wfile))
 
         def begin(self, headers, status=200) -> None:
             self.send_response(status)

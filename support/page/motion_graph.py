@@ -1,5 +1,7 @@
 """The graph: energies, angles or velocities over the last seconds, or the phase picture of a pendulum."""
 
+from array import array
+from collections import deque
 from itertools import islice
 from typing import NamedTuple
 
@@ -8,6 +10,7 @@ from vpython import color, gcurve, graph, vector
 from support.files.data_file import EVERY
 
 SPANS = {"last 2 s": (2.0, 0.01), "last 10 s": (10.0, 0.03)}  # the times on the axis, and from point to point (s)
+LONGEST = max(seconds for seconds, _ in SPANS.values())
 PHASE_SPAN = 3.0, EVERY  # of the phase picture
 MOST = 20  # pendula in the graph: more curves could not be told apart
 
@@ -28,14 +31,16 @@ class Choice(NamedTuple):
 
 
 class MotionGraph:
-    """Draws the rows of a Recording: a choice of curves. While hidden, it sends no points."""
+    """Draws a choice of curves of the last samples of Motion. While hidden, it sends no points."""
 
-    def __init__(self, recording, angle_keys, rate_keys):
+    def __init__(self, angle_keys, rate_keys):
         """Make the graph, without points; panel.css sets its size, and panel.js its colors and its axes' limits.
 
         angle_keys and rate_keys are the keys of the pendula's angles (rad) and of their rates (rad/s).
         """
-        self.recording, self.angle_keys, self.rate_keys = recording, angle_keys, rate_keys
+        self.angle_keys, self.rate_keys = angle_keys, rate_keys
+        self.names: list[str] = []  # of the numbers in a row
+        self.rows: deque[array] = deque(maxlen=round(LONGEST / EVERY))
         self.graph = graph()
         self.curves = {name: gcurve(graph=self.graph, color=hue, label=name) for name, hue in ENERGIES.items()}
         self.curves[PHASE] = gcurve(graph=self.graph, label=PHASE)
@@ -43,7 +48,8 @@ class MotionGraph:
         self.take([])
 
     def take(self, colors) -> None:
-        """Take the colors of a new cradle's pendula: each pendulum's curves have its color."""
+        """Forget all samples, and take the colors of a new cradle's pendula: each pendulum's curves have its color."""
+        self.rows.clear()
         self.colors = colors[:MOST]
         for number, hue in enumerate(self.colors, start=1):
             if str(number) not in self.curves:  # VPython keeps every curve for ever
@@ -63,6 +69,11 @@ class MotionGraph:
         self.choices[NOTHING] = Choice("", "", {})
         self.show(self.choice)
 
+    def add(self, sample) -> None:
+        """Add a sample; all samples of a cradle have the same names."""
+        self.names = list(sample)
+        self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
+
     def show(self, choice) -> None:
         """Show this one of the choices, or the energies if the present cradle does not have it."""
         self.choice = choice if choice in self.choices else ENERGY
@@ -75,14 +86,14 @@ class MotionGraph:
 
     def draw(self, start_energy) -> None:
         """Send the points to the page, and move the time axis to the last seconds; start_energy (J) is 100 %."""
-        drawn, recording = self.choices[self.choice].columns, self.recording
-        if not drawn or not recording.rows:
+        drawn = self.choices[self.choice].columns
+        if not drawn or not self.rows:
             return
         seconds, interval = PHASE_SPAN if PHASE in drawn else SPANS[self.span]
-        rows = last_rows(recording.rows, seconds, interval)
+        rows = last_rows(self.rows, seconds, interval)
         # VPython never removes points that are plotted one by one. A new list of points replaces the old one.
         for name, columns in drawn.items():
-            x, y = map(recording.columns.index, columns)
+            x, y = map(self.names.index, columns)
             unit = (start_energy or 1) / 100 if name in ENERGIES else 1
             self.curves[name].data = [[row[x], row[y] / unit] for row in rows]
         self.graph.xmax = max(seconds, rows[-1][0])

@@ -16,7 +16,6 @@ from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import run
 from support.files.cradle_csv import check_cradle, LiveFile
-from support.files.data_file import data_writer
 from support.files.experiments import EXPERIMENTS, find_experiment
 from support.page.local_server import Access, page_sockets, page_websocket, PageServer, port_of
 from support.start.early import end_on_interrupt, import_now
@@ -84,7 +83,6 @@ def show_page(main, cradle, options, angles, remark="") -> None:
             cradle.title,
             options.browser,
             lambda: viewer and viewer.give("show again"),
-            lambda file: viewer and viewer.recording.write(data_writer(file)),
         )
         # This import needs VPython's canvas and widgets; the code above does not.
         from support.page.viewer import Viewer
@@ -98,11 +96,11 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     os._exit(1)  # VPython's threads would keep the process alive
 
 
-def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
+def open_page(sockets, title, launch_browser, show_again) -> None:
     """Open VPython's page, with this title, at sockets, made by page_sockets, and wait for a browser.
 
     From then on, Ctrl+C and closing the tab end the process with status 0. Each time a browser loads the page,
-    show_again() is called, in another thread; write_data(file) when it downloads the data.
+    show_again() is called, in another thread.
     """
     port, access = port_of(sockets[0]), Access(show_again)
     address, browse = f"http://localhost:{port}/?key={access.key}", webbrowser.open
@@ -120,7 +118,7 @@ def open_page(sockets, title, launch_browser, show_again, write_data) -> None:
     def serve(_, handler):
         # From here on, Python waits for the browser to load the page. Not earlier: it would delay the server.
         threading.Thread(target=import_now, args=("pandas",), daemon=True).start()
-        server = PageServer(sockets, access, head, no_webgl, write_data, handler)
+        server = PageServer(sockets, access, head, no_webgl, handler)
         say(f"Newton's cradle is at {address}")
         say("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.")
         return server

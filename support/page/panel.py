@@ -30,9 +30,6 @@ SEPARATING_HINT = (
     "The handout lets two bobs collide in each tick in which they touch, also when they already move apart. A second "
     "hit then undoes a part of the first one: bobs with e below 1 stick together."
 )
-TAKE_AWAY = """\
-<button onclick="takePicture()" title="Download a PNG of the cradle">Picture</button>
-<button onclick="takeData()" title="Download the data since the last restart">Data (CSV)</button>"""
 SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
 TRAINS = 5  # of impacts, a line for each
 
@@ -100,9 +97,6 @@ class Panel:
             self.separating.disabled = True
             add_hint("Your functions have no parameter approaching_only, so this rule is fixed.")
         add_hint(escape(cradle.constants()))
-        begin_part("data", fold="Take away")
-        scene.append_to_caption(TAKE_AWAY)
-        add_hint("Data (CSV) downloads the data since the last restart, at most ten minutes.")
         scene.append_to_caption("<script>arrange()</script>")
 
     def add_settings(self, give, cradle) -> None:
@@ -185,10 +179,8 @@ class Panel:
 
 
 def percent_cell(percent) -> str:
-    """Return a percentage with one decimal, and with four while the mouse is over it."""
-    if percent >= 1000:
-        return "&gt; 999 %"
-    return f'<span class="short">{percent:.1f} %</span><span class="exact">{percent:.4f} %</span>'
+    """Return a percentage as text."""
+    return "&gt; 999 %" if percent >= 1000 else f"{percent:.2f} %"
 
 
 def momentum_cell(momentum) -> str:

@@ -11,7 +11,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.dragging import bob_at, point_in_plane
 from support.cradle.player import Player
 from support.cradle.real_time import FRAME
-from support.files.data_file import EVERY, Recording
+from support.files.data_file import EVERY
 from support.page.marks import Marks
 from support.page.motion_graph import MotionGraph
 from support.page.panel import change, Panel, TRAINS
@@ -55,7 +55,6 @@ class Viewer(Player):
         self.commands: SimpleQueue = SimpleQueue()
         self.running = True
         self.is_new_page = True  # whether the page has nothing of the cradle yet
-        self.recording = Recording()
         self.next_refresh = -inf
         self.swung_through = False  # whether a bob has swung through others since the last restart
         self.sound = False
@@ -71,7 +70,7 @@ class Viewer(Player):
         self.panel.separating.checked = self.separating
         if self.options.get("experiment") is not None:
             self.source.begin_with(self.options["experiment"])
-        self.graph = MotionGraph(self.recording, cradle.angle_keys, cradle.rate_keys)
+        self.graph = MotionGraph(cradle.angle_keys, cradle.rate_keys)
         self.listen_to_you()
 
     # --- frames ------------------------------------------------------------------------------------------------------
@@ -127,7 +126,6 @@ class Viewer(Player):
         masses = self.cradle.values("mass")
         self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, masses)
         self.marks.take(self.cradle, self.scenery.bottom())
-        self.recording.clear()
         self.graph.take([pend["objects"][1].color for pend in self.cradle.pend_list])
         self.swung_through = False
         self.note()
@@ -140,9 +138,9 @@ class Viewer(Player):
             self.pace.restart()
 
     def note(self) -> None:
-        """Add this moment to the recording, and to the measurement of an experiment."""
+        """Add this moment to the graph, and to the measurement of an experiment."""
         sample = self.motion.sample()
-        self.recording.add(sample)
+        self.graph.add(sample)
         if self.questions.note(sample, self.motion.has_hit()):
             self.rest_end, self.planned = self.pace.clock() + REST, 0
 

@@ -1,12 +1,9 @@
 """Files: CSVs, read or refused, edited and written; each is written whole or not at all; the recorded data."""
 
 import errno
-import io
 import os
 import random
 import re
-import threading
-from collections import deque
 from contextlib import suppress
 from pathlib import Path
 from unittest.mock import Mock
@@ -22,7 +19,7 @@ from src.pds_helper import extract_and_convert, write_to_csv
 from src.special_cradles import make_newton_cradle
 from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
 from support.files.cradle_csv import check_cradle, clean_copy, LARGEST, LiveFile, POLL, read_cells, Snapshot
-from support.files.data_file import check_record, data_writer, EVERY, Recording, REMEMBERED, whole_file
+from support.files.data_file import check_record, whole_file
 from support.page.table import cells_of, with_cell, with_numbers, with_rows
 
 # --- CSVs ------------------------------------------------------------------------------------------------------------
@@ -343,24 +340,6 @@ def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same_also_if_it_go
 
 
 # --- recorded data ---------------------------------------------------------------------------------------------------
-
-
-def test_a_download_has_the_exact_rows_of_one_cradle_though_another_thread_makes_the_next_one():
-    class Rows(deque):
-        def __iter__(self):
-            making.start()
-            making.join(0.1)  # it must not come to its end now: the rows are being read
-            return super().__iter__()
-
-    recording, file = Recording(), io.StringIO()
-    assert recording.rows.maxlen * EVERY == REMEMBERED == 600  # s
-    making = threading.Thread(target=lambda: (recording.clear(), recording.add({"t": 0.0, "theta_2": 2.0})))
-    recording.rows = Rows()
-    recording.add({"t": 0.1 + 0.2, "theta_1": 5e-324})
-    recording.write(data_writer(file))
-    making.join()
-    assert file.getvalue() == "t,theta_1\n0.30000000000000004,5e-324\n"
-    assert recording.columns == ["t", "theta_2"]
 
 
 def test_data_can_replace_only_data(tmp_path, monkeypatch):

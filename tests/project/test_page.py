@@ -1,15 +1,12 @@
 """The controls of the page, in Chromium: on one page that the tests share, with all settings put back between them."""
 
-import csv
 import re
 import signal
-from base64 import b64encode
 from itertools import combinations, pairwise
-from pathlib import Path
 
 import programs
 import pytest
-from programs import BOBS, draw, lifts, menu, pause, pixel, press, slide, SPEED, unfold, values, wait_until
+from programs import BOBS, lifts, menu, pause, pixel, press, slide, SPEED, unfold, values, wait_until
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from src.pds_helper import extract_and_convert
@@ -234,56 +231,6 @@ def test_the_table_moves_and_is_edited_and_written(shared, file):
     assert [row["mass"] for row in extract_and_convert(file)] == [2.5, 1, 1, 1, 1]
     press(shared, "Undo")
     wait_until(lambda: cell(shared, "mass", 1).input_value() == "1.0" and file.read_text() == FIVE_CSV)
-
-
-# --- the fold Take away ----------------------------------------------------------------------------------------------
-
-# What a picture shows: its size, its colors, and how much of the numbers on the axles is where the canvas has it.
-LOOK = """async address => {
-    const labels = glowObjs[0].__overlay_element, { width, height } = labels;
-    const source = Object.assign(document.createElement("img"), { src: address });
-    const pixels = source => {
-        const paper = new OffscreenCanvas(width, height).getContext("2d");
-        paper.drawImage(source, 0, 0, width, height);
-        return [...new Uint32Array(paper.getImageData(0, 0, width, height).data.buffer)];
-    };
-    const light = pixel => (pixel & 255) + (pixel >> 8 & 255) + (pixel >> 16 & 255);
-    await source.decode();
-    const seen = pixels(source), ink = pixels(labels).map((pixel, i) => [pixel, seen[i]]);
-    const inked = ink.filter(([pixel]) => pixel >>> 24 > 250);
-    const alike = inked.filter(([pixel, other]) => Math.abs(light(pixel) - light(other)) < 90);
-    const size = [source.naturalWidth, source.naturalHeight];
-    return { size, colors: new Set(seen).size, labels: alike.length / inked.length };
-}"""
-
-
-def download(page, button):
-    """Press this button; return the name and the content of the file that comes."""
-    with page.expect_download() as coming:
-        page.get_by_role("button", name=button).click()
-    return coming.value.suggested_filename, Path(coming.value.path()).read_bytes()
-
-
-def test_a_picture_shows_the_cradle_with_its_numbers(shared):
-    draw(shared, True)
-    unfold(shared, "Take away")
-    name, content = download(shared, "Picture")
-    picture = shared.evaluate(LOOK, f"data:image/png;base64,{b64encode(content).decode()}")
-    assert (name, picture["size"]) == ("newtons_cradle.png", shared.evaluate("[glowObjs[0].width, glowObjs[0].height]"))
-    assert picture["colors"] > 500
-    assert picture["labels"] > 0.9
-    draw(shared, False)
-
-
-def test_the_data_since_the_restart_are_taken_away(shared):
-    unfold(shared, "Take away")
-    pause(shared)
-    name, content = download(shared, "Data (CSV)")
-    header, *rows = csv.reader(content.decode().splitlines())
-    assert (name, header[0], header[-1], len(header)) == ("cradle_data.csv", "t", "momentum", 15)
-    times = [float(row[0]) for row in rows]
-    assert times == pytest.approx([0.01 * i for i in range(len(times))])
-    assert times[-1] == pytest.approx(programs.readout(shared, "t"), abs=0.011)
 
 
 # --- sound -----------------------------------------------------------------------------------------------------------

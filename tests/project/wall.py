@@ -59,9 +59,9 @@ class Wall:
         return float(self.readout()["t"].split()[0])
 
     def readout(self):
-        """Return the texts of the readout, by their names, as they are while the mouse is elsewhere."""
+        """Return the texts of the readout, by their names."""
         rows = re.findall(r'<th scope="row">(\w+)</th><td>(.*?)</td>', self.panel.readout.text)
-        return {name: re.sub('<span class="exact">.*?</span>|<.*?>', "", text).strip() for name, text in rows}
+        return {name: text.strip() for name, text in rows}
 
     def press(self, key, **modifiers):
         scene.bound["keydown"](SimpleNamespace(**{"key": key, "ctrl": False, "alt": False, **modifiers}))
