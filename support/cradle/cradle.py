@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from inspect import isfunction, signature
 from itertools import accumulate
-from math import cos, inf, sqrt
+from math import cos, sqrt
 from typing import Any, NamedTuple
 
 from support.constants import DT, G, R_PARAM
@@ -194,15 +194,6 @@ class Cradle:
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""
         return momentum(self.pend_list, R_PARAM)
-
-    def swings_through(self) -> bool:
-        """Return whether a bob swings through others: below the axles, two bobs that are not neighbours changed order.
-
-        Above the axles, bobs that swing over the top may be in any order.
-        """
-        places = [(bob.pos.x, bob.pos.y < axle.pos.y) for axle, bob in zip(self.axles(), self.bobs(), strict=True)]
-        rightmost = accumulate((x if is_low else -inf for x, is_low in places), max)
-        return any(left > x for left, (x, is_low) in zip(rightmost, places[2:], strict=False) if is_low)
 
     def constants(self) -> str:
         """Return the constants with which main moves the cradle, in words."""

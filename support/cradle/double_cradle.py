@@ -33,10 +33,6 @@ class DoubleCradle(Cradle):
         for i in reversed(range(min(lifted, len(self.pend_list)))):
             push_others(self.pend_list, i, R_PARAM)
 
-    def swings_through(self) -> bool:
-        """Return whether a bob swings through others: never, because any two bobs can collide."""
-        return False
-
     def velocity(self, pend) -> float:
         """Return the mean velocity of a pendulum's two bobs to the right (m/s)."""
         return momentum([pend], R_PARAM) / pend["mass"] / 2

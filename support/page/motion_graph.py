@@ -21,13 +21,11 @@ PHASE = "phase"  # the label of its curve; panel.js knows it
 
 
 class Choice(NamedTuple):
-    """A choice of the menu."""
+    """A choice of the menu: the names of the axes, and for each curve the two names of the numbers that it draws."""
 
-    x: str  # the names of the axes, with their units
+    x: str
     y: str
-    columns: dict[
-        str, tuple[str, str]
-    ]  # of the data that each curve draws, by the curve's label: over which, and which
+    columns: dict[str, tuple[str, str]]  # by the curve's label
 
 
 class MotionGraph:

@@ -30,7 +30,6 @@ SEPARATING_HINT = (
     "The handout lets two bobs collide in each tick in which they touch, also when they already move apart. A second "
     "hit then undoes a part of the first one: bobs with e below 1 stick together."
 )
-SWUNG_THROUGH = "As in the handout, only neighbours collide: a bob swings through others."
 TRAINS = 5  # of impacts, a line for each
 
 
@@ -46,7 +45,6 @@ class Panel:
         The widgets call give(command, value), in a thread of VPython. The remark, if there is one, stands above them.
         """
         self.questions, self.table = questions, table
-        self.swung_through = "" if remark else SWUNG_THROUGH  # while functions are missing, no bobs collide
         for file in sorted(FOLDER.glob("*.css")):
             scene.append_to_caption(f"<style>{file.read_text(encoding='utf-8')}</style>")
         for file in sorted(
@@ -161,7 +159,8 @@ class Panel:
 
     def show_motion(self, time, energy, momentum, remark) -> None:
         """Show the time (s), the energy (%), the momentum (kg m/s), and a remark about the speed."""
-        rows = {"t": f"{time:.2f} s {remark}", "energy": percent_cell(energy), "momentum": momentum_cell(momentum)}
+        percent = "&gt; 999 %" if energy >= 1000 else f"{energy:.2f} %"
+        rows = {"t": f"{time:.2f} s {remark}", "energy": percent, "momentum": momentum_cell(momentum)}
         lines = [f'<tr><th scope="row">{name}</th><td>{cell}</td></tr>' for name, cell in rows.items()]
         change(self.readout, text=f'<table class="readout">{"".join(lines)}</table>')
 
@@ -172,15 +171,9 @@ class Panel:
         axes = "".join(f'<span class="axis">{name}</span>' for name in choices[choice][:2])
         change(self.chosen, text=f'<i class="chosen" data-name="{choice}"></i>{axes}')
 
-    def show_impacts(self, lines, swung_through=False) -> None:
-        """Show the last trains of impacts, a line for each, and a note if a bob has swung through others."""
-        note = f'\n<span class="hint">{self.swung_through}</span>' if swung_through and self.swung_through else ""
-        change(self.impacts, text='<pre class="impacts">' + "\n".join(["Impacts", *lines]) + note + "</pre>")
-
-
-def percent_cell(percent) -> str:
-    """Return a percentage as text."""
-    return "&gt; 999 %" if percent >= 1000 else f"{percent:.2f} %"
+    def show_impacts(self, lines) -> None:
+        """Show the last trains of impacts, a line for each."""
+        change(self.impacts, text='<pre class="impacts">' + "\n".join(["Impacts", *lines]) + "</pre>")
 
 
 def momentum_cell(momentum) -> str:

@@ -56,7 +56,6 @@ class Viewer(Player):
         self.running = True
         self.is_new_page = True  # whether the page has nothing of the cradle yet
         self.next_refresh = -inf
-        self.swung_through = False  # whether a bob has swung through others since the last restart
         self.sound = False
         self.speed = 1.0  # that you have set, times real time
         self.rest_end = -inf  # the time on the pace's clock until which the picture rests
@@ -127,7 +126,6 @@ class Viewer(Player):
         self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, masses)
         self.marks.take(self.cradle, self.scenery.bottom())
         self.graph.take([pend["objects"][1].color for pend in self.cradle.pend_list])
-        self.swung_through = False
         self.note()
         change(self.table.before_and_after, text="")
         self.source.show_rows()
@@ -312,8 +310,7 @@ class Viewer(Player):
         """Show time, energy, momentum, impacts and graph."""
         energy = self.motion.percents()["energy"]
         self.panel.show_motion(self.motion.time(), energy, self.cradle.momentum(), self.pace.remark())
-        self.swung_through = self.swung_through or self.cradle.swings_through()
-        self.panel.show_impacts(self.motion.trains.lines(), self.swung_through)
+        self.panel.show_impacts(self.motion.trains.lines())
         self.graph.draw(self.motion.start_energy)
         if self.table.is_open:
             self.table.show_now(self.cradle.coordinates())

@@ -17,7 +17,7 @@ from support import shapes
 from support.constants import BUFFER, DOUBLE_DT, G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
-from support.cradle.dragging import drag_bob, drag_pendulum, move, touching_angle
+from support.cradle.dragging import drag_bob, drag_pendulum, touching_angle
 from support.pendulum import cord_angles, OUTWARDS
 from support.start.mistake import MistakeError
 
@@ -166,17 +166,6 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     *four, last = [(*hit[:4], *(pend["omega"] for pend in (*hit.before, *hit.after))) for hit in cradle.hits.new]
     assert four == [(i, i + 1, True, speed, 2, 0, 0, 2) for i in range(4)]
     assert last == (3, 4, True, pytest.approx(-2 * R_PARAM), 0, 2, 2, 0)
-
-
-@pytest.mark.parametrize(
-    ("bob", "angle", "through"),
-    [(0, -90, False), (0, 20, False), (0, 45, True), (0, 100, False), (4, -45, True), (4, -100, False)],
-)
-def test_a_bob_swings_through_others_if_bobs_that_are_no_neighbours_changed_order(swing, bob, angle, through):
-    """Not above the axles, where it comes over the top."""
-    cradle = swing(lift=0).cradle
-    move(cradle.pend_list[bob], [radians(angle)], R_PARAM)
-    assert cradle.swings_through() == through
 
 
 # --- the held and dragged bob -----------------------------------------------------------------------------------------

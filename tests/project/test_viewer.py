@@ -5,7 +5,7 @@ Time passes only when a test moves its own wall clock.
 
 import re
 from itertools import pairwise
-from math import hypot, pi
+from math import hypot
 from unittest.mock import Mock
 
 import pytest
@@ -349,19 +349,6 @@ def test_the_impacts_until_a_restart(wall):
     assert wall.viewer.motion.trains.trains[0].begin == pytest.approx(PERIOD / 4, rel=0.05)
     wall.click(wall.panel.restart)
     assert (wall.thetas(), wall.time(), wall.viewer.motion.trains.lines()) == (at_start, 0, [])
-
-
-def test_a_note_says_that_a_bob_swings_through_others(wall):
-    """It stays until the restart."""
-    assert "neighbours" not in wall.panel.impacts.text
-    wall.viewer.cradle.pend_list[0]["theta"] = 0.9 * pi  # as if someone had dragged it over the top
-    wall.wait(PERIOD)
-    assert "only neighbours collide" in wall.panel.impacts.text
-    wall.viewer.cradle.pend_list[0]["theta"] = 0.0
-    wall.wait(0.1)
-    assert "neighbours" in wall.panel.impacts.text
-    wall.click(wall.panel.restart)
-    assert "neighbours" not in wall.panel.impacts.text
 
 
 def test_unchanged_texts_are_not_sent_again(wall):
