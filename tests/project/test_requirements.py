@@ -33,6 +33,7 @@ PRIVATE = {
     "vpython_libraries/glow.min.js": [
         *("$.plot=", ".color.parse=", "__update:", "__canvas_element=", "__overlay_element="),
         *("glowscript-canvas-wrapper", "glowscript-graph", 'trigger("draw_complete"', "userspin:", "userzoom:"),
+        'cvs.waitfor_textures=false;cvs.trigger("textures"',
     ],
 }
 
