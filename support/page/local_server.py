@@ -43,6 +43,7 @@ RETURN = 3.0  # s that a closed tab has to come back
 ELSEWHERE = 4001  # closes the websocket of a tab because another one shows the cradle; page_head.html knows it
 LARGEST_MESSAGE = 2**26  # bytes; closes the websocket of a tab that sends more: the program would keep it in memory
 FOR_THE_PAGE = ("/", "/no-webgl")  # the paths that need the key
+PLOTLY = '<script type="text/javascript" src="plotly.min.js"></script>'  # draws graphs with fast=False: none here
 NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key.\n"
 
 
@@ -155,6 +156,7 @@ class PageServer(http.server.ThreadingHTTPServer):
         page_socket, websocket = sockets
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
+        page = page.replace(PLOTLY, "")  # takes half of the time until the page is loaded
         vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
         own_handler = own_files_only(handler, access, no_webgl)
         super().__init__(page_socket.getsockname(), own_handler, bind_and_activate=False)

@@ -83,6 +83,9 @@
     tall.addEventListener("change", placeGraph);
     placeGraph();
     new ResizeObserver(fit).observe(canvas);
+    // The first picture waits for the bobs and their textures: one without them would only delay it.
+    scene().waitfor_textures = true;
+    scene().bind("textures", () => scene().waitfor_textures = !scene().objects.length);
     dark.addEventListener("change", paint);
     paint();
     setInterval(describe, 1000);

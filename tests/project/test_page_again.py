@@ -3,6 +3,7 @@
 import shlex
 import signal
 import subprocess
+import time
 from collections import Counter, deque
 from math import hypot
 
@@ -52,6 +53,27 @@ def test_the_cradle_swings_until_the_tab_is_closed(page, started):
     wait_until(lambda: "4-3-2-1" in page.locator(".impacts").inner_text())
     page.close()
     assert programs.end(started) == programs.QUIETLY
+
+
+# Before the page's own scripts: bobsAtFirst is how many bobs the first picture has; one waits for its texture.
+FIRST_PICTURE = """{
+    const gl = WebGL2RenderingContext.prototype, draw = gl.drawElements;
+    gl.drawElements = function (...how) {
+        window.bobsAtFirst ??= glowObjs.filter(o => o?.constructor.name === "sphere" && o.visible && o.ready).length;
+        draw.apply(this, how);
+    };
+}"""
+
+
+def test_the_first_picture_has_all_bobs_and_does_not_wait_for_what_no_page_needs(page, program):
+    """Also if the textures come late."""
+    page.add_init_script(FIRST_PICTURE)
+    page.route("**/*.jpg", lambda route: (time.sleep(0.3), route.continue_()))
+    with programs.running(program) as process:
+        page.goto(programs.first_lines(process))
+        page.wait_for_function("() => window.bobsAtFirst !== undefined")
+        assert page.evaluate("bobsAtFirst") == 5
+        assert not page.evaluate("performance.getEntriesByType('resource').some(file => file.name.includes('plotly'))")
 
 
 def picture_of(page):

@@ -28,11 +28,12 @@ PRIVATE = {
     ],
     "vpython_libraries/glowcomm.html": [
         *("<head>", "var glowObjs", "var lastsliders", "in lastsliders", "var sliders", "var events", "'winput'"),
-        *(".objName", "'update_canvas'", "'trigger'"),
+        *(".objName", "'update_canvas'", "'trigger'", '<script type="text/javascript" src="plotly.min.js"></script>'),
     ],
     "vpython_libraries/glow.min.js": [
         *("$.plot=", ".color.parse=", "__update:", "__canvas_element=", "__overlay_element="),
         *("glowscript-canvas-wrapper", "glowscript-graph", 'trigger("draw_complete"', "userspin:", "userzoom:"),
+        'cvs.waitfor_textures=false;cvs.trigger("textures"',
     ],
 }
 
