@@ -270,7 +270,7 @@ def test_a_faster_hit_is_louder_and_only_if_you_ask_for_sound(shared):
 
 # --- windows, screens and fingers ------------------------------------------------------------------------------------
 
-PHONE, LAPTOP, BOARD = (390, 844), (1366, 625), (2560, 1440)
+PHONE, TABLET, LAPTOP, BOARD = (390, 844), (768, 1024), (1366, 625), (2560, 1440)
 
 # The edges of an element, in the window: left, top, right, bottom.
 EDGES = "e => (r => [r.left, r.top, r.right, r.bottom])(e.getBoundingClientRect())"
@@ -307,7 +307,7 @@ def is_whole(page, selector):
     return 0 <= left < right <= width and 0 <= top < bottom <= height
 
 
-@pytest.mark.parametrize("size", [PHONE, LAPTOP, BOARD])
+@pytest.mark.parametrize("size", [PHONE, TABLET, LAPTOP, BOARD])
 def test_the_page_fits_the_window(at_rest, size):
     """The whole swing is in view, and no part of the panel covers another. Only a tall window scrolls, up and down."""
     resize(at_rest, size)
@@ -319,11 +319,11 @@ def test_the_page_fits_the_window(at_rest, size):
     parts = [part.evaluate(EDGES) for part in at_rest.locator(".panel section").all() if part.is_visible()]
     for (left1, top1, right1, bottom1), (left2, top2, right2, bottom2) in combinations(parts, 2):
         assert min(min(right1, right2) - max(left1, left2), min(bottom1, bottom2) - max(top1, top2)) <= 0
-    if size == PHONE:
+    if size in (PHONE, TABLET):
         assert all(is_whole(at_rest, f"button:has-text('{name}')") for name in ("Run", "Step", "Restart"))
-        unfold(at_rest, "Pendula")
+        unfold(at_rest, "For programmers")
         scroll = "e => { (e.closest('tr')?.cells[0] ?? e).scrollIntoView() }"  # down, not sideways
-        for name in ("tr:has(.now:not(:empty)) [title='Delete pendulum 5']", "summary:has-text('Advanced')"):
+        for name in ("tr:has(.now:not(:empty)) [title='Delete pendulum 5']", ".folds details:last-child summary"):
             wait_until(lambda name=name: at_rest.locator(name).evaluate(scroll) or is_whole(at_rest, name))
     else:
         assert at_rest.evaluate("(e => e.scrollHeight - e.clientHeight)(document.querySelector('.panel'))") == 0
