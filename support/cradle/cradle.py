@@ -185,9 +185,9 @@ class Cradle:
     def top_speeds(self) -> list[float]:
         """Return the speed (m/s) of each pendulum at its lowest point, with the energy that it has now."""
         energies = [kinetic_energy([p], R_PARAM) + potential_energy([p], R_PARAM, G) for p in self.pend_list]
-        return [sqrt(2 * energy / self.weight(p)) for energy, p in zip(energies, self.pend_list, strict=True)]
+        return [sqrt(2 * energy / self.whole_mass(p)) for energy, p in zip(energies, self.pend_list, strict=True)]
 
-    def weight(self, pend) -> float:
+    def whole_mass(self, pend) -> float:
         """Return the mass (kg) of all bobs of a pendulum."""
         return pend["mass"] * len(self.angles)
 

@@ -32,8 +32,7 @@ class Hits:
     def __init__(self, cradle):
         """Listen to nothing yet."""
         self.cradle = cradle
-        self.new: list[Hit] = []  # that nobody has counted yet
-        self.kept: list[Hit] = []  # since listen
+        self.new, self.kept = list[Hit](), list[Hit]()  # those that nobody has counted yet, and all since listen
         self.calls: list[str] = []  # of the collision function, as text
         self.replaced: list[tuple[dict, str, object]] = []
 
@@ -97,9 +96,9 @@ class Hits:
         turn = 1 if numbers[0] < numbers[1] else -1  # the left one comes first
         (left, right), (left_after, right_after) = before[::turn], map(dict, two[::turn])
         rightwards = self.cradle.velocity(left) + self.cradle.velocity(right) > 0
-        speed = self.cradle.approach(left, right)
-        self.kept.append(Hit(min(numbers), max(numbers), rightwards, speed, (left, right), (left_after, right_after)))
-        self.new.append(self.kept[-1])
+        found = min(numbers), max(numbers), rightwards, self.cradle.approach(left, right)
+        for hits in (self.new, self.kept):
+            hits.append(Hit(*found, (left, right), (left_after, right_after)))
 
     def in_short(self, value) -> str:
         """Return a value as short text; a pendulum is pend_list[...]."""

@@ -30,7 +30,7 @@ class Marks:
         self.cradle, self.height = cradle, BAR * cradle.reach
         self.level = bottom - BELOW * cradle.reach - self.height  # the height of the lower end of a bar that points up
         speeds = zip(cradle.pend_list, cradle.top_speeds(), strict=True)
-        self.largest = sum(cradle.weight(pend) * speed for pend, speed in speeds) or 1.0  # momentum (kg m/s)
+        self.largest = sum(cradle.whole_mass(pend) * speed for pend, speed in speeds) or 1.0  # momentum (kg m/s)
         self.place_arrows()
 
     def enough(self, name, count, kind, **attributes) -> list:
@@ -53,18 +53,18 @@ class Marks:
 
         Each pendulum has a bar in its color below its axle. The last bar is their sum.
         """
-        shown, bobs, colors = self.has_arrows, self.cradle.bobs(), [INK]
-        xs = [axle.pos.x for axle in self.cradle.axles()]
-        left, right = xs[0] - self.cradle.reach / 2, xs[-1] + self.cradle.reach / 3
+        shown, bobs, reach = self.has_arrows, self.cradle.bobs(), self.cradle.reach
+        first, *_, last = self.xs = [axle.pos.x for axle in (*self.cradle.axles(), self.cradle.axles()[-1])]
+        self.xs[-1] += reach / 3  # of the sum
         self.arrows = self.enough("arrows", shown * len(bobs), arrow, color=GREEN, shaftwidth=bobs[0].radius / 3)
-        self.bars = self.enough("bars", shown * (len(xs) + 1), box)
-        words = self.enough("words", shown * 2, label, box=False, line=False, opacity=0, color=INK, height=14)
-        self.xs, colors = [*xs, right], [*(bob.color for bob in bobs[:: len(self.cradle.angles)]), INK]
-        for bar, color in zip(self.bars, colors, strict=False):
-            bar.color = color
-        for word, text, x in zip(
-            words, ("momentum\n(up = right)", "sum"), (left, right + self.cradle.reach / 4), strict=False
+        self.bars = self.enough("bars", shown * len(self.xs), box)
+        for bar, color in zip(
+            self.bars, (*(pend["objects"][1].color for pend in self.cradle.pend_list), INK), strict=False
         ):
+            bar.color = color
+        words = self.enough("words", shown * 2, label, box=False, line=False, opacity=0, color=INK, height=14)
+        texts = {first - reach / 2: "momentum\n(up = right)", last + 0.6 * reach: "sum"}
+        for word, (x, text) in zip(words, texts.items(), strict=False):
             word.pos, word.text = vector(x, self.level, 0), text
 
     def show_arrows(self, pend_list) -> None:
@@ -87,11 +87,10 @@ class Marks:
 
     def show_ghosts(self, thetas) -> None:
         """Show a pale upper bob and cord at each of these angles (rad), or none for an empty list."""
-        bobs, cords = self.cradle.bobs()[:: len(self.cradle.angles)], self.cradle.cords()[:: len(self.cradle.angles)]
         ghosts = self.enough("ghosts", len(thetas), sphere, opacity=PALE)
         threads = self.enough("threads", len(thetas), cylinder, opacity=PALE)
-        each = zip(ghosts, threads, bobs, cords, self.cradle.axles(), thetas, strict=False)
-        for ghost, thread, bob, cord, axle, theta in each:
+        for ghost, thread, pend, theta in zip(ghosts, threads, self.cradle.pend_list, thetas, strict=False):
+            axle, bob, cord = pend["objects"][:3]
             axis = arm(theta, R_PARAM)
             # Inside of the bob, where it is as predicted.
             ghost.pos, ghost.radius, ghost.color = axle.pos + axis, 0.97 * bob.radius, bob.color

@@ -94,9 +94,8 @@
   }
 
   function fold(panel, section, title) {
-    const folds = panel.querySelector(".folds") ?? panel.appendChild(document.createElement("div"));
-    folds.className = folds.style.gridArea = "folds";
-    const details = folds.appendChild(document.createElement("details"));
+    const details = panel.appendChild(document.createElement("details"));
+    details.className = details.style.gridArea = "fold";
     details.append(document.createElement("summary"), section);
     details.firstChild.append(title);
     details.addEventListener("toggle", () => details.open && details.scrollIntoView({ block: "nearest" }));
@@ -116,7 +115,7 @@
 
   function placeGraph() { // below the cradle; in a tall window, among the other parts of the panel
     const panel = document.querySelector(".panel"), graph = document.querySelector("section.graph");
-    if (tall.matches) panel.querySelector(".folds").before(graph);
+    if (tall.matches) panel.querySelector(".fold").before(graph);
     else panel.after(graph);
   }
 

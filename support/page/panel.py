@@ -124,22 +124,10 @@ class Panel:
         """Show this message above everything else; an empty message removes it."""
         change(self.error, text=f'<div class="error" role="alert">{escape(message)}</div>' if message else "")
 
-    def show_view(self, has_moved) -> None:
-        """Show whether the view is another one than at the start: panel.css hides a button that is disabled."""
-        change(self.view, disabled=not has_moved)
-
-    def show_hit(self, words) -> None:
-        """Show these words (HTML) about a hit above the cradle."""
-        change(self.hit_words, text=words)
-
     def show_end(self, words) -> None:
         """Show that the program has ended, and why; nothing on the page moves any more."""
         text = f"<strong>The program has ended.</strong> {escape(words)}"
         change(self.error, text=f'<div class="error ended" role="alert">{text}</div>')
-
-    def click(self, speed) -> None:
-        """Let the page click for a hit of this speed (m/s)."""
-        self.hit.text = f'<i class="hit" data-speed="{speed:.4f}"></i>'
 
     def show_settings(self, running, speed, angles, lifted, count, collision) -> None:
         """Show whether the cradle runs, its speed (times real time), its release angles (rad), the number of lifted

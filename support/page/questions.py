@@ -10,8 +10,6 @@ from support.cradle.prediction import Measurement
 from support.files.experiments import Experiment, read_experiments, YOUR_CSV
 from support.page.panel import add_label, change
 
-PREDICT_FIRST = "Predict first"
-NOT_SAID = "Run it without an answer"
 LETTERS = "ABCDE"  # of the answers
 NUMBERS = {"before": "fastest before the first hit (m/s)", "speed": "and after it (m/s)", "swing": "swung to (degrees)"}
 
@@ -47,7 +45,7 @@ class Questions:
         add_label("Experiment")
         choices = [YOUR_CSV, *(experiment.name for experiment in self.experiments)]
         self.menu = menu(choices=choices, selected=choices[0], bind=lambda menu: give("experiment", menu.index))
-        self.box = checkbox(text=PREDICT_FIRST, bind=lambda box: give("ask first", box.checked))
+        self.box = checkbox(text="Predict first", bind=lambda box: give("ask first", box.checked))
         for mistake in self.mistakes:
             wtext(text=f'<span class="failed">{escape(mistake)}</span>')
 
@@ -109,8 +107,11 @@ class Questions:
 
     def skip(self) -> None:
         """Go on without an answer, if a question is asked."""
-        if self.experiment:
-            self.answer(self.experiment.key, None)
+        self.answer(self.key(), None)
+
+    def key(self) -> str:
+        """Return the key of the present experiment; nothing for your CSV."""
+        return self.experiment.key if self.experiment else ""
 
     def note(self, sample, has_hit) -> bool:
         """Measure a sample of Motion, and return whether the measurement ends with it.
@@ -156,7 +157,7 @@ def question_text(experiment, measured, is_asking, said, votes) -> str:
         for number, answer in enumerate(experiment.answers):
             words, value = f"{LETTERS[number]}&ensp;{escape(answer.text)}", [experiment.key, number]
             lines += [command_button(words, "answer", value), command_button(votes[number], "vote", value, "hands")]
-        lines += ["</div>", command_button(NOT_SAID, "answer", [experiment.key, None], "plain")]
+        lines += ["</div>", command_button("Run it without an answer", "answer", [experiment.key, None], "plain")]
     else:
         hands = ", ".join(f"{letter} {count}" for letter, count in zip(LETTERS, votes, strict=False))
         said_text = "" if said is None else f"You said: {LETTERS[said]}, {escape(experiment.answers[said].text)}. "

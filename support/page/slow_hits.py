@@ -1,7 +1,6 @@
 """Slow hits: when a train of hits comes, the time holds, and you see the hits one after another."""
 
 from collections import deque
-from html import escape
 from math import inf
 from typing import NamedTuple
 
@@ -54,28 +53,23 @@ class SlowHits:
 
     def holds(self, now) -> bool:
         """Return whether the time holds; now is the time on the pace's clock. Go on to the next hit if it is due."""
-        if self.shown and now < self.until:
-            return True
-        self.shown, self.until = (self.waiting.popleft(), now + EACH) if self.waiting else (None, -inf)
+        if not self.shown or now >= self.until:
+            self.shown, self.until = (self.waiting.popleft(), now + EACH) if self.waiting else (None, -inf)
         return bool(self.shown)
-
-    def skip(self) -> None:
-        """Go on to the next hit now."""
-        self.until = -inf
 
     def words(self) -> str:
         """Return what is shown now, as HTML."""
         if not self.shown:
             return ""
         hit, number, _ = self.shown
-        lines = []
+        words = f"<strong>Hit {number}: bobs {hit.left + 1} and {hit.right + 1}</strong>"
         for bob, before, after in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
-            lines.append(f"bob {bob + 1}: {self.velocity(before)} &rarr; {self.velocity(after)} m/s")
-        title = f"Hit {number}: bobs {hit.left + 1} and {hit.right + 1}"
-        order = f"This order is the model's: {escape(self.cradle.names.collide)} takes one pair after the other."
-        texts = f"<strong>{title}</strong><span>{'</span><span>'.join(lines)}</span><small>{order}</small>"
-        return f'<div class="hit-words" role="status">{texts}</div>'
+            words += f"<span>bob {bob + 1}: {self.velocity(before)} &rarr; {self.velocity(after)} m/s</span>"
+        words += (
+            f"<small>This order is the model's: {self.cradle.names.collide} takes one pair after the other.</small>"
+        )
+        return f'<div class="hit-words" role="status">{words}</div>'
 
     def velocity(self, pend) -> str:
         """Return the (mean) velocity of a pendulum's bobs to the right (m/s)."""
-        return f"{round(momentum([pend], R_PARAM) / self.cradle.weight(pend), 2) + 0.0:+.2f}"  # not -0.00
+        return f"{round(momentum([pend], R_PARAM) / self.cradle.whole_mass(pend), 2) + 0.0:+.2f}"  # not -0.00

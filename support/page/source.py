@@ -121,11 +121,6 @@ class Source:
         """Take an answer: (key of the experiment that asks, index of the answer, or None); the cradle then runs."""
         self.viewer.running = self.questions.answer(*question_and_answer) or self.viewer.running
 
-    def say(self, number) -> None:
-        """Take the answer with this index to the question that is asked now, if there is one."""
-        if self.questions.experiment:
-            self.answer((self.questions.experiment.key, number))
-
     def repeat(self, slowly) -> None:
         """Run the experiment again with the same answer, maybe slowly."""
         if self.questions.measurement:

@@ -103,15 +103,15 @@ class Viewer(Player):
         if self.cradle.hand.held is not None:
             self.motion.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
-        self.panel.show_view(self.scenery.limit_view())
+        change(self.panel.view, disabled=not self.scenery.limit_view())  # panel.css hides it then
         shown = self.slow_hits.shown
         self.marks.show_arrows(shown.pendula if shown else self.cradle.pend_list)
         self.marks.show_halos((shown.hit.left, shown.hit.right) if shown else ())
         self.marks.show_ghosts(self.questions.predicted(self.motion.time()))
-        self.panel.show_hit(self.slow_hits.words())
+        change(self.panel.hit_words, text=self.slow_hits.words())
         fastest = self.motion.take_fastest()
         if self.sound and fastest > QUIET:
-            self.panel.click(fastest)
+            self.panel.hit.text = f'<i class="hit" data-speed="{fastest:.4f}"></i>'
         if self.pace.clock() >= self.next_refresh:
             self.next_refresh = self.pace.clock() + REFRESH
             self.show_motion()
@@ -214,7 +214,7 @@ class Viewer(Player):
             "experiment": self.source.choose,
             "ask first": self.source.ask_first,
             "answer": self.source.answer,
-            "say": self.source.say,
+            "say": lambda number: self.source.answer((self.questions.key(), number)),
             "vote": lambda vote: self.questions.vote(*vote),
             "again": self.source.repeat,
             "next": lambda _: self.source.choose_next(),
@@ -234,7 +234,7 @@ class Viewer(Player):
     def do_step(self, _) -> None:
         """Do the ticks of one frame, while paused, or show the next one of slow hits."""
         if not self.running and self.slow_hits.shown:
-            self.slow_hits.skip()
+            self.slow_hits.until = -inf
             self.slow_hits.holds(self.pace.clock())
         elif not self.running:
             self.questions.skip()
