@@ -59,16 +59,6 @@ def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
     return experiments, mistakes
 
 
-def find_experiment(key, folder, cords) -> Experiment:
-    """Return the experiment of this folder with this key; raises a ValueError with a one-line message if it is bad."""
-    experiments, mistakes = read_experiments(folder, cords)
-    found = {experiment.key: experiment for experiment in experiments}
-    if key in found:
-        return found[key]
-    unknown = f"--experiment: found {key!r}, allowed is one of {', '.join(found)}"
-    raise ValueError(next((line for line in mistakes if line.startswith(f"{Path(folder, key)}.")), unknown))
-
-
 def read_experiment(path, cords) -> Experiment:
     """Return the experiment with this CSV; raises a ValueError with a one-line message if it has a mistake."""
     csv = Snapshot(path)

@@ -16,7 +16,6 @@ from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import run
 from support.files.cradle_csv import check_cradle, LiveFile
-from support.files.experiments import EXPERIMENTS, find_experiment
 from support.page.local_server import Access, page_sockets, page_websocket, PageServer, port_of
 from support.start.early import end_on_interrupt, import_now
 from support.start.mistake import tell_mistake
@@ -63,31 +62,22 @@ def show_page(main, cradle, options, angles, remark="") -> None:
 
     cradle has no pendula yet. options are the page's, from support/start/options.py. angles are the release angles
     (rad); None keeps the angle with which main makes the cradle. remark is a line on the page. Exits with status 2 if
-    the CSV, the experiment, --lift or the port is wrong, with status 1 if a function makes a mistake.
+    the CSV, --lift or the port is wrong, with status 1 if a function makes a mistake.
     """
     file = LiveFile(options.csv)
-    csv = file.current
     try:
-        cords = len(cradle.angle_keys)
-        check_cradle(file.current, cords)  # here, because later mistakes in the file appear only on the page
-        if options.experiment is not None:
-            csv = find_experiment(options.experiment, EXPERIMENTS / cradle.kind, cords).csv
-        check_lift(options.lift, csv)
+        check_cradle(file.current, len(angles))  # here, because later mistakes in the file appear only on the page
+        check_lift(options.lift, file.current)
         sockets = page_sockets(options.port)
     except ValueError as error:
         refuse(error)
     viewer = None
     try:
-        open_page(
-            sockets,
-            cradle.title,
-            options.browser,
-            lambda: viewer and viewer.give("show again"),
-        )
+        open_page(sockets, cradle.title, options.browser, lambda: viewer and viewer.give("show again"))
         # This import needs VPython's canvas and widgets; the code above does not.
         from support.page.viewer import Viewer
 
-        viewer = Viewer(cradle, file, angles, options.lift, remark, vars(options))
+        viewer = Viewer(cradle, file, angles, options.lift, remark)
         run(main, viewer)
     except BaseException as error:
         words = tell_mistake(error)

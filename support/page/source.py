@@ -86,15 +86,6 @@ class Source:
 
     # --- experiments -------------------------------------------------------------------------------------------------
 
-    def begin_with(self, key) -> None:
-        """Take the experiment with this key at the start; release angles of the command replace those it has."""
-        numbered = enumerate(self.questions.experiments, start=1)
-        place, experiment = next(pair for pair in numbered if pair[1].key == key)
-        self.questions.choose(place)
-        self.viewer.snapshot = experiment.csv
-        if self.viewer.lifted is None and all(angle is None for angle in self.viewer.angles):
-            self.poses = experiment.angles
-
     def choose(self, place) -> None:
         """Let main make the cradle in this place of the menu: an experiment, or (0) your CSV with its settings."""
         viewer, cradle = self.viewer, self.cradle

@@ -43,15 +43,13 @@ KEYS = {
 class Viewer(Player):
     """The page with a cradle, its panel and its graph: the argument page of main."""
 
-    def __init__(self, cradle: Cradle, file, angles, lifted, remark="", options=None):
+    def __init__(self, cradle: Cradle, file, angles, lifted, remark=""):
         """Build the page for the cradle of this file (a LiveFile), with the remark, if there is one.
 
         angles (rad) are the release angles, lifted is the number of bobs to lift. None keeps the value with which main
-        makes the cradle. options are those of the command line, as a dictionary.
+        makes the cradle.
         """
         super().__init__(cradle, file.current, angles, lifted, TRAINS, EVERY)
-        self.options = options or {}
-        self.separating = self.separating or self.options.get("separating", False)
         self.commands: SimpleQueue = SimpleQueue()
         self.running = True
         self.is_new_page = True  # whether the page has nothing of the cradle yet
@@ -67,8 +65,6 @@ class Viewer(Player):
         self.scenery, self.marks, self.slow_hits = Scenery(), Marks(), SlowHits(cradle)
         self.panel = Panel(self.give, cradle, self.questions, self.table, remark)
         self.panel.separating.checked = self.separating
-        if self.options.get("experiment") is not None:
-            self.source.begin_with(self.options["experiment"])
         self.graph = MotionGraph(cradle.angle_keys, cradle.rate_keys)
         self.listen_to_you()
 

@@ -71,10 +71,6 @@ def page_options(description) -> OneLineParser:
     add = parser.add_argument
     text = "port of the page on this machine; the page also uses N + 1 (default: any two free ports)"
     add("--port", type=port, metavar="N", default=os.environ.get(PORT_VARIABLE, "0"), help=text)
-    text = "an experiment of support/experiments in place of the CSV, for instance 1_one_bob"
-    add("--experiment", metavar="NAME", help=text)
-    text = "separating bobs collide too, as in the handout; no effect on functions without approaching_only"
-    add("--separating", action="store_true", help=text)
     text = "open no browser, only print the address of the page"
     add("--no-browser", action="store_false", dest="browser", help=text)
     return parser
@@ -83,9 +79,8 @@ def page_options(description) -> OneLineParser:
 def read_page_options(arguments=None) -> argparse.Namespace:
     """Return the options of the page, from the command line or from arguments.
 
-    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, experiment, separating and browser. None for e
-    or mass keeps the values of the CSV. None for angle or lift keeps the values with which main makes the cradle, or
-    those of the experiment.
+    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port and browser. None for e or mass keeps the values
+    of the CSV. None for angle or lift keeps the values with which main makes the cradle.
     """
     return page_options("Newton's cradle in the browser, to play with.").parse_args(arguments)
 

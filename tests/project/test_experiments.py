@@ -13,7 +13,7 @@ from src import visualize_cradle_run
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.prediction import Measurement
-from support.files.experiments import EXPERIMENTS, find_experiment, read_experiment, read_experiments
+from support.files.experiments import EXPERIMENTS, read_experiment, read_experiments
 
 KINDS = {kind.kind: kind for kind in (Cradle, DoubleCradle)}
 SHIPPED = [(kind, path.stem) for kind in KINDS for path in sorted((EXPERIMENTS / kind).glob("*.csv"))]
@@ -101,10 +101,6 @@ def test_bad_experiments_are_named_in_one_line_each_and_the_other_one_works(file
         assert mistake.startswith(str(files / name))
         assert words in mistake
         assert "\n" not in mistake
-    assert find_experiment("two", files, 1) == experiments[0]
-    for key, words in (("two_more", mistakes[-1]), ("three", "--experiment: found 'three', allowed is one of two")):
-        with pytest.raises(ValueError, match=f"^{re.escape(words)}$"):
-            find_experiment(key, files, 1)
 
 
 # --- the menu --------------------------------------------------------------------------------------------------------
@@ -159,15 +155,6 @@ def test_an_experiment_is_as_its_files_say_and_back_at_your_csv_all_is_as_you_ha
     choose(wall, None)
     assert (wall.lifts(), wall.panel.collisions.selected) == ([20, 20, 0, 0, 0], "perfectly inelastic, e = 0")
     assert (wall.values("mass"), wall.values("e")) == ([3] * 5, [0] * 5)
-
-
-@pytest.mark.parametrize(("angle", "lifted", "lifts"), [(None, None, [45, 45, 0, 0, 0]), (20, 3, [20, 20, 20, 0, 0])])
-def test_the_program_can_begin_with_an_experiment(csv, angle, lifted, lifts):
-    """Options for the release replace that of the experiment."""
-    wall = Wall(csv, angle, experiment="2_two_bobs", lifted=lifted)
-    assert (wall.lifts(), wall.viewer.questions.menu.selected) == (lifts, "Two bobs")
-    choose(wall, None)
-    assert wall.lifts() == [angle or 45] * (lifted or 1) + [0] * (5 - (lifted or 1))
 
 
 def test_a_mistake_in_an_experiment_is_shown_below_the_menu(csv, tmp_path, monkeypatch):

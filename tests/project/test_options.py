@@ -14,7 +14,7 @@ from support.pendulum import from_lift
 from support.start import options
 
 CRADLE = {"csv": NC_FP, "elastic": False, "inelastic": False, "e": None, "mass": None, "angle": None, "lift": None}
-PAGE = {**CRADLE, "separating": False, "port": 0, "experiment": None, "browser": True}
+PAGE = {**CRADLE, "port": 0, "browser": True}
 PROGRAMS = {
     "page": (options.read_page_options, PAGE),
     "double": (options.read_double_page_options, {**PAGE, "phi": None}),
@@ -26,11 +26,10 @@ PROGRAMS = {
     ("program", "line", "changed"),
     [
         *((program, "", {}) for program in PROGRAMS),
-        ("page", "my.csv --inelastic --separating", {"csv": "my.csv", "inelastic": True, "separating": True}),
+        ("page", "my.csv --inelastic", {"csv": "my.csv", "inelastic": True}),
         ("page", "--elastic --mass 1e-05 --lift 3", {"elastic": True, "mass": 1e-5, "lift": 3}),
         ("page", "--e 0 --lift 0 --angle 180", {"e": 0.0, "lift": 0, "angle": from_lift(180)}),
         ("page", "--e 0.30000000000000004 --angle 33.3", {"e": 0.1 + 0.2, "angle": from_lift(33.3)}),
-        ("page", "--experiment 1_one_bob", {"experiment": "1_one_bob"}),
         ("page", "--port 8000 --no-browser", {"port": 8000, "browser": False}),
         ("double", "--phi=-180", {"phi": from_lift(-180)}),
         ("double", "--angle 77 --phi=-1e-05", {"angle": from_lift(77), "phi": from_lift(-1e-5)}),

@@ -191,7 +191,7 @@ def start(monkeypatch, csv):
     return start
 
 
-SOME = "--inelastic --separating --mass 3 --angle 20 --lift 3 --port 8000 --no-browser"
+SOME = "--inelastic --mass 3 --angle 20 --lift 3 --port 8000 --no-browser"
 DOUBLED = "--mass 3 --angle 25 --phi=-12.5 --lift 2"
 
 
@@ -206,15 +206,12 @@ DOUBLED = "--mass 3 --angle 25 --phi=-12.5 --lift 2"
 def test_main_does_as_the_options_say(start, program, line, given, pendula):
     (port, title, browser), viewer = start(*line.split(), is_double="double" in program)
     assert (title, port, browser) == (program, *given)
-    separating = "--separating" in line
-    assert (viewer.panel.separating.checked, viewer.rule) == (separating, {"approaching_only": not separating})
     for pend, (e, mass, *lifts) in zip(viewer.cradle.pend_list, pendula, strict=True):
         assert (pend["e"], pend["mass"]) == (e, mass)
         assert [to_lift(pend[key]) for key in viewer.cradle.angle_keys] == pytest.approx(lifts)
 
 
 def test_main_refuses_in_one_line_before_a_page_opens(start, capsys):
-    for option, value, allowed in (("--lift", "4", "at most 3, "), ("--experiment", "none", "one of 1_one_bob, ")):
-        status, stdout, stderr = call(partial(start, option, value), capsys)
-        assert (status, stdout, stderr.count("\n")) == (2, "", 1)
-        assert stderr.startswith(f"{option}: found {value!r}, allowed is {allowed}")
+    status, stdout, stderr = call(partial(start, "--lift", "4"), capsys)
+    assert (status, stdout, stderr.count("\n")) == (2, "", 1)
+    assert stderr.startswith("--lift: found '4', allowed is at most 3, ")

@@ -227,8 +227,8 @@ def test_a_step_goes_on_to_the_next_of_the_slow_hits(wall):
         assert f"Hit {number}:" in wall.panel.hit_words.text
         wall.press("right")
     wall.click(wall.panel.pause)
-    wall.wait(3)
-    assert (wall.panel.hit_words.text, wall.time() > 1) == ("", True)
+    wall.wait(1.5)
+    assert (wall.panel.hit_words.text, wall.time() > 0.4) == ("", True)
 
 
 # --- dragging --------------------------------------------------------------------------------------------------------

@@ -16,11 +16,11 @@ from support.page.viewer import Viewer
 class Wall:
     """The wall clock, and the viewer that uses it."""
 
-    def __init__(self, csv, *angles, kind=Cradle, remark="", lifted: int | None = 1, experiment=None):
+    def __init__(self, csv, *angles, kind=Cradle, remark="", lifted: int | None = 1):
         self.now = 100.0
         self.file = csv
         release = thetas(angles or [30]), lifted
-        self.viewer = Viewer(make_live(kind), LiveFile(csv, self.clock), *release, remark, {"experiment": experiment})
+        self.viewer = Viewer(make_live(kind), LiveFile(csv, self.clock), *release, remark)
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=lambda seconds: None)
         self.panel = self.viewer.panel
         self.viewer.make()
