@@ -256,7 +256,7 @@ def test_a_faster_hit_is_louder_and_only_if_you_ask_for_sound(shared):
     assert shared.evaluate("peak()") is None
     assert shared.locator(".hit").get_attribute("data-speed") is None
     shared.get_by_role("checkbox", name="Sound").check()
-    wait_until(lambda: shared.evaluate("peak()") > 0.1)  # a hit of the cradle
+    wait_until(lambda: (shared.evaluate("peak()") or 0) > 0.1)  # a hit of the cradle
     pause(shared)
     peaks = []
     for speeds in ([0.1], [2], [100]):

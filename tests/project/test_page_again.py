@@ -9,7 +9,7 @@ from math import hypot
 
 import programs
 import pytest
-from programs import lifts, open_cradle, pause, press, slide, unfold, values, wait_for_cradle, wait_until
+from programs import lifts, open_cradle, pause, press, slide, values, wait_for_cradle, wait_until
 from whole_cradles import GOOD, HEADER
 
 from support.constants import R_PARAM
@@ -119,8 +119,9 @@ def test_a_reload_keeps_the_settings_and_the_ended_program_shows_how_to_start_it
     wait_until(lambda: values(page)[:2] == ["2.0x", "2 of 5"] and values(page)[programs.ANGLE] != "45°")
     programs.menu(page, "Collisions").select_option("perfectly inelastic, e = 0")
     programs.menu(page, "Graph").select_option("no graph")
-    unfold(page, "For programmers")
-    page.get_by_role("checkbox", name=programs.SEPARATING).check()
+    page.get_by_label(programs.SEPARATING).evaluate("box => box.click()")
+    for name in ("Arrows", "Slow hits"):
+        page.get_by_role("checkbox", name=name).check()
     wait_until(lambda: not page.locator(".glowscript-graph").is_visible())
     wait_until(lambda: programs.readout(page, "t") > 0.2)
     pause(page)
