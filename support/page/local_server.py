@@ -5,19 +5,15 @@ VPython's own servers listen on every address of the machine. They send any pict
 any client disconnects from the websocket, and show a page that is loaded again nothing. This module changes that:
 
 - Both servers listen only on 127.0.0.1, at the ports page and page + 1, so that two `ssh -L` options reach them from
-  another machine. The program takes both ports before anything else starts, and keeps them: no other program can take
-  one in between.
+  another machine. The program takes both before anything else starts: no other program can take one in between.
 - The address that the program prints and opens has a key, a new one at each start. A request for the page must have the
   key. So must the page's report at /no-webgl that the browser cannot draw; the program prints it in the terminal.
-- Requests for the files in VPython's own two folders need no key. The server looks a path up in a list of these files.
-  It never joins a path to a folder, so no spelling of a path leads elsewhere.
-- Only the page can use the websocket. For each connection, the page sends the key, and the browser sends the Origin,
-  the address of the page. A script cannot change the Origin. Another program can, but it does not know the key.
+- Files in VPython's own two folders need no key. The server looks a path up in a list of them, so none leads elsewhere.
+- Only the page can use the websocket: it sends the key, and the browser sends the Origin, which no script can change.
 - Only one tab shows the cradle, because VPython sends each change once. Each tab has a name (page_head.html). The
-  server closes a second tab with the code ELSEWHERE. If the second tab asks to take the cradle over, the server closes
-  the first one in this way.
+  server sends ELSEWHERE to the other tabs. They wait, and keep their websocket; one that sends TAKE gets the cradle.
 - If you reload the tab, or open it again, it gets all that VPython has sent so far, and the cradle restarts. If it does
-  not begin to load within RETURN seconds, the program ends.
+  not begin to load within RETURN seconds, a tab that waits gets the cradle. If none waits, the program ends.
 - The program never prints text from other clients.
 """
 
@@ -39,8 +35,8 @@ from urllib.parse import parse_qs, unquote
 from support.page.replay import Replay
 from support.start.output import say
 
-RETURN = 3.0  # s that a closed tab has to come back
-ELSEWHERE = 4001  # closes the websocket of a tab because another one shows the cradle; page_head.html knows it
+RETURN, LOADING = 3.0, 30.0  # s that a closed tab has to come back, and a page from its request to its websocket
+ELSEWHERE, TAKE = b"elsewhere", b"take"  # messages to a tab that must wait, and from it; page_head.html knows both
 LARGEST_MESSAGE = 2**26  # bytes; closes the websocket of a tab that sends more: the program would keep it in memory
 FOR_THE_PAGE = ("/", "/no-webgl")  # the paths that need the key
 PLOTLY = '<script type="text/javascript" src="plotly.min.js"></script>'  # draws graphs with fast=False: none here
@@ -101,43 +97,53 @@ class Access:
         """Begin without a tab; call show_again() for each tab that begins to show the cradle."""
         self.show_again = show_again
         self.tab: Any = None
+        self.tabs: list[Any] = []  # also those that wait for the cradle
         self.key = secrets.token_hex(12)  # short, and without signs that end an address in some terminals
-        self.wait_for_tab()
+        self.until = 0.0
 
     def has_key(self, parameters) -> bool:
         """Return whether a request with these parameters, a list of texts for each name, has the key."""
         given = parameters.get("key", [""])[0]
         return secrets.compare_digest(given.encode(), self.key.encode())  # takes equally long for every wrong key
 
-    def admit(self, tab) -> bool:
-        """Return whether this tab may show the cradle, and close the other one: the new tab, or the one before it."""
-        if self.tab and self.tab.name != tab.name and not tab.takes_over:
-            tab.sendClose(ELSEWHERE)
-            return False
+    def admit(self, tab) -> None:
+        """Let this new tab show the cradle, or wait if another one does."""
+        self.tabs.append(tab)
+        self.until = 0.0  # it is loaded
+        if self.tab and self.tab.name != tab.name:
+            tab.tell(ELSEWHERE)
+        else:
+            self.give(tab)
+
+    def give(self, tab) -> None:
+        """Let this tab show the cradle, and the one before it wait."""
         if self.tab:
-            self.tab.sendClose(ELSEWHERE)
+            self.tab.tell(ELSEWHERE)
         self.tab = tab
         self.show_again()
-        return True
 
     def tab_closed(self, tab) -> None:
-        """If this tab showed the cradle, end the program soon, unless a tab opens."""
-        if tab is self.tab:
-            self.tab = None
-            self.wait_for_tab()
+        """If no tab shows the cradle now, end the program soon, unless a tab opens or waits."""
+        if tab in self.tabs:
+            self.tabs.remove(tab)
+            self.tab = None if tab is self.tab else self.tab
+            self.wait_for_tab(RETURN)
             self.end_without_tab()
 
-    def wait_for_tab(self) -> None:
-        """Wait RETURN seconds from now on: a tab was closed, or a tab loads. Any thread can call this."""
-        self.until = time.monotonic() + RETURN
+    def wait_for_tab(self, seconds) -> None:
+        """Wait so long from now on, at least: a tab was closed, or a tab loads. Any thread can call this."""
+        self.until = max(self.until, time.monotonic() + seconds)
 
     def end_without_tab(self) -> None:
-        """End the program if the time is over and there is no tab; before that, look again at the end of the time."""
+        """If no tab shows the cradle: when the time is over, give it to a tab that waits, or end the program."""
         rest = self.until - time.monotonic()
-        if not self.tab and rest <= 0:
-            os._exit(0)
-        elif not self.tab:
+        if not self.tab and rest > 0:
             asyncio.get_running_loop().call_later(rest, self.end_without_tab)
+        elif not self.tab and self.tabs:
+            self.give(self.tabs[-1])
+            self.tab.tell(b"trigger")  # VPython's page answers that it is ready for data
+        elif not self.tab:
+            os._exit(0)
 
 
 class PageServer(http.server.ThreadingHTTPServer):
@@ -170,7 +176,7 @@ class PageServer(http.server.ThreadingHTTPServer):
 def own_files_only(handler: Any, access, no_webgl) -> Any:
     """Return VPython's request handler, limited to the page, which needs the key, and VPython's own two folders.
 
-    With each request, access waits again for the tab: a slow machine loads a page for seconds before it opens the
+    When the page is requested, access waits for its tab: a slow machine loads it for seconds before it opens the
     websocket. If the page reports that its browser has no WebGL, the handler prints the text no_webgl.
     """
     files = {
@@ -183,7 +189,6 @@ def own_files_only(handler: Any, access, no_webgl) -> Any:
         path: str  # with the query, as the request has it
 
         def do_GET(self) -> None:  # noqa: N802
-            access.wait_for_tab()
             path, _, query = self.path.partition("?")
             if unquote(path) in files:
                 content_type, file = files[unquote(path)]
@@ -195,6 +200,7 @@ def own_files_only(handler: Any, access, no_webgl) -> Any:
                 self.begin({"Content-Type": "text/plain; charset=utf-8"}, 403)
                 self.wfile.write(NO_KEY.encode())
             elif path == "/":
+                access.wait_for_tab(LOADING)
                 self.path = path  # VPython knows no query
                 super().do_GET()  # the page; VPython waits for this call
             else:
@@ -223,7 +229,6 @@ def page_websocket(sockets, access) -> Any:
         logging.getLogger("autobahn").setLevel(logging.CRITICAL)  # it quotes refused clients
         factory.setProtocolOptions(allowedOrigins=origins, allowNullOrigin=False, webStatus=False)
         factory.setProtocolOptions(maxFramePayloadSize=LARGEST_MESSAGE, maxMessagePayloadSize=LARGEST_MESSAGE)
-        factory.setProtocolOptions(closeHandshakeTimeout=10)  # s; from 1 s, a busy tab is cut off and gets no ELSEWHERE
         objects = sys.modules[factory.protocol.__module__].baseObj.object_registry  # of VPython, by number
         factory.protocol = one_tab_only(factory.protocol, access, objects)
         return await create_server(loop, factory, sock=websocket)
@@ -249,23 +254,26 @@ def one_tab_only(protocol: Any, access, objects) -> Any:
         def onConnect(self, request) -> None:  # noqa: N802
             if not (request.origin and "tab" in request.params and access.has_key(request.params)):
                 raise ConnectionDeny(ConnectionDeny.FORBIDDEN)
-            self.name, self.takes_over = request.params["tab"], "take" in request.params
+            self.name = request.params["tab"]
             self.is_new = True  # has nothing of the cradle yet
             super().onConnect(request)
 
         def onOpen(self) -> None:  # noqa: N802
-            if access.admit(self):
-                super().onOpen()
+            access.admit(self)
+            super().onOpen()
 
         async def onMessage(self, data, is_binary) -> None:  # noqa: N802
+            if data == TAKE and self is not access.tab:
+                access.give(self)
             if self is access.tab:  # VPython forgets each change when it answers a message
                 await super().onMessage(possible_events(data, objects), is_binary)
 
         def sendMessage(self, payload, **options) -> None:  # noqa: N802
             replay.add(json.loads(payload))
-            if self.is_new:
-                self.is_new = False
-                payload = json.dumps(replay.message()).encode()
+            self.tell(json.dumps(replay.message()).encode() if self.is_new else payload, **options)
+            self.is_new = False
+
+        def tell(self, payload, **options) -> None:
             with suppress(Disconnected):  # the tab was just closed, and the next one gets it
                 super().sendMessage(payload, **options)
 
@@ -278,10 +286,10 @@ def one_tab_only(protocol: Any, access, objects) -> Any:
 def possible_events(data, objects) -> bytes:
     """Return a message of the page without the events at which VPython would print a traceback.
 
-    A message is the text "trigger", or a list of events (glowcomm.html). objects has VPython's objects by number.
+    A message is the text "trigger", TAKE, or a list of events (glowcomm.html). objects has VPython's objects by number.
     """
-    if data == b"trigger":
-        return data
+    if data in (b"trigger", TAKE):
+        return b"trigger"
     return json.dumps([event for event in json.loads(data) if is_possible(event, objects)]).encode()
 
 
