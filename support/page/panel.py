@@ -65,9 +65,8 @@ class Panel:
         self.step = button(text="Step", bind=lambda: give("step"))
         self.restart = button(text="Restart", bind=lambda: give("restart"))
         self.view = button(text="Reset view", disabled=True, bind=lambda: give("view"))
-        scene.append_to_caption(
-            PRESENT.replace("KEYS", "".join(f"<dt>{key}</dt><dd>{does}</dd>" for key, does in KEYS.items()))
-        )
+        keys = "".join(f"<dt>{key}</dt><dd>{does}</dd>" for key, does in KEYS.items())
+        scene.append_to_caption(PRESENT.replace("KEYS", keys))
         begin_part("numbers")
         self.readout, self.impacts = wtext(), wtext()
         scene.append_to_caption(LEAVE)
@@ -84,7 +83,8 @@ class Panel:
         add_label("Graph")
         self.graph = menu(choices=[""], bind=lambda menu: give("graph", menu.selected))
         add_label("Time of the graph")
-        self.span = menu(choices=list(SPANS), bind=lambda menu: give("span", menu.selected))
+        spans = [*SPANS]
+        self.span = menu(choices=spans, selected=spans[0], bind=lambda menu: give("span", menu.selected))
         self.chosen = wtext()
         begin_part("pendula-part", fold="For programmers")
         self.table.add(give)
@@ -112,12 +112,10 @@ class Panel:
 
     def send_again(self) -> None:
         """Send what you have set to a page that was loaded again: VPython has only received it, and never sent it."""
+        boxes = self.arrows, self.slow_hits, self.sound, self.separating, self.questions.box
         sent = [(setting.slider, "value") for setting in (self.speed, self.lifted, *self.angles)]
         sent += [(menu, "selected") for menu in (self.collisions, self.span, self.questions.menu)]
-        sent += [
-            (box, "checked") for box in (self.arrows, self.slow_hits, self.sound, self.separating, self.questions.box)
-        ]
-        for widget, name in sent:
+        for widget, name in [*sent, *((box, "checked") for box in boxes)]:
             setattr(widget, name, getattr(widget, name))
 
     def show_error(self, message) -> None:
