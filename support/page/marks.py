@@ -11,8 +11,8 @@ from support.pendulum import arm
 
 ARROW_TIME = 0.1  # s: an arrow is as long as its bob's way in this time
 GREEN, YELLOW = vector(0.0, 0.62, 0.45), vector(1.0, 0.75, 0.0)  # of the arrows, and of the halos
-BAR, BELOW = 0.15, 0.17  # the height of the largest bar, and its distance from the base, in reaches of the cradle
-STILL = 0.02  # m/s: a slower bob has no arrow
+BAR, BELOW = 0.2, 0.17  # the height of the largest bar, and its distance from the base, in reaches of the cradle
+STILL = 0.05  # m/s: a slower bob has no arrow
 FLAT = 0.01  # the least part of that height: no shape can have the size 0
 PALE = 0.3  # the opacity of a ghost
 

@@ -23,7 +23,7 @@ from support.page.source import Source
 REFRESH = 0.1  # s between two changes of the numbers and the graph
 QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
 SLOWLY = 0.1  # times real time: the speed of an experiment that is repeated slowly
-HIT_LINES = 3  # of text, above the cradle
+HIT_LINES = 5  # of text, above the cradle
 REST = 3.0  # s that the picture rests when an experiment has been measured
 GOODBYE = 10.0  # s that the page has to fetch the last message
 

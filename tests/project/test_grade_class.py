@@ -143,10 +143,7 @@ def test_a_full_disk_stops_the_class(grade, solved, monkeypatch):
 
 @pytest.fixture
 def main(made, process, monkeypatch, capsys):
-    """A function that runs grade_class.py or another program; it returns the status, stdout and stderr.
-
-    The judge of grade_class.py is in this process.
-    """
+    """A function that runs grade_class.py, or another program, in this process; it returns status, stdout and stderr."""
 
     def side_by_side(to_grade, given, *_):
         grade_class.JUDGE.update(given=given, process=process)

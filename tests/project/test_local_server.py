@@ -71,10 +71,7 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def site(folder):
-    """The address of a program that waits for a browser; its query is the key.
-
-    In all this time, the program prints nothing more. After the tests, Ctrl+C ends it.
-    """
+    """The address of a program that waits for a browser, and prints nothing more; its query is the key."""
     program, port = copy_project(folder.parent, FIVE_CSV) / "src" / programs.PROGRAM.name, free_port()
     with running(program, folder=folder, patience=60 * SECONDS, VPYTHON_HTTP_PORT=str(port)) as process:
         address = first_lines(process)

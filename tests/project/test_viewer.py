@@ -1,7 +1,4 @@
-"""The viewer, its panel and its graph on the stand-in: widgets, keys, mouse, and texts.
-
-Time passes only when a test moves its own wall clock.
-"""
+"""The viewer, its panel and its graph on the stand-in. Time passes only when a test moves its own wall clock."""
 
 import re
 from itertools import pairwise
@@ -163,18 +160,15 @@ def test_arrows_show_each_velocity_and_bars_the_momenta_and_their_sum(csv, kind)
         wall.save(csv_text) if csv_text else None
         wall.give("show again")
         wall.wait(0.15)
-        cradle = wall.viewer.cradle
+        cradle, bars = wall.viewer.cradle, visible(wall, "bars")
         moves = [(vx, vy) for pend in cradle.pend_list for _, vx, vy in bob_motions(pend, R_PARAM)]
-        shown = [(bob, v) for bob, v in zip(cradle.bobs(), moves, strict=True) if hypot(*v) > STILL]
-        assert len(shown) == len(kind.angle_keys)
-        for arrow, (bob, v) in zip(visible(wall, "arrows"), shown, strict=True):
-            assert (arrow.axis / ARROW_TIME).value == pytest.approx([*v, 0])
-            assert (arrow.pos.x, arrow.pos.y) == (bob.pos.x, bob.pos.y)
-        heights = [bar.pos.y - wall.viewer.marks.level for bar in visible(wall, "bars")]
+        shown = [(*bob.pos.value[:2], *v) for bob, v in zip(cradle.bobs(), moves, strict=True) if hypot(*v) > STILL]
+        arrows = [(*arrow.pos.value[:2], *(arrow.axis / ARROW_TIME).value[:2]) for arrow in visible(wall, "arrows")]
+        assert arrows == [pytest.approx(each) for each in shown] and len(shown) == len(kind.angle_keys)
         momenta = [momentum([pend], R_PARAM) for pend in cradle.pend_list]
-        shares = [p / cradle.momentum() for p in (*momenta, cradle.momentum())]
-        assert [height / heights[-1] for height in heights] == pytest.approx(shares)
-        assert [bar.color for bar in visible(wall, "bars")[:-1]] == [p["objects"][1].color for p in cradle.pend_list]
+        unit = (bars[-1].pos.y - wall.viewer.marks.level) / sum(momenta)
+        assert [bar.pos.y - wall.viewer.marks.level for bar in bars[:-1]] == pytest.approx([p * unit for p in momenta])
+        assert [bar.color for bar in bars[:-1]] == [pend["objects"][1].color for pend in cradle.pend_list]
     wall.use(wall.panel.arrows, checked=False)
     assert (visible(wall, "arrows"), visible(wall, "bars"), visible(wall, "words")) == ([], [], [])
 
