@@ -143,7 +143,7 @@ def test_a_full_disk_stops_the_class(grade, solved, monkeypatch):
 
 @pytest.fixture
 def main(made, process, monkeypatch, capsys):
-    """A function that runs grade_class.py, or another program, in this process; it returns status, stdout and stderr."""
+    """A function that runs grade_class.py, or another program, in this process; it returns (status, stdout, stderr)."""
 
     def side_by_side(to_grade, given, *_):
         grade_class.JUDGE.update(given=given, process=process)
