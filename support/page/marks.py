@@ -14,7 +14,7 @@ GREEN, YELLOW = vector(0.0, 0.62, 0.45), vector(1.0, 0.75, 0.0)  # of the arrows
 BAR, BELOW = 0.2, 0.17  # the height of the largest bar, and its distance from the base, in reaches of the cradle
 STILL = 0.05  # m/s: a slower bob has no arrow
 FLAT = 0.01  # the least part of that height: no shape can have the size 0
-PALE = 0.3  # the opacity of a ghost
+PALE, OWN = vector(0.55, 0.55, 0.55), 0.35  # of a ghost: its color, and the part of its bob's color in it
 
 
 class Marks:
@@ -87,14 +87,14 @@ class Marks:
 
     def show_ghosts(self, thetas) -> None:
         """Show a pale upper bob and cord at each of these angles (rad), or none for an empty list."""
-        ghosts = self.enough("ghosts", len(thetas), sphere, opacity=PALE)
-        threads = self.enough("threads", len(thetas), cylinder, opacity=PALE)
+        ghosts = self.enough("ghosts", len(thetas), sphere, shininess=0)
+        threads = self.enough("threads", len(thetas), cylinder)
         for ghost, thread, pend, theta in zip(ghosts, threads, self.cradle.pend_list, thetas, strict=False):
             axle, bob, cord = pend["objects"][:3]
             axis = arm(theta, R_PARAM)
-            # Inside of the bob, where it is as predicted.
-            ghost.pos, ghost.radius, ghost.color = axle.pos + axis, 0.97 * bob.radius, bob.color
-            thread.pos, thread.axis, thread.radius, thread.color = axle.pos, axis, cord.radius, cord.color
+            # Inside of bob and cord, where these are as predicted.
+            ghost.pos, ghost.radius, ghost.color = axle.pos + axis, 0.97 * bob.radius, PALE + OWN * bob.color
+            thread.pos, thread.axis, thread.radius, thread.color = axle.pos, axis, 0.9 * cord.radius, ghost.color
 
     def show_halos(self, pair) -> None:
         """Light up these pendula (indices), or none."""

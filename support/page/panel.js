@@ -7,7 +7,7 @@
 
   const scene = () => glowObjs[0];
   const find = selector => [...document.querySelectorAll(selector)];
-  const bobs = () => glowObjs.filter(o => o?.constructor.name === "sphere" && o.visible && o.opacity === 1); // no ghosts
+  const bobs = () => glowObjs.filter(o => o?.constructor.name === "sphere" && o.visible && o.shininess); // no ghosts
   const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const dark = matchMedia("(prefers-color-scheme: dark)"), tall = matchMedia("(max-aspect-ratio: 14/10)"); // as in panel.css
   const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in dragging.py
