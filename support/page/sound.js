@@ -1,23 +1,28 @@
 // The sound of the hits: a click for the fastest hit of each picture. Off until you tick the box Sound.
 {
   const LOUDEST = 2; // m/s: a faster hit is not louder
-  let box, place; // the checkbox, and the element in which the program puts a hit
-  let audio; // only after you have ticked the box
+  let box, place, audio, click; // the checkbox; where the program puts a hit; two that come when you tick the box
+
+  function open() {
+    audio = new AudioContext();
+    const rate = audio.sampleRate, wave = t => Math.sin(2 * Math.PI * 3700 * t) * Math.exp(-t / 0.006); // as short as steel's
+    click = audio.createBuffer(1, 0.04 * rate, rate);
+    click.copyToChannel(click.getChannelData(0).map((_, i) => wave(i / rate)), 0);
+  }
 
   function follow() { // a browser allows sound only after a click or a key; a reload needs one, too
-    if (box.checked) (audio ??= new AudioContext()).resume();
+    if (box.checked && !audio) open();
+    if (box.checked) audio.resume();
     else audio?.suspend();
   }
 
   function play() {
     const speed = Number(place.querySelector(".hit")?.dataset.speed);
     if (audio?.state !== "running" || !speed) return;
+    const source = new AudioBufferSourceNode(audio, { buffer: click });
     const gain = 0.5 * Math.sqrt(Math.min(1, speed / LOUDEST)); // the root: the ear hears slow hits, too, beside fast ones
-    const tone = new OscillatorNode(audio, { type: "triangle", frequency: 3700 }), fading = new GainNode(audio, { gain });
-    fading.gain.setTargetAtTime(0, audio.currentTime, 0.006); // s: as short as the click of steel
-    tone.connect(fading).connect(audio.destination);
-    tone.start();
-    tone.stop(audio.currentTime + 0.05);
+    source.connect(new GainNode(audio, { gain })).connect(audio.destination);
+    source.start();
   }
 
   addEventListener("arranged", () => {
