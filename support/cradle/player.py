@@ -18,7 +18,7 @@ from support.files.cradle_csv import clean_copy
 from support.start.mistake import MistakeError
 
 ENDLESS = 1.0  # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends
-FEW = 10  # ticks after which a held bob is put back; in this time it falls by less than 0.01 degrees
+FEW = 10  # ticks in a part for slow hits, or while a bob is held: it then falls by less than 0.01 degrees
 
 
 class Player:

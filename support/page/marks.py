@@ -49,10 +49,7 @@ class Marks:
     # --- arrows and bars ---------------------------------------------------------------------------------------------
 
     def place_arrows(self) -> None:
-        """Make the arrows of the velocities, and below the cradle the bars of the momenta, or hide them all.
-
-        Each pendulum has a bar in its color below its axle. The last bar is their sum.
-        """
+        """Make the arrows, and below each axle a bar in the color of its bob, and one for the sum; or hide them all."""
         shown, bobs, reach = self.has_arrows, self.cradle.bobs(), self.cradle.reach
         first, *_, last = self.xs = [axle.pos.x for axle in (*self.cradle.axles(), self.cradle.axles()[-1])]
         self.xs[-1] += reach / 3  # of the sum
@@ -78,8 +75,10 @@ class Marks:
             if each.visible:
                 each.pos, each.axis = bob.pos + vector(0, 0, bob.radius), vector(ARROW_TIME * vx, ARROW_TIME * vy, 0)
         momenta = [momentum([pend], R_PARAM) for pend in pend_list]
-        for bar, x, p in zip(self.bars, self.xs, [*momenta, sum(momenta)], strict=True):
-            height = self.height * max(-1, min(p / self.largest, 1))
+        momenta.append(sum(momenta))
+        self.largest = max(self.largest, *map(abs, momenta))  # a light bob that bounces back gives more than it had
+        for bar, x, p in zip(self.bars, self.xs, momenta, strict=True):
+            height = self.height * p / self.largest
             bar.size = vector(R_PARAM / 8, max(abs(height), FLAT * self.height), R_PARAM / 40)
             bar.pos = vector(x, self.level + height / 2, 0)
 

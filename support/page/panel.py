@@ -11,7 +11,7 @@ from support.pendulum import from_lift, to_lift
 FOLDER = Path(__file__).parent  # its .css and .js files are the style of the page, and additions to VPython's page
 
 PRESENT = """\
-<button onclick="present()" title="Show only the cradle and its numbers, in full screen (F)">Present</button>
+<button onclick="present()" title="Show the cradle in full screen, for a class (F)">Present</button>
 <button class="keys" popovertarget="keys" aria-label="Keys" title="Keys">?</button>
 <div id="keys" popover><h2>Keys</h2><dl>KEYS</dl><p>Drag a bob with the mouse or a finger.</p></div>"""
 LEAVE = '<button class="leave" onclick="present()" aria-label="End the presentation">&times;</button>'
@@ -164,7 +164,7 @@ class Panel:
 
 def momentum_cell(momentum) -> str:
     """Return the momentum (kg m/s) as text, with an arrow in its direction."""
-    moving = f"{momentum:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
+    moving = f"{round(momentum, 3) + 0.0:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
     arrow = "" if abs(momentum) < 0.0005 else " &rarr;" if momentum > 0 else " &larr;"
     return f"{moving} kg m/s{arrow}"
 

@@ -11,7 +11,7 @@ from support.files.experiments import Experiment, read_experiments, YOUR_CSV
 from support.page.panel import add_label, change
 
 LETTERS = "ABCDE"  # of the answers
-NUMBERS = {"before": "fastest before the first hit (m/s)", "speed": "and after it (m/s)", "swing": "swung to (degrees)"}
+NUMBERS = {"before": "largest speed before the first hit (m/s)", "speed": "largest speed after it (m/s)"}
 
 
 class Questions:
@@ -114,10 +114,7 @@ class Questions:
         return self.experiment.key if self.experiment else ""
 
     def note(self, sample, has_hit) -> bool:
-        """Measure a sample of Motion, and return whether the measurement ends with it.
-
-        has_hit says whether two bobs have hit each other by then.
-        """
+        """Measure a sample of Motion (has_hit: two bobs have hit by then); return whether the measurement ends now."""
         if not self.measurement or self.measurement.is_over:
             return False
         self.measurement.note(sample, has_hit)
@@ -126,10 +123,7 @@ class Questions:
         return self.measurement.is_over
 
     def predicted(self, time) -> list[float]:
-        """Return the angles (rad) that the answer predicts for this time (s), from the first hit to the measurement.
-
-        The file says only how far the bobs swing: they get there at the time of the measurement, along a sine.
-        """
+        """Return the angles (rad) that the answer predicts for this time (s): from the first hit on, along a sine."""
         measured = self.measurement
         if not (measured and self.experiment and self.said is not None and measured.hit_time < time <= measured.end):
             return []
@@ -196,8 +190,9 @@ def sheet_text(experiment, measured, said) -> str:
     ]
     if measured.is_over:
         numbers, bobs = measured.numbers(), range(1, len(measured.swings) + 1)
-        rows = [["bob", *bobs]]
+        rows = [["bob" if len(experiment.angles[0]) == 1 else "upper bob", *bobs]]
         rows += [[words, *(numbers[f"{kind}_{bob}"] for bob in bobs)] for kind, words in NUMBERS.items()]
+        rows.append(["swung to (degrees)", *(f"{round(swing)}" for swing in measured.swings)])
         table = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
         pages.append(
             f"<h1>{name}: measured</h1><p>{what_happened(experiment, measured, said)}</p><table>{table}</table>"

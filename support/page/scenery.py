@@ -109,10 +109,7 @@ class Scenery:
         self.point_camera()
 
     def limit_view(self) -> bool:
-        """Return whether you have moved the camera.
-
-        Bring it back if it is so near, so far or so much to one side that nothing of the cradle is seen.
-        """
+        """Return whether you have moved the camera; bring it back if nothing of the cradle is seen."""
         center, distance = self.home
         if not NEAREST * distance <= scene.range <= FARTHEST * distance:
             scene.range = min(max(scene.range, NEAREST * distance), FARTHEST * distance)

@@ -3,7 +3,7 @@
 // second canvas.
 {
   const find = selector => document.querySelector(selector);
-  let asked, picture;
+  let asked, picture, filter;
 
   function keepPicture() {
     const question = find(".answers") && find(".question strong").textContent;
@@ -12,11 +12,12 @@
     const paper = Object.assign(document.createElement("canvas"), { width: cradle.width, height: cradle.height });
     for (const layer of [cradle, labels]) paper.getContext("2d").drawImage(layer, 0, 0);
     [asked, picture] = [question, paper.toDataURL()];
+    filter = matchMedia("(prefers-color-scheme: dark)").matches ? "invert(1) hue-rotate(180deg)" : ""; // on white paper
   }
 
   addEventListener("arranged", () => glowObjs[0].bind("draw_complete", keepPicture));
   addEventListener("beforeprint", () => {
     const image = find(".sheet img");
-    if (image) image.src = picture;
+    if (image) Object.assign(image, { src: picture, style: `filter: ${filter}` });
   });
 }

@@ -21,10 +21,7 @@ class SlowHit(NamedTuple):
 
 
 class SlowHits:
-    """The hits that are to be shown, and the one that is shown now.
-
-    They come from the calls of the function that lets two pendula collide, in the order of these calls.
-    """
+    """The hits to show, in the order in which the function that lets two pendula collide was called."""
 
     def __init__(self, cradle):
         """Show nothing yet."""
@@ -51,8 +48,8 @@ class SlowHits:
                 self.last = time
                 self.waiting.append(SlowHit(hit, self.count, list(pendula)))
 
-    def holds(self, now) -> bool:
-        """Return whether the time holds; now is the time on the pace's clock. Go on to the next hit if it is due."""
+    def go_on(self, now) -> bool:
+        """Go on to the next hit if it is due (now is the time on the pace's clock); return whether one is shown."""
         if not self.shown or now >= self.until:
             self.shown, self.until = (self.waiting.popleft(), now + EACH) if self.waiting else (None, -inf)
         return bool(self.shown)
@@ -62,9 +59,10 @@ class SlowHits:
         if not self.shown:
             return ""
         hit, number, _ = self.shown
-        words = f"<strong>Hit {number}: bobs {hit.left + 1} and {hit.right + 1}</strong>"
+        one, two = ("bob", "bobs") if len(self.cradle.angles) == 1 else ("pendulum", "pendula")
+        words = f"<strong>Hit {number}: {two} {hit.left + 1} and {hit.right + 1}</strong>"
         for bob, before, after in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
-            words += f"<span>bob {bob + 1}: {self.velocity(before)} &rarr; {self.velocity(after)} m/s</span>"
+            words += f"<span>{one} {bob + 1}: {self.velocity(before)} &rarr; {self.velocity(after)} m/s</span>"
         words += (
             f"<small>This order is the model's: {self.cradle.names.collide} takes one pair after the other.</small>"
         )

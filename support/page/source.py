@@ -1,5 +1,6 @@
 """The source of the viewer's cradle: your CSV, an experiment, or the table in which you edit the pendula."""
 
+from math import inf
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
@@ -144,7 +145,10 @@ class Source:
 
     def leave_experiment(self) -> None:
         """Measure nothing any more: the cradle is no longer that of the experiment. If it was waiting, it runs."""
-        self.viewer.running = self.viewer.running or self.questions.is_asking
+        viewer = self.viewer
+        viewer.running, viewer.rest_end = viewer.running or self.questions.is_asking, -inf
+        viewer.slow_hits.clear()
+        viewer.set_speed(viewer.speed)  # also if an experiment was repeated slowly
         self.questions.leave()
 
     # --- the table ---------------------------------------------------------------------------------------------------
@@ -227,7 +231,8 @@ class Source:
             return
         before = Snapshot(self.file.filepath)
         if self.replace_file(written, "has these pendula now") and before != written:  # a second click changes nothing
-            self.undoable = None if before.error else (before, written)
+            first = self.undoable[0] if self.undoable and self.undoable[1] == before else before
+            self.undoable = None if first.error else (first, written)
 
     def undo(self, _) -> None:
         """Put your CSV back as it was before the last write, once; if it has changed since, it stays as it is."""

@@ -147,7 +147,9 @@ def what_changes(file, csv) -> str:
     """Return in a line what Write to my CSV changes in the file if it writes csv, a cradle; both are Snapshots."""
     name, old, new = Path(str(file)).name, columns_of(file), columns_of(csv)
     if not old:
-        return f"replaces all of {name}, which {'cannot be read: no Undo then' if file.error else 'has a mistake now'}"
+        return (
+            f"replaces all of {name}, which {'cannot be read, so without Undo' if file.error else 'has a mistake now'}"
+        )
     told = [f"{'adds' if column in new else 'removes'} column {column}" for column in sorted(old.keys() ^ new.keys())]
     both = [column for column in old if column in new]
     before, after = (zip(*map(columns.get, both), strict=True) for columns in (old, new))

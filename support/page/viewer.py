@@ -81,18 +81,18 @@ class Viewer(Player):
                 self.show_settings()
         if not self.is_wanted and self.source.file.changed():
             self.source.reload()
-        if not self.running or self.holds():
+        if self.keeps_still() or not self.running:
             self.pace.restart()
         elif not (self.is_wanted or self.planned):
             self.keep_time()
 
-    def holds(self) -> bool:
-        """Return whether the time holds: after the measurement of an experiment, or to show hits slowly."""
+    def keeps_still(self) -> bool:
+        """Go on with slow hits and slow runs; return whether the time holds, also after an experiment is measured."""
         now = self.pace.clock()
         if self.questions.slowly and -inf < self.rest_end <= now:
             self.questions.slowly, self.pace.speed = False, self.speed
             self.show_settings()
-        return now < self.rest_end or self.slow_hits.holds(now)
+        return now < self.rest_end or self.slow_hits.go_on(now if self.running else -inf)
 
     def show_frame(self) -> None:
         """Show the result of the last ticks: view, marks, sound, numbers and graph."""
@@ -115,8 +115,8 @@ class Viewer(Player):
     def made(self) -> None:
         """Show a new cradle. On a new page, it starts when the page has it, so that you see the release."""
         self.rest_end = -inf
-        self.slow_hits.clear()
         self.source.pose()
+        self.slow_hits.clear()
         self.pace.speed = SLOWLY if self.questions.slowly else self.speed
         masses = self.cradle.values("mass")
         self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, masses)
@@ -172,8 +172,8 @@ class Viewer(Player):
         """Turn the keys and the mouse into commands."""
 
         def press(event):
-            if event.key in KEYS and not (event.ctrl or event.alt):
-                self.give(*KEYS[event.key])
+            if event.key.lower() in KEYS and not (event.ctrl or event.alt):
+                self.give(*KEYS[event.key.lower()])
 
         def ray(event):  # of the mouse: a point on it, and its direction
             return event.pos, scene.mouse.ray
@@ -224,14 +224,14 @@ class Viewer(Player):
 
     def pause(self, _) -> None:
         """Stop the time, or let it go on; an open question then has no answer."""
-        self.running = not self.running
+        self.running, self.rest_end = not self.running, -inf
         self.questions.skip()
 
     def do_step(self, _) -> None:
         """Do the ticks of one frame, while paused, or show the next one of slow hits."""
-        if not self.running and self.slow_hits.shown:
+        if not self.running and (self.slow_hits.shown or self.slow_hits.waiting):
             self.slow_hits.until = -inf
-            self.slow_hits.holds(self.pace.clock())
+            self.slow_hits.go_on(self.pace.clock())
         elif not self.running:
             self.questions.skip()
             self.plan(round(FRAME * self.pace.speed / self.cradle.dt))
@@ -290,6 +290,8 @@ class Viewer(Player):
         if self.cradle.hand.held is not None:
             self.cradle.hand.held = None
             self.motion.set_start()
+            self.marks.take(self.cradle, self.scenery.bottom())
+            self.slow_hits.clear()
 
     # --- texts and numbers -------------------------------------------------------------------------------------------
 

@@ -205,7 +205,6 @@ def test_the_question_comes_before_each_release_and_the_explanation_after_it(ask
 
 @pytest.mark.parametrize("command", ["pause", "step", "tick"])
 def test_the_cradle_also_runs_without_an_answer(asking, command):
-    """The measurement begins at the release."""
     asking.viewer.give(command)
     asking.wait(0.05)
     assert shown(asking) == [QUESTION, SHEET]
@@ -218,7 +217,6 @@ def test_the_cradle_also_runs_without_an_answer(asking, command):
 
 @pytest.mark.parametrize("value", [["1_one_bob", 0], ["5_heavy_hits_light", None], ["2_two_bobs", 99]])
 def test_an_answer_to_another_question_does_nothing(asking, value):
-    """You may click faster than the page shows the new question."""
     asking.viewer.give("answer", value)
     asking.viewer.give("vote", value)
     asking.wait(0.1)
@@ -231,7 +229,6 @@ def test_an_answer_to_another_question_does_nothing(asking, value):
 
 
 def test_the_box_asks_at_once_and_takes_the_question_back(wall):
-    """It asks nothing about your CSV."""
     for number, (time, lines) in {None: (0.2, 0), TWO: (0, 7)}.items():
         choose(wall, number)
         wall.wait(0.2)

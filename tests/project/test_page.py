@@ -188,7 +188,6 @@ SEEN = """() => ["arrow", "box", "sphere"].map(
 
 
 def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
-    """Arrows, bars, ghosts and the words about a hit are there."""
     question, hit = shared.locator(".question"), shared.locator(".hit-words")
     shared.get_by_role("checkbox", name="Predict first").check()
     shared.keyboard.press("f")

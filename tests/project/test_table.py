@@ -244,7 +244,7 @@ def test_a_write_to_csv_with_a_mistake_leaves_your_csv_alone(opened, csv, monkey
 def test_a_file_that_cannot_be_written_is_named_in_a_line(opened, csv):
     os.rename(csv.parent, csv.parent.with_name("elsewhere"))
     opened.wait(1)
-    assert text(opened.viewer.table.written) == "replaces all of cradle.csv, which cannot be read: no Undo then"
+    assert text(opened.viewer.table.written) == "replaces all of cradle.csv, which cannot be read, so without Undo"
     opened.click(opened.viewer.table.write)
     assert text(opened.viewer.table.written) == f"{csv}: cannot be written: No such file or directory"
     csv.parent.mkdir()

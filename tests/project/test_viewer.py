@@ -18,7 +18,7 @@ from support.cradle.real_time import FRAME
 from support.energy import bob_motions, momentum
 from support.files.cradle_csv import POLL
 from support.files.data_file import EVERY
-from support.page.marks import ARROW_TIME, STILL
+from support.page.marks import ARROW_TIME, FLAT, STILL
 from support.page.motion_graph import ENERGIES, ENERGY, MOST, NOTHING, PHASE, PHASE_SPAN, SPANS
 from support.page.scenery import FORWARD
 
@@ -166,8 +166,12 @@ def test_arrows_show_each_velocity_and_bars_the_momenta_and_their_sum(csv, kind)
         arrows = [(*arrow.pos.value[:2], *(arrow.axis / ARROW_TIME).value[:2]) for arrow in visible(wall, "arrows")]
         assert arrows == [pytest.approx(each) for each in shown] and len(shown) == len(kind.angle_keys)
         momenta = [momentum([pend], R_PARAM) for pend in cradle.pend_list]
-        unit = (bars[-1].pos.y - wall.viewer.marks.level) / sum(momenta)
-        assert [bar.pos.y - wall.viewer.marks.level for bar in bars[:-1]] == pytest.approx([p * unit for p in momenta])
+        marks, momenta = wall.viewer.marks, [*momenta, sum(momenta)]
+        unit, flat = marks.height / max(marks.largest, *map(abs, momenta)), FLAT * marks.height
+        for bar, x, p in zip(bars, marks.xs, momenta, strict=True):
+            expected = [x, marks.level + p * unit / 2, max(flat, abs(p * unit))]
+            assert [bar.pos.x, bar.pos.y, bar.size.y] == pytest.approx(expected)
+        assert marks.xs[:-1] == [axle.pos.x for axle in cradle.axles()]
         assert [bar.color for bar in bars[:-1]] == [pend["objects"][1].color for pend in cradle.pend_list]
     wall.use(wall.panel.arrows, checked=False)
     assert (visible(wall, "arrows"), visible(wall, "bars"), visible(wall, "words")) == ([], [], [])
@@ -209,7 +213,10 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
     wall.wait(1)
     assert wall.viewer.motion.ticks == ticks
     wall.wait(0.5)
-    assert wall.viewer.motion.ticks > ticks
+    ticks, same = wall.viewer.motion.ticks - ticks, Wall(csv, 45, lifted=2).viewer  # nothing else has moved the bobs
+    for _ in range(wall.viewer.motion.ticks):
+        visualize_cradle_run.newton_cradle_tick(same.cradle.pend_list, R_PARAM, same.cradle.dt, G, **same.rule)
+    assert (ticks > 0, same.cradle.values("theta")) == (True, wall.thetas())
 
 
 def test_a_step_goes_on_to_the_next_of_the_slow_hits(wall):
@@ -348,7 +355,6 @@ def test_the_impacts_until_a_restart(wall):
 
 
 def test_unchanged_texts_are_not_sent_again(wall):
-    """Otherwise, a person could not select it."""
     wall.panel.pause.bind()
     wall.wait(0.5)
     texts = [wall.panel.readout, wall.panel.impacts, wall.panel.error, wall.panel.speed.text]
@@ -387,7 +393,6 @@ def test_a_reloaded_page_shows_the_first_view_and_restarts(wall, monkeypatch):
 
 
 def test_a_resized_canvas_is_filled_and_a_swing_above_the_frame_widens_the_view_until_the_next_restart(wall):
-    """The view is the same as for a cradle with this size from the start."""
     scene.width, scene.height = 1000, 400
     scene.bound["resize"]()
     wall.wait()
@@ -412,7 +417,6 @@ def test_a_remark_stands_above_the_widgets(monkeypatch, csv):
 
 
 def test_numbers_change_ten_times_a_second(wall):
-    """The graph too; not with each picture, because nobody could read that."""
     seen = []
     for _ in range(60):
         wall.now += FRAME
