@@ -79,8 +79,7 @@ def shared(started, file):
     for key in "1rv":
         page.keyboard.press(key)
     for slider, text, part in ((SPEED, "1.0x", 0.475), (programs.ANGLE, "45°", 0.25)):
-        if values(page)[slider] != text:
-            slide(page, slider, part)
+        wait_until(lambda at=slider, text=text, part=part: values(page)[at] == text or slide(page, at, part))
     wait_until(lambda: values(page) == ["1.0x", "1 of 5", "45°"] and len(page.evaluate(BOBS)) == 5)
     page.get_by_role("button", name="Pause").wait_for()
     return page
