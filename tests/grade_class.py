@@ -206,8 +206,7 @@ def graded(submission, digest) -> tuple[Result, str]:
     begin = time.monotonic()
     files = {**JUDGE["given"], **{f"src/{name}": content for name, content in submission.files.items()}}
     outcomes, text, problems = judge.grade(files, JUDGE["process"])
-    seconds = time.monotonic() - begin
-    return Result(submission.student, digest, outcomes, seconds, submission.problems + problems), text
+    return Result(submission.student, digest, outcomes, time.monotonic() - begin, submission.problems + problems), text
 
 
 def finish(options, results, count, others) -> None:

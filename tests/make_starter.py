@@ -29,9 +29,8 @@ FILES = [
 FOLDERS = ["src", "support", "tests/grading"]
 WITH_ANSWERS = {"README.md", "many_ticks.py", "double_collisions.py"}  # src/README.md, the fast path, double cradles
 UNUSED = {"__pycache__", "double.png", "experiment.png", "swing.png", *WITH_ANSWERS}  # .png: of the READMEs
-DOUBLE_RUN = "src/visualize_double_cradle_run.py"
 # Files whose functions lose their bodies, and these functions: also two of the honor roll without a check.
-STUDENTS_FILES = {*(function.file for function in FUNCTIONS.values()), DOUBLE_RUN}
+STUDENTS_FILES = {*(function.file for function in FUNCTIONS.values()), "src/visualize_double_cradle_run.py"}
 STUDENTS_FUNCTIONS = {*FUNCTIONS, "double_cradle_tick"}
 PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
 
@@ -116,8 +115,7 @@ def for_students(path) -> str:
     for before, after in CHANGES:
         source = re.sub(before, after, source)
     if "__main__" not in source:
-        head, end, body = source.partition('"""\n\n')
-        source = f"{head}{end}{NO_PROGRAM if end else ''}{body}"
+        source = source.replace('"""\n\n', f'"""\n\n{NO_PROGRAM}', 1)
     return emptied(source) if f"src/{path.name}" in STUDENTS_FILES else source
 
 
@@ -142,12 +140,9 @@ def places(function) -> list[tuple[int, int, int, str]]:
     if function.name != "main":
         given = function.body[PROVIDED.get(function.name, 0)]  # the docstring is the first statement
         return [(given.end_lineno, function.end_lineno, 4, "")]
-    calls = [
-        node
-        for node in ast.walk(function)
-        if isinstance(node, (ast.Assign, ast.Expr)) and isinstance(getattr(node.value, "func", None), ast.Name)
-    ]
     words = {ast.Assign: ": make pend_list", ast.Expr: ": one tick"}
+    nodes = [node for node in ast.walk(function) if type(node) in words]
+    calls = [node for node in nodes if isinstance(getattr(node.value, "func", None), ast.Name)]
     return [(node.lineno - 1, node.end_lineno, node.col_offset, words[type(node)]) for node in calls]
 
 

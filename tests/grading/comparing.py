@@ -62,17 +62,15 @@ def hint_for(found, wanted, hints) -> str:
 
 def is_mixed_up(found, wanted) -> bool:
     """Return whether found has the values of wanted, up to four numbers, in another order."""
-    return (
-        len(found) < 5 and not same(tuple(found), wanted) and any(same(order, wanted) for order in permutations(found))
-    )
+    has_all = len(found) < 5 and any(same(order, wanted) for order in permutations(found))
+    return has_all and not same(tuple(found), wanted)
 
 
 @cache
 def rows_of(file, name) -> list[tuple[str, str]]:
     """Return the rows of a table (a file of this folder) below the headings with this name, as pairs of lines."""
-    parts = re.split(
-        r"^\[([a-z_ ]+)\]\n", Path(__file__).with_name(file).read_text(encoding="utf-8"), flags=re.MULTILINE
-    )
+    text = Path(__file__).with_name(file).read_text(encoding="utf-8")
+    parts = re.split(r"^\[([a-z_ ]+)\]\n", text, flags=re.MULTILINE)
     below = [text for names, text in zip(parts[1::2], parts[2::2], strict=True) if name in names.split()]
     return re.findall(r"^(\S.*)\n    (.*)", "".join(below), re.MULTILINE)
 

@@ -45,10 +45,7 @@ def row(count, **values) -> list[dict]:
 
 def touching(*omegas, radius=R / 8):
     """Return pendula that hang straight down and touch, with these omegas (rad/s)."""
-    pend_list = row(len(omegas), radius=radius)
-    for pend, omega in zip(pend_list, omegas, strict=True):
-        pend["omega"] = omega
-    return pend_list
+    return [hang(omega=omega, axle=(i * R / 4, 0, 0), radius=radius) for i, omega in enumerate(omegas)]
 
 
 def shapes() -> set[int]:

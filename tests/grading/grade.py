@@ -2,6 +2,7 @@
 
 import re
 from collections import Counter
+from itertools import takewhile
 from textwrap import wrap
 
 from grading.comparing import rows_of
@@ -25,16 +26,11 @@ def grade(outcomes) -> dict:
     for tier in SUITES:
         states = Counter(outcomes[check.name].state for check in checks(tier=tier) if check.name in outcomes)
         if states:
-            failed = states[FAILED] + states[FAULT]
-            counts = {"passed": states[PASSED], "waiting": states[WAITING], "failed": failed}
+            counts = {"passed": states[PASSED], "waiting": states[WAITING], "failed": states[FAILED] + states[FAULT]}
             tiers[tier] = {**counts, "points": states[PASSED], "of": len(checks(tier=tier))}
-    earned = None
-    for tier in SUITES:
-        if tier not in tiers or tiers[tier]["points"] < tiers[tier]["of"]:
-            break
-        earned = tier
+    complete = takewhile(lambda tier: tier in tiers and tiers[tier]["points"] == tiers[tier]["of"], SUITES)
     step, more = next_step(outcomes)
-    return {"tiers": tiers, "grade": earned, "next": step, "more": more}
+    return {"tiers": tiers, "grade": [None, *complete][-1], "next": step, "more": more}
 
 
 def made_checks(outcomes) -> list:
@@ -69,10 +65,8 @@ def next_step(outcomes) -> tuple[str, str]:
     for tier in SUITES:
         if len([check for check in made if check.tier == tier]) < len(checks(tier=tier)):
             return f"run all checks of tier {tier}", ""
-    return (
-        "all functions with a check are right",
-        "The double cradle needs three more places: see the end of README.md.",
-    )
+    more = "The double cradle needs three more places: see the end of README.md."
+    return "all functions with a check are right", more
 
 
 def mistakes_in(outcomes) -> list:
@@ -130,19 +124,11 @@ def table(outcomes, columns, note="") -> list[tuple[str, str]]:
     if next(iter(SUITES)) in graded["tiers"]:
         verdict = [f"Grade: {graded['grade'] or 'none yet'}."]
     causes = Counter(each.cause for each in outcomes.values() if each.state == WAITING and not each.place)
-    waits = [
-        f"{count} check{'s' * (count > 1)} wait{'s' * (count == 1)} for {cause}" for cause, count in causes.items()
-    ]
-    notes = []
-    for hint in [*(one.hint for one in outcomes.values() if one.state == PASSED), note]:
-        notes += wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=" " * 7) if hint else []
-    steps = [wrap(f"{graded['next']}.", columns, initial_indent="Next:  ", subsequent_indent=" " * 7)]
-    for line in graded["more"].split("\n"):
-        steps.append(wrap(line, columns, initial_indent=" " * 7, subsequent_indent=" " * 7))
+    rows += [(f"{n} check{'s wait' if n > 1 else ' waits'} for {cause}", "yellow") for cause, n in causes.items()]
+    hints = [*(one.hint for one in outcomes.values() if one.state == PASSED), note]
+    notes = sum((wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=" " * 7) for hint in hints), [])
+    lines = [("Next:  ", f"{graded['next']}."), *((" " * 7, line) for line in graded["more"].split("\n"))]
+    steps = [wrap(line, columns, initial_indent=begin, subsequent_indent=" " * 7) for begin, line in lines]
     while len(steps) > 2 and (sum(map(len, steps)) > LAST or steps[-1] == [f"{' ' * 7}{BOOKS}"]):
         steps.pop()
-    return [
-        *rows,
-        *((line, "yellow") for line in waits),
-        *((line, "bold") for line in [*verdict, *notes, *sum(steps, [])]),
-    ]
+    return [*rows, *((line, "bold") for line in [*verdict, *notes, *sum(steps, [])])]

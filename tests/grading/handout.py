@@ -46,8 +46,7 @@ FUNCTIONS = {
         *("B", RUN, "e, omega1, omega2, m1, m2, r_param", COLLISIONS), returns="new_omega1, new_omega2"
     ),
     "handle_two_bobs": Function(
-        *("B", RUN, "pend1, pend2, r_param", COLLISIONS, ("handle_collision",)),
-        reads=("mass", "e", "omega", "bob", "radius"),
+        "B", RUN, "pend1, pend2, r_param", COLLISIONS, ("handle_collision",), ("mass", "e", "omega", "bob", "radius")
     ),
     "newton_cradle_tick": Function(
         *("A", RUN, "pend_list, r_param, dt, g", RUNNING, ("full_swing_update", "handle_two_bobs")),
