@@ -26,16 +26,12 @@ RIGHT = {
         "the order of the keys changed": "return [{'mass': mass} | {k: v for k, v in p.items() if k != 'mass'} for p in extract_and_convert(relative_filepath)]",
         "a float": ("pend['mass'] = mass", "pend.update(mass=float(mass))"),
     },
-    "uniform_e_newton_cradle": {
-        "with pandas": "import pandas as pd; return pd.read_csv(relative_filepath).assign(e=e_val).to_dict('records')",
-    },
+    "uniform_e_newton_cradle": {"with pandas": "import pandas as pd; return pd.read_csv(relative_filepath).assign(e=e_val).to_dict('records')"},
     "elastic_newton_cradle": {
         "a float, by its name": "return uniform_e_newton_cradle(relative_filepath, e_val=1.0)",
         "by itself": "return [{**pend, 'e': 1} for pend in extract_and_convert(relative_filepath)]",
     },
-    "inelastic_newton_cradle": {
-        "by itself": "return [{**pend, 'e': 0} for pend in extract_and_convert(relative_filepath)]",
-    },
+    "inelastic_newton_cradle": {"by itself": "return [{**pend, 'e': 0} for pend in extract_and_convert(relative_filepath)]"},
     "make_newton_cradle": {
         "new dictionaries": """\
             def made(i, row):
@@ -110,10 +106,7 @@ RIGHT = {
                 swing_update(pend_list[i], r_param, dt, g)
                 if i > 0:
                     handle_two_bobs(pend_list[i - 1], pend_list[i], r_param)""",
-        "with zip": """\
-            full_swing_update(pend_list, r_param, dt, g)
-            for left, right in zip(pend_list, pend_list[1:]):
-                handle_two_bobs(left, right, r_param)""",
+        "with zip": ("i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1],", "left, right in zip(pend_list, pend_list[1:]):\n            handle_two_bobs(left, right,"),
     },
     "main": {
         "the rule handed on": ("DT, G)", "DT, G, **page.rule)"),
@@ -147,11 +140,7 @@ RIGHT = {
         "a list that stays": ("pend_list = make", "pend_list = vars(page).setdefault('list', []); pend_list[:] = make"),
     },
     "make_double_pendulum": {
-        "the lower one from a pendulum, its axle hidden": """\
-            axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
-            hidden, bob2, cord2 = make_pendulum(bob1.pos, r_param, theta + phi, color, texture)
-            hidden.visible = False
-            return axle, bob1, cord1, bob2, cord2""",
+        "the lower one from a pendulum, its axle hidden": ("bob2, cord2 = make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture)", "hidden, bob2, cord2 = make_pendulum(bob1.pos, r_param, theta + phi, color, texture)\n        hidden.visible = False"),
         "by hand": """\
             axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
             arm = vector(r_param * sin(theta + phi), -r_param * cos(theta + phi), 0)
@@ -160,10 +149,7 @@ RIGHT = {
             return axle, bob1, cord1, bob2, cord2""",
     },
     "double_angle_update": {
-        "explicit Euler": """\
-            a, b, u, v = theta, theta + phi, omega_theta, omega_theta + omega_phi
-            du, dv = double_accelerations(a, b, u, v, g / r_param, m2 / (m1 + m2))
-            return u + du * dt, v - u + (dv - du) * dt, a + u * dt, phi + (v - u) * dt""",
+        "explicit Euler": ("u = u + du * dt\n        v = v + dv * dt\n        a = a + u * dt\n        b = b + v * dt", "a, b, u, v = a + u * dt, b + v * dt, u + du * dt, v + dv * dt"),
         "the midpoint": """\
             def rates(state):
                 u, v, a, b = state

@@ -706,26 +706,20 @@ UNHINTED = {
         "the first known by its mass": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
         "at most half a round": ("= theta_init", "= max(-3.1415926, min(3.1415926, theta_init))"),
     },
-    "angle_update": {
-        "an array of whole numbers": "import numpy\nstate = numpy.array([omega, theta])\nstate[0] += -g * sin(theta) / r_param * dt\nstate[1] += state[0] * dt\nreturn tuple(state)",
-    },
+    "angle_update": {"an array of whole numbers": "import numpy\nstate = numpy.array([omega, theta])\nstate[0] += -g * sin(theta) / r_param * dt\nstate[1] += state[0] * dt\nreturn tuple(state)"},
     "full_swing_update": {
         "five at most": ("in pend_list", "in pend_list[:5]"),
         "sorted by angle": "pend_list.sort(key=lambda pend: pend['theta'])\nfor pend in pend_list: swing_update(pend, r_param, dt, g)",
         "bobs that shrink": ("r_param, dt, g)", "r_param, dt, g); pend['objects'][1].radius *= 0.99"),
     },
-    "handle_collision": {
-        "a small e as 0": ("v1 = r_param", "e = e if e > 0.2 else 0; v1 = r_param"),
-    },
+    "handle_collision": {"a small e as 0": ("v1 = r_param", "e = e if e > 0.2 else 0; v1 = r_param")},
     "handle_two_bobs": {
         "e of the faster one": ("e = pend1['e']", "e = max(pend1, pend2, key=lambda pend: abs(pend['omega']))['e']"),
         "moves the bobs apart": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2; bob2.pos.x += 0.01"),
         "sets the second's e": ("e = pend1['e']", "e = pend2['e'] = pend1['e']"),
         "the last pair does not collide again": ("if mag", "last = handle_two_bobs.__dict__.setdefault('last', [])\n        if any(pend1 is one for one in last): return\n        last[:] = [pend1]\n        if mag"),
     },
-    "newton_cradle_tick": {
-        "from the right": ("len(pend_list) - 1)", "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]"),
-    },
+    "newton_cradle_tick": {"from the right": ("len(pend_list) - 1)", "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]")},
     "main": {
         "another G": ("DT, G)", "DT, 10)"),
         "the last one does not tick": ("newton_cradle_tick(pend_list,", "newton_cradle_tick(pend_list[:-1],"),
