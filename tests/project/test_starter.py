@@ -20,7 +20,7 @@ from students import change, COUNTS, files_of, write, write_tiers
 
 from grading import grade as grades
 from grading import pytest_grader
-from grading.grader import checks, FAULT, Outcome, PASSED, WAITING
+from grading.grader import checks, FAULT, Outcome, PASSED
 from grading.handout import FUNCTIONS, SUITES
 from grading.own_process import OwnProcess
 
@@ -211,6 +211,16 @@ def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(
     assert {error, hint, "SyntaxError: expected ':'"} <= {*messages}
 
 
+def test_an_import_in_a_circle_is_named(grade, starter):
+    write(starter, *FUNCTIONS)
+    circle = "from src.visualize_cradle_run import handle_two_bobs\n"
+    change(starter / "src/swinging.py", "from support", f"{circle}from support")
+    *_, place, _, error, hint = graded(grade, starter)[2]
+    assert place == "src/swinging.py, line 10:"
+    assert error.startswith("ImportError: cannot import name 'full_swing_update' from partially initialized module")
+    assert hint == "Your files import each other in a circle. Remove the import in this file."
+
+
 FAULTY = "show your teacher the grader's fault in test_angle_update"
 
 
@@ -218,7 +228,6 @@ FAULTY = "show your teacher the grader's fault in test_angle_update"
     ("tiers", "more", "tier", "next_step"),
     [
         (["D", "B"], {}, "D", "run all checks of tier C"),
-        (["D"], {"test_angle_update": Outcome(WAITING, place="line 9")}, "D", "angle_update in line 9"),
         (["D", "C"], {"test_angle_update": Outcome(FAULT)}, "D", FAULTY),
     ],
 )
