@@ -50,8 +50,7 @@ def wall(csv):
 
 @pytest.fixture(scope="session")
 def driver():
-    playwright = pytest.importorskip("playwright.sync_api")
-    with playwright.sync_playwright() as driver:
+    with pytest.importorskip("playwright.sync_api").sync_playwright() as driver:
         yield driver
 
 

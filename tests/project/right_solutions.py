@@ -76,17 +76,10 @@ RIGHT = {
         "the cord drawn from the bob": ("dt, g)", "dt, g); axle, bob, cord = pend['objects']; cord.pos, cord.axis = bob.pos, axle.pos - bob.pos"),
     },
     "handle_collision": {
-        "through the centre of mass": """\
-            common = (m1 * omega1 + m2 * omega2) / (m1 + m2)
-            return common - e * (omega1 - common), common - e * (omega2 - common)""",
-        "by the impulse": """\
-            impulse = (1 + e) * (omega1 - omega2) / (1 / m1 + 1 / m2)
-            return omega1 - impulse / m1, omega2 + impulse / m2""",
+        "through the centre of mass": "common = (m1 * omega1 + m2 * omega2) / (m1 + m2); return common - e * (omega1 - common), common - e * (omega2 - common)",
+        "by the impulse": "impulse = (1 + e) * (omega1 - omega2) / (1 / m1 + 1 / m2); return omega1 - impulse / m1, omega2 + impulse / m2",
         "the second from the first by e": ("(w1, w2)", "(w1, w1 + e * (omega1 - omega2))"),
-        "numpy's solver": """\
-            import numpy
-            left = [[m1, m2], [-1, 1]]
-            return tuple(numpy.linalg.solve(left, [m1 * omega1 + m2 * omega2, e * (omega1 - omega2)]))""",
+        "numpy's solver": "import numpy; return tuple(numpy.linalg.solve([[m1, m2], [-1, 1]], [m1 * omega1 + m2 * omega2, e * (omega1 - omega2)]))",
     },
     "handle_two_bobs": {
         "returns the dictionaries, too": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2\n        return pend1, pend2"),

@@ -84,8 +84,7 @@ def test_the_error_of_a_swing_is_of_the_fourth_order():
 
 
 def test_a_tick_has_more_steps_only_if_a_cord_turns_far(monkeypatch):
-    steps = []
-    update = "src.double_cradle.double_angle_update"
+    steps, update = [], "src.double_cradle.double_angle_update"
     monkeypatch.setattr(update, lambda *given: steps.append(given[5]) or double_angle_update(*given))
     tick(make_row(5, -2.5, 0.5), 1500)  # equal masses, from far up
     assert steps == [DOUBLE_DT] * 7500

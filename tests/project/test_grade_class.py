@@ -27,9 +27,6 @@ from teacher import judge, report
 from teacher.crossing import bounded, MOST_TEXT
 from teacher.submissions import MOST_BYTES, MOST_FILES, read_submission, submissions_in
 
-for tier in SUITES:
-    checks(tier=tier)  # imports them
-
 # --- submissions -----------------------------------------------------------------------------------------------------
 
 SOLUTION = {function.file: f"# {function.file}\n" for function in FUNCTIONS.values()}
@@ -185,8 +182,7 @@ def test_a_class_that_is_interrupted_and_goes_on(solved, starter, tmp_path, main
     original = judge.grade
     with monkeypatch.context() as patches:
         patches.setattr(judge, "grade", grade)
-        line = "2 of 4 solutions are graded. The same command goes on from there.\n"
-        assert main(a_class) == (130, line, "")
+        assert main(a_class) == (130, "2 of 4 solutions are graded. The same command goes on from there.\n", "")
     rows, first = tables_of(out)
     assert set(rows) == set(first) == {"ann", "bea"}
 

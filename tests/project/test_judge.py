@@ -9,14 +9,14 @@ import pytest
 from grade_class import given_files
 from programs import slow_but_for
 from right_solutions import RIGHT
+from students import put_files
 from wrong_solutions import HINTED, PLAIN, UNHINTED
 
 from grading import grader, own_process, raised
 from grading.grader import checks, Grading, Outcome, PASSED
-from grading.handout import FUNCTIONS, SUITES
+from grading.handout import FUNCTIONS
 from teacher.judge import Solver
 
-CHECKS = [check for tier in SUITES for check in checks(tier=tier)]
 SOLUTIONS = {
     (function, words): version
     for table in (HINTED, UNHINTED, RIGHT)
@@ -44,7 +44,7 @@ def files(made, solved):
 def outcomes_of(function):
     """Return the outcomes of the checks of this function, without the calls. All others count as passed."""
     grading = Grading()
-    grading.outcomes = {check.name: Outcome(PASSED) for check in CHECKS if check.function != function}
+    grading.outcomes = {check.name: Outcome(PASSED) for check in grader.CHECKS.values() if check.function != function}
     return {check.name: grading.judge(check)._replace(call=None) for check in checks(function=function)}
 
 
@@ -73,9 +73,7 @@ def graded_here(tmp_path, monkeypatch):
         monkeypatch.setattr(module, "ROOT", tmp_path)
 
     def graded_here(files, function):
-        for name, content in files.items():
-            (tmp_path / name).parent.mkdir(exist_ok=True)
-            (tmp_path / name).write_bytes(content)
+        put_files(tmp_path, files)
         own = own_process.OwnProcess()
         own.watch = Solver.watch
         monkeypatch.setattr(grader, "student", own)

@@ -65,8 +65,7 @@ def free_port():
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """A working folder with a secret, in a folder with a secret; both end as something that VPython serves."""
-    files = {"secret.js": SECRET, "working/secret.js": SECRET}
-    return put_files(tmp_path_factory.mktemp("outside"), files) / "working"
+    return put_files(tmp_path_factory.mktemp("outside"), {"secret.js": SECRET, "working/secret.js": SECRET}) / "working"
 
 
 @pytest.fixture(scope="module")

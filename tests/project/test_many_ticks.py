@@ -242,8 +242,6 @@ EDITS = {  # changes: (file, old code, new code)
     "a bob above its axle": (PENDULUM, "axle.pos + axis, axis", "axle.pos - axis, axis"),
     "a definition under an if": (SWINGING, "def full_swing_update", "if True:\n  def full_swing_update"),
 }
-
-
 SAME = {  # changes without effect: (file, old code, new code)
     "no docstring": (SWINGING, '    """Swing every pendulum of the cradle for dt (s)."""\n', ""),
     "annotations": (SWINGING, "(pend_list, r_param, dt, g)", "(pend_list: list, r_param: float, dt, g)"),

@@ -117,10 +117,9 @@ def test_keys_without_a_meaning_do_nothing(shared):
     """VPython prints a traceback for those that it has no name for."""
     for key in ("ContextMenu", "AudioVolumeUp", "Meta", "AltGraph", "F1", "x", "Control"):
         shared.keyboard.press(key)
+    press_code = "keyCode => document.body.dispatchEvent(new KeyboardEvent('keydown', { keyCode, bubbles: true }))"
     for code in (0, 173, 229):  # as of a keyboard for another language
-        shared.evaluate(
-            "keyCode => document.body.dispatchEvent(new KeyboardEvent('keydown', { keyCode, bubbles: true }))", code
-        )
+        shared.evaluate(press_code, code)
     shared.keyboard.press("Meta+2")  # another tab, on a Mac
     shared.keyboard.press("Space")
     shared.get_by_role("button", name="Run").wait_for()
@@ -368,9 +367,8 @@ def test_light_dark_and_forced_colors_follow_the_system(at_rest):
         at_rest.emulate_media(color_scheme=scheme)
         wait_until(lambda is_dark=is_dark: (at_rest.evaluate("glowObjs[0].background.x") < 0.3) == is_dark)
         colors = "e => [getComputedStyle(e).backgroundColor, getComputedStyle(e).color]"
-        paper, ink = (
-            sum(map(int, re.findall(r"\d+", color)[:3])) / 3 for color in at_rest.locator(".panel").evaluate(colors)
-        )
+        seen = at_rest.locator(".panel").evaluate(colors)
+        paper, ink = (sum(map(int, re.findall(r"\d+", color)[:3])) / 3 for color in seen)
         assert (paper < ink) == is_dark
         assert abs(paper - ink) > 128
     at_rest.emulate_media(forced_colors="active")

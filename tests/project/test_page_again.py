@@ -137,7 +137,8 @@ def test_a_reload_keeps_the_settings_and_the_ended_program_shows_how_to_start_it
     assert programs.end(started) == programs.QUIETLY
     page.get_by_text("The program has ended.").wait_for()
     assert page.locator(".notice").inner_text().rstrip().endswith(" src/visualize_cradle_run.py --angle 45")
-    assert is_greyed_out(page)
+    opacity = page.evaluate("getComputedStyle(document.querySelector('.glowscript')).opacity")
+    assert float(opacity) < 0.5  # the canvas and the widgets are pale
 
 
 def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it(page, started):
@@ -154,11 +155,6 @@ def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it(page,
     programs.wait_for_moves(page)
     page.evaluate("dispatchEvent(new PageTransitionEvent('pagehide', {persisted: true}))")
     assert programs.end(started) == programs.QUIETLY
-
-
-def is_greyed_out(page):
-    """Return whether the canvas and the widgets are pale."""
-    return page.evaluate("Number(getComputedStyle(document.querySelector('.glowscript')).opacity)") < 0.5
 
 
 def take_over(page):

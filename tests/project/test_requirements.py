@@ -47,8 +47,7 @@ def test_vpython_has_its_private_names_that_the_page_uses(file):
 
 
 def test_the_short_list_has_what_pyproject_names_and_each_package_has_an_upper_bound():
-    text = (ROOT / "pyproject.toml").read_text()
-    named = dict(re.findall(r'^    "([\w-]+)([<>=][^"]+)",', text, re.MULTILINE))
+    named = dict(re.findall(r'^    "([\w-]+)([<>=][^"]+)",', (ROOT / "pyproject.toml").read_text(), re.MULTILINE))
     assert named.keys() == {"vpython", "pandas", "setuptools", "autobahn"}
     for name, bounds in named.items():
         assert {*bounds.split(",")} <= {*LISTED[name].split(",")}

@@ -51,8 +51,7 @@ def largest(points):
 def test_every_swing_up_to_the_horizontal_is_in_view(count, size):
     frame = surround(count, size=size).frame
     (base,) = (shape for shape in frame if type(shape) is box)
-    halves = product(*((-part / 2, part / 2) for part in base.size.value))
-    corners = [base.pos + vector(*half) for half in halves]
+    corners = [base.pos + vector(*half) for half in product(*((-part / 2, part / 2) for part in base.size.value))]
     ends = [end for bar in frame if type(bar) is cylinder for end in (bar.pos, bar.pos + bar.axis)]
     assert 0.85 < largest(outline(count, 0, pi / 2) + corners + ends) <= 1  # and not smaller than necessary
 

@@ -217,10 +217,8 @@ def test_an_experiment_is_written_only_if_you_press_the_button(opened, csv):
     opened.click(opened.viewer.table.write)
     assert [row["mass"] for row in extract_and_convert(csv)] == [5, 1, 1, 1, 1]
     assert (opened.values("mass"), opened.values("e")) == ([5, 1, 1, 1, 1], [1] * 5)
-    assert (opened.panel.collisions.selected, opened.viewer.questions.menu.selected) == (
-        "as in the CSV",
-        "My cradle (CSV)",
-    )
+    assert opened.panel.collisions.selected == "as in the CSV"
+    assert opened.viewer.questions.menu.selected == "My cradle (CSV)"
 
 
 def write_half(pend_list, filepath):

@@ -50,8 +50,7 @@ def main(monkeypatch, capsys):
 def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     """On a clock on which only sleeping takes time."""
     seconds, slept = 0.7 + PERIOD / 2, []  # after the hits have run through the row and back
-    options = SimpleNamespace(angle=from_lift(30), lift=1, seconds=seconds)
-    player = players.Lines(make_live(), Snapshot(csv), options)
+    player = players.Lines(make_live(), Snapshot(csv), SimpleNamespace(angle=from_lift(30), lift=1, seconds=seconds))
     player.pace = RealTime(DT, lambda: 50.0 + sum(slept), lambda pause: slept.append(max(pause, 1e-4)))
     players.run(cradle_main, player)
     assert sum(slept) == pytest.approx(seconds, abs=2 / 60)

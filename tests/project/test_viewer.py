@@ -97,14 +97,7 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv, monkey
     assert ranges == [(0, 180, 1), (-180, 180, 1)]
     labels = re.findall('<span class="label">(.*?)</span>', "".join(texts))
     assert labels == [
-        "Experiment",
-        "Speed",
-        "Bobs lifted",
-        "Angle theta",
-        "Angle phi",
-        "Collisions",
-        "Graph",
-        "Time of the graph",
+        *("Experiment", "Speed", "Bobs lifted", "Angle theta", "Angle phi", "Collisions", "Graph", "Time of the graph"),
     ]
     wall.use(theta.slider, value=75)
     wall.use(phi.slider, value=-12.5)
@@ -335,8 +328,7 @@ def test_the_readout(wall, omega, text):
     wall.wait()
     start = G * R_PARAM * (1 - 3**0.5 / 2)  # J: 1 kg at 30 degrees
     percent = 100 * (omega * R_PARAM) ** 2 / 2 / start
-    shown = "&gt; 999 %" if omega == 1e6 else f"{percent:.2f} %"
-    assert wall.readout()["energy"] == shown
+    assert wall.readout()["energy"] == ("&gt; 999 %" if omega == 1e6 else f"{percent:.2f} %")
     assert wall.readout()["momentum"] == text.format(abs(omega) * R_PARAM)
     wall.use(wall.panel.lifted.slider, value=0)
     assert wall.readout()["energy"] == "0.00 %"

@@ -80,7 +80,6 @@ def test_the_picture_has_room_for_cords_that_are_too_long():
 
 # --- the program -----------------------------------------------------------------------------------------------------
 
-
 CALL = Call("angle_update", (2.0, 0.3, R, 0.1, G))
 NO_ROW = Call("full_swing_update", ([], R, 0.1, G))
 WRONG, PASSES, NOTHING = "Wrong.\n", "test_angle_update passes.\n", "There is nothing to watch.\n"

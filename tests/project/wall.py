@@ -19,8 +19,7 @@ class Wall:
     def __init__(self, csv, *angles, kind=Cradle, remark="", lifted: int | None = 1):
         self.now = 100.0
         self.file = csv
-        release = thetas(angles or [30]), lifted
-        self.viewer = Viewer(make_live(kind), LiveFile(csv, self.clock), *release, remark)
+        self.viewer = Viewer(make_live(kind), LiveFile(csv, self.clock), thetas(angles or [30]), lifted, remark)
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=lambda seconds: None)
         self.panel = self.viewer.panel
         self.viewer.make()
