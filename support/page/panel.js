@@ -231,6 +231,24 @@
   }
   addEventListener("fullscreenchange", () => document.documentElement.classList.toggle("presenting", !!document.fullscreenElement));
 
+  // --- the sheet of an experiment, on paper ----------------------------------------------------------------------------
+
+  // Its picture is the second one that is drawn when the question is there: on white. The canvas forgets it after this
+  // event. The numbers on the axles are on a second canvas.
+  let asked, picture, background;
+  function keepPicture() {
+    const question = find(".answers").length && find(".question strong")[0].textContent;
+    if (background) {
+      const { __canvas_element: cradle, __overlay_element: labels } = scene();
+      const paper = Object.assign(document.createElement("canvas"), { width: cradle.width, height: cradle.height });
+      for (const layer of [cradle, labels]) paper.getContext("2d").drawImage(layer, 0, 0);
+      [scene().background, background, picture] = [background, null, paper.toDataURL()];
+    } else if (question && question !== asked)
+      [asked, background, scene().background] = [question, scene().background, vec(1, 1, 1)];
+  }
+  addEventListener("arranged", () => scene().bind("draw_complete", keepPicture));
+  addEventListener("beforeprint", () => find(".sheet img").forEach(image => image.src = picture));
+
   // --- keys ----------------------------------------------------------------------------------------------------------
 
   // The keys control the cradle, and do not scroll the page; but a widget that you reach with the Tab key keeps them.

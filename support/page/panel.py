@@ -47,9 +47,7 @@ class Panel:
         self.questions, self.table = questions, table
         for file in sorted(FOLDER.glob("*.css")):
             scene.append_to_caption(f"<style>{file.read_text(encoding='utf-8')}</style>")
-        for file in sorted(
-            FOLDER.glob("*.js")
-        ):  # VPython's page runs each script twice, so each is one block, after an if
+        for file in sorted(FOLDER.glob("*.js")):  # the page runs each script twice, so each is one block, after an if
             once = f"if (!window['{file.name}'] && (window['{file.name}'] = true))"
             scene.append_to_caption(f"<script>{once}\n{file.read_text(encoding='utf-8')}</script>")
         begin_part("messages")

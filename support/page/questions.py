@@ -179,7 +179,7 @@ def what_happened(experiment, measured, said) -> str:
 def sheet_text(experiment, measured, said) -> str:
     """Return a page to fill in, and after the measurement a second one with its figures.
 
-    sheet.js puts the picture into the first one.
+    panel.js puts the picture into the first one.
     """
     name = escape(experiment.name)
     answers = "".join(f"<li>{escape(answer.text)}</li>" for answer in experiment.answers)
