@@ -1,18 +1,20 @@
 """More cradles for the project's tests: CSV text, double pendula made by hand, and cradles that run."""
 
+from bisect import bisect_left
 from contextlib import suppress
 from itertools import accumulate, combinations
-from math import cos, pi, sin, sqrt
+from math import cos, degrees, dist, pi, sin, sqrt
+from statistics import fmean
 from types import SimpleNamespace
 from unittest.mock import patch
 
 import pytest
 from vpython import color, mag, vector
 
-from grading.cradles import R
+from grading.cradles import hang, R
 from src import pds_helper, special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from src.double_cradle import make_double_pendulum
-from support.constants import BUFFER, G, PHI_INIT, R_PARAM, THETA_INIT
+from support.constants import BUFFER, DT, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.many_ticks import many_ticks
@@ -132,3 +134,73 @@ def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_on
     """Call many_ticks with the shipped functions and these constants; return the contacts, or None."""
     scope = {**vars(visualize_cradle_run), "R_PARAM": r_param, "DT": dt, "G": g}
     return many_ticks(scope, pend_list, ticks, {"approaching_only": True} if approaching_only else {})
+
+
+# --- single pendula, the first one lifted ----------------------------------------------------------------------------
+
+SAMPLE, FINE = 0.01, 10**12  # s between two looks at a cradle; parts of a step in which an exact cradle looks for a hit
+
+
+def make_row(count, theta=0.0, **values) -> list[dict]:
+    """Return pendula with these values (as for hang), the first one at theta (rad), the others hanging."""
+    row = [hang(axle=(i * R_PARAM / 4, 0, 0), r_param=R_PARAM, **values) for i in range(count)]
+    row[0]["theta"] = theta
+    return row
+
+
+def advance(pend_list, seconds, dt=DT) -> list[tuple]:
+    """Advance the cradle by the programs' rule, in ticks of dt (s), and return its contacts."""
+    return do_at_once(pend_list, R_PARAM, dt, G, round(seconds / dt), approaching_only=True)
+
+
+class ExactCradle:
+    """Five equal elastic pendula with the programs' gaps, by Runge-Kutta steps of the fourth order; hits any time."""
+
+    def __init__(self):
+        self.reach = 2 * BUFFER * hang(r_param=R_PARAM)["objects"][1].radius / R_PARAM  # in cord lengths
+        self.states = [(theta, 0.0) for theta in (THETA_INIT, 0.0, 0.0, 0.0, 0.0)]  # theta (rad) and omega (rad/s)
+
+    def after(self, i, dt) -> tuple[float, float]:
+        """Return the state of pendulum i after dt (s) without a hit (https://dlmf.nist.gov/3.7.v)."""
+        (theta, omega), k = self.states[i], G / R_PARAM
+        turn1, pull1 = omega, -k * sin(theta)
+        turn2, pull2 = omega + dt / 2 * pull1, -k * sin(theta + dt / 2 * turn1)
+        turn3, pull3 = omega + dt / 2 * pull2, -k * sin(theta + dt / 2 * turn2)
+        turn4, pull4 = omega + dt * pull3, -k * sin(theta + dt * turn3)
+        turn, pull = turn1 + 2 * turn2 + 2 * turn3 + turn4, pull1 + 2 * pull2 + 2 * pull3 + pull4
+        return theta + dt / 6 * turn, omega + dt / 6 * pull
+
+    def hit(self, left, dt) -> bool:
+        """Return whether this bob and the next one touch and approach each other after dt (s) without a hit."""
+        (theta1, omega1), (theta2, omega2) = self.after(left, dt), self.after(left + 1, dt)
+        distance = dist((sin(theta1), cos(theta1)), (1 / 4 + sin(theta2), cos(theta2)))
+        return distance <= self.reach and omega1 * cos(theta1) > omega2 * cos(theta2)
+
+    def instant(self, left, dt) -> float:
+        """Return after how many seconds, at most dt, this bob and the next one hit each other."""
+        return bisect_left(range(FINE), True, key=lambda part: self.hit(left, part / FINE * dt)) / FINE * dt
+
+    def advance(self, seconds, dt=0.001) -> list[float]:
+        """Advance the cradle, in steps of dt (s) or up to a hit; return the thetas (rad)."""
+        while seconds > 1e-12:
+            step, struck = min(dt, seconds), None
+            for left in range(4):
+                if self.hit(left, step):
+                    step, struck = self.instant(left, step), left
+            self.states = [self.after(i, step) for i in range(5)]
+            seconds -= step
+            if struck is not None:  # equal elastic bobs exchange their velocities
+                (theta1, omega1), (theta2, omega2) = self.states[struck : struck + 2]
+                self.states[struck : struck + 2] = (theta1, omega2), (theta2, omega1)
+        return [theta for theta, _ in self.states]
+
+
+def outer_angles(advance, seconds) -> list[float]:
+    """Return theta (degrees) of the first and the last pendulum at each SAMPLE; advance(SAMPLE) returns all thetas."""
+    thetas = (advance(SAMPLE) for _ in range(round(seconds / SAMPLE)))
+    return [degrees(theta) for first, *_, last in thetas for theta in (first, last)]
+
+
+def apart(angles1, angles2) -> float:
+    """Return the root of the mean square of the differences."""
+    return sqrt(fmean((one - other) ** 2 for one, other in zip(angles1, angles2, strict=True)))
