@@ -1,134 +1,191 @@
-"""The speed and the accuracy of the cradle, also compared with pymunk, a physics engine for games.
+"""Speed and accuracy of the programs, beside pymunk (a physics engine for games), an exact cradle, and bare VPython.
 
-Run it by hand: `.venv/bin/python tests/benchmark.py`. It takes a few minutes. Compare numbers only within one run.
+Run it on Linux, with Chromium and nothing beside it: `.venv/bin/python tests/benchmark.py`. Compare numbers only within
+one run.
 """
 
+import os
+import re
 import sys
 import tempfile
 import time
+import timeit
 from functools import partial
-from math import cos, inf, sin
+from math import atan2, cos, inf, sin
 from pathlib import Path
+from statistics import median
 
 if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
+    here = Path(__file__).resolve().parent
+    sys.path[:0] = str(here), str(here / "project")  # so that Python finds the imports below, also with -P
 
+import pymunk
 import vpython
+from playwright.sync_api import sync_playwright
 
-from grading import project_path  # noqa: F401  finds the imports below
+from grading import project_path  # noqa: F401  finds src and support
 
 vpython.baseObj._view_constructed = True  # VPython then believes that the page is open: no server, no browser
 
-from grading.cradles import csv_of
-from src import visualize_cradle_run
-from src.special_cradles import make_newton_cradle
+from programs import ARGUMENTS, BOBS, CHROMIUM, draw, first_lines, open_cradle, readout, running
+from whole_cradles import advance, apart, ExactCradle, GOOD, HEADER, make_row, outer_angles
+
 from src.visualize_cradle_run import newton_cradle_tick
-from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.cradle.many_ticks import many_ticks
-from support.energy import kinetic_energy, potential_energy
+from support.constants import BUFFER, DT, G, R_PARAM, THETA_INIT
 from support.start.options import OneLineParser
 from support.start.output import while_it_is_read
 
-MINUTE, SAMPLE = 60.0, 0.01  # s: simulated, and between two measurements of the energy
-TICKS = [DT * times for times in (1, 2, 5, 10, 20)]  # s
-STEPS = [1 / 200, 1 / 1000, 1 / 5000]  # s, of pymunk
+SPAN = 20.0  # s
+STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk
 
 
-class OurCradle:
-    """Equal elastic pendula, the first one lifted, by many_ticks or by newton_cradle_tick."""
+def our_cradle(dt, count=5, at_once=True):
+    """Return a function that moves elastic pendula on by seconds, in ticks of dt (s), and returns the thetas (rad)."""
+    pend_list = make_row(count, THETA_INIT)
 
-    def __init__(self, count=5, at_once=True):
-        self.at_once = at_once
-        with tempfile.TemporaryDirectory() as folder:
-            csv = Path(folder, "cradle.csv")
-            csv.write_text(csv_of([{"mass": 1, "e": 1, "color": "red", "texture": "metal"}] * count))
-            self.pend_list = make_newton_cradle(csv, R_PARAM, THETA_INIT)
-
-    def energy(self) -> float:
-        """Return the kinetic and potential energy (J)."""
-        return kinetic_energy(self.pend_list, R_PARAM) + potential_energy(self.pend_list, R_PARAM, G)
-
-    def advance(self, dt, seconds) -> None:
-        """Move on by seconds, in ticks of dt (s), with the rule of the programs."""
-        ticks, scope = round(seconds / dt), {**vars(visualize_cradle_run), "DT": dt}
-        if not self.at_once:
-            for _ in range(ticks):
-                newton_cradle_tick(self.pend_list, R_PARAM, dt, G, approaching_only=True)
-        elif many_ticks(scope, self.pend_list, ticks, {"approaching_only": True}) is None:
+    def move(seconds):
+        if not at_once:
+            for _ in range(round(seconds / dt)):
+                newton_cradle_tick(pend_list, R_PARAM, dt, G, approaching_only=True)
+        elif advance(pend_list, seconds, dt) is None:
             raise ValueError("many_ticks does not know these functions: see tests/project/test_many_ticks.py")
+        return [pend_dict["theta"] for pend_dict in pend_list]
+
+    return move
 
 
-class PymunkCradle:
-    """The same five pendula, with circles and pin joints of pymunk."""
+def pymunk_cradle(dt, corrected):
+    """The same in pymunk, in steps of dt (s); with corrected, a step corrects joints wholly, in 20 iterations."""
+    space, axles = pymunk.Space(), [i * R_PARAM / 4 for i in range(5)]
+    space.gravity, space.collision_slop = (0, -G), 0
+    for x, pend_dict in zip(axles, make_row(5, THETA_INIT), strict=True):
+        body = pymunk.Body(mass=1, moment=inf)
+        body.position = x + R_PARAM * sin(pend_dict["theta"]), -R_PARAM * cos(pend_dict["theta"])
+        bob = pymunk.Circle(body, BUFFER * pend_dict["objects"][1].radius)
+        bob.elasticity = 1
+        joint = pymunk.PinJoint(space.static_body, body, (x, 0))
+        space.add(body, bob, joint)
+        if corrected:
+            joint.error_bias, space.iterations = 0, 20
 
-    def __init__(self):
-        import pymunk
-
-        self.space = pymunk.Space()
-        self.space.gravity = 0, -G
-        self.space.collision_slop = 0
-        for i in range(5):
-            theta, x = THETA_INIT if i == 0 else 0, i * R_PARAM / 4
-            body = pymunk.Body(mass=1, moment=inf)
-            body.position = x + R_PARAM * sin(theta), -R_PARAM * cos(theta)
-            bob = pymunk.Circle(body, 0.9995 * R_PARAM / 8)  # at rest, there is a small gap between the bobs
-            bob.elasticity = 1
-            self.space.add(body, bob, pymunk.PinJoint(self.space.static_body, body, (x, 0)))
-
-    def energy(self) -> float:
-        """Return the kinetic and potential energy (J)."""
-        return sum(body.velocity.length**2 / 2 + G * (body.position.y + R_PARAM) for body in self.space.bodies)
-
-    def advance(self, dt, seconds) -> None:
-        """Move on by seconds, in steps of dt (s)."""
+    def move(seconds):
         for _ in range(round(seconds / dt)):
-            self.space.step(dt)
+            space.step(dt)
+        return [atan2(body.position.x - x, -body.position.y) for x, body in zip(axles, space.bodies, strict=True)]
+
+    return move
 
 
-def cpu_time(make, dt, seconds) -> float:
-    """Return the processor time (s) that a cradle takes for these simulated seconds: the least of five."""
-    times = []
-    for _ in range(5):
-        cradle, start = make(), time.process_time()
-        cradle.advance(dt, seconds)
-        times.append(time.process_time() - start)
-    return min(times)
+ENGINES = {  # name -> (a function that makes a cradle, its steps in s)
+    "many_ticks": (our_cradle, [DT * times for times in (2, 1, 0.5, 0.2, 0.1)]),
+    "pymunk, its own settings": (partial(pymunk_cradle, corrected=False), STEPS),
+    "pymunk, joints corrected at once": (partial(pymunk_cradle, corrected=True), STEPS),
+}
 
 
-def energy_error(cradle, dt) -> float:
-    """Return the largest energy error in a MINUTE, at each SAMPLE, as a part of the energy at the start."""
-    start, error = cradle.energy(), 0.0
-    for _ in range(round(MINUTE / SAMPLE)):
-        cradle.advance(dt, SAMPLE)
-        error = max(error, abs(cradle.energy() / start - 1))
-    return error
+def cpu_time(make, seconds) -> float:
+    """Return the processor time (s) that a cradle takes for these simulated seconds: the least of three."""
+    names = {"make": make, "seconds": seconds}
+    return min(timeit.repeat("move(seconds)", "move = make()", time.process_time, repeat=3, number=1, globals=names))
 
 
-def show_row(*cells) -> None:
-    """Print cells as a row of a table in Markdown."""
-    print(f"| {' | '.join(map(str, cells))} |", flush=True)
+def speeds():
+    """Yield rows with the ticks a second of single ticks and of the fast path."""
+    for count in (5, 50, 500):
+        few, many = 50_000 // count, 1_000_000 // count  # ticks
+        single = cpu_time(partial(our_cradle, DT, count, at_once=False), few * DT) / few
+        fast = cpu_time(partial(our_cradle, DT, count), many * DT) / many
+        yield count, f"{1 / single:,.0f}", f"{1 / fast:,.0f}", f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}"
+
+
+def places(exact, curves):
+    """Yield rows with how far the outer bobs are from the exact ones; put (time, degrees, step) into curves."""
+    for engine, (make, steps) in ENGINES.items():
+        for dt in steps:
+            spent, off = cpu_time(partial(make, dt), SPAN), apart(exact, outer_angles(make(dt), SPAN))
+            curves.setdefault(engine, []).append((spent, off, f"{1000 * dt:g} ms"))
+            yield engine, f"{1000 * dt:g}", f"{spent:.3f}", f"{off:.2f}"
+
+
+def draw_places(curves, file) -> None:
+    """Draw the curves of places into this file."""
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
+    for (engine, points), mark, place in zip(curves.items(), "os^", [(-32, -12), (6, 4), (6, 4)], strict=True):
+        axes.loglog([spent for spent, *_ in points], [off for _, off, _ in points], marker=mark, label=engine)
+        for spent, off, step in points:
+            axes.annotate(step, (spent, off), xytext=place, textcoords="offset points", fontsize=8)
+    axes.margins(x=0.1)
+    axes.set(xlabel="processor time for 20 s (s)", ylabel="the outer bobs are off by (degrees)")
+    axes.xaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.legend()
+    figure.savefig(file, dpi=120)
+
+
+def pages(browser):
+    """Yield rows with what the page costs, while the browser draws it and while it draws nothing."""
+    for count in (5, 50, 100, 200):
+        with tempfile.TemporaryDirectory() as folder:
+            (csv := Path(folder, "cradle.csv")).write_text(HEADER + GOOD * count)
+            with running(None, str(csv)) as process, browser.new_page(viewport={"width": 1366, "height": 768}) as page:
+                open_cradle(page, first_lines(process), count, drawn=True)
+                yield count, *rates(process, page, drawn=True), *rates(process, page, drawn=False)
+
+
+def rates(process, page, drawn) -> list[str]:
+    """Return the processor time (s) and the simulated time (s) of a program in a second."""
+    draw(page, drawn)
+    looks = []
+    for wait in (3, 8):  # s
+        time.sleep(wait)
+        ticks = map(int, Path(f"/proc/{process.pid}/stat").read_text().split()[13:15])  # the user's and the system's
+        looks.append((time.perf_counter(), sum(ticks) / os.sysconf("SC_CLK_TCK"), readout(page, "t")))
+    span, *others = (after - before for before, after in zip(*looks, strict=True))
+    return [f"{other / span:.2f}" for other in others]
+
+
+def first_pictures(browser):
+    """Yield rows with the seconds from the start of a program until the browser has drawn its first picture."""
+    commands = {"bare VPython": ("-c", "from vpython import sphere; sphere()"), "the cradle": ()}
+    times = {name: [] for name in commands}
+    for name, command in [*commands.items()] * 5:
+        start = time.perf_counter()
+        with running(*command, VPYTHON_NO_LAUNCH_BROWSER="0", BROWSER="echo %s") as program, browser.new_page() as page:
+            page.goto(re.search(r"http:\S+", program.stdout.readline())[0])
+            page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length")
+            draw(page, True)
+            times[name].append(time.perf_counter() - start)
+    for name, seconds in times.items():
+        yield name, f"{min(seconds):.2f}", f"{median(seconds):.2f}"
+
+
+def show(title, head, rows) -> None:
+    """Print a table in Markdown."""
+    print(f"\n{title}\n\n| {' | '.join(head)} |\n{'| --- ' * len(head)}|")
+    for row in rows:
+        print(f"| {' | '.join(map(str, row))} |", flush=True)
 
 
 @while_it_is_read()
 def main() -> None:
     """Print all measurements."""
-    OneLineParser(description="Measure the speed and the accuracy of the cradle.", allow_abbrev=False).parse_args()
-    print("Ticks a second on VPython's objects; times: many_ticks against single ticks.\n")
-    show_row("pendula", "newton_cradle_tick", "many_ticks", "times", "us a pendulum and tick")
-    show_row(*["---"] * 5)
-    for count in (5, 50, 500):
-        few, many = 20_000 // count, 1_000_000 // count  # ticks
-        single = cpu_time(partial(OurCradle, count, at_once=False), DT, few * DT) / few
-        fast = cpu_time(partial(OurCradle, count), DT, many * DT) / many
-        speeds = f"{1 / single:,.0f}", f"{1 / fast:,.0f}"
-        show_row(count, *speeds, f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}")
-    print(f"\n{MINUTE:g} simulated seconds of five pendula. Energy error: the largest at any {SAMPLE:g} s.\n")
-    show_row("engine", "step", "processor time", "energy error")
-    show_row(*["---"] * 4)
-    cradles = [("many_ticks", OurCradle, dt) for dt in TICKS]
-    for engine, make, dt in [*cradles, *(("pymunk, its own settings", PymunkCradle, dt) for dt in STEPS)]:
-        cpu = cpu_time(make, dt, MINUTE)
-        show_row(engine, f"{1000 * dt:g} ms", f"{cpu:.3f} s", f"{energy_error(make(), dt):.2g}")
+    parser = OneLineParser(description="Measure the speed and the accuracy of the programs.", allow_abbrev=False)
+    parser.add_argument("--picture", metavar="FILE", help="also draw where the bobs are; needs matplotlib")
+    file, curves = parser.parse_args().picture, {}
+    show("Ticks a second", ["pendula", "newton_cradle_tick", "many_ticks", "times", "us a swing"], speeds())
+    exact = outer_angles(ExactCradle().advance, SPAN)
+    finer = outer_angles(partial(ExactCradle().advance, dt=0.0005), SPAN)
+    title = f"The outer bobs in {SPAN:g} s. A finer exact cradle differs by {apart(exact, finer):.0e} degrees"
+    show(title, ["engine", "step (ms)", "processor time (s)", "off by (degrees)"], places(exact, curves))
+    if file:
+        draw_places(curves, file)
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        head = ["pendula", "share of a core", "simulated s in 1 s", "share, nothing drawn", "simulated, nothing drawn"]
+        show("The page", head, pages(browser))
+        show("Seconds to the first picture", ["program", "least", "median"], first_pictures(browser))
 
 
 if __name__ == "__main__":

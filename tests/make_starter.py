@@ -28,7 +28,7 @@ FILES = [
 ]
 FOLDERS = ["src", "support", "tests/grading"]
 WITH_ANSWERS = {"README.md", "many_ticks.py", "double_collisions.py"}  # src/README.md, the fast path, double cradles
-UNUSED = {"__pycache__", "double.png", "experiment.png", "swing.png", *WITH_ANSWERS}  # .png: of the READMEs
+UNUSED = {"__pycache__", "accuracy.png", "double.png", "experiment.png", "swing.png", *WITH_ANSWERS}  # of the READMEs
 # Files whose functions lose their bodies, and these functions: also two of the honor roll without a check.
 STUDENTS_FILES = {*(function.file for function in FUNCTIONS.values()), "src/visualize_double_cradle_run.py"}
 STUDENTS_FUNCTIONS = {*FUNCTIONS, "double_cradle_tick"}
