@@ -28,7 +28,7 @@ from grading import project_path  # noqa: F401  finds src and support
 vpython.baseObj._view_constructed = True  # VPython then believes that the page is open: no server, no browser
 
 from programs import ARGUMENTS, BOBS, CHROMIUM, draw, first_lines, open_cradle, readout, running
-from whole_cradles import advance, apart, ExactCradle, GOOD, HEADER, make_row, outer_angles
+from whole_cradles import apart, ExactCradle, GOOD, HEADER, make_row, outer_angles, thetas_after
 
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import BUFFER, DT, G, R_PARAM, THETA_INIT
@@ -39,19 +39,15 @@ SPAN = 20.0  # s
 STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk
 
 
-def our_cradle(dt, count=5, at_once=True):
-    """Return a function that moves elastic pendula on by seconds, in ticks of dt (s), and returns the thetas (rad)."""
-    pend_list = make_row(count, THETA_INIT)
+def single_ticks(pend_list, seconds, dt) -> None:
+    """Move pendula on by seconds, in ticks of dt (s), by newton_cradle_tick; thetas_after does so by many_ticks."""
+    for _ in range(round(seconds / dt)):
+        newton_cradle_tick(pend_list, R_PARAM, dt, G, approaching_only=True)
 
-    def move(seconds):
-        if not at_once:
-            for _ in range(round(seconds / dt)):
-                newton_cradle_tick(pend_list, R_PARAM, dt, G, approaching_only=True)
-        elif advance(pend_list, seconds, dt) is None:
-            raise ValueError("many_ticks does not know these functions: see tests/project/test_many_ticks.py")
-        return [pend_dict["theta"] for pend_dict in pend_list]
 
-    return move
+def our_cradle(dt, count=5, move=thetas_after):
+    """Return a function that moves elastic pendula on by seconds, in ticks of dt (s)."""
+    return partial(move, make_row(count, THETA_INIT), dt=dt)
 
 
 def pymunk_cradle(dt, corrected):
@@ -93,29 +89,29 @@ def speeds():
     """Yield rows with the ticks a second of single ticks and of the fast path."""
     for count in (5, 50, 500):
         few, many = 50_000 // count, 1_000_000 // count  # ticks
-        single = cpu_time(partial(our_cradle, DT, count, at_once=False), few * DT) / few
+        single = cpu_time(partial(our_cradle, DT, count, single_ticks), few * DT) / few
         fast = cpu_time(partial(our_cradle, DT, count), many * DT) / many
         yield count, f"{1 / single:,.0f}", f"{1 / fast:,.0f}", f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}"
 
 
-def places(exact, curves):
-    """Yield rows with how far the outer bobs are from the exact ones; put (time, degrees, step) into curves."""
+def places(exact):
+    """Yield rows with how far the outer bobs are from the exact ones."""
     for engine, (make, steps) in ENGINES.items():
         for dt in steps:
             spent, off = cpu_time(partial(make, dt), SPAN), apart(exact, outer_angles(make(dt), SPAN))
-            curves.setdefault(engine, []).append((spent, off, f"{1000 * dt:g} ms"))
             yield engine, f"{1000 * dt:g}", f"{spent:.3f}", f"{off:.2f}"
 
 
-def draw_places(curves, file) -> None:
-    """Draw the curves of places into this file."""
+def draw_places(rows, file) -> None:
+    """Draw the rows of places into this file, a curve for each engine."""
     from matplotlib import pyplot
 
     figure, axes = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
-    for (engine, points), mark, place in zip(curves.items(), "os^", [(-32, -12), (6, 4), (6, 4)], strict=True):
+    for engine, mark, place in zip(ENGINES, "os^", [(-32, -12), (6, 4), (6, 4)], strict=True):
+        points = [(float(spent), float(off), step) for name, step, spent, off in rows if name == engine]
         axes.loglog([spent for spent, *_ in points], [off for _, off, _ in points], marker=mark, label=engine)
         for spent, off, step in points:
-            axes.annotate(step, (spent, off), xytext=place, textcoords="offset points", fontsize=8)
+            axes.annotate(f"{step} ms", (spent, off), xytext=place, textcoords="offset points", fontsize=8)
     axes.margins(x=0.1)
     axes.set(xlabel="processor time for 20 s (s)", ylabel="the outer bobs are off by (degrees)")
     axes.xaxis.set_major_formatter("{x:g}")
@@ -173,14 +169,15 @@ def main() -> None:
     """Print all measurements."""
     parser = OneLineParser(description="Measure the speed and the accuracy of the programs.", allow_abbrev=False)
     parser.add_argument("--picture", metavar="FILE", help="also draw where the bobs are; needs matplotlib")
-    file, curves = parser.parse_args().picture, {}
+    file = parser.parse_args().picture
     show("Ticks a second", ["pendula", "newton_cradle_tick", "many_ticks", "times", "us a swing"], speeds())
     exact = outer_angles(ExactCradle().advance, SPAN)
     finer = outer_angles(partial(ExactCradle().advance, dt=0.0005), SPAN)
     title = f"The outer bobs in {SPAN:g} s. A finer exact cradle differs by {apart(exact, finer):.0e} degrees"
-    show(title, ["engine", "step (ms)", "processor time (s)", "off by (degrees)"], places(exact, curves))
+    rows = [*places(exact)]
+    show(title, ["engine", "step (ms)", "processor time (s)", "off by (degrees)"], rows)
     if file:
-        draw_places(curves, file)
+        draw_places(rows, file)
     with sync_playwright() as driver:
         browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
         head = ["pendula", "share of a core", "simulated s in 1 s", "share, nothing drawn", "simulated, nothing drawn"]

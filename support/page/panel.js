@@ -86,6 +86,7 @@
     // The first picture waits for the bobs and their textures: one without them would only delay it.
     scene().waitfor_textures = true;
     scene().bind("textures", () => scene().waitfor_textures = !scene().objects.length);
+    scene().bind("draw_complete", keepPicture);
     dark.addEventListener("change", paint);
     paint();
     setInterval(describe, 1000);
@@ -246,7 +247,6 @@
     } else if (question && question !== asked)
       [asked, background, scene().background] = [question, scene().background, vec(1, 1, 1)];
   }
-  addEventListener("arranged", () => scene().bind("draw_complete", keepPicture));
   addEventListener("beforeprint", () => find(".sheet img").forEach(image => image.src = picture));
 
   // --- keys ----------------------------------------------------------------------------------------------------------

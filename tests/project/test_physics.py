@@ -5,12 +5,13 @@ The fast path does the long swings; test_many_ticks.py compares it with newton_c
 
 import random
 from collections import defaultdict
+from functools import partial
 from math import cos, degrees, pi, radians, sin, sqrt
 
 import pytest
 from programs import slow_but_for
 from vpython import color, sphere, textures
-from whole_cradles import advance, apart, energy, ExactCradle, make_row, outer_angles, SAMPLE
+from whole_cradles import advance, apart, energy, ExactCradle, make_row, outer_angles, SAMPLE, thetas_after
 
 from src.visualize_cradle_run import handle_two_bobs
 from support import shapes
@@ -115,13 +116,8 @@ def test_five_equal_elastic_bobs_keep_the_energy(release, seconds):
 
 @pytest.mark.parametrize(("dt", "most"), slow_but_for([(DT, 1.0)], [(DT, 1.0), (DT / 10, 0.1)]))
 def test_the_outer_bobs_are_where_an_exact_cradle_has_them(dt, most):
-    """Within so many degrees for twenty seconds, root mean square; a tenth of the tick leaves a tenth of this."""
-    pend_list = make_row(5, THETA_INIT)
-
-    def move(seconds):
-        advance(pend_list, seconds, dt)
-        return [pend["theta"] for pend in pend_list]
-
+    """A tick of dt (s) leaves them off by at most `most` degrees, root mean square, in twenty seconds."""
+    move = partial(thetas_after, make_row(5, THETA_INIT), dt=dt)
     assert apart(outer_angles(move, 20), outer_angles(ExactCradle().advance, 20)) <= most
 
 
@@ -139,8 +135,7 @@ def test_each_elastic_hit_adds_the_energy_that_the_tick_explains(count):
         return energy(pend_list) - DT / 2 * G * R_PARAM * sum(pend["omega"] * sin(pend["theta"]) for pend in pend_list)
 
     at_start = kept()
-    speeds = [speed for *_, speed in advance(pend_list, 60)]
-    expected = sum(DT / 2 * G / R_PARAM * speed * (gap + speed * DT / 2) for speed in speeds)
+    expected = sum(DT / 2 * G / R_PARAM * speed * (gap + speed * DT / 2) for *_, speed in advance(pend_list, 60))
     assert kept() - at_start == pytest.approx(expected, rel=0.1)
 
 

@@ -28,6 +28,8 @@ MAINS = {Cradle: visualize_cradle_run.main, DoubleCradle: visualize_double_cradl
 # s, for small swings; it uses the constants, so the tests wait long enough if someone edits them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
 
+SAMPLE, FINE = 0.01, 10**12  # s between two looks at a cradle; parts of a step in which an exact cradle looks for a hit
+
 # Five equal elastic pendula, as in the shipped file.
 HEADER, GOOD = "mass,e,theta,omega,color,texture\n", "1.0,1.0,0.0,0.0,red,metal\n"
 FIVE_CSV = HEADER + GOOD * 5
@@ -136,11 +138,6 @@ def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_on
     return many_ticks(scope, pend_list, ticks, {"approaching_only": True} if approaching_only else {})
 
 
-# --- single pendula, the first one lifted ----------------------------------------------------------------------------
-
-SAMPLE, FINE = 0.01, 10**12  # s between two looks at a cradle; parts of a step in which an exact cradle looks for a hit
-
-
 def make_row(count, theta=0.0, **values) -> list[dict]:
     """Return pendula with these values (as for hang), the first one at theta (rad), the others hanging."""
     row = [hang(axle=(i * R_PARAM / 4, 0, 0), r_param=R_PARAM, **values) for i in range(count)]
@@ -150,7 +147,15 @@ def make_row(count, theta=0.0, **values) -> list[dict]:
 
 def advance(pend_list, seconds, dt=DT) -> list[tuple]:
     """Advance the cradle by the programs' rule, in ticks of dt (s), and return its contacts."""
-    return do_at_once(pend_list, R_PARAM, dt, G, round(seconds / dt), approaching_only=True)
+    contacts = do_at_once(pend_list, R_PARAM, dt, G, round(seconds / dt), approaching_only=True)
+    assert contacts is not None, "many_ticks does not know these functions: see test_many_ticks.py"
+    return contacts
+
+
+def thetas_after(pend_list, seconds, dt=DT) -> list[float]:
+    """Advance the cradle; return its thetas (rad)."""
+    advance(pend_list, seconds, dt)
+    return [pend["theta"] for pend in pend_list]
 
 
 class ExactCradle:
