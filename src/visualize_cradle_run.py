@@ -63,19 +63,17 @@ def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> Non
 
 
 def main(page) -> None:
-    """Make the cradle, and let it tick as long as the simulation runs.
+    """Make the cradle, show it, and let it tick as long as it runs: once for each cradle.
 
-    page is the cradle's page in the browser, or its picture in the terminal.
-    It says when a cradle or a tick is due (support/cradle/player.py).
+    page is the cradle's page in the browser, or its picture in the terminal (support/cradle/player.py).
     page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command.
+
     page.rule has the value of approaching_only, if the functions have this parameter.
     """
-    while page.is_running():
-        if page.wants_cradle():  # at the start, at a restart, and when the CSV was saved
-            pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
-            page.show(pend_list)
-        while page.wants_tick():  # in step with the clock
-            newton_cradle_tick(pend_list, R_PARAM, DT, G, **page.rule)
+    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+    page.show(pend_list)
+    while page.is_running():  # in step with the clock, until another cradle is wanted
+        newton_cradle_tick(pend_list, R_PARAM, DT, G, **page.rule)
 
 
 if __name__ == "__main__":

@@ -15,19 +15,17 @@ from support.constants import DOUBLE_DT, G, PHI_INIT, R_PARAM, THETA_INIT
 
 
 def main(page) -> None:
-    """Make the double cradle, and let it tick as long as the simulation runs.
+    """Make the double cradle, show it, and let it tick as long as it runs: once for each cradle.
 
-    page is the cradle's page in the browser.
-    It says when a cradle or a tick is due (support/cradle/player.py).
+    page is the cradle's page in the browser (support/cradle/player.py).
     page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command.
+
     page.rule has the value of approaching_only, if the functions have this parameter.
     """
-    while page.is_running():
-        if page.wants_cradle():  # at the start, at a restart, and when the CSV was saved
-            pend_list = make_double_newton_cradle(page.csv, R_PARAM, THETA_INIT, PHI_INIT)
-            page.show(pend_list)
-        while page.wants_tick():  # in step with the clock
-            double_cradle_tick(pend_list, R_PARAM, DOUBLE_DT, G, **page.rule)
+    pend_list = make_double_newton_cradle(page.csv, R_PARAM, THETA_INIT, PHI_INIT)
+    page.show(pend_list)
+    while page.is_running():  # in step with the clock, until another cradle is wanted
+        double_cradle_tick(pend_list, R_PARAM, DOUBLE_DT, G, **page.rule)
 
 
 if __name__ == "__main__":

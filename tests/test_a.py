@@ -112,44 +112,33 @@ CRADLE.write_text(MIXED_CSV)
 
 
 class Page:
-    """The page for main in a check: it asks for cradles and ticks, round by round, and records the result."""
+    """The page for main in a check: it says when to tick, and records the result."""
 
-    METHODS, VALUES = ("is_running", "wants_cradle", "show", "wants_tick"), ("csv", "rule")  # for main
+    METHODS, VALUES = ("show", "is_running"), ("csv", "rule")  # for main
 
-    def __init__(self, *rounds, change=lambda pend_list: None, csv=str(CRADLE)):
-        """rounds has a pair for each pass of the outer loop: (wants a cradle, number of ticks).
+    def __init__(self, *ticks, change=lambda pend_list: None, csv=str(CRADLE)):
+        """ticks has the number of ticks of each cradle: main is called once for each of them.
 
         change(pend_list) is called when main shows a cradle.
         """
-        self.rounds, self.change, self.csv, self.rule = rounds, change, csv, {}
-        self.begun, self.asked, self.ticks = 0, False, 0
+        self.ticks, self.change, self.csv, self.rule = ticks, change, csv, {}
+        self.answers = iter([answer for number in ticks for answer in (*[True] * number, False)])
         self.shown: list = []  # the cradles
         self.parts: list = []  # the objects of their pendula
-        self.states: list = []  # (omega, theta) of the first pendulum at each call of wants_tick
+        self.states: list = []  # (omega, theta) of the first pendulum at each call of is_running
 
     def __repr__(self):
-        return "a page that wants " + ", then ".join(
-            f"{'a cradle and ' * wants_cradle}{ticks} tick{'s' * (ticks != 1)}" for wants_cradle, ticks in self.rounds
-        )
-
-    def is_running(self):
-        self.begun += 1
-        if self.begun <= len(self.rounds):
-            self.asked, self.ticks = self.rounds[self.begun - 1]
-        return self.begun <= len(self.rounds)
-
-    def wants_cradle(self):
-        return self.asked
+        ticks = [f"{number} tick{'s' * (number != 1)}" for number in self.ticks]
+        return f"a page that wants {', then a new cradle and '.join(ticks)}"
 
     def show(self, pend_list):
         self.shown.append(pend_list if isinstance(pend_list, list) else [])
         self.parts += [part for pend in self.shown[-1] for part in pend.get("objects", ())]
         self.change(self.shown[-1])
 
-    def wants_tick(self):
+    def is_running(self):
         self.states += [(pend["omega"], pend["theta"]) for cradle in self.shown[-1:] for pend in cradle[:1]]
-        self.ticks -= 1
-        return self.ticks >= 0
+        return next(self.answers, False)
 
 
 def swings(ticks, r_param=R_PARAM, dt=DT, g=G):
@@ -172,7 +161,7 @@ def is_made(found, theta_init, r_param):
 @check("main")
 def test_the_cradle_is_made_and_shown():
     """Use a helper function you wrote before to create the pend_list."""
-    page = Page((True, 0))
+    page = Page(0)
 
     def see(_):
         return [[(pend["theta"], length_of_cord(pend)) for pend in cradle] for cradle in page.shown]
@@ -193,12 +182,9 @@ def test_the_cradle_is_made_and_shown():
 @check("main")
 def test_the_cradle_ticks():
     """In the while loop, call a helper function to perform a single tick."""
-    page = Page((True, 2), (False, 1))
-    start, first, second, third = swings(3)
-
-    what = "omega and theta of the first pendulum at each call of page.wants_tick"
-    wanted = [start, first, second, second, third]
-    expect("main", page, wanted=wanted, see=lambda _: page.states, what=what)
+    page = Page(3)
+    what = "omega and theta of the first pendulum at each call of page.is_running"
+    expect("main", page, wanted=swings(3), see=lambda _: page.states, what=what)
 
 
 def check_the_file_is_read_each_time():
@@ -218,23 +204,23 @@ def check_the_file_is_read_each_time():
             return same(found[1], new if same(found[0], old) else found[0]) and len(found) == 2
 
         file.write_text(csv_of(before))
-        page = Page((True, 0), (True, 0), change=show, csv=str(file))
+        page = Page(0, 0, change=show, csv=str(file))
         wanted = Wanted("for each cradle, those that the file has then", is_new)
         what = "masses of the first cradle, and of the second one"
         own = "main always reads NC_FP. With page.csv, experiments and the CSV of a command would work, too."
         notes = [(lambda found: not same(found[0], old), own)]
-        expect("main", page, wanted=wanted, see=lambda _: masses, what=what, notes=notes)
+        expect("main", page, wanted=wanted, see=lambda _: masses, what=what, notes=notes, times=2)
 
 
 @check("main")
 def test_each_cradle_that_is_wanted_is_a_new_one():
     """Creates the Newton's cradle visualisation from data in the CSV file."""
-    page = Page((True, 2), (True, 1))
+    page = Page(2, 1)
     what = "omega and theta before the last tick, omega and theta after the last tick"
-    expect("main", page, wanted=swings(1), see=lambda _: page.states[-2:], what=what)
-    page = Page((True, 1), (True, 0))
+    expect("main", page, wanted=swings(1), see=lambda _: page.states[-2:], what=what, times=2)
+    page = Page(1, 0)
     old = shapes()
-    expect("main", page, see=lambda _: left_over(old, page.parts), **LEFT_OVER)
+    expect("main", page, see=lambda _: left_over(old, page.parts), times=2, **LEFT_OVER)
     check_the_file_is_read_each_time()
 
 
@@ -251,7 +237,7 @@ def test_in_the_cradle_bobs_collide():
     def is_passed_on(omegas):
         return same(omegas, [0.0] * (len(omegas) - 1) + [10.0])
 
-    page = Page((True, 1), change=push)
+    page = Page(1, change=push)
     wanted = Wanted("10 for the last pendulum, 0 for all others", is_passed_on)
     see = {"see": lambda _: [pend["omega"] for pend in page.shown[0]], "what": "omega of each pendulum"}
     expect("main", page, wanted=wanted, **see)

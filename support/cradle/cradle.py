@@ -58,7 +58,8 @@ class Cradle:
         self.pend_list: list = []
         self.numbers: dict[int, int] = {}  # id of a pendulum -> its index
         self.hand, self.hits = Hand(self), Hits(self)
-        ticking = scope[self.names.tick], self.collision_scope().get(self.names.collide)
+        self.tick = scope[self.names.tick]
+        ticking = self.tick, self.collision_scope().get(self.names.collide)
         self.takes_rule = all("approaching_only" in signature(function).parameters for function in ticking if function)
 
     # --- make and release --------------------------------------------------------------------------------------------
@@ -88,7 +89,7 @@ class Cradle:
     def check(self) -> None:
         """Raise a MistakeError if a tick has changed the number of pendula, or set a coordinate to no finite number."""
         keys = (*self.angle_keys, *self.rate_keys)
-        check_moved(self.scope[self.names.tick], self.pend_list, len(self.numbers), keys)
+        check_moved(self.tick, self.pend_list, len(self.numbers), keys)
 
     def note_lifts(self) -> None:
         """Take the present angles of the pendula as those with which the cradle was made."""
@@ -143,7 +144,7 @@ class Cradle:
 
         They are those of main, of the tick, or of a function that the tick can call.
         """
-        called = getattr(self.scope[self.names.tick], "__globals__", {})
+        called = getattr(self.tick, "__globals__", {})
         scopes = [self.scope, called, *(function.__globals__ for function in called.values() if isfunction(function))]
         return next((scope for scope in scopes if self.names.collide in scope), self.scope)
 

@@ -8,11 +8,16 @@ from collections import Counter, deque
 from inspect import signature
 from typing import NamedTuple
 
+from support.start.mistake import MistakeError
+
 GAP = 0.005  # s: the longest time between two hits of one train
 MOST_PATHS = 12  # in a train
 TOGETHER = 20  # two bobs with more hits than this in one train stay together
 STRIP_WIDTH = 44  # characters
 LONGEST = 9  # bobs: of a longer path, only the ends are shown
+
+
+UNASKED = 100_000  # ticks that a loop may do without asking whether the cradle runs: more than one does on purpose
 
 
 class Hit(NamedTuple):
@@ -34,6 +39,7 @@ class Hits:
         self.cradle = cradle
         self.new, self.kept = list[Hit](), list[Hit]()  # those that nobody has counted yet, and all since listen
         self.calls: list[str] = []  # of the collision function, as text
+        self.unasked = 0  # ticks of the loop since it was last told to do one
         self.replaced: list[tuple[dict, str, object]] = []
 
     def listen(self, calls=False) -> None:
@@ -44,10 +50,27 @@ class Hits:
         """
         self.calls.clear()
         self.kept.clear()
+        scope = self.cradle.collision_scope()
         if calls:
-            self.replace(self.cradle.names.shown, self.noting_calls)
+            self.replace(scope, self.cradle.names.shown, self.noting_calls)
         if self.cradle.hand.held is None:
-            self.replace(self.cradle.names.collide, self.noting_hits)
+            self.replace(scope, self.cradle.names.collide, self.noting_hits)
+
+    def count_ticks(self, loop) -> None:
+        """Only count the ticks of the loop from now on, until stop; raise a MistakeError after UNASKED."""
+
+        def counting(tick):
+            def counted(*given, **named):
+                self.unasked += 1
+                if self.unasked > UNASKED:
+                    words = f"called {tick.__name__} {UNASKED} times, and page.is_running() was not True in between."
+                    raise MistakeError(loop, words)
+                return tick(*given, **named)
+
+            return counted
+
+        self.stop()
+        self.replace(self.cradle.scope, self.cradle.names.tick, counting)
 
     def stop(self) -> None:
         """Put the functions back."""
@@ -55,9 +78,8 @@ class Hits:
             scope, name, function = self.replaced.pop()
             scope[name] = function
 
-    def replace(self, name, noting) -> None:
-        """Put noting(function) into the place of the function with this name, if a student has written it."""
-        scope = self.cradle.collision_scope()
+    def replace(self, scope, name, noting) -> None:
+        """Put noting(function) into the place of the function with this name in scope, if there is one."""
         if name in scope:
             self.replaced.append((scope, name, scope[name]))
             scope[name] = noting(scope[name])

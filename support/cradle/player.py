@@ -1,10 +1,10 @@
-"""The player tells a program's loop when to make a cradle or do a tick, and shows the cradle.
+"""The player shows the cradle of a program, and tells the program's loop when to do a tick.
 
-The loop is main in src/visualize_cradle_run.py. A player is the cradle's page in the browser (support/page/viewer.py),
-or its picture, its lines or its data file (support/terminal/players.py).
+The loop is main in src/visualize_cradle_run.py; run calls it once for each cradle. A player is the cradle's page in the
+browser (support/page/viewer.py), or its picture, its lines or its data file (support/terminal/players.py).
 
-The loop asks is_running() again and again. When nothing is left to do, the player does a frame: it shows the cradle,
-and plans the next ticks (plan) or a new cradle (make). The loop then gets this work.
+The loop asks is_running() before each tick. When no tick is due, the player does a frame: it shows the cradle, and
+plans the next ticks (plan), or wants another cradle (want_cradle): the loop then ends, and begins again.
 """
 
 from collections.abc import Callable
@@ -22,10 +22,11 @@ FEW = 10  # ticks in a part for slow hits, or while a bob is held: it then falls
 
 
 class Player:
-    """Answers the loop's questions, and keeps the motion of the cradle. A subclass has frame, and maybe made and note.
+    """Answers the loop's questions, and keeps the motion of the cradle.
 
-    Ticks are done in parts: a part ends at each multiple of step ticks, for note. The fast path does a part in one
-    call, if its result is certain to be the same as that of single ticks in the loop.
+    A subclass must define frame; it may define show_new_cradle and note. The ticks of a frame are done in parts, so
+    that note is called every `step` ticks. The fast path does a part in one call, if its result is certain to be the
+    same as that of single ticks in the loop.
     """
 
     loop: Callable  # the loop, which asks; run sets it
@@ -44,19 +45,19 @@ class Player:
         self.step = max(1, round(step_seconds / cradle.dt))  # ticks from one call of note to the next
         self.path, self.copy = "", ExitStack()  # of a copy of the snapshot for the loop, and its end
         self.is_over = False  # whether the simulation has ended
-        self.is_wanted = False  # whether the loop must make a cradle
+        self.is_wanted = False  # whether another cradle is wanted, so that the loop must end
+        self.is_shown = False  # whether the loop has shown its cradle
         self.planned: float = 0  # ticks that no part has yet
         self.deadline = inf  # the time on the pace's clock at which no more of them begin
         self.with_calls = False  # whether the loop must do them
         self.looks_at_hits = False  # whether the loop must do all ticks, a few in a part
         self.is_in_part, self.due = False, 0.0  # whether a part is being done, and its ticks for the loop
-        self.offered = False, 0.0  # is_wanted and due when is_running last returned
 
     def frame(self) -> None:
-        """Do the work of one frame: show the cradle, and call plan or make."""
+        """Do the work of one frame: show the cradle, and call plan or want_cradle."""
         raise NotImplementedError
 
-    def made(self) -> None:
+    def show_new_cradle(self) -> None:
         """Show a new cradle, which has just been released; a subclass may define this."""
 
     def note(self) -> None:
@@ -64,55 +65,52 @@ class Player:
 
     # --- what the loop asks ------------------------------------------------------------------------------------------
 
+    @property
+    def csv(self) -> str:
+        """The path of the cradle's file, for main; it is there until main has shown the cradle."""
+        if self.is_shown:
+            raise MistakeError(self.loop, "used page.csv after page.show. Make the cradle once, before the loop.")
+        return self.path
+
+    def show(self, pend_list) -> None:
+        """Take and release a new cradle; raises a MistakeError if pend_list is no list of complete pendula."""
+        if self.is_shown:
+            raise MistakeError(self.loop, "called page.show again. Show the cradle once, before the loop.")
+        with self.copy:
+            self.cradle.take(pend_list, self.path)
+        self.is_shown = True
+        self.cradle.release(self.angles, self.lifted)
+        self.motion.restart()
+        self.show_new_cradle()
+
     def is_running(self) -> bool:
-        """Return whether the simulation runs; do frames until the loop has something to do."""
-        was_wanted, was_due = self.offered
-        if self.is_wanted and was_wanted:
-            raise MistakeError(self.loop, "showed no cradle when page.wants_cradle() was True: page.show is missing.")
-        if self.due and self.due == was_due:
-            raise MistakeError(self.loop, "did not call page.wants_tick() when ticks were due.")
-        while not (self.is_over or self.is_wanted or self.due):
+        """Return whether the loop must do a tick now; False ends the loop, as the simulation is over or begins again.
+
+        When no tick is due, do frames until one is. After the deadline, the rest of a part waits for the next frame.
+        """
+        if not self.is_shown:
+            raise MistakeError(self.loop, "asked page.is_running() before page.show(pend_list).")
+        if self.cradle.hits.new:
+            self.motion.note_hits()
+        if not self.is_in_part:
+            self.cradle.hits.stop()
+        if self.due and self.pace.clock() >= self.deadline:
+            self.planned, self.due = self.planned + self.due, 0
+        while not self.due:
             if self.is_in_part:
                 self.end_part()
+            elif self.is_over or self.is_wanted:
+                self.cradle.hits.count_ticks(self.loop)
+                return False
             elif self.planned and self.pace.clock() < self.deadline:
                 self.begin_part()
             else:
                 self.pace.give_back(self.planned)
                 self.planned = 0
                 self.frame()
-        self.offered = self.is_wanted, self.due
-        return not self.is_over
-
-    def wants_cradle(self) -> bool:
-        """Return whether the loop must make a cradle from the file at the path csv, and show it."""
-        return self.is_wanted
-
-    def show(self, pend_list) -> None:
-        """Take and release a new cradle; raises a MistakeError if pend_list is no list of complete pendula."""
-        with self.copy:
-            self.cradle.take(pend_list, self.csv)
-        self.is_wanted = False
-        self.cradle.release(self.angles, self.lifted)
-        self.motion.restart()
-        self.made()
-
-    @property
-    def csv(self) -> str:
-        """The path of the cradle's file, for main; it is there while a cradle is wanted."""
-        if not self.is_wanted:
-            raise MistakeError(self.loop, "used page.csv when page.wants_cradle() was False: a tick makes no cradle.")
-        return self.path
-
-    def wants_tick(self) -> bool:
-        """Return whether a tick is due; after the deadline, the rest waits for the next frame."""
-        if self.cradle.hits.new:
-            self.motion.note_hits()
-        if self.due and self.pace.clock() >= self.deadline:
-            self.planned, self.due = self.planned + self.due, 0
-        if not self.due:
-            return False
         self.due -= 1
         self.motion.ticks += 1
+        self.cradle.hits.unasked = 0
         return True
 
     @property
@@ -122,11 +120,9 @@ class Player:
 
     # --- what a frame asks for ---------------------------------------------------------------------------------------
 
-    def make(self) -> None:
-        """Let the loop make a new cradle; show then releases it, and begins at time 0."""
-        self.cradle.give_back()
-        self.path = self.copy.enter_context(clean_copy(self.snapshot))
-        self.is_wanted, self.planned, self.offered = True, 0, (False, 0.0)
+    def want_cradle(self) -> None:
+        """Let the loop end, and make a new cradle: show then releases it, and begins at time 0."""
+        self.is_wanted, self.planned = True, 0
 
     def plan(self, ticks, deadline=inf, with_calls=False) -> None:
         """Let `ticks` ticks be done in this frame, but begin none after the deadline, a time on the pace's clock.
@@ -154,6 +150,7 @@ class Player:
         self.is_in_part = True
         self.cradle.hand.grip()
         if self.with_calls or self.looks_at_hits or not self.motion.do_at_once(part, self.rule):
+            self.cradle.hits.count_ticks(self.loop)
             self.cradle.hits.listen(self.with_calls)
             self.due = part
 
@@ -166,15 +163,32 @@ class Player:
         if self.motion.ticks % self.step == 0:
             self.note()
 
+    # --- the loop ----------------------------------------------------------------------------------------------------
+
+    def begin(self) -> None:
+        """Get ready for the loop to make and show a cradle."""
+        self.cradle.give_back()
+        self.path = self.copy.enter_context(clean_copy(self.snapshot))
+        self.is_wanted = self.is_shown = False
+        self.cradle.hits.unasked = 0
+        self.cradle.hits.count_ticks(self.loop)
+
 
 def run(loop, player) -> None:
-    """Run a loop (for instance main) with a player; raises a MistakeError if the loop ends before the player."""
+    """Run a loop (for instance main) with a player, once for each cradle.
+
+    Raises a MistakeError if the loop ends while its cradle must go on.
+    """
     player.loop = loop
-    player.make()
+    player.want_cradle()
     try:
-        loop(player)
-        if player.is_wanted or player.is_running():
-            raise MistakeError(loop, "ended, but the simulation still runs.")
+        while player.is_wanted:
+            player.begin()
+            loop(player)
+            if not player.is_shown:
+                raise MistakeError(loop, "showed no cradle: page.show(pend_list) is missing.")
+            if not (player.is_wanted or player.is_over):
+                raise MistakeError(loop, "ended, but the simulation still runs. Tick while page.is_running() is True.")
     except KeyboardInterrupt as stopped:
         stopped.is_late = player.pace.clock() - player.pace.frame_start > ENDLESS  # type: ignore[attr-defined]
         raise

@@ -25,7 +25,7 @@ class Settings(NamedTuple):
 class Source:
     """Chooses the cradle that the viewer lets main make; your file changes only if you write it.
 
-    The methods that change the cradle end with viewer.make().
+    The methods that change the cradle end with viewer.want_cradle().
     """
 
     def __init__(self, viewer, file):
@@ -49,13 +49,13 @@ class Source:
         self.leave_poses()
         number, angle = number_and_angle
         self.viewer.angles[number] = angle
-        self.viewer.make()
+        self.viewer.want_cradle()
 
     def set_lifted(self, lifted) -> None:
         """Lift this number of bobs."""
         self.leave_poses()
         self.viewer.lifted = lifted
-        self.viewer.make()
+        self.viewer.want_cradle()
 
     def set_collision(self, collision) -> None:
         """Let bobs collide in this way (a key of the cradle's collisions) from now on."""
@@ -100,14 +100,14 @@ class Source:
         viewer.snapshot, viewer.angles, viewer.lifted, cradle.collision, cradle.mass = chosen
         self.poses = experiment.angles if experiment else None
         self.table.mistakes.clear()
-        viewer.make()
+        viewer.want_cradle()
 
     def ask_first(self, ask_first) -> None:
         """Ask the question of an experiment before its release, or not; restart an experiment."""
         self.questions.ask_first = ask_first
         if self.poses and not self.questions.is_changed:
             self.viewer.running = True
-            self.viewer.make()
+            self.viewer.want_cradle()
 
     def answer(self, question_and_answer) -> None:
         """Take an answer: (key of the experiment that asks, index of the answer, or None); the cradle then runs."""
@@ -118,7 +118,7 @@ class Source:
         if self.questions.measurement:
             self.questions.repeat(slowly)
             self.viewer.running = True
-            self.viewer.make()
+            self.viewer.want_cradle()
 
     def choose_next(self) -> None:
         """Choose the next experiment of the menu, after the last one the first."""
@@ -211,7 +211,7 @@ class Source:
             self.table.mistakes.clear()
         self.cradle.mass, self.cradle.collision = None, next(iter(self.cradle.collisions))  # the CSV now has them
         self.viewer.snapshot = csv
-        self.viewer.make()
+        self.viewer.want_cradle()
 
     def write(self, _) -> None:
         """Write the present pendula to your CSV, and let main make its cradle; or say why it failed.

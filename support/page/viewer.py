@@ -112,7 +112,7 @@ class Viewer(Player):
             self.next_refresh = self.pace.clock() + REFRESH
             self.show_motion()
 
-    def made(self) -> None:
+    def show_new_cradle(self) -> None:
         """Show a new cradle. On a new page, it starts when the page has it, so that you see the release."""
         self.rest_end = -inf
         self.source.pose()
@@ -190,7 +190,7 @@ class Viewer(Player):
             "pause": self.pause,
             "step": self.do_step,
             "tick": self.do_one_tick,
-            "restart": lambda _: self.make(),
+            "restart": lambda _: self.want_cradle(),
             "speed": self.set_speed,
             "arrows": self.show_arrows,
             "slow hits": self.slow_down_hits,
@@ -270,7 +270,7 @@ class Viewer(Player):
         self.table.open(False)
         self.scenery.reset_view()
         self.is_new_page = True
-        self.make()
+        self.want_cradle()
 
     def grab(self, ray) -> None:
         """Hold the bob under the mouse, if there is one; ray is the mouse's: a point on it, and its direction."""

@@ -73,16 +73,17 @@ def tell_endless(error) -> None:
 
 
 def check_made(make, pend_list, keys, parts) -> None:
-    """Raise a MistakeError if the function make has returned no list of complete pendula.
+    """Raise a MistakeError if pend_list, the result of the function make, is no list of complete pendula.
 
     keys are those of a pendulum's numbers, parts is the number of its objects.
     """
+    must = "must return a list of dictionaries, and main must show it; page.show got"
     if pend_list is None:
-        raise MistakeError(make, "returned None; it must return a list of dictionaries. Is a return missing?")
+        raise MistakeError(make, f"{must} None. Is a return missing?")
     if not isinstance(pend_list, list) or not all(isinstance(pend, dict) for pend in pend_list):
-        raise MistakeError(make, f"returned a {type(pend_list).__name__}; it must return a list of dictionaries.")
+        raise MistakeError(make, f"{must} a {type(pend_list).__name__}.")
     if not pend_list:
-        raise MistakeError(make, "returned an empty list; a cradle has at least one pendulum.")
+        raise MistakeError(make, f"{must} an empty list.")
     check_numbers(make, pend_list, keys)
     for number, pend in enumerate(pend_list, start=1):
         objects = pend.get("objects")

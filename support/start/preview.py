@@ -11,8 +11,11 @@ from support.start.output import refuse
 
 SWING = "full_swing_update"
 SRC = Path(__file__).resolve().parents[2] / "src"
-# The lines that the handout provides beside a raise, as ast.unparse writes them.
-GIVEN = {"df = pd.read_csv(relative_filepath)", "bad_rep = df.to_dict(orient='index')", "page.show(pend_list)"}
+# The first lines of the statements that the handout provides beside a raise, as ast.unparse writes them.
+GIVEN = {
+    *("df = pd.read_csv(relative_filepath)", "bad_rep = df.to_dict(orient='index')"),
+    *("page.show(pend_list)", "while page.is_running():"),
+}
 CONSTANTS = {"r_param": R_PARAM, "theta_init": THETA_INIT, "dt": DT, "g": G}
 
 
@@ -26,7 +29,7 @@ def stubs_in(file) -> dict[str, tuple[int, bool]]:
     for function in ast.parse(file.read_bytes()).body:
         name = getattr(function, "name", "")
         for block in (getattr(node, part, ()) for node in ast.walk(function) for part in ("body", "orelse")):
-            lines = [ast.unparse(each) for each in block] if isinstance(block, list) else []
+            lines = [ast.unparse(each).partition("\n")[0] for each in block] if isinstance(block, list) else []
             stub = f"raise NotImplementedError('{name} is not written yet')"
             if stub in lines and not any(line.startswith("return") for line in lines[: lines.index(stub)]):
                 others = [line for line in lines if line != stub and line not in GIVEN and line[0] not in "'\""]
@@ -88,17 +91,14 @@ def preview(scope, swing="", collision=""):
         return scope[name](*first, *(CONSTANTS[other] for other in parameters[name][len(first) :]))
 
     def loop(page):
-        cradle: list = []
+        cradle = call(made_by, page.csv)
+        while collision and len(cradle) > 2:
+            discard(cradle.pop()["objects"])
+        page.show(cradle)
         while page.is_running():
-            if page.wants_cradle():
-                cradle = call(made_by, page.csv)
-                while collision and len(cradle) > 2:
-                    discard(cradle.pop()["objects"])
-                page.show(cradle)
-            while page.wants_tick():
-                if swing:
-                    call(swing, cradle)
-                if collision and len(cradle) == 2:
-                    call(collision, *cradle)
+            if swing:
+                call(swing, cradle)
+            if collision and len(cradle) == 2:
+                call(collision, *cradle)
 
     return loop

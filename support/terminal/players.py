@@ -30,7 +30,7 @@ class TextPlayer(Player):
         super().__init__(cradle, csv, [options.angle], options.lift, TRAINS, self.step_seconds)
         self.last = options.seconds if options.seconds == inf else round(options.seconds / cradle.dt)  # tick
 
-    def made(self) -> None:
+    def show_new_cradle(self) -> None:
         """Show the cradle at its start."""
         self.note()
         self.pace.restart()
@@ -116,7 +116,7 @@ class Recorder(Player):
         self.last = (self.count - 1) * self.step  # tick
         self.writer, self.progress = writer, progress
 
-    def made(self) -> None:
+    def show_new_cradle(self) -> None:
         """Write the first row, before any tick."""
         self.writer.writerow(self.motion.sample())
         self.note()

@@ -107,29 +107,25 @@ RIGHT = {
         "more to see": """\
             from vpython import arange, arrow, color, label, rate, scene, vector
             scene.title = "Newton's cradle"
+            cradle = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+            for x in arange(0, 1, 0.5):
+                arrow(pos=vector(x, 0, 0), axis=vector(0, -G, 0), color=color.red)
+            name = label(pos=scene.center, text="cradle")
+            for pend in cradle:
+                pend["objects"][1].make_trail = True
+            page.show(cradle)
             while page.is_running():
-                if page.wants_cradle():
-                    cradle = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
-                    for x in arange(0, 1, 0.5):
-                        arrow(pos=vector(x, 0, 0), axis=vector(0, -G, 0), color=color.red)
-                    name = label(pos=scene.center, text="cradle")
-                    for pend in cradle:
-                        pend["objects"][1].make_trail = True
-                    page.show(cradle)
-                while page.wants_tick():
-                    rate(1 / DT)
-                    newton_cradle_tick(cradle, R_PARAM, DT, G)
-                    name.text = f'cradle, from {mag(scene.camera.pos):.1f} m'""",
+                rate(1 / DT)
+                newton_cradle_tick(cradle, R_PARAM, DT, G)
+                name.text = f'cradle, from {mag(scene.camera.pos):.1f} m'""",
         "a CSV of its own first": """\
             from src.pds_helper import write_to_csv
             rows = [{'mass': m, 'e': 1, 'theta': 0, 'omega': 0, 'color': 'red', 'texture': 'none'} for m in (1.0, 2.0)]
             write_to_csv(rows)
+            pend_list = make_newton_cradle(__import__('support.constants').constants.NC_FP, R_PARAM, THETA_INIT)
+            page.show(pend_list)
             while page.is_running():
-                if page.wants_cradle():
-                    pend_list = make_newton_cradle(__import__('support.constants').constants.NC_FP, R_PARAM, THETA_INIT)
-                    page.show(pend_list)
-                while page.wants_tick():
-                    newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
+                newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
         "a list that stays": ("pend_list = make", "pend_list = vars(page).setdefault('list', []); pend_list[:] = make"),
     },
     "make_double_pendulum": {

@@ -298,6 +298,7 @@ def test_all_stay_where_they_were_if_there_is_no_room(monkeypatch):
 # --- the functions of a student --------------------------------------------------------------------------------------
 
 MAKE, TICK = "make_newton_cradle", "newton_cradle_tick"
+SHOWN = "must return a list of dictionaries, and main must show it; page.show got"
 
 
 @pytest.fixture
@@ -353,10 +354,10 @@ def put(key, value):
 @pytest.mark.parametrize(
     ("name", "mistake", "words"),
     [
-        (MAKE, lambda pend_list: None, "returned None; it must return a list of dictionaries. Is a return missing?"),
-        (MAKE, lambda pend_list: [], "returned an empty list; a cradle has at least one pendulum."),
-        (MAKE, tuple, "returned a tuple; it must return a list of dictionaries."),
-        (MAKE, lambda pend_list: ["pendulum"], "returned a list; it must return a list of dictionaries."),
+        (MAKE, lambda pend_list: None, f"{SHOWN} None. Is a return missing?"),
+        (MAKE, lambda pend_list: [], f"{SHOWN} an empty list."),
+        (MAKE, tuple, f"{SHOWN} a tuple."),
+        (MAKE, lambda pend_list: ["pendulum"], f"{SHOWN} a list."),
         (MAKE, put("theta", "0"), "set theta of pendulum 2 to '0'; it must be a finite number."),
         (MAKE, put("objects", []), "set objects of pendulum 2 to a list; it must be a tuple of parts."),
         (MAKE, lambda pend_list: pend_list[4].pop("omega") or pend_list, "set omega of pendulum 5 to nothing; it must"),

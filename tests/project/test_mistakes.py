@@ -74,7 +74,7 @@ MISTAKES = {  # a change, and the end of stderr: the student's function, a part 
     "late": (SWINGING, OMEGA, "    omegaa if theta > 0.1 else 0\n" + OMEGA, "angle_update", "omegaa if", "NameError:"),
     "no color": (SPECIAL, COLOR, 'pend_dict["color"]', "make_newton_cradle", "pend_dict", "AttributeError: color"),
     "no file": (SWINGING, OMEGA, "    open('no')\n" + OMEGA, "angle_update", "open('no')", "FileNotFoundError:"),
-    "no return": (SPECIAL, "    return pend_list\n", "", "make_newton_cradle", "def", "make_newton_cradle returned"),
+    "no return": (SPECIAL, "    return pend_list\n", "", "make_newton_cradle", "def", "make_newton_cradle must return"),
     "exit": (RUN, SWING, "    exit()\n" + SWING, "newton_cradle_tick", "exit()", "SystemExit"),
 }
 

@@ -1,6 +1,7 @@
 """A cradle in motion: its time, energy, samples and list of impacts; the player's frames, and their pace."""
 
 import random
+import re
 from math import cos, radians, sqrt
 from unittest.mock import patch
 
@@ -10,7 +11,7 @@ from whole_cradles import FIVE_CSV, make_live, make_swing, PERIOD, velocities
 
 from grading.cradles import MIXED_CSV
 from src import visualize_cradle_run
-from support.constants import DT, G, R_PARAM
+from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.impacts import GAP, ImpactTrains
@@ -216,18 +217,50 @@ def test_after_a_pause_or_a_change_of_the_speed_slow_motion_is_forgotten(tmp_pat
         assert (timed.pace.kept_up, timed.pace.remark()) == (pytest.approx(1, abs=0.02), "")
 
 
-@pytest.mark.parametrize(
-    ("question", "words"),
-    [
-        ("wants_cradle", "main showed no cradle when page.wants_cradle() was True: page.show is missing."),
-        ("wants_tick", "main did not call page.wants_tick() when ticks were due."),
-        ("is_running", "main ended, but the simulation still runs."),
-    ],
-)
-def test_a_loop_that_leaves_work_undone_is_named(tmp_path, monkeypatch, question, words):
-    """As if main did not ask this question, and went on."""
-    timed = Timed(tmp_path, until=1)
-    monkeypatch.setattr(timed, question, lambda: False)
-    with pytest.raises(MistakeError) as raised:
-        timed.run()
-    assert str(raised.value) == words
+CRADLE = "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)"
+SHOW, LOOP, TICK = "page.show(pend_list)", "while page.is_running():", "newton_cradle_tick(pend_list, R_PARAM, DT, G)"
+ENDED = "ended, but the simulation still runs. Tick while page.is_running() is True."
+UNASKED = "called newton_cradle_tick 100000 times, and page.is_running() was not True in between."
+MISTAKES = {  # the lines of main, and what is said about it
+    "shows nothing": ([CRADLE, LOOP, f"  {TICK}"], "asked page.is_running() before page.show(pend_list)."),
+    "shows nothing, and ends": ([CRADLE], "showed no cradle: page.show(pend_list) is missing."),
+    "has no loop": ([CRADLE, SHOW], ENDED),
+    "leaves its loop at once": ([CRADLE, SHOW, LOOP, f"  {TICK}", "  break"], ENDED),
+    "asks once": ([CRADLE, SHOW, "if page.is_running():", f"  {TICK}"], ENDED),
+    "ticks without asking": ([CRADLE, SHOW, "while True:", f"  {TICK}"], UNASKED),
+    "never asks again": ([CRADLE, SHOW, LOOP, "  while True:", f"    {TICK}"], UNASKED),
+    "does not hear the answer": ([CRADLE, SHOW, "while True:", "  page.is_running()", f"  {TICK}"], UNASKED),
+    "makes it again and again": ([CRADLE, SHOW, LOOP, f"  {CRADLE}"], "used page.csv after page.show. Make the cradle"),
+    "shows it again and again": ([CRADLE, SHOW, LOOP, f"  {SHOW}"], "called page.show again. Show the cradle once,"),
+}
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_a_main_that_is_no_loop_of_ticks_is_named_with_its_mistake(tmp_path, name):
+    lines, words = MISTAKES[name]
+    timed, scope = Timed(tmp_path, until=1), dict(vars(visualize_cradle_run))
+    exec("\n  ".join(["def main(page):", *lines]), scope)
+    scope["newton_cradle_tick"] = newton_cradle_tick = lambda *_: None
+    newton_cradle_tick.__name__ = "newton_cradle_tick"
+    timed.cradle.scope = scope
+    with pytest.raises(MistakeError, match=re.escape(f"main {words}")):
+        run(scope["main"], timed)
+    assert scope["newton_cradle_tick"] is newton_cradle_tick
+
+
+@pytest.mark.parametrize("ticks", [10, 20_000])
+def test_a_main_may_do_shorter_ticks_or_some_before_the_first_picture(tmp_path, ticks):
+    timed, done = Timed(tmp_path, until=0.1), []
+
+    def main(page):
+        page.show(visualize_cradle_run.make_newton_cradle(page.csv, R_PARAM, THETA_INIT))
+        for _ in range(ticks):
+            visualize_cradle_run.newton_cradle_tick(timed.cradle.pend_list, R_PARAM, DT / 10, G)
+        while page.is_running():
+            for _ in range(10):
+                visualize_cradle_run.newton_cradle_tick(timed.cradle.pend_list, R_PARAM, DT / 10, G)
+            done.append(page)
+
+    with patch.object(visualize_cradle_run, "newton_cradle_tick", timed.cost):
+        run(main, timed)
+    assert len(done) == timed.motion.ticks > 0

@@ -184,7 +184,7 @@ def start(monkeypatch, csv):
         program = visualize_double_cradle_run if is_double else visualize_cradle_run
         (show_double_cradle if is_double else show_cradle)(program.main, pds_helper, special_cradles)
         page, viewer = shown
-        viewer.make()
+        viewer.want_cradle()
         go_on(viewer)
         return page, viewer
 

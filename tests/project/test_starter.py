@@ -75,7 +75,7 @@ def test_each_function_has_the_handouts_signature_a_docstring_and_its_place(made
 
 LINES = [  # of the handout
     ("pds_helper", "    df = pd.read_csv(relative_filepath)\n    bad_rep = df.to_dict(orient='index')\n"),
-    ("visualize_cradle_run", "            page.show(pend_list)\n        while page.wants_tick():"),
+    ("visualize_cradle_run", "    page.show(pend_list)\n    while page.is_running():"),
     ("swinging", "from math import cos, sin\n\nfrom vpython import vector\n"),
     ("special_cradles", "from vpython import vector\n"),
     ("double_cradle", "from vpython import box, cylinder, sphere, vector\n"),

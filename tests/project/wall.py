@@ -22,7 +22,7 @@ class Wall:
         self.viewer = Viewer(make_live(kind), LiveFile(csv, self.clock), thetas(angles or [30]), lifted, remark)
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=lambda seconds: None)
         self.panel = self.viewer.panel
-        self.viewer.make()
+        self.viewer.want_cradle()
         go_on(self.viewer)
 
     def clock(self):

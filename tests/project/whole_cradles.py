@@ -1,7 +1,7 @@
 """More cradles for the project's tests: CSV text, double pendula made by hand, and cradles that run."""
 
 from bisect import bisect_left
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from itertools import accumulate, combinations
 from math import cos, degrees, dist, pi, sin, sqrt
 from statistics import fmean
@@ -92,15 +92,18 @@ class FrameError(Exception):
 
 
 def go_on(player) -> None:
-    """Do what main does, until the player has nothing more for it to do, and would begin a frame."""
+    """Do what run and main do, until the player has nothing more for them to do, and would begin a frame."""
     cradle, scope = player.cradle, player.cradle.scope
     player.loop, starts = scope["main"], [THETA_INIT, PHI_INIT][: len(cradle.angles)]
-    with patch.object(player, "frame", side_effect=FrameError), suppress(FrameError):
+    with ExitStack() as stack:
+        stack.enter_context(patch.object(player, "frame", side_effect=FrameError))
+        stack.enter_context(suppress(FrameError))
+        stack.callback(cradle.hits.stop)
+        if player.is_wanted:
+            player.begin()
+            player.show(scope[cradle.names.make](player.csv, R_PARAM, *starts))
         while player.is_running():
-            if player.wants_cradle():
-                player.show(scope[cradle.names.make](player.csv, R_PARAM, *starts))
-            while player.wants_tick():
-                scope[cradle.names.tick](cradle.pend_list, R_PARAM, cradle.dt, G, **player.rule)
+            scope[cradle.names.tick](cradle.pend_list, R_PARAM, cradle.dt, G, **player.rule)
 
 
 def thetas(lifts) -> list:
@@ -120,7 +123,7 @@ class Swing(Player):
         """Make the cradle of this text, the new content of the CSV."""
         self.snapshot.filepath.write_text(text)
         self.snapshot = Snapshot(self.snapshot.filepath)
-        self.make()
+        self.want_cradle()
         go_on(self)
 
 

@@ -64,12 +64,10 @@ PLAIN = {
         for i in range(len(pend_list) - 1):
             handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)""",
     "main": """\
+        pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+        page.show(pend_list)
         while page.is_running():
-            if page.wants_cradle():
-                pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
-                page.show(pend_list)
-            while page.wants_tick():
-                newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
+            newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
     "make_double_pendulum": """\
         axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
         bob2, cord2 = make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture)
@@ -597,16 +595,16 @@ HINTED = {
         "One value here is None. A function": ("full_swing_update(", "pend_list = 0 or full_swing_update("),
     },
     "main": {
-        "In the second place, make_newton_cradle": ("    newton_cradle_tick(", "    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)\n                newton_cradle_tick("),
+        "In the loop, make_newton_cradle makes": ("    newton_cradle_tick(", "    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)\n            newton_cradle_tick("),
         "A function needs ( ) with its values": ("make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "make_newton_cradle"),
-        "The whole list belongs to newton_cradle_tick": ("newton_cradle_tick(pend_list", "for pend in pend_list:\n                    newton_cradle_tick(pend"),
-        "One tick is enough here:": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "while page.wants_tick():\n                    newton_cradle_tick(pend_list, R_PARAM, G, DT)"),
-        "In main, the word break": ("DT, G)", "DT, G)\n                break"),
+        "The whole list belongs to newton_cradle_tick": ("newton_cradle_tick(pend_list", "for pend in pend_list:\n                newton_cradle_tick(pend"),
+        "One tick is enough here:": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "while page.is_running():\n                newton_cradle_tick(pend_list, R_PARAM, G, DT)"),
+        "In main, the word break": ("DT, G)", "DT, G)\n            break"),
         "In main, make_newton_cradle makes": ("make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "extract_and_convert(page.csv)"),
         "A list is inside of a list": ("make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "[make_newton_cradle(page.csv, R_PARAM, THETA_INIT)]"),
         "The path of the file is page.csv,": ("(page.csv", "(page"),
         "You showed no cradle. Give your pend_list to page.show.": "pass",
-        "You never called page.wants_tick, or you showed no cradle.": ("page.wants_tick()", "False"),
+        "You never called page.is_running, or you showed no cradle.": ("page.is_running()", "False"),
         "You gave page.show no pend_list, or an empty one.": ("page.show(pend_list)", "page.show(None)"),
         "Your pendula have no objects.": ("page.show(", "[pend.pop('objects') for pend in pend_list]; page.show("),
         "make_newton_cradle takes R_PARAM first, then THETA_INIT.": ("R_PARAM, THETA_INIT)", "THETA_INIT, R_PARAM)"),
@@ -618,16 +616,11 @@ HINTED = {
         "Give make_newton_cradle page.csv, R_PARAM": ("page.csv, R_PARAM", "page.csv, 0.4"),
         "Nothing comes back from newton_cradle_tick:": ("newton_cradle_tick(", "pend_list = newton_cradle_tick("),
         "THETA_INIT is in radians already. Do not convert": ("THETA_INIT)", "THETA_INIT * 180 / 3.141592653589793)"),
-        "Your second cradle goes on where the first one was. Make a new one when the page wants one.": ("pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "pend_list = vars(page).setdefault('first', make_newton_cradle(page.csv, R_PARAM, THETA_INIT))"),
-        "Your second cradle does not tick.": ("tick(pend_list", "tick(vars(page).setdefault('first', pend_list)"),
-        "You made the cradle again, but the page did not want one.": ("if page.wants_cradle():", "if True:"),
         "The cradle that you showed does not tick.": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "pass"),
-        "Your cradle ticks twice when the page": ("DT, G)", "DT, G); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
-        "Your cradle ticks before the page wants a tick.": ("page.show(pend_list)", "page.show(pend_list); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
-        "Tick as long as page.wants_tick() is True: while, not": ("while page.wants_tick()", "if page.wants_tick()"),
+        "Your cradle ticks twice when page.is_running": ("DT, G)", "DT, G); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
+        "Your cradle ticks before page.is_running() is True.": ("page.show(pend_list)", "page.show(pend_list); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
+        "Tick as long as page.is_running() is True: while, not": ("while page.is_running()", "if page.is_running()"),
         "Check the order of the arguments of newton_cradle_tick: pend_list, R_PARAM, DT, G.": ("DT, G)", "G, DT)"),
-        "You made the cradle once. Make a new one each time": ("pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "pend_list = page.first = vars(page).get('first') or make_newton_cradle(page.csv, R_PARAM, THETA_INIT); [pend.update(omega=0, theta=0 if i else THETA_INIT) for i, pend in enumerate(pend_list)]"),
-        "You read the file once. Read it again for each cradle.": ("pend_list = make_newton_cradle(page.csv", "page.old = vars(page).get('old') or __import__('shutil').copy(page.csv, f'{page.csv}.old'); pend_list = make_newton_cradle(page.old"),
     },
     "make_double_pendulum": {
         "Nothing new comes from bob2 = bob1:": ("return", "bob2 = bob1\n        return"),
@@ -723,6 +716,8 @@ UNHINTED = {
     "main": {
         "another G": ("DT, G)", "DT, 10)"),
         "the last one does not tick": ("newton_cradle_tick(pend_list,", "newton_cradle_tick(pend_list[:-1],"),
+        "the first cradle once more": ("pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "pend_list = vars(page).setdefault('first', make_newton_cradle(page.csv, R_PARAM, THETA_INIT))"),
+        "the file as it was once": ("pend_list = make_newton_cradle(page.csv", "page.old = vars(page).get('old') or __import__('shutil').copy(page.csv, f'{page.csv}.old'); pend_list = make_newton_cradle(page.old"),
     },
     "make_double_pendulum": {
         "a lower cord of the shipped length": ("(bob1.pos, r_param", "(bob1.pos, 0.2"),
