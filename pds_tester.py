@@ -1,32 +1,36 @@
 """Run this file to see, step by step, how newton_cradle_pends.csv becomes pend_list. It needs no VPython."""
 
-import os
-import sys
-
 if __name__ == "__main__":
-    sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))  # so that Python finds the project, also with -P
+    from support.start.unfit import refuse_unfit
 
-from support import headless_vpython
+    refuse_unfit()
 
-headless_vpython.install()  # this program opens no page, so it does not need VPython itself
+    import support.headless_vpython  # noqa: F401  no page, so no VPython
 
 import pandas as pd
 
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
-from support.files.cradle_csv import check_cradle, cleaned
+from support.files.cradle_csv import check_cradle, clean_copy, Snapshot
 from support.start.mistake import tell_endless
 from support.start.output import refuse, while_it_is_read
 
 
 @while_it_is_read()
 def main() -> None:
-    """Print df, bad_rep and pend_list; exit with status 2 if the CSV cannot be read."""
+    """Print df, bad_rep and pend_list; exit with status 2 if the CSV is no cradle."""
+    csv = Snapshot(NC_FP)
     try:
-        check_cradle(NC_FP)
-        df = pd.read_csv(cleaned(NC_FP))
+        check_cradle(csv)
     except ValueError as error:
         refuse(error)
+    with clean_copy(csv) as relative_filepath:
+        show_steps(relative_filepath)
+
+
+def show_steps(relative_filepath) -> None:
+    """Print df, bad_rep and pend_list of the CSV in this file."""
+    df = pd.read_csv(relative_filepath)
     print("df: the CSV as a pandas dataframe, a table with a row for each pendulum.")
     print(df)
 
@@ -36,7 +40,7 @@ def main() -> None:
         print(f"  {row}: {pendulum}")
 
     try:
-        pend_list = extract_and_convert(NC_FP)
+        pend_list = extract_and_convert(relative_filepath)
     except NotImplementedError as error:
         print(f"\npend_list: missing, because {error}. Its place is in src/pds_helper.py.")
         return

@@ -26,7 +26,7 @@ from itertools import islice
 from math import cos, hypot, sin
 from typing import NamedTuple
 
-from support.constants import BUFFER
+from support.pendulum import contact_distance
 
 # Distances, as fractions of the largest distance at which bobs touch. keep_apart moves bobs that rest on each other
 # apart, to CLOSEST. It ignores bobs closer than PUT_THERE: they were that close at the start of the cradle.
@@ -54,7 +54,7 @@ class Touch(NamedTuple):
     x: float  # the unit vector from bob1 to bob2
     y: float
     distance: float  # between the centres (m)
-    touching: float  # the largest distance at which they touch (m): BUFFER (1.05) x the sum of the radii
+    touching: float  # the largest distance at which they touch (m)
 
 
 def touching_bobs(pend1, pend2, r_param):
@@ -66,7 +66,7 @@ def touching_bobs(pend1, pend2, r_param):
     radii1, radii2 = ([bob.radius for bob in pend["objects"][1::2]] for pend in (pend1, pend2))
     for bob1, (x1, y1) in enumerate(places1):
         for bob2, (x2, y2) in enumerate(places2):
-            distance, touching = hypot(x2 - x1, y2 - y1), BUFFER * (radii1[bob1] + radii2[bob2])
+            distance, touching = hypot(x2 - x1, y2 - y1), contact_distance(radii1[bob1], radii2[bob2])
             if 0 < distance <= touching:
                 yield Touch(bob1, bob2, (x2 - x1) / distance, (y2 - y1) / distance, distance, touching)
 
@@ -163,20 +163,21 @@ def collide_pairs(pend_list, r_param, approaching_only) -> list[tuple[int, int]]
 def touching_pairs(pend_list, r_param) -> list[tuple[int, int]]:
     """Return the indices (left, right) of each pair of touching double pendula, from left to right.
 
-    The bobs are sorted by x, to compare only near ones: along x, the distance of touching bobs is at most BUFFER times
-    two of the largest radii.
+    The bobs are sorted by x, to compare only near ones: along x, touching bobs are at most as far apart as two of the
+    largest ones.
     """
     bobs = sorted(
         (x, y, i, bob.radius)
         for i, pend_dict in enumerate(pend_list)
         for (x, y), bob in zip(bob_places(pend_dict, r_param), pend_dict["objects"][1::2], strict=True)
     )
-    furthest = 2 * BUFFER * max((radius for *_, radius in bobs), default=0)
+    largest = max((radius for *_, radius in bobs), default=0)
+    furthest = contact_distance(largest, largest)
     pairs = set()
     for number, (x1, y1, i, radius1) in enumerate(bobs, start=1):
         for x2, y2, j, radius2 in islice(bobs, number, None):
             if x2 - x1 > furthest:
                 break
-            if i != j and hypot(x2 - x1, y2 - y1) <= BUFFER * (radius1 + radius2):
+            if i != j and hypot(x2 - x1, y2 - y1) <= contact_distance(radius1, radius2):
                 pairs.add((min(i, j), max(i, j)))
     return sorted(pairs)

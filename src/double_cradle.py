@@ -63,7 +63,6 @@ def make_double_newton_cradle(relative_filepath, r_param, theta_init, phi_init) 
     It is the cradle of make_newton_cradle, with a second pendulum that hangs from each bob. phi_init (rad) bends the
     first double pendulum; the others are straight. Both bobs have the mass of the row. r_param (m) is the length of
     each cord.
-    Raises a ValueError with a one-line message if the CSV describes no cradle.
     """
     pend_list: list = make_newton_cradle(relative_filepath, r_param, theta_init)
     phis = [phi_init] + [0] * (len(pend_list) - 1)
@@ -141,6 +140,8 @@ def double_swing_update(pend_dict, r_param, dt, g) -> None:
 
 def double_cradle_tick(pend_list, r_param, dt, g, approaching_only=True) -> None:
     """Advance the whole cradle by dt (s): swing all double pendula, then let touching bobs collide.
+
+    The bobs of any two pendula can touch, not only those of neighbours.
 
     With approaching_only, touching bobs that move apart do not collide.
     """

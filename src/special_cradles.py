@@ -4,7 +4,6 @@ from vpython import vector
 
 from src.pds_helper import extract_and_convert
 from support.constants import COLOR_MAP, TEXTURE_MAP
-from support.files.cradle_csv import check_cradle
 from support.pendulum import make_pendulum, PendulumEntry
 
 
@@ -39,9 +38,7 @@ def make_newton_cradle(relative_filepath, r_param, theta_init) -> list[PendulumE
 
     The first pendulum is lifted to theta_init (rad), the others hang straight down; all are at rest. r_param (m) is the
     cord length.
-    Raises a ValueError with a one-line message, before it makes any object, if the CSV describes no cradle.
     """
-    check_cradle(relative_filepath)
     pend_list = extract_and_convert(relative_filepath)
     for i, pend_dict in enumerate(pend_list):
         pend_dict["theta"] = theta_init if i == 0 else 0

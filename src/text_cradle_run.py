@@ -1,18 +1,11 @@
 """Newton's cradle in the terminal: as moving text, as lines of text, or as data in a file. Needs no VPython."""
 
-import os
-import sys
-
 if __name__ == "__main__":
-    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))  # finds the project, also with -P
-    from support.start.early import end_on_interrupt
+    import begin
 
-    # The imports below take a moment; without this, Ctrl+C would print a traceback.
-    end_on_interrupt(status=1 if "--record" in " ".join(sys.argv) else 0)
+    begin.program(needs_vpython=False)
 
-from support import headless_vpython
-
-headless_vpython.install()  # this program opens no page, so it does not need VPython itself
+import sys
 
 from src import pds_helper, special_cradles
 from src.visualize_cradle_run import main as cradle_main

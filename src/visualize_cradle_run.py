@@ -1,16 +1,10 @@
 """Newton's cradle in the browser: collisions, the tick, and the program to play with."""
 
 if __name__ == "__main__":
-    import os
-    import sys
+    import begin
 
-    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))  # finds the project, also with -P
-    from support.start.early import end_on_interrupt, import_later
+    begin.program()
 
-    end_on_interrupt()  # the imports below take a moment; without this, Ctrl+C would print a traceback
-    import_later("pandas")  # it takes longest: the page imports it while the browser loads
-
-# Python 3.9 has no pairwise, but never gets here: the import of support ends the program.
 from itertools import pairwise
 from math import cos
 
@@ -18,7 +12,7 @@ from vpython import mag
 
 from src.special_cradles import make_newton_cradle
 from src.swinging import full_swing_update
-from support.constants import BUFFER, DT, G, R_PARAM, THETA_INIT
+from support.constants import DT, G, R_PARAM, THETA_INIT
 
 
 def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
@@ -41,17 +35,18 @@ def handle_two_bobs(pend1, pend2, r_param, approaching_only=False) -> None:
     """Let two neighbouring pendula, pend1 left of pend2, collide if their bobs touch; e is pend1's.
 
     They touch if the distance of their centres is at most 1.05 times the sum of their radii.
+
     With approaching_only, touching bobs that move apart do not collide.
     """
     m1, m2 = pend1["mass"], pend2["mass"]
     bob1, bob2 = pend1["objects"][1], pend2["objects"][1]
     omega1, omega2 = pend1["omega"], pend2["omega"]
-    if mag(bob1.pos - bob2.pos) > BUFFER * (bob1.radius + bob2.radius):
-        return
-    # Touching bobs hang side by side, at nearly the same angle: compare v along x, r_param omega cos(theta).
-    if approaching_only and omega1 * cos(pend1["theta"]) <= omega2 * cos(pend2["theta"]):
-        return
-    pend1["omega"], pend2["omega"] = handle_collision(pend1["e"], omega1, omega2, m1, m2, r_param)
+    e = pend1["e"]
+    if mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius):
+        # Touching bobs hang side by side, at nearly the same angle: compare v along x, r_param omega cos(theta).
+        if approaching_only and omega1 * cos(pend1["theta"]) <= omega2 * cos(pend2["theta"]):
+            return
+        pend1["omega"], pend2["omega"] = handle_collision(e, omega1, omega2, m1, m2, r_param)
 
 
 def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> None:

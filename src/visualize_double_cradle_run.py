@@ -1,14 +1,9 @@
 """The double Newton's cradle in the browser: the program to play with."""
 
 if __name__ == "__main__":
-    import os
-    import sys
+    import begin
 
-    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))  # finds the project, also with -P
-    from support.start.early import end_on_interrupt, import_later
-
-    end_on_interrupt()  # the imports below take a moment; without this, Ctrl+C would print a traceback
-    import_later("pandas")  # it takes longest: the page imports it while the browser loads
+    begin.program()
 
 from src.double_cradle import double_cradle_tick, make_double_newton_cradle
 from support.constants import DOUBLE_DT, G, PHI_INIT, R_PARAM, THETA_INIT

@@ -30,9 +30,6 @@ PHI_INIT = -pi / 9
 # faster. In this tick, equal bobs hardly come closer than 98 % of the distance at which they touch.
 DOUBLE_DT = 0.00025
 
-# Two bobs collide if their centres are at most BUFFER times the sum of their radii apart: the handout's little buffer.
-BUFFER = 1.05
-
 # The names allowed in the CSV's color column: all colors of VPython, as VPython's vectors of red, green and blue.
 COLORS = ("black", "white", "red", "green", "blue", "yellow", "cyan", "magenta", "orange", "purple")
 COLOR_MAP = {name: getattr(color, name) for name in COLORS}

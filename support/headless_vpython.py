@@ -1,9 +1,9 @@
 """A stand-in for VPython that needs no VPython and no browser: vector, box, sphere and cylinder as plain numbers.
 
-After install(), `import vpython` finds this module. It has the names of VPython 7.6.5, and treats vectors and the
-shapes of a pendulum as VPython does; the project's tests compare the two. One difference: `axis` and `up` do not turn
-each other. The rest of VPython is only for show, and here nothing is shown: it stores the attributes that a program
-sets, its methods do nothing, and nothing waits.
+After `import support.headless_vpython`, `import vpython` finds this module. It has the names of VPython 7.6.5, and
+treats vectors and the shapes of a pendulum as VPython does; the project's tests compare the two. One difference: `axis`
+and `up` do not turn each other. The rest of VPython is only for show, and here nothing is shown: it stores the
+attributes that a program sets, its methods do nothing, and nothing waits.
 """
 
 import colorsys
@@ -15,10 +15,7 @@ from operator import attrgetter
 from random import random
 from time import perf_counter as clock  # noqa: F401  VPython's name for it
 
-
-def install() -> None:
-    """Let `import vpython` find this module, in this process, from now on."""
-    sys.modules["vpython"] = sys.modules[__name__]
+sys.modules["vpython"] = sys.modules[__name__]
 
 
 def _nothing(*_, **__):
@@ -391,5 +388,5 @@ def __getattr__(name):
 
 
 # What `from vpython import *` brings.
-__all__ = [name for name in dir() if name[0] != "_" and name not in ("attrgetter", "colorsys", "install", "sys")]
+__all__ = [name for name in dir() if name[0] != "_" and name not in ("attrgetter", "colorsys", "sys")]
 __all__ += _FOR_SHOW.split()

@@ -5,8 +5,11 @@ from typing import TypedDict
 
 from vpython import box, cylinder, sphere, vector
 
-from support.constants import BUFFER, THETA_INIT
+from support.constants import THETA_INIT
 from support.shapes import make_shape
+
+# Two bobs touch if their centres are at most BUFFER times the sum of their radii apart: the handout's little buffer.
+BUFFER = 1.05
 
 # The side to which the first pendulum is lifted, away from the others: -1 is the left.
 OUTWARDS = copysign(1, THETA_INIT)
@@ -20,6 +23,11 @@ def from_lift(lift) -> float:
 def to_lift(angle) -> float:
     """Return the lift outwards (degrees) of a cord at this angle (rad, positive to the right)."""
     return round(degrees(OUTWARDS * angle), 9)  # 45, not 45.00000000000001
+
+
+def contact_distance(radius1, radius2) -> float:
+    """Return the largest distance (m) of the centres of two bobs with these radii (m) at which they touch."""
+    return BUFFER * (radius1 + radius2)
 
 
 class PendulumEntry(TypedDict, total=False):
@@ -91,8 +99,8 @@ def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cy
 
     r_param is the cord length (m), color a VPython color (a vector), and texture a VPython texture or None.
     """
-    # Bobs hit if they are at most BUFFER x the sum of their radii apart. Axles are r_param/4 apart. With this radius,
-    # bobs at rest are a little further apart than that. Otherwise, every tick would exchange their velocities.
+    # Axles are r_param/4 apart. With this radius, bobs at rest are a little further apart than their contact_distance.
+    # Otherwise, every tick would exchange their velocities.
     radius = 0.9995 * r_param / 8 / BUFFER
     axis = arm(theta, r_param)
     bob = make_shape(sphere, pos=place + axis, radius=radius, color=color, texture=texture, shininess=1)

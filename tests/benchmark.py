@@ -16,24 +16,22 @@ from pathlib import Path
 from statistics import median
 
 if __name__ == "__main__":
-    here = Path(__file__).resolve().parent
-    sys.path[:0] = str(here), str(here / "project")  # so that Python finds the imports below, also with -P
+    root = Path(__file__).resolve().parents[1]
+    sys.path[:0] = str(root), str(root / "tests" / "project")  # so that Python finds the imports below
 
 import pymunk
 import vpython
 from playwright.sync_api import sync_playwright
-
-from grading import project_path  # noqa: F401  finds src and support
-
-vpython.baseObj._view_constructed = True  # VPython then believes that the page is open: no server, no browser
-
 from programs import ARGUMENTS, BOBS, CHROMIUM, draw, first_lines, open_cradle, readout, running
 from whole_cradles import apart, ExactCradle, GOOD, HEADER, make_row, outer_angles, thetas_after
 
 from src.visualize_cradle_run import newton_cradle_tick
-from support.constants import BUFFER, DT, G, R_PARAM, THETA_INIT
+from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.pendulum import BUFFER
 from support.start.options import OneLineParser
 from support.start.output import while_it_is_read
+
+vpython.baseObj._view_constructed = True  # VPython then believes that the page is open: no server, no browser
 
 SPAN = 20.0  # s
 STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk

@@ -9,7 +9,6 @@ import sys
 
 STOPPED = "Stopped. The same command goes on from there."
 if __name__ == "__main__":
-    sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))  # so that Python finds grading, also with -P
     # While the modules are imported:
     signal.signal(signal.SIGINT, lambda *_: (print(STOPPED, flush=True), os._exit(130)))
 
@@ -22,10 +21,7 @@ from pathlib import Path
 from shutil import which
 from tempfile import TemporaryDirectory
 
-from grading.project_path import ROOT
-from support import headless_vpython
-
-headless_vpython.install()
+from grading.begin import ROOT
 
 from grading.grader import checks
 from grading.handout import SUITES

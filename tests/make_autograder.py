@@ -4,16 +4,13 @@ It is a starter with grade_class.py, and with the two scripts that Gradescope ru
 """
 
 import shutil
-import sys
 import tempfile
 from pathlib import Path
 
-if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
+from grading.begin import ROOT
 
 from make_starter import make_starter
 
-from grading.project_path import ROOT
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 

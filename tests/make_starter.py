@@ -6,17 +6,9 @@ It is the project without the bodies of the handout's functions. Of tests/, it h
 import ast
 import re
 import shutil
-import sys
 from pathlib import Path
-from zlib import crc32
 
-if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
-
-from grading.project_path import ROOT
-from support import GIVEN, headless_vpython
-
-headless_vpython.install()
+from grading.begin import ROOT
 
 from grading.handout import FUNCTIONS, SUITES
 from support.start.options import OneLineParser
@@ -34,31 +26,20 @@ STUDENTS_FILES = {*(function.file for function in FUNCTIONS.values()), "src/visu
 STUDENTS_FUNCTIONS = {*FUNCTIONS, "double_cradle_tick"}
 PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
 
-CHANGEABLE = {"constants.py", "pds_tester.py"}  # given files that a student may change
-
 # What a file without a program says if a student starts it.
 NO_PROGRAM = """if __name__ == "__main__":
     raise SystemExit("This file has only functions. Type pytest to check them, or start src/text_cradle_run.py.")
 
 """
 
-# Names that go beyond the handout, and the first words of what a docstring says about them, at its end.
-MORE = "BUFFER|EXACT_FLOATS|approaching_only|check_cradle|cleaned|collide_pairs|keep_apart|many_ticks|pairwise|version"
-ABOUT = "(?:Spaces around|Raises a ValueError|With approaching_only|page.rule)"
-# Changes of all files of src/: they have the lines of the handout, and nothing beyond it.
-CHANGES = [
-    (r"\bcleaned\((\w+)\)", r"\1"),
-    (r"(?s)\n    The motion is chaotic.*?(?=\"{3})", ""),
-    (r"(?s)def (?:rates|moved)\(.*?\n\n\n", ""),
-    (rf"(?:# .*\n)* *from \S+ import (?:{MORE}|, )+\n", ""),
-    ("import BUFFER, ", "import "),
-    (rf"(?:# .*\n)*(?:{MORE}) = .*\n\n\n", "\n"),
-    (rf", (?:\*\*)?(?:{MORE})(?:=\w+)?(?=\))", ""),
-    (rf'\n\n    {ABOUT}[^"]*(?=""")', ""),
-    (rf'\n    {ABOUT}[^"]*(?=\n    """)', ""),
-    ("from math import sin\n", "from math import cos, sin\n\nfrom vpython import vector\n"),
-    ("import box, cylinder, sphere\n", "import box, cylinder, sphere, vector\n"),
-]
+# Patterns of what the files of src/ lose: imports, arguments and sentences that go beyond the handout, and how the
+# double cradle integrates.
+CUT = (
+    r" *from \S+ import (?:(?:collide_pairs|cos|keep_apart|many_ticks|pairwise)(?:, |\n))+\n?",
+    r", (?:\*\*page\.rule|approaching_only=?\w*|many_ticks)(?=\))",
+    r'\n\n    (?:With approaching_only|page\.rule)[^"]*(?=\n    "{3})',
+    r"(?s)\n    The motion is chaotic.*?(?=\"{3})|def (?:rates|moved)\(.*?\n\n\n",
+)
 
 
 @while_it_is_read()
@@ -104,16 +85,13 @@ def fill(folder) -> None:
     }
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8", newline="\n")
-    given = sorted(path for path in folder.rglob("*.py") if path.parent.name != "src" and path.name not in CHANGEABLE)
-    lines = [f"{crc32(path.read_bytes())} {path.relative_to(folder).as_posix()}\n" for path in given]
-    (folder / "support" / GIVEN).write_text("".join(lines), encoding="utf-8")
 
 
 def for_students(path) -> str:
     """Return the source of a file of src/ in the form for students."""
     source = path.read_text(encoding="utf-8")
-    for before, after in CHANGES:
-        source = re.sub(before, after, source)
+    for pattern in CUT:
+        source = re.sub(pattern, "", source)
     if "__main__" not in source:
         source = source.replace('"""\n\n', f'"""\n\n{NO_PROGRAM}', 1)
     return emptied(source) if f"src/{path.name}" in STUDENTS_FILES else source

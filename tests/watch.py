@@ -12,13 +12,7 @@ from pathlib import Path
 from shutil import get_terminal_size
 from tempfile import TemporaryDirectory
 
-if __name__ == "__main__":
-    sys.path.insert(0, str(Path(__file__).resolve().parent))  # so that Python finds grading, also with -P
-
-from grading import project_path  # noqa: F401  finds the imports below
-from support import headless_vpython
-
-headless_vpython.install()
+import grading.begin  # noqa: F401
 
 from vpython import color, mag, vector
 

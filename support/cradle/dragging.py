@@ -8,8 +8,8 @@ from math import acos, atan2, ceil, copysign, cos, hypot, pi, remainder, sin
 
 from vpython import cross, dot, mag
 
-from support.constants import BUFFER, R_PARAM
-from support.pendulum import cord_angles, show_double_pendulum, show_pendulum
+from support.constants import R_PARAM
+from support.pendulum import contact_distance, cord_angles, show_double_pendulum, show_pendulum
 
 STRAIGHT = 0.1  # rad: two cords with a smaller bend between them count as straight
 STEP = 0.02  # rad: the largest turn of a cord in one step; in a larger one, its bob could jump over its neighbour
@@ -144,7 +144,8 @@ def touching_angle(pend, cord, other, r_param) -> float | None:
     x, down = other.pos.x - pivot.pos.x, pivot.pos.y - other.pos.y
     distance, psi = hypot(x, down), atan2(x, down)
     from_psi = cord_angles(pend)[cord] - psi
-    squares, product, touching = r_param**2 + distance**2, 2 * r_param * distance, BUFFER * (bob.radius + other.radius)
+    squares, product = r_param**2 + distance**2, 2 * r_param * distance
+    touching = contact_distance(bob.radius, other.radius)
     if product * cos(from_psi) < squares - touching**2:
         return None
     outside = touching * (1 + 1e-9)  # just outside: at the distance touching, bobs still hit

@@ -1,54 +1,33 @@
 """The fast path: many ticks in one call, on plain numbers.
 
-It replaces the loop of main in src/visualize_cradle_run.py, with the same result to the last bit. It knows the
-functions that the loop calls. If one of them changes, in its file or by a patch, the programs do single ticks.
+It is an equivalent of the loop of main in src/visualize_cradle_run.py: the same result, to the last bit. The programs
+take it only where this is certain. tests/project/test_many_ticks.py compares the two.
 """
 
-import ast
-import re
 import sys
-from collections.abc import Callable
 from functools import cache
 from hashlib import sha256
 from heapq import heappop, heappush
 from itertools import pairwise
 from math import cos, isfinite, sin, sqrt
 from pathlib import Path
-from types import BuiltinFunctionType, FunctionType
-from typing import Any, NamedTuple
+from types import CodeType, FunctionType
+from typing import NamedTuple
 
 from vpython import box, cylinder, mag, sphere, vector
 
-from support.pendulum import arm, show_pendulum
+from support.pendulum import arm, BUFFER, contact_distance, show_pendulum
 
-# The digests of the functions that the loop calls; each function comes after its caller.
-STANDS_IN_FOR = {
-    "main": "9d11caa6b067",
-    "newton_cradle_tick": "723535c36ecd",
-    "full_swing_update": "046f11da966f",
-    "swing_update": "fa2f3f6dc8f0",
-    "angle_update": "da5a6cb437cd",
-    "show_pendulum": "a437e7a6f2c6",
-    "arm": "6efb64f0dea4",
-    "handle_two_bobs": "f773924d5c1a",
-    "handle_collision": "f3d27f5c33b0",
-}
-MEANT = {"cos": cos, "mag": mag, "pairwise": pairwise, "sin": sin, "vector": vector}  # globals that must match
-VPYTHONS = {"vpython.cyvector", "vpython.vector", "support.headless_vpython"}  # modules whose vector and mag are known
-# Parts of a syntax tree's text that not every version of Python writes.
-OMITTED = re.compile(r"(, )?\w+=(\[\]|None|Load\(\))(?=[,)])")
 MOST_TICKS = 1000  # a pair of bobs gets a check after this many ticks, or earlier
 FARTHEST = 1e5  # cord lengths from the origin; farther away, the rounding errors of a place are too large
 
 
-class Law(NamedTuple):
-    """The constants and the collision function of a cradle."""
+class Constants(NamedTuple):
+    """The constants with which main ticks."""
 
-    r_param: float
-    dt: float
-    g: float
-    buffer: float
-    handle_collision: Callable
+    r_param: float  # m
+    dt: float  # s
+    g: float  # m/s^2
 
 
 def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool, float]] | None:
@@ -59,17 +38,16 @@ def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool,
     indices into pend_list. rightwards is True if the sum of the two velocities before the contact points to the right.
     speed (m/s) is that of the two bobs' approach before the contact, negative if they moved apart.
 
-    Return None, and change nothing, if the same result is not certain, or if a debugger watches; the caller must then
-    do single ticks. This includes overflows and divisions by 0: single ticks then raise the error in the function that
-    causes it.
+    Return None, and change nothing, if the same result is not certain; the caller must then do single ticks. This
+    includes overflows and divisions by 0: single ticks then raise the error in the function that causes it.
     """
-    law = None if is_watched() else law_of(scope)
-    if law is None or not rule.keys() <= {"approaching_only"}:
+    if not (is_certain(scope) and rule.keys() <= {"approaching_only"}):
         return None
+    constants = Constants(scope["R_PARAM"], scope["DT"], scope["G"])
     try:
-        if not are_plain(pend_list, law):
+        if not are_plain(pend_list, constants):
             return None
-        run = Run(pend_list, law, rule.get("approaching_only", False))
+        run = Run(pend_list, constants, rule.get("approaching_only", False), scope["handle_collision"])
         run.advance(ticks)
     except (ArithmeticError, LookupError, TypeError, ValueError):
         return None
@@ -80,89 +58,54 @@ def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool,
 
 # --- is the same result certain? -------------------------------------------------------------------------------------
 
-
-def is_watched() -> bool:
-    """Return whether a debugger, a tracer or a profiler is at work: it must meet each call of a function."""
-    monitoring = getattr(sys, "monitoring", None)  # from Python 3.12 on; it has the tools 0 to 5
-    has_tool = monitoring and any(map(monitoring.get_tool, range(6)))
-    return bool(sys.gettrace() or sys.getprofile() or has_tool)
-
-
-def law_of(scope) -> Law | None:
-    """Return the Law of the loop of main in scope, its globals.
-
-    Return None if main, or a function that it calls, is not that of STANDS_IN_FOR, or reads other globals than MEANT.
-    """
-    functions: dict[str, Any] = {"main": scope.get("main")}
-    read: dict[tuple[str, str], Any] = {}  # (the function's name, the global's name) -> value
-    for name, digest in STANDS_IN_FOR.items():
-        function = functions.get(name)
-        if type(function) is not FunctionType or type(function.__globals__) is not dict or function.__kwdefaults__:
-            return None
-        if digest_of(function.__code__, repr(function.__defaults__)) != digest:
-            return None
-        names = scope if name == "main" else function.__globals__
-        for other in function.__code__.co_names:  # names of globals, and of attributes
-            if other in STANDS_IN_FOR:
-                functions[other] = names.get(other)
-            else:
-                read[name, other] = names.get(other)
-    if not (
-        all(value is MEANT.get(name, value) for (_, name), value in read.items())
-        and all(type(function) is BuiltinFunctionType for function in (sin, cos))
-        and {vector.__module__, mag.__module__} <= VPYTHONS
-    ):
-        return None
-    r_param, dt, g = (read["main", name] for name in ("R_PARAM", "DT", "G"))
-    return Law(r_param, dt, g, read["handle_two_bobs", "BUFFER"], functions["handle_collision"])
+# The files of the motion, and a digest of their text. If you change one of them, the programs do single ticks. If you
+# change it for good, change the fast path as well, and put the new digest here.
+FILES = "support/pendulum.py", "src/swinging.py", "src/visualize_cradle_run.py"
+DIGEST = "8420d034ed503382"
+# What their functions use, beside each other.
+BESIDE = {"BUFFER": BUFFER, "cos": cos, "mag": mag, "pairwise": pairwise, "sin": sin, "vector": vector}
 
 
 @cache
-def digest_of(code, defaults) -> str:
-    """Return a short digest of a function with this code and these defaults (as text), or nothing.
-
-    It comes from the syntax tree in the function's file, without docstrings, comments and annotations, and is the same
-    in each version of Python from 3.10 on. The file may have changed after the import: if its code is not this code,
-    return nothing.
-    """
-    try:
-        tree = ast.parse(Path(code.co_filename).read_bytes())
-        compiled = compile(tree, code.co_filename, "exec", dont_inherit=True)
-    except (OSError, SyntaxError, ValueError):
-        return ""
-    trees = [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.lineno == code.co_firstlineno]
-    if not trees or code not in compiled.co_consts:
-        return ""
-    (node,) = trees
-    node.returns = None
-    node.body = node.body[1:] if ast.get_docstring(node) is not None else node.body
-    for parameter in ast.walk(node.args):
-        parameter.__dict__.pop("annotation", None)
-    text = OMITTED.sub("", ast.dump(node)).replace("(, ", "(")
-    return sha256((text + defaults).encode()).hexdigest()[:12]
+def shipped_code() -> dict[str, CodeType]:
+    """Return the code of each function in FILES by its name, or nothing if their text is not that of DIGEST."""
+    texts = [(Path(__file__).parents[2] / file).read_text(encoding="utf-8") for file in FILES]  # any line ends
+    if sha256("".join(texts).encode()).hexdigest()[:16] != DIGEST:
+        return {}
+    parts = [part for text in texts for part in compile(text, "", "exec", dont_inherit=True).co_consts]
+    return {part.co_name: part for part in parts if isinstance(part, CodeType)}
 
 
-def are_plain(pend_list, law) -> bool:
-    """Return whether the pendula are as make_newton_cradle makes them, and the law's constants are numbers.
+def is_certain(scope) -> bool:
+    """Return whether main in scope, and all functions that it ticks with, are those of FILES, and nobody watches."""
+    monitoring = getattr(sys, "monitoring", None)  # from Python 3.12 on; it has the tools 0 to 5
+    if sys.gettrace() or sys.getprofile() or (monitoring and any(map(monitoring.get_tool, range(6)))):
+        return False  # a debugger, a tracer or a profiler must meet each call of a function
+    codes, used = shipped_code(), [("main", scope.get("main")), ("contact_distance", contact_distance)]
+    for name, function in used:  # it grows
+        if type(function) is not FunctionType or function.__code__ != codes.get(name) or function.__kwdefaults__:
+            return False
+        codes[name] = function.__code__  # the next time, they are the same object: this is faster
+        for other in function.__code__.co_names:  # of globals, and of attributes
+            value = function.__globals__.get(other)
+            if other in codes:
+                used.append((other, value))
+            elif BESIDE.get(other, value) is not value:
+                return False
+    return all(function.__defaults__ in (None, (False,)) for _, function in used)
 
-    Raises a KeyError for a pendulum without a key, and an OverflowError for an int that is too large for a float.
-    """
-    if type(pend_list) is not list or not set(map(type, pend_list)) <= {dict}:
-        return False
+
+def are_plain(pend_list, constants) -> bool:
+    """Return whether the pendula are as make_newton_cradle makes them, with finite ints and floats; may raise."""
     parts = [pend_dict["objects"] for pend_dict in pend_list]
-    kinds = {(type(objects), *map(type, objects)) for objects in parts}
-    keys = ("mass", "e", "theta", "omega")
-    numbers = [law.r_param, law.dt, law.g, law.buffer, *(pend_dict[key] for pend_dict in pend_list for key in keys)]
-    if not (kinds <= {(tuple, box, sphere, cylinder)} and set(map(type, numbers)) <= {int, float}):
-        return False
-    farthest = FARTHEST * abs(law.r_param)
-    vectors = [each for axle, bob, cord in parts for each in (axle.pos, bob.pos, cord.axis)]
+    numbers = [*constants, *(pend_dict[key] for pend_dict in pend_list for key in ("mass", "e", "theta", "omega"))]
     return (
-        all(map(isfinite, [*numbers, *(bob.radius for _, bob, _ in parts)]))
-        and all(abs(place) <= farthest for axle, _, _ in parts for place in axle.pos.value)
-        and not any(getattr(bob, "make_trail", False) for _, bob, _ in parts)  # a trail shows every place of a bob
-        and all(cord.up.value == [0, 0, 1] for _, _, cord in parts)  # VPython turns any other up in each tick
-        and len(set(map(id, vectors))) == len(vectors)  # a shared vector moves two shapes
+        {type(pend_list), *map(type, pend_list)} <= {list, dict}
+        and {(type(objects), *map(type, objects)) for objects in parts} <= {(tuple, box, sphere, cylinder)}
+        and set(map(type, numbers)) <= {int, float}
+        and all(map(isfinite, [*numbers, *(bob.radius for _, bob, _ in parts)]))
+        and all(abs(place) <= FARTHEST * abs(constants.r_param) for axle, *_ in parts for place in axle.pos.value)
+        and all(cord.up.value == [0, 0, 1] for *_, cord in parts)  # VPython turns any other up in each tick
     )
 
 
@@ -172,15 +115,16 @@ def are_plain(pend_list, law) -> bool:
 class Run:
     """The pendula of a pend_list as plain numbers. Each swings alone while its bob cannot touch another bob."""
 
-    def __init__(self, pend_list, law, approaching_only):
+    def __init__(self, pend_list, constants, approaching_only, handle_collision):
         """Copy the numbers of pend_list; only show changes pend_list."""
-        self.pend_list, self.law, self.approaching_only = pend_list, law, approaching_only
+        self.pend_list, self.constants = pend_list, constants
+        self.approaching_only, self.handle_collision = approaching_only, handle_collision
         self.thetas = [pend_dict["theta"] for pend_dict in pend_list]
         self.omegas = [pend_dict["omega"] for pend_dict in pend_list]
         self.axles, bobs = ([pend_dict["objects"][part] for pend_dict in pend_list] for part in (0, 1))
         self.axle_places = [tuple(axle.pos.value) for axle in self.axles]
         self.bob_places = list(self.axle_places)  # until the first swing
-        self.reaches = [law.buffer * (bob1.radius + bob2.radius) for bob1, bob2 in pairwise(bobs)]
+        self.reaches = [contact_distance(bob1.radius, bob2.radius) for bob1, bob2 in pairwise(bobs)]
         self.swung = [0] * len(pend_list)  # the number of ticks that each pendulum has swung
         pairs = range(len(self.reaches))  # each is named by its left pendulum
         self.due = dict.fromkeys(pairs, 0)  # the tick in which to check a pair
@@ -198,7 +142,7 @@ class Run:
 
     def swing(self, i, until) -> None:
         """Let pendulum i swing until it has done `until` ticks."""
-        r_param, dt, g, _, _ = self.law
+        r_param, dt, g = self.constants
         omega, theta = self.omegas[i], self.thetas[i]
         for _ in range(until - self.swung[i]):  # the formula of angle_update; a call would double the time
             omega = omega - g * sin(theta) / r_param * dt
@@ -221,7 +165,7 @@ class Run:
         gap = self.gap(left, right)
         if gap > 0:
             states = self.thetas[left], self.thetas[right], self.omegas[left], self.omegas[right]
-            return free_ticks(gap, *states, *self.law[:3])
+            return free_ticks(gap, *states, *self.constants)
         self.collide(left, right, tick)
         return 0
 
@@ -230,7 +174,7 @@ class Run:
         (x1, y1, z1), (x2, y2, z2), reach = self.bob_places[left], self.bob_places[right], self.reaches[left]
         gap = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2) - reach
         if abs(gap) <= 1e-12 * (1 + reach):  # too close to call: VPython's own mag can differ in the last bit
-            bob1, bob2 = (self.axles[i].pos + arm(self.thetas[i], self.law.r_param) for i in (left, right))
+            bob1, bob2 = (self.axles[i].pos + arm(self.thetas[i], self.constants.r_param) for i in (left, right))
             gap = mag(bob1 - bob2) - reach
         return gap
 
@@ -241,10 +185,10 @@ class Run:
         if self.approaching_only and speed1 <= speed2:
             return
         pend1, pend2 = self.pend_list[left], self.pend_list[right]
-        values = pend1["e"], omega1, omega2, pend1["mass"], pend2["mass"], self.law.r_param
-        self.omegas[left], self.omegas[right] = self.law.handle_collision(*values)
+        values = pend1["e"], omega1, omega2, pend1["mass"], pend2["mass"], self.constants.r_param
+        self.omegas[left], self.omegas[right] = self.handle_collision(*values)
         if (self.omegas[left], self.omegas[right]) != (omega1, omega2):
-            self.contacts.append((tick, left, right, speed1 + speed2 > 0, (speed1 - speed2) * self.law.r_param))
+            self.contacts.append((tick, left, right, speed1 + speed2 > 0, (speed1 - speed2) * self.constants.r_param))
             for pair in (left - 1, right):
                 if self.due.get(pair, 0) > tick + 1:  # planned with the old velocity
                     self.plan(pair, tick + 1)
@@ -253,7 +197,7 @@ class Run:
         """Write the new theta and omega to pend_list, and move its bobs and cords."""
         for i, pend_dict in enumerate(self.pend_list):
             pend_dict["theta"], pend_dict["omega"] = self.thetas[i], self.omegas[i]
-            show_pendulum(pend_dict, self.law.r_param)
+            show_pendulum(pend_dict, self.constants.r_param)
 
 
 def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:

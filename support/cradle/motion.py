@@ -37,17 +37,11 @@ class Motion:
             self.fastest = max(self.fastest, hit.speed)
         self.cradle.hits.new.clear()
 
-    def do_at_once(self, ticks, rule) -> bool:
-        """Do `ticks` ticks in one call of the fast path, if it is certain of the result; return whether it was."""
-        cradle = self.cradle
-        contacts = cradle.many_ticks(cradle.scope, cradle.pend_list, ticks, rule) if cradle.many_ticks else None
-        if contacts is None:
-            return False
-        for tick, left, right, rightwards, speed in contacts if cradle.hand.held is None else ():
-            self.trains.add((self.ticks + tick + 1) * cradle.dt, left, right, rightwards)
+    def note_contacts(self, contacts) -> None:
+        """Add contacts, the results of many_ticks from this moment on, to the trains."""
+        for tick, left, right, rightwards, speed in contacts:
+            self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, right, rightwards)
             self.fastest = max(self.fastest, speed)
-        self.ticks += ticks
-        return True
 
     def take_fastest(self) -> float:
         """Return the speed (m/s) of the fastest hit since the last call, or 0."""

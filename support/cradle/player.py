@@ -149,10 +149,21 @@ class Player:
         self.planned -= part
         self.is_in_part = True
         self.cradle.hand.grip()
-        if self.with_calls or self.looks_at_hits or not self.motion.do_at_once(part, self.rule):
+        if self.with_calls or self.looks_at_hits or not self.do_at_once(part):
             self.cradle.hits.count_ticks(self.loop)
             self.cradle.hits.listen(self.with_calls)
             self.due = part
+
+    def do_at_once(self, ticks) -> bool:
+        """Do `ticks` ticks in one call of the fast path, if it is certain of the result; return whether it was."""
+        cradle = self.cradle
+        contacts = cradle.many_ticks and cradle.many_ticks(cradle.scope, cradle.pend_list, ticks, self.rule)
+        if contacts is None:
+            return False
+        if cradle.hand.held is None:
+            self.motion.note_contacts(contacts)
+        self.motion.ticks += ticks
+        return True
 
     def end_part(self) -> None:
         """Look at the result of a part."""

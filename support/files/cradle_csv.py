@@ -143,24 +143,17 @@ def snapshot_of(filepath) -> Snapshot:
     return filepath if isinstance(filepath, Snapshot) else Snapshot(filepath)
 
 
-def cleaned(filepath) -> io.StringIO:
-    """Return the rows of read_cells as the text of a CSV, for pandas; raises the same ValueErrors as read_cells."""
-    text = io.StringIO()
-    csv.writer(text).writerows(cells for _, cells in read_cells(filepath))
-    text.seek(0)
-    return text
-
-
 @contextmanager
-def clean_copy(snapshot):
-    """Yield the path (str) of a file with the text of cleaned, for the body of the with statement.
+def clean_copy(filepath):
+    """Yield the path (str) of a file with the rows of read_cells, for the body of the with statement.
 
     The handout's functions read this copy: a plain pd.read_csv takes a space for a part of a cell, and another program
     can write the file at any time. Raises the same ValueErrors as read_cells.
     """
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        copy = Path(folder) / Path(str(snapshot)).name
-        copy.write_text(cleaned(snapshot).getvalue(), encoding="utf-8", newline="")
+        copy = Path(folder) / Path(str(filepath)).name
+        with open(copy, "w", encoding="utf-8", newline="") as file:
+            csv.writer(file).writerows(cells for _, cells in read_cells(filepath))
         yield str(copy)
 
 

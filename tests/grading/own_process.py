@@ -15,9 +15,10 @@ from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 from unittest.mock import patch
 
+from grading.begin import ROOT
+
 from grading import limits
 from grading.handout import FUNCTIONS
-from grading.project_path import ROOT
 from grading.raised import Raised, raised_by, StoppedError
 from grading.values import all_in_words, noting_ends
 from support.start.options import command_line

@@ -3,21 +3,15 @@
 With pytest-xdist (-n 2), other processes run the tests and report to the first one, which shows the table.
 """
 
-import sys
-from pathlib import Path
-
-if not Path(__file__).parents[2].joinpath("support", "__init__.py").is_file():
-    print("The folder support is not beside src and tests. Put it back.", file=sys.stderr)
-    sys.exit(2)
-from support import headless_vpython
-
-headless_vpython.install()  # this comes first: the import of support refuses a file that hides a module
-
 import json
 import os
+import sys
 import threading
 from argparse import ArgumentTypeError
+from pathlib import Path
 from shutil import get_terminal_size
+
+import grading.begin  # noqa: F401
 
 import pytest
 

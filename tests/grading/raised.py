@@ -8,9 +8,10 @@ from linecache import getline
 from pathlib import Path
 from typing import NamedTuple
 
+from grading.begin import ROOT
+
 from grading import limits
 from grading.handout import FUNCTIONS
-from grading.project_path import ROOT
 from grading.values import values_at
 from support.start.preview import stubs_in
 

@@ -14,11 +14,11 @@ from whole_cradles import check_places, distances, FIVE_CSV, hang_double, HEADER
 from grading.cradles import hang, MIXED_CSV, R, row
 from src import visualize_cradle_run
 from support import shapes
-from support.constants import BUFFER, DOUBLE_DT, G, R_PARAM
+from support.constants import DOUBLE_DT, G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.dragging import drag_bob, drag_pendulum, touching_angle
-from support.pendulum import cord_angles, OUTWARDS
+from support.pendulum import BUFFER, cord_angles, OUTWARDS
 from support.start.mistake import MistakeError
 
 BOTH = pytest.mark.parametrize("kind", [Cradle, DoubleCradle])

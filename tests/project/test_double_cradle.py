@@ -13,9 +13,10 @@ from whole_cradles import check_places, distances, energy, hang_double, PERIOD, 
 from grading.cradles import left_over, MIXED, MIXED_CSV, shapes
 from src.double_collisions import collide_pairs, handle_two_double_bobs, keep_apart, touching_pairs
 from src.double_cradle import double_angle_update, double_cradle_tick, double_swing_update, make_double_newton_cradle
-from support.constants import BUFFER, COLOR_MAP, DOUBLE_DT, G, PHI_INIT, R_PARAM, TEXTURE_MAP, THETA_INIT
+from support.constants import COLOR_MAP, DOUBLE_DT, G, PHI_INIT, R_PARAM, TEXTURE_MAP, THETA_INIT
 from support.energy import kinetic_energy
 from support.files.cradle_csv import MOST_TIMES
+from support.pendulum import BUFFER
 
 RATES, ANGLES = ["omega", "phi_omega"], ["theta", "phi"]
 NEAR = 0.999 * R_PARAM / 4  # m: bobs of pendula this far apart touch as they hang

@@ -12,6 +12,8 @@ from math import ceil, cos, pi, sin
 from pathlib import Path
 from textwrap import dedent, indent
 
+from grading.begin import ROOT
+
 import pytest
 import watch
 from programs import slow_but_for
@@ -23,7 +25,6 @@ from grading import comparing, grader, limits, own_process
 from grading.grader import check, checks, expect, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import FUNCTIONS, HONOR, needed, SUITES
 from grading.own_process import module_of, OwnProcess
-from grading.project_path import ROOT
 from grading.raised import own_places
 from support.constants import NC_FP
 from support.start.options import command_line

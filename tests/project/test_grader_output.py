@@ -130,17 +130,10 @@ def hides(name):
     return lambda folder: (folder / name).parent.mkdir(exist_ok=True) or (folder / name).touch()
 
 
-GIVEN, AGAIN = "support/pendulum.py", "Copy it again from the folder that your teacher gave you."
 SAID = {  # what a student does to the folder, a command of Python, and a line that it prints
     "a file hides a module": (hides("json.py"), PYTEST, "json.py hides the module json from Python and its packages."),
     "a test hides a module": (hides("tests/statistics.py"), PYTEST, "tests/statistics.py hides the module statistics"),
     "a folder hides a module": (hides("pandas/__init__.py"), PYTEST, "pandas hides the module pandas from Python"),
-    "a given file is lost": (lambda folder: (folder / GIVEN).unlink(), PYTEST, f"{GIVEN} is missing. {AGAIN}"),
-    "a given file is changed": (
-        lambda folder: change(folder / GIVEN, "theta, color, texture)", "theta)"),
-        ("pds_tester.py",),
-        f"{GIVEN} has changed. {AGAIN}",
-    ),
     "support is moved": (
         lambda folder: (folder / "support").rename(folder / "src" / "support"),
         PYTEST,
@@ -153,7 +146,7 @@ SAID = {  # what a student does to the folder, a command of Python, and a line t
 }
 
 
-@pytest.mark.parametrize("name", slow_but_for(["a given file is lost", "no checks", "no packages"], SAID))
+@pytest.mark.parametrize("name", slow_but_for(["a file hides a module", "no checks", "no packages"], SAID))
 def test_a_slip_around_the_functions_gets_a_line(starter, name):
     does, command, line = SAID[name]
     does(starter)

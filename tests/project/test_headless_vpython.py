@@ -74,8 +74,7 @@ EITHER = {'vector("1", 2, 3)': "refused: TypeError", **dict.fromkeys(BY_ATTRIBUT
 RUNNER = """
 import json, sys
 if sys.argv[1] == "headless":
-    from support.headless_vpython import install
-    install()
+    import support.headless_vpython
 import vpython
 if sys.argv[1] == "vpython":
     vpython.baseObj._view_constructed = True  # "the page is there": no server, no browser

@@ -30,8 +30,9 @@ def project(tmp_path, monkeypatch):
     """The current folder: a copy of the project. Imports find the functions of its src/."""
     monkeypatch.chdir(copy_project(tmp_path, LOSSY))
     monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.syspath_prepend(str(tmp_path / "src"))
     monkeypatch.setattr(mistake, "ROOT", tmp_path.resolve())
-    for name in [name for name in sys.modules if name.partition(".")[0] == "src"]:
+    for name in [name for name in sys.modules if name.partition(".")[0] in ("begin", "src")]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setattr("signal.signal", lambda *_: None)
     monkeypatch.setattr("support.page.page.open_page", lambda *_: None)

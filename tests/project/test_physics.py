@@ -15,7 +15,8 @@ from whole_cradles import advance, apart, energy, ExactCradle, make_row, outer_a
 
 from src.visualize_cradle_run import handle_two_bobs
 from support import shapes
-from support.constants import BUFFER, DT, G, R_PARAM, THETA_INIT
+from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.pendulum import BUFFER
 
 # --- one pendulum ----------------------------------------------------------------------------------------------------
 

@@ -37,28 +37,29 @@ from support.start.output import complain, say, while_it_is_read
     ],
 )
 def test_a_program_finds_its_own_project_from_any_folder_and_refuses_in_one_line(tmp_path, program):
-    """Also if Python leaves out the program's folder. It needs no VPython, or it has a page and no pandas so early.
+    """It needs no VPython, or it has a page and no pandas so early.
 
     VPython's server does not start so early either: it would wait for a browser.
     """
     project, hidden = copy_project(tmp_path, ""), "pandas.py" if "visualize" in program else "vpython.py"
     hiding = put_files(tmp_path / "hiding", {hidden: "raise ModuleNotFoundError"})
-    done = python(project / f"{program}.py", folder=os.sep, PYTHONSAFEPATH="1", PYTHONPATH=str(hiding))
+    done = python(project / f"{program}.py", folder=os.sep, PYTHONPATH=str(hiding))
     line = f"{project / 'newton_cradle_pends.csv'}: is empty, the first line must name the columns\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
 
 
 @pytest.mark.parametrize("program", ["watch", "make_starter", "benchmark", "grade_class", "make_autograder"])
 def test_a_program_of_the_tests_finds_its_own_project_and_has_help(program):
-    done = python(ROOT / "tests" / f"{program}.py", "--help", folder=os.sep, PYTHONSAFEPATH="1")
+    done = python(ROOT / "tests" / f"{program}.py", "--help", folder=os.sep)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith(f"usage: {program}.py ")
 
 
 def test_an_older_python_is_named_before_it_stumbles():
     """Python 3.9 has no pairwise, for one."""
-    run = "runpy.run_path('src/visualize_cradle_run.py', run_name='__main__')"
-    done = python("-c", f"import itertools, runpy, sys; del itertools.pairwise; sys.version_info = (3, 9, 6); {run}")
+    old = "import itertools, sys; del itertools.pairwise; sys.version_info = (3, 9, 6)"
+    run = "import runpy; sys.path[0] = 'src'; runpy.run_path('src/visualize_cradle_run.py', run_name='__main__')"
+    done = python("-c", f"{old}; {run}")
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)
     assert done.stderr.startswith("Newton's cradle needs Python 3.10 or later; ")
 
@@ -66,8 +67,9 @@ def test_an_older_python_is_named_before_it_stumbles():
 def test_a_file_that_hides_a_module_is_named(tmp_path):
     """test.py is no mistake, because nobody needs Python's module test; neither is a file that is no module."""
     folder = put_files(copy_project(tmp_path, FIVE_CSV), {"test.py": "x = 1\n", "random.csv": "x = 1\n"})
-    assert python("-c", "import support", folder=folder).returncode == 0
+    assert python("src/text_cradle_run.py", "--seconds", 0.01, folder=folder).returncode == 0
     (folder / "src" / "contextlib.py").write_text("x = 1\n")
+    assert python("-c", "import support.constants", folder=folder).returncode == 0  # an import never ends a process
     done = python("src/text_cradle_run.py", folder=folder)
     line = f"{Path('src/contextlib.py')} hides the module contextlib from Python and its packages. Rename it.\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", line)

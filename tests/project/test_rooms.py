@@ -2,6 +2,7 @@
 
 import ast
 from graphlib import TopologicalSorter
+from pathlib import Path
 
 import pytest
 from programs import ROOT
@@ -11,7 +12,7 @@ HANDOUT = (
     *("src.pds_helper", "src.special_cradles", "src.swinging", "src.visualize_cradle_run"),
     *("src.double_collisions", "src.double_cradle", "src.visualize_double_cradle_run"),
 )
-PROGRAM = "src.text_cradle_run"
+BEGIN, PROGRAM = "src.begin", "src.text_cradle_run"
 # The other rooms that the modules of a room, or one module, may import.
 MAY_IMPORT = {
     "support": set(),
@@ -21,6 +22,7 @@ MAY_IMPORT = {
     "support.page": {"support", "support.files", "support.cradle", "support.start"},
     "support.terminal": {"support", "support.files", "support.cradle", "support.start"},
     "src": {"support", "support.files"},
+    BEGIN: {"support", "support.start"},
     PROGRAM: {"support", "support.files", "support.cradle", "support.start", "support.terminal"},
 }
 FILES = [file for folder in ("src", "support") for file in sorted((ROOT / folder).rglob("*.py"))]
@@ -56,7 +58,7 @@ def test_a_module_of_the_handout_imports_earlier_ones_and_only_one_program_is_no
     for name in HANDOUT:
         assert {other for other in imports_of(name) if room_of(other) == "src"} <= earlier, name
         earlier.add(name)
-    assert {name for name in MODULES if room_of(name) == "src"} == {*HANDOUT, PROGRAM}
+    assert {name for name in MODULES if room_of(name) == "src"} == {*HANDOUT, BEGIN, PROGRAM}
 
 
 def test_imports_have_no_circle():
@@ -68,8 +70,8 @@ def test_the_rooms_inside_support_hand_nothing_on():
     assert [file.parent.name for file in FILES if file.name == "__init__.py"] == ["src", "support"]
 
 
-@pytest.mark.parametrize(("folder", "names"), [("src", []), ("tests", ["project_path.py"])])
-def test_only_a_start_as_a_program_changes_the_path(folder, names):
-    """And a module that only programs and the grader import."""
-    changing = [file.name for file in (ROOT / folder).rglob("*.py") if "\nsys.path" in file.read_text(encoding="utf-8")]
-    assert changing == names
+def test_only_a_start_as_a_program_changes_the_path():
+    """And the module that only programs of tests/ and the grader import."""
+    files = [file for folder in ("src", "support", "tests") for file in (ROOT / folder).rglob("*.py")]
+    changing = [file.relative_to(ROOT) for file in files if "\nsys.path" in file.read_text(encoding="utf-8")]
+    assert [*map(str, changing)] == [str(Path("tests/grading/begin.py"))]

@@ -14,14 +14,14 @@ from vpython import color, mag, vector
 from grading.cradles import hang, R
 from src import pds_helper, special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from src.double_cradle import make_double_pendulum
-from support.constants import BUFFER, DT, G, PHI_INIT, R_PARAM, THETA_INIT
+from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.many_ticks import many_ticks
 from support.cradle.player import Player
 from support.energy import kinetic_energy, potential_energy
 from support.files.cradle_csv import Snapshot
-from support.pendulum import from_lift
+from support.pendulum import BUFFER, from_lift
 
 MAINS = {Cradle: visualize_cradle_run.main, DoubleCradle: visualize_double_cradle_run.main}
 

@@ -16,7 +16,7 @@ import tempfile
 from contextlib import closing, suppress
 from pathlib import Path
 
-from grading.project_path import ROOT
+from grading.begin import ROOT
 
 SPACE = 50_000_000  # bytes of a solver's folder
 SYSTEM = (
@@ -29,7 +29,7 @@ LONGEST = 20.0  # s, of the start of a process and of its end
 IN_SANDBOX = Path("/cradle")  # the solver's folder
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
-GRADING = "handout", "limits", "messages", "own_process", "project_path", "raised", "values"
+GRADING = "handout", "limits", "messages", "own_process", "begin", "raised", "values"
 # The files of tests/ that a solver needs.
 SOLVERS = (*(f"grading/{name}" for name in GRADING), "teacher/crossing", "teacher/solver")
 
@@ -152,7 +152,7 @@ def bubblewrap(room, hidden) -> list[str]:
 
 def make_room(starter, folder) -> Path:
     """Make the folder that solvers share: the starter's support/, and what a solver needs of the grader."""
-    shutil.copytree(starter / "support", folder / "support", ignore=shutil.ignore_patterns("__pycache__", "given.txt"))
+    shutil.copytree(starter / "support", folder / "support", ignore=shutil.ignore_patterns("__pycache__"))
     for name in SOLVERS:
         file = folder / "tests" / f"{name}.py"
         file.parent.mkdir(parents=True, exist_ok=True)

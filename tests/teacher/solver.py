@@ -21,10 +21,7 @@ from io import StringIO
 if __name__ == "__main__":
     sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))  # tests/, where Python finds grading
 
-from grading.project_path import ROOT
-from support import headless_vpython
-
-headless_vpython.install()
+from grading.begin import ROOT
 
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 from vpython import scene
