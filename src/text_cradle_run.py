@@ -7,7 +7,7 @@ if __name__ == "__main__":
 
 import sys
 
-from src import pds_helper, special_cradles
+from src import special_cradles
 from src.visualize_cradle_run import main as cradle_main
 from support.cradle.cradle import Cradle
 from support.cradle.many_ticks import many_ticks
@@ -40,7 +40,7 @@ def main() -> None:
             check_record(options.record)
     except ValueError as error:
         refuse(error)
-    cradle = Cradle(cradle_main.__globals__, options, pds_helper, special_cradles, many_ticks)
+    cradle = Cradle(cradle_main.__globals__, options, special_cradles, many_ticks)
 
     try:
         stop_on_signals()

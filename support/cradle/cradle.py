@@ -38,14 +38,14 @@ class Cradle:
     rate_keys: Sequence[str] = ("omega",)  # the keys of their rates (rad/s)
     names = Names("make_newton_cradle", "newton_cradle_tick", "handle_two_bobs", "handle_collision", "DT")
 
-    def __init__(self, scope, options, pds_helper, special_cradles, many_ticks=None):
+    def __init__(self, scope, options, special_cradles, many_ticks=None):
         """Find the functions that make and move the pendula in scope, the globals of main.
 
-        options has elastic, inelastic, e and mass from support/start/options.py. pds_helper and special_cradles are the
-        handout's modules. many_ticks is the fast path, or None.
+        options has elastic, inelastic, e and mass from support/start/options.py. special_cradles is the handout's
+        module. many_ticks is the fast path, or None.
         """
         self.scope, self.many_ticks, self.mass, self.e = scope, many_ticks, options.mass, options.e
-        self.pds_helper, self.special_cradles = pds_helper, special_cradles
+        self.special_cradles = special_cradles
         self.collisions: dict[str, Any] = {  # name -> function that returns pendula with the e of this kind
             "as in the CSV": None,  # each pendulum keeps its own e
             "elastic, e = 1": special_cradles.elastic_newton_cradle,
@@ -132,10 +132,6 @@ class Cradle:
 
     def make_room(self, lifted) -> None:
         """Push pendula out of the way of the lifted ones; single pendula are never in each other's way."""
-
-    def write(self, csv, filepath) -> None:
-        """Write the pendula of the CSV at the path csv to the file at filepath, with the handout's functions."""
-        self.pds_helper.write_to_csv(self.pds_helper.extract_and_convert(csv), filepath)
 
     # --- move --------------------------------------------------------------------------------------------------------
 

@@ -20,7 +20,6 @@ LARGEST = 10_000_000  # bytes of a file
 MOST_PENDULA = 1000  # of a cradle
 POLL = 0.2  # s between two looks at a file while you edit it
 LONGEST_FOUND = 300  # letters of a file in a message
-WHY_NOT_MORE = f"allowed are at most {MOST_PENDULA}, which already move in slow motion on the page"
 
 
 def read_file(filepath) -> bytes:
@@ -123,10 +122,6 @@ class LiveFile:
         self.current = self.candidate
         return True
 
-    def look_now(self) -> None:
-        """Take the present content of the file as current: a program that has just written it need not wait."""
-        self.current = self.candidate = Snapshot(self.filepath)
-
 
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV, the header first, each row as (line number in the file, cells as text).
@@ -207,7 +202,8 @@ def check_cradle(filepath, cords=1) -> None:
     # This looks at no later row: the rows of a file of 10 MB would take a gigabyte of memory.
     line, _ = next(islice(snapshot.each_row(), 1 + MOST_PENDULA, None), (0, []))  # the first row names the columns
     if line:
-        raise ValueError(f"{snapshot}, line {line}: found pendulum {MOST_PENDULA + 1}, {WHY_NOT_MORE}")
+        allowed = f"allowed are at most {MOST_PENDULA}, which already move in slow motion on the page"
+        raise ValueError(f"{snapshot}, line {line}: found pendulum {MOST_PENDULA + 1}, {allowed}")
     (header_line, header), *rows = snapshot.rows
     for column in RULES:
         if header.count(column) != 1:

@@ -6,19 +6,17 @@ any client disconnects from the websocket, and show a page that is loaded again 
 
 - Both servers listen only on 127.0.0.1, at the ports page and page + 1, so that two `ssh -L` options reach them from
   another machine. The program takes both before anything else starts: no other program can take one in between.
-- The address that the program prints and opens has a key, a new one at each start. A request for the page must have the
-  key. So must the page's report at /no-webgl that the browser cannot draw; the program prints it in the terminal.
+- The address that the program prints and opens has a key, a new one at each start. A request for the page must have it.
 - Files in VPython's own two folders need no key. The server looks a path up in a list of them, so none leads elsewhere.
 - Only the page can use the websocket: it sends the key, and the browser sends the Origin, which no script can change.
-- Only one tab shows the cradle, because VPython sends each change once. Each tab has a name (page_head.html). The
-  server sends ELSEWHERE to the other tabs. They wait, and keep their websocket; one that sends TAKE gets the cradle.
-- If you reload the tab, or open it again, it gets all that VPython has sent so far, and the cradle restarts. If it does
-  not begin to load within RETURN seconds, a tab that waits gets the cradle. If none waits, the program ends.
+- Only one tab shows the cradle, because VPython sends each change once: the tab that was loaded last. The server sends
+  ELSEWHERE to the one before it.
+- If you reload the tab, or open it again, it gets all that VPython has sent so far, and the cradle restarts. If no tab
+  begins to load within RETURN seconds, the program ends.
 - The program never prints text from other clients.
 """
 
 import asyncio
-import errno
 import http.server
 import json
 import logging
@@ -33,12 +31,10 @@ from typing import Any
 from urllib.parse import parse_qs, unquote
 
 from support.page.replay import Replay
-from support.start.output import say
 
 RETURN, LOADING = 3.0, 30.0  # s that a closed tab has to come back, and a page from its request to its websocket
-ELSEWHERE, TAKE = b"elsewhere", b"take"  # messages to a tab that must wait, and from it; page_head.html knows both
+ELSEWHERE = b"elsewhere"  # the message to a tab that no longer shows the cradle; page_head.html knows it
 LARGEST_MESSAGE = 2**26  # bytes; closes the websocket of a tab that sends more: the program would keep it in memory
-FOR_THE_PAGE = ("/", "/no-webgl")  # the paths that need the key
 PLOTLY = '<script type="text/javascript" src="plotly.min.js"></script>'  # draws graphs with fast=False: none here
 NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key.\n"
 
@@ -67,8 +63,6 @@ def listening_socket(port, whose) -> socket.socket:
         option = getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR)
         listener.setsockopt(socket.SOL_SOCKET, option, 1)
         listener.bind(("127.0.0.1", port))
-        if is_answered(port_of(listener)):
-            raise OSError(errno.EADDRINUSE, "another program answers there")
         listener.listen()  # until then, another program can bind the same port
         return listener
     except (OSError, OverflowError) as error:
@@ -76,13 +70,6 @@ def listening_socket(port, whose) -> socket.socket:
         reason = error.strerror if isinstance(error, OSError) else "ports are numbers from 1 to 65535"
         choice = "choose another --port, or 0 for any free one"
         raise ValueError(f"port {port} ({whose}) is not available: {reason}; {choice}") from error
-
-
-def is_answered(port) -> bool:
-    """Return whether a program answers at this port of ::1. Browsers try ::1 before 127.0.0.1."""
-    with suppress(OSError), socket.create_connection(("::1", port), timeout=0.2):
-        return True
-    return False
 
 
 def port_of(listener) -> int:
@@ -97,7 +84,6 @@ class Access:
         """Begin without a tab; call show_again() for each tab that begins to show the cradle."""
         self.show_again = show_again
         self.tab: Any = None
-        self.tabs: list[Any] = []  # also those that wait for the cradle
         self.key = secrets.token_hex(12)  # short, and without signs that end an address in some terminals
         self.until = 0.0
 
@@ -107,26 +93,16 @@ class Access:
         return secrets.compare_digest(given.encode(), self.key.encode())  # takes equally long for every wrong key
 
     def admit(self, tab) -> None:
-        """Let this new tab show the cradle, or wait if another one does."""
-        self.tabs.append(tab)
-        self.until = 0.0  # it is loaded
-        if self.tab and self.tab.name != tab.name:
-            tab.tell(ELSEWHERE)
-        else:
-            self.give(tab)
-
-    def give(self, tab) -> None:
-        """Let this tab show the cradle, and the one before it wait."""
+        """Let this new tab show the cradle, and no longer the one before it."""
         if self.tab:
             self.tab.tell(ELSEWHERE)
-        self.tab = tab
+        self.tab, self.until = tab, 0.0  # it is loaded
         self.show_again()
 
     def tab_closed(self, tab) -> None:
-        """If no tab shows the cradle now, end the program soon, unless a tab opens or waits."""
-        if tab in self.tabs:
-            self.tabs.remove(tab)
-            self.tab = None if tab is self.tab else self.tab
+        """If no tab shows the cradle now, end the program soon, unless a tab opens."""
+        if tab is self.tab:
+            self.tab = None
             self.wait_for_tab(RETURN)
             self.end_without_tab()
 
@@ -135,13 +111,10 @@ class Access:
         self.until = max(self.until, time.monotonic() + seconds)
 
     def end_without_tab(self) -> None:
-        """If no tab shows the cradle: when the time is over, give it to a tab that waits, or end the program."""
+        """End the program when the time is over, if no tab shows the cradle by then."""
         rest = self.until - time.monotonic()
         if not self.tab and rest > 0:
             asyncio.get_running_loop().call_later(rest, self.end_without_tab)
-        elif not self.tab and self.tabs:
-            self.give(self.tabs[-1])
-            self.tab.tell(b"trigger")  # VPython's page answers that it is ready for data
         elif not self.tab:
             os._exit(0)
 
@@ -153,19 +126,17 @@ class PageServer(http.server.ThreadingHTTPServer):
     block the page.
     """
 
-    def __init__(self, sockets, access, head, no_webgl, handler) -> None:
+    def __init__(self, sockets, access, head, handler) -> None:
         """Serve at sockets, made by page_sockets; head is HTML for the beginning of the page, before VPython's own.
 
-        access (an Access) checks the key. no_webgl is the text to print if the page reports that its browser has no
-        WebGL.
+        access (an Access) checks the key.
         """
         page_socket, websocket = sockets
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
         page = page.replace(PLOTLY, "")  # takes half of the time until the page is loaded
         vpython.glowcomm = page.replace("<head>", "<head>" + head, 1)  # type: ignore[attr-defined]
-        own_handler = own_files_only(handler, access, no_webgl)
-        super().__init__(page_socket.getsockname(), own_handler, bind_and_activate=False)
+        super().__init__(page_socket.getsockname(), own_files_only(handler, access), bind_and_activate=False)
         self.socket.close()
         self.socket = page_socket  # it listens already
 
@@ -173,11 +144,11 @@ class PageServer(http.server.ThreadingHTTPServer):
         """Print nothing: the browser disconnected in the middle of an answer."""
 
 
-def own_files_only(handler: Any, access, no_webgl) -> Any:
+def own_files_only(handler: Any, access) -> Any:
     """Return VPython's request handler, limited to the page, which needs the key, and VPython's own two folders.
 
     When the page is requested, access waits for its tab: a slow machine loads it for seconds before it opens the
-    websocket. If the page reports that its browser has no WebGL, the handler prints the text no_webgl.
+    websocket.
     """
     files = {
         f"/{file.relative_to(folder).as_posix()}": (content_type, file)
@@ -194,18 +165,15 @@ def own_files_only(handler: Any, access, no_webgl) -> Any:
                 content_type, file = files[unquote(path)]
                 self.begin({"Content-Type": content_type})
                 self.wfile.write(file.read_bytes())
-            elif path not in FOR_THE_PAGE:
+            elif path != "/":
                 self.send_error(404)
             elif not access.has_key(parse_qs(query)):
                 self.begin({"Content-Type": "text/plain; charset=utf-8"}, 403)
                 self.wfile.write(NO_KEY.encode())
-            elif path == "/":
+            else:
                 access.wait_for_tab(LOADING)
                 self.path = path  # VPython knows no query
                 super().do_GET()  # the page; VPython waits for this call
-            else:
-                self.begin({}, 204)
-                say(no_webgl)
 
         def begin(self, headers, status=200) -> None:
             self.send_response(status)
@@ -237,13 +205,10 @@ def page_websocket(sockets, access) -> Any:
 
 
 def one_tab_only(protocol: Any, access, objects) -> Any:
-    """Return VPython's websocket protocol, limited to one tab, which must send the key, a name and its Origin.
+    """Return VPython's websocket protocol, limited to the tab that access (an Access) admits, with its key and Origin.
 
-    access (an Access) admits the tab. objects has VPython's objects by number.
-
-    Autobahn checks the Origin before this, but accepts a connection without one. It also calls onClose for a connection
-    that was refused, or that never sent a request. VPython would then end the program with a Ctrl+C, which on Windows
-    reaches every program of the console.
+    objects has VPython's objects by number. Autobahn checks the Origin before this, but accepts a connection without
+    one. It also calls onClose for a connection that was refused; VPython would then end the program.
     """
     from autobahn.exception import Disconnected  # comes with VPython, which the tests do not need
     from autobahn.websocket.types import ConnectionDeny
@@ -252,9 +217,8 @@ def one_tab_only(protocol: Any, access, objects) -> Any:
 
     class OneTabProtocol(protocol):
         def onConnect(self, request) -> None:  # noqa: N802
-            if not (request.origin and "tab" in request.params and access.has_key(request.params)):
+            if not (request.origin and access.has_key(request.params)):
                 raise ConnectionDeny(ConnectionDeny.FORBIDDEN)
-            self.name = request.params["tab"]
             self.is_new = True  # has nothing of the cradle yet
             super().onConnect(request)
 
@@ -263,8 +227,6 @@ def one_tab_only(protocol: Any, access, objects) -> Any:
             super().onOpen()
 
         async def onMessage(self, data, is_binary) -> None:  # noqa: N802
-            if data == TAKE and self is not access.tab:
-                access.give(self)
             if self is access.tab:  # VPython forgets each change when it answers a message
                 await super().onMessage(possible_events(data, objects), is_binary)
 
@@ -286,10 +248,10 @@ def one_tab_only(protocol: Any, access, objects) -> Any:
 def possible_events(data, objects) -> bytes:
     """Return a message of the page without the events at which VPython would print a traceback.
 
-    A message is the text "trigger", TAKE, or a list of events (glowcomm.html). objects has VPython's objects by number.
+    A message is the text "trigger", or a list of events (glowcomm.html). objects has VPython's objects by number.
     """
-    if data in (b"trigger", TAKE):
-        return b"trigger"
+    if data == b"trigger":
+        return data
     return json.dumps([event for event in json.loads(data) if is_possible(event, objects)]).encode()
 
 

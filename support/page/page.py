@@ -19,40 +19,36 @@ from support.files.cradle_csv import check_cradle, LiveFile
 from support.page.local_server import Access, page_sockets, page_websocket, PageServer, port_of
 from support.start.early import end_on_interrupt, import_now
 from support.start.mistake import tell_mistake
-from support.start.options import check_lift, command_line, read_double_page_options, read_page_options, same_program
+from support.start.options import check_lift, command_line, read_double_page_options, read_page_options
 from support.start.output import refuse, say, while_it_is_read
 from support.start.preview import end_if_unwritten, what_there_is
 
 # The beginning of the page: its title, the check of the browser's WebGL, and the messages of a page without a cradle.
 PAGE_HEAD = Path(__file__).with_name("page_head.html")
 
-NO_WEBGL = """\
-Your browser cannot draw the cradle: WebGL 2 is missing or switched off.
-Use another browser. Or press Ctrl+C and type this, to see the single cradle as text:"""
-
 UPPER_ONLY = "Only upper bobs collide, and as if nothing hung from them. So each hit changes the energy."
 
 
 @while_it_is_read()
-def show_cradle(main, pds_helper, special_cradles, many_ticks=None) -> None:
+def show_cradle(main, special_cradles, many_ticks=None) -> None:
     """Show the cradle of main in the browser until the tab is closed.
 
-    pds_helper and special_cradles are the handout's modules, many_ticks is the fast path for many pendula, or None.
+    special_cradles is the handout's module, many_ticks is the fast path, or None.
     While functions are missing, show the cradle without them. Exits with status 2 if an option or the CSV is wrong, or
     if there is nothing to show yet.
     """
     options = read_page_options()
     loop, remark = what_there_is(main)
-    cradle = Cradle(main.__globals__, options, pds_helper, special_cradles, many_ticks)
+    cradle = Cradle(main.__globals__, options, special_cradles, many_ticks)
     show_page(loop, cradle, options, [options.angle], remark)
 
 
 @while_it_is_read()
-def show_double_cradle(main, pds_helper, special_cradles) -> None:
+def show_double_cradle(main, special_cradles) -> None:
     """Show the double cradle of main in the same way; exit with status 2 while a function is missing."""
     options = read_double_page_options()
     end_if_unwritten("pds_helper", "special_cradles", "double_cradle", "visualize_double_cradle_run")
-    cradle = DoubleCradle(main.__globals__, options, pds_helper, special_cradles)
+    cradle = DoubleCradle(main.__globals__, options, special_cradles)
     names = main.__globals__["double_cradle_tick"].__code__.co_names
     show_page(main, cradle, options, [options.angle, options.phi], UPPER_ONLY if "handle_two_bobs" in names else "")
 
@@ -93,22 +89,22 @@ def open_page(sockets, title, launch_browser, show_again) -> None:
     show_again() is called, in another thread.
     """
     port, access = port_of(sockets[0]), Access(show_again)
-    address, browse = f"http://localhost:{port}/?key={access.key}", webbrowser.open
+    address, browse = f"http://127.0.0.1:{port}/?key={access.key}", webbrowser.open
     os.environ["VPYTHON_HTTP_PORT"] = str(port)
     if not launch_browser:
         os.environ["VPYTHON_NO_LAUNCH_BROWSER"] = "1"
-    terminal_cradle = command_line("src/text_cradle_run.py", Path.cwd())
     head = PAGE_HEAD.read_text(encoding="utf-8")
-    texts = {"TERMINAL_CRADLE": terminal_cradle, "THIS_PROGRAM": same_program(sys.argv[1:]), "PAGE_TITLE": title}
+    this_program = command_line(f"src/{Path(sys.argv[0]).name}", Path.cwd(), sys.argv[1:])
+    terminal_cradle = command_line("src/text_cradle_run.py", Path.cwd())
+    texts = {"TERMINAL_CRADLE": terminal_cradle, "THIS_PROGRAM": this_program, "PAGE_TITLE": title}
     for name, text in texts.items():
         head = head.replace(name, escape(text, quote=False))
-    no_webgl = f"{NO_WEBGL}\n    {terminal_cradle}"
     end_on_interrupt()
 
     def serve(_, handler):
         # From here on, Python waits for the browser to load the page. Not earlier: it would delay the server.
         threading.Thread(target=import_now, args=("pandas",), daemon=True).start()
-        server = PageServer(sockets, access, head, no_webgl, handler)
+        server = PageServer(sockets, access, head, handler)
         say(f"Newton's cradle is at {address}")
         say("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.")
         return server

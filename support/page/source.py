@@ -1,15 +1,12 @@
-"""The source of the viewer's cradle: your CSV, an experiment, or the table in which you edit the pendula."""
+"""The source of the viewer's cradle: your CSV, an experiment, or the table in which you change masses and e."""
 
 from math import inf
-from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from support.files.cradle_csv import check_cradle, clean_copy, MOST_PENDULA, Snapshot, WHY_NOT_MORE
-from support.files.data_file import whole_file
+from support.files.cradle_csv import check_cradle, Snapshot
 from support.files.experiments import EXPERIMENTS
 from support.page.questions import Questions
-from support.page.table import cells_of, have_same_pendula, Table, what_changes, with_cell, with_numbers, with_rows
+from support.page.table import cells_of, Table, with_numbers
 
 
 class Settings(NamedTuple):
@@ -23,7 +20,7 @@ class Settings(NamedTuple):
 
 
 class Source:
-    """Chooses the cradle that the viewer lets main make; your file changes only if you write it.
+    """Chooses the cradle that the viewer lets main make; nothing here writes a file.
 
     The methods that change the cradle end with viewer.want_cradle().
     """
@@ -35,7 +32,6 @@ class Source:
         self.own = self.settings()  # of your CSV, while an experiment is shown
         self.questions = Questions(EXPERIMENTS / self.cradle.kind, len(self.cradle.angle_keys))
         self.table = Table([*self.cradle.angle_keys, *self.cradle.rate_keys])
-        self.undoable: tuple | None = None  # your file before and after the last write, to undo it
 
     def settings(self) -> Settings:
         """Return the present settings of the cradle."""
@@ -159,98 +155,23 @@ class Source:
         self.show_rows()
 
     def show_rows(self) -> None:
-        """Show the pendula in the table, and what Write to my CSV would change, if the table is open."""
+        """Show the pendula in the table, with the masses and e that they have now, if the table is open."""
         if self.table.is_open:
-            csv, file = self.present_csv(), self.file.current
-            self.table.show_rows(*cells_of(csv))
-            can_undo = bool(self.undoable and self.undoable[1] == file)
-            self.table.show_written(self.table.news or what_changes(file, csv), can_undo=can_undo)
-            self.table.news = ""
+            self.table.show_rows(*cells_of(with_numbers(self.viewer.snapshot, self.present())))
 
-    def present_csv(self) -> Snapshot:
-        """Return the CSV of the present pendula: with the masses and e that they have now."""
-        csv = with_numbers(self.viewer.snapshot, "mass", self.cradle.values("mass"))
-        return with_numbers(csv, "e", self.cradle.values("e"))
+    def present(self) -> dict[str, list]:
+        """Return the masses (kg) and e that the pendula have now."""
+        return {column: self.cradle.values(column) for column in ("mass", "e")}
 
     def edit(self, row_column_text) -> None:
-        """Change a cell of the table to this text, or show why it cannot have it.
-
-        You may click faster than the page shows the new table: nothing happens to a row that is no longer there.
-        """
+        """Let main make the cradle with this number in a row and a column, or show why it is not allowed there."""
         row, column, text = row_column_text
-        csv = self.present_csv()
-        is_allowed = self.has_row(row) and self.table.allows(csv, row, column, text)
-        self.take_edited(with_cell(csv, row, column, text) if is_allowed else None)
-
-    def add(self, _) -> None:
-        """Add a pendulum like the last one; there are at most MOST_PENDULA."""
-        csv, has_place = self.present_csv(), len(self.cradle.pend_list) < MOST_PENDULA
-        rows = cells_of(csv)[1]
-        self.take_edited(with_rows(csv, [*rows, rows[-1]]) if has_place else None, has_new_rows=True)
-        if not has_place:
-            self.table.show_written(f"Add a pendulum: {WHY_NOT_MORE}", failed=True)
-
-    def delete(self, row) -> None:
-        """Delete this row (its index); the last pendulum stays."""
-        csv, can_go = self.present_csv(), self.has_row(row) and self.has_row(1)
-        rows = [cells for number, cells in enumerate(cells_of(csv)[1]) if number != row]
-        self.take_edited(with_rows(csv, rows) if can_go else None, has_new_rows=True)
-
-    def has_row(self, row) -> bool:
-        """Return whether the table has this row (its index)."""
-        return 0 <= row < len(cells_of(self.viewer.snapshot)[1])
-
-    def take_edited(self, csv, has_new_rows=False) -> None:
-        """Let main make the cradle of this CSV, edited in memory; None shows the old table again."""
+        numbers = self.present()
         self.leave_experiment()
-        if csv is None:
+        if self.table.allows(row, column, text, numbers["mass"]):
+            numbers[column][row] = float(text)
+            self.viewer.snapshot = with_numbers(self.viewer.snapshot, numbers)
+            self.cradle.mass, self.cradle.collision = None, next(iter(self.cradle.collisions))  # the CSV now has them
+            self.viewer.want_cradle()
+        else:
             self.show_rows()
-            return
-        if has_new_rows:
-            self.leave_poses()
-            self.table.mistakes.clear()
-        self.cradle.mass, self.cradle.collision = None, next(iter(self.cradle.collisions))  # the CSV now has them
-        self.viewer.snapshot = csv
-        self.viewer.want_cradle()
-
-    def write(self, _) -> None:
-        """Write the present pendula to your CSV, and let main make its cradle; or say why it failed.
-
-        write_to_csv writes to another file first: if it fails, your CSV stays as it is.
-        """
-        csv = self.present_csv()
-        try:
-            with TemporaryDirectory(ignore_cleanup_errors=True) as folder, clean_copy(csv) as path:
-                copy = Path(folder, Path(self.file.filepath).name)
-                self.cradle.write(path, copy)
-                written = Snapshot(copy)
-            if not have_same_pendula(written, csv):
-                raise ValueError("write_to_csv has written other pendula, so your CSV stays as it is")
-        except Exception as error:  # of a student's function
-            self.table.show_written(f"{type(error).__name__}: {' '.join(str(error).split())}", failed=True)
-            return
-        before = Snapshot(self.file.filepath)
-        if self.replace_file(written, "has these pendula now") and before != written:  # a second click changes nothing
-            first = self.undoable[0] if self.undoable and self.undoable[1] == before else before
-            self.undoable = None if first.error else (first, written)
-
-    def undo(self, _) -> None:
-        """Put your CSV back as it was before the last write, once; if it has changed since, it stays as it is."""
-        if self.undoable and Snapshot(self.file.filepath) != self.undoable[1]:
-            self.table.show_written("Your CSV has changed since the write, so Undo leaves it as it is.", failed=True)
-        elif self.undoable and self.replace_file(self.undoable[0], "is again as it was before the write"):
-            self.undoable = None
-
-    def replace_file(self, csv, news) -> bool:
-        """Put the bytes of a Snapshot into your CSV, and let main make its cradle; return whether it worked."""
-        try:
-            with whole_file(self.file.filepath) as file:
-                file.buffer.write(csv.data)
-        except OSError as error:
-            self.table.show_written(f"{self.file.filepath}: {error.strerror}", failed=True)
-            return False
-        self.file.look_now()
-        self.own = self.own._replace(collision=next(iter(self.cradle.collisions)), mass=None)  # the CSV has them
-        self.table.news = f"{Path(self.file.filepath).name} {news}."
-        self.reload()
-        return True

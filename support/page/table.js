@@ -17,9 +17,7 @@
 
   function editor(row, column, text, data) {
     const mistake = data.mistakes[`${row},${column}`];
-    const field = column === "color"
-      ? make("select", {}, ...data.colors.map(name => make("option", {}, name)))
-      : make("input", { type: "text", inputMode: "decimal", size: 6 });
+    const field = make("input", { type: "text", inputMode: "decimal", size: 6 });
     Object.assign(field, { value: mistake?.[0] ?? text, ariaLabel: `${column} of pendulum ${row + 1}`, ariaInvalid: !!mistake });
     field.dataset.place = `${row},${column}`;
     field.addEventListener("change", () => tell("edit", [row, column, field.value]));
@@ -29,18 +27,13 @@
   function showRows(data) {
     const isNew = !table.rows.length;
     const last = document.activeElement?.dataset.place;
-    const head = ["", "mass", "e", "color", "", ...data.keys].map(name => make("th", { scope: "col" }, name));
+    const head = ["", "mass", "e", ...data.keys].map(name => make("th", { scope: "col" }, name));
     table.tHead.replaceChildren(make("tr", {}, ...head));
     cells = {};
     body.replaceChildren(...data.rows.map((pendulum, row) => make("tr", {},
       make("th", { scope: "row" }, String(row + 1)),
-      ...["mass", "e", "color"].map(column => editor(row, column, pendulum[column], data)),
-      make("td", {}, make("button", {
-        title: `Delete pendulum ${row + 1}`, ariaLabel: `Delete pendulum ${row + 1}`, disabled: data.rows.length === 1,
-        onclick: () => tell("delete", row),
-      }, "×")),
+      ...["mass", "e"].map(column => editor(row, column, pendulum[column], data)),
       ...data.keys.map(key => cells[`${key}_${row + 1}`] = make("td", { className: "now" })))));
-    body.append(make("tr", {}, make("td", { colSpan: 5 }, make("button", { onclick: () => tell("add", null) }, "Add a pendulum"))));
     showNow(now);
     if (isNew) table.closest("details").scrollIntoView({ block: "nearest" });
     if (last) body.querySelector(`[data-place="${last}"]`)?.focus(); // the Tab key goes on from there

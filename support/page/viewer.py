@@ -216,10 +216,6 @@ class Viewer(Player):
             "next": lambda _: self.source.choose_next(),
             "table": self.source.open_table,
             "edit": self.source.edit,
-            "add": self.source.add,
-            "delete": self.source.delete,
-            "write": self.source.write,
-            "undo": self.source.undo,
         }
 
     def pause(self, _) -> None:

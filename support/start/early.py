@@ -4,7 +4,6 @@ import os
 import signal
 import sys
 import threading
-from contextlib import suppress
 from importlib import import_module
 from importlib.machinery import PathFinder
 from types import ModuleType
@@ -47,15 +46,7 @@ class Later(ModuleType):
     """Stands in for a module, and imports it when the program first uses one of its names."""
 
     def __getattr__(self, name):
-        make_room(self.__name__)
-        return getattr(import_module(self.__name__), name)
-
-
-def make_room(name) -> None:
-    """Remove the stand-in, so that the module can be imported; two threads may call this at the same time."""
-    with lock:
-        if isinstance(sys.modules.get(name), Later):
-            del sys.modules[name]
+        return getattr(import_now(self.__name__), name)
 
 
 def import_later(name) -> None:
@@ -67,8 +58,9 @@ def import_later(name) -> None:
         sys.modules[name] = Later(name)
 
 
-def import_now(name) -> None:
-    """Import the module now. Ignore an error: the code that uses the module will raise it again."""
-    make_room(name)
-    with suppress(Exception):
-        import_module(name)
+def import_now(name) -> ModuleType:
+    """Import the module now, and return it; two threads may call this at the same time."""
+    with lock:
+        if isinstance(sys.modules.get(name), Later):
+            del sys.modules[name]
+    return import_module(name)

@@ -77,13 +77,11 @@ def check_made(make, pend_list, keys, parts) -> None:
 
     keys are those of a pendulum's numbers, parts is the number of its objects.
     """
-    must = "must return a list of dictionaries, and main must show it; page.show got"
-    if pend_list is None:
-        raise MistakeError(make, f"{must} None. Is a return missing?")
-    if not isinstance(pend_list, list) or not all(isinstance(pend, dict) for pend in pend_list):
-        raise MistakeError(make, f"{must} a {type(pend_list).__name__}.")
-    if not pend_list:
-        raise MistakeError(make, f"{must} an empty list.")
+    if not (isinstance(pend_list, list) and pend_list and all(isinstance(pend, dict) for pend in pend_list)):
+        found = "an empty list" if pend_list == [] else f"a {type(pend_list).__name__}"
+        found = "None. Is a return missing?" if pend_list is None else f"{found}."
+        must = "must return a list of dictionaries, and main must show it; page.show got"
+        raise MistakeError(make, f"{must} {found}")
     check_numbers(make, pend_list, keys)
     for number, pend in enumerate(pend_list, start=1):
         objects = pend.get("objects")

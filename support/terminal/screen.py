@@ -9,7 +9,7 @@ import signal
 import sys
 import textwrap
 import time
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from math import atan2, pi
 
 from support.cradle.cradle import Cradle
@@ -23,7 +23,7 @@ TRAINS = 4  # of impacts, a line for each
 LOW = 18  # lines; a terminal with fewer lines shows no impacts
 BAR_AFTER = 2.0  # s before a bar shows the progress
 REFRESH = 0.05  # s from one bar to the next
-TAKE, GIVE_BACK = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"  # a separate screen without a cursor; the old one
+OWN_SCREEN, OLD_SCREEN = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"  # the first has no cursor
 
 
 class TextPicture:
@@ -104,39 +104,13 @@ def switch_on_escapes() -> None:
 def own_screen(last_lines):
     """Use a separate screen, without a cursor; afterwards, the terminal shows its old lines again, and last_lines()."""
     switch_on_escapes()
-    with shared_while_stopped():
-        print(TAKE, end="")
-        try:
-            yield
-        finally:
-            say(GIVE_BACK + "\n".join(last_lines()))  # if the terminal is not closed
-
-
-@contextmanager
-def shared_while_stopped():
-    """Let Ctrl+Z give the screen back until the program goes on (`fg`). Windows has no signal for this."""
-    number = getattr(signal, "SIGTSTP", None)
-    if number is None or signal.getsignal(number) != signal.SIG_DFL:  # or it is ignored
-        yield
-        return
-
-    def stop(*_):
-        send(GIVE_BACK)
-        signal.signal(number, signal.SIG_DFL)
-        signal.raise_signal(number)  # the program stands still here
-        signal.signal(number, stop)
-        send(TAKE)
-
-    def send(codes):
-        """Write these codes at once: print may be at work, and cannot be called inside itself."""
-        with suppress(OSError):
-            os.write(sys.stdout.fileno(), codes.encode())
-
-    signal.signal(number, stop)
+    if hasattr(signal, "SIGTSTP"):  # Ctrl+Z would leave this screen to the shell; Windows has no signal for it
+        signal.signal(signal.SIGTSTP, signal.SIG_IGN)
+    print(OWN_SCREEN, end="")
     try:
         yield
     finally:
-        signal.signal(number, signal.SIG_DFL)
+        say(OLD_SCREEN + "\n".join(last_lines()))  # if the terminal is not closed
 
 
 @contextmanager

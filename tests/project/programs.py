@@ -92,7 +92,7 @@ def running(program=None, *arguments, folder=os.sep, python=sys.executable, pati
 
 def first_lines(process):
     """Return the address of the page, from what the program prints before it waits for a browser."""
-    address = re.fullmatch(r"Newton's cradle is at (http://localhost:\d+/\?key=\w+)\n", process.stdout.readline())[1]
+    address = re.fullmatch(r"Newton's cradle is at (http://127\.0\.0\.1:\d+/\?key=\w+)\n", process.stdout.readline())[1]
     assert "Ctrl+C" in process.stdout.readline()
     return address
 

@@ -245,7 +245,6 @@ CHANGES = {
     "separating": lambda wall: wall.give("separating", True),
     "drag": lambda wall: wall.mouse("mousedown", wall.viewer.cradle.bobs()[4].pos),
     "edit": lambda wall: wall.give("edit", [0, "mass", "2"]),
-    "delete": lambda wall: wall.give("delete", 0),
     "file": lambda wall: wall.save(HEADER + GOOD * 6),
 }
 

@@ -12,7 +12,7 @@ import pytest
 from vpython import color, mag, vector
 
 from grading.cradles import hang, R
-from src import pds_helper, special_cradles, visualize_cradle_run, visualize_double_cradle_run
+from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from src.double_cradle import make_double_pendulum
 from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
@@ -84,7 +84,7 @@ def make_live(kind=Cradle, **options) -> Cradle:
     """Return a cradle with these options, without pendula."""
     main, none = MAINS[kind], {"elastic": False, "inelastic": False, "e": None, "mass": None}
     many = many_ticks if kind is Cradle else None
-    return kind(main.__globals__, SimpleNamespace(**{**none, **options}), pds_helper, special_cradles, many)
+    return kind(main.__globals__, SimpleNamespace(**{**none, **options}), special_cradles, many)
 
 
 class FrameError(Exception):
