@@ -28,9 +28,9 @@ from typing import NamedTuple
 
 from support.pendulum import contact_distance
 
-# Distances, as fractions of the largest distance at which bobs touch. keep_apart moves bobs that rest on each other
-# apart, to CLOSEST. It ignores bobs closer than PUT_THERE: they were that close at the start of the cradle.
-CLOSEST, PUT_THERE = 0.98, 0.95
+# Distances, as fractions of the largest distance at which bobs touch. keep_apart pushes resting bobs out to CLOSEST.
+# Bobs closer than OVERLAPPED_AT_START were placed like that; it leaves them alone.
+CLOSEST, OVERLAPPED_AT_START = 0.98, 0.95
 
 ROUNDING = 1e-9  # m/s: a slower approach or separation is a rounding error
 
@@ -131,7 +131,7 @@ def keep_apart(pend1, pend2, r_param) -> bool:
     for touch in touching_bobs(pend1, pend2, r_param):
         _, w1, *turns1 = response(pend1, touch.bob1, touch, r_param)
         _, w2, *turns2 = response(pend2, touch.bob2, touch, r_param)
-        if PUT_THERE < touch.distance / touch.touching < CLOSEST and w1 + w2 > held_by_cords:
+        if OVERLAPPED_AT_START < touch.distance / touch.touching < CLOSEST and w1 + w2 > held_by_cords:
             push = (CLOSEST * touch.touching - touch.distance) / (w1 + w2)
             turn_cords(pend1, "theta", "phi", *(-push * turn for turn in turns1))
             turn_cords(pend2, "theta", "phi", *(push * turn for turn in turns2))

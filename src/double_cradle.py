@@ -105,8 +105,8 @@ def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1
     """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s), in rad/s and rad.
 
     The first four arguments are the values before. r_param (m) is the length of each cord, g (m/s^2) the gravitational
-    acceleration, m1 and m2 (kg) are the masses of the upper and the lower bob. Each method is right that comes nearer
-    to the exact motion with a shorter dt.
+    acceleration, m1 and m2 (kg) are the masses of the upper and the lower bob. Any method will do whose error shrinks
+    with dt.
     """
     # A step of the classical Runge-Kutta method: it averages four rates with the weights 1 : 2 : 2 : 1, here six times.
     k, mu = g / r_param, m2 / (m1 + m2)

@@ -31,7 +31,7 @@ from support.start.output import complain, in_one_line, while_it_is_read
 from support.terminal.screen import progress_bar
 from teacher import judge
 from teacher.report import digest_of, file_name, line_of, Result, results_in, summary, write_grades, write_gradescope
-from teacher.sandbox import holds_off, LEFT_OPEN, make_room, Process
+from teacher.sandbox import copy_files, holds_off, LEFT_OPEN, Process
 from teacher.submissions import read_submission, submissions_in
 
 TOLD = 10.0  # s between lines about the progress
@@ -54,7 +54,7 @@ def main() -> None:
                 from make_starter import make_starter  # a folder for Gradescope, itself a starter, does not have it
 
                 make_starter(starter)
-            results = grade_all(paths, starter, options, make_room(starter, Path(work) / "room"))
+            results = grade_all(paths, starter, options, copy_files(starter, Path(work) / "copied"))
         finish(options, results, len(paths), others)
     except KeyboardInterrupt:
         print(STOPPED)
@@ -117,7 +117,7 @@ def given_files(starter) -> dict[str, bytes]:
     return {path.relative_to(starter).as_posix(): path.read_bytes() for path in files}
 
 
-def grade_all(paths, starter, options, room) -> list[Result]:
+def grade_all(paths, starter, options, copied) -> list[Result]:
     """Grade the submissions, and return the results in their order; after Ctrl+C, those that are there.
 
     Each result is kept in results.jsonl in the folder options.out, so the next run grades only what is new or changed.
@@ -138,7 +138,7 @@ def grade_all(paths, starter, options, room) -> list[Result]:
 
     to_grade = [(submissions[student], digest) for student, digest in digests.items() if student not in results]
     hidden = {path.parent for path in paths.values()} | {options.out.resolve(), starter.resolve()}
-    graded_ones = side_by_side(to_grade, given, room, hidden)
+    graded_ones = side_by_side(to_grade, given, copied, hidden)
     with open(file, "a", encoding="utf-8") as kept, suppress(KeyboardInterrupt), closing(graded_ones):
         for result, text in graded_ones:
             lines = "\n".join([result.student, *result.problems, "", text, ""])
@@ -149,20 +149,20 @@ def grade_all(paths, starter, options, room) -> list[Result]:
     return [results[student] for student in submissions if student in results]
 
 
-def side_by_side(to_grade, given, room, hidden):
+def side_by_side(to_grade, given, copied, hidden):
     """Grade each (submission, digest), a judge on each core; yield the results and the students' texts as they come.
 
     A bar shows the progress, or in a file a line now and then.
     """
     if not to_grade:
         return
-    kind = holds_off(room, hidden)
+    kind = holds_off(copied, hidden)
     if LEFT_OPEN[kind]:
         how = "It does not work here." if which("bwrap") else "On Linux: apt install bubblewrap."
         complain(f"Without bubblewrap, a solution can use {LEFT_OPEN[kind]}. {how}")
     count, fresh = len(to_grade), multiprocessing.get_context("spawn")
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # the judges start so: Ctrl+C is for this process
-    pool = ProcessPoolExecutor(mp_context=fresh, initializer=prepare, initargs=(given, room, kind, hidden))
+    pool = ProcessPoolExecutor(mp_context=fresh, initializer=prepare, initargs=(given, copied, kind, hidden))
     left = {pool.submit(graded, *each) for each in to_grade}
     signal.signal(signal.SIGINT, before)
     told = time.monotonic()

@@ -17,7 +17,7 @@ import grading.begin  # noqa: F401
 from vpython import color, mag, vector
 
 from grading.cradles import hang
-from grading.grader import checks, Grading, PASSED, student
+from grading.grader import checks, Grading, PASSED, runner
 from grading.handout import FUNCTIONS, SUITES
 from grading.messages import error_lines
 from grading.raised import raised_by
@@ -70,14 +70,14 @@ def moving(scene, seconds, step):
             scene.tick()
         time.sleep(max(0.0, begin + number * step - time.monotonic()))
         size = get_terminal_size()  # Python 3.10 returns 0 for a terminal that does not know its size
-        room = min(COLUMNS, size.columns or COLUMNS), min(ROWS, (size.lines or ROWS + 3) - 3)
-        yield [f"t = {number * step:.2f} s   Ctrl+C ends it.", "", *picture.lines(scene, *room)]
+        size_of_picture = min(COLUMNS, size.columns or COLUMNS), min(ROWS, (size.lines or ROWS + 3) - 3)
+        yield [f"t = {number * step:.2f} s   Ctrl+C ends it.", "", *picture.lines(scene, *size_of_picture)]
 
 
 def scene_of(call) -> Scene:
     """Return the scene of a call, with the function that was called."""
     given = dict(zip(FUNCTIONS[call.function].parameters.split(", "), call.arguments, strict=False))
-    return SCENES[call.function](student.find(call.function), given)
+    return SCENES[call.function](runner.find(call.function), given)
 
 
 # Each function takes a student's solution and the arguments of the call by name, and returns a scene.
@@ -149,7 +149,7 @@ def one_double_pendulum(solution, given):
 
 
 def swing(pend_list, r_param):
-    """Move pendula on by DT, at all angles as at small ones: theta'' = -w^2 theta. It needs no function of the student.
+    """Move pendula on by DT, at all angles as at small ones: theta'' = -w^2 theta. It needs no function of the runner.
 
     theta becomes theta cos(w DT) + omega / w sin(w DT), and omega its derivative.
     """

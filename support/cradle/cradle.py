@@ -70,7 +70,7 @@ class Cradle:
             discard(pend["objects"])
         self.pend_list, self.hand.held = [], None
 
-    def take(self, pend_list, csv) -> None:
+    def accept(self, pend_list, csv) -> None:
         """Take pend_list, made from the file at the path csv, as the new cradle.
 
         It is the list of main, which the ticks change. Raises a MistakeError if it is no list of complete pendula.
@@ -122,7 +122,7 @@ class Cradle:
         count = max(1, made_lifted) if lifted is None else lifted
         for i, pend in enumerate(self.pend_list):
             move(pend, lifted_angles if i < count else [0.0] * len(angles), R_PARAM)
-        self.make_room(count)
+        self.push_aside(count)
 
     def pose(self, angles) -> None:
         """Turn each pendulum to its own angles, a list (rad) of its cords' angles from straight down, at rest."""
@@ -130,7 +130,7 @@ class Cradle:
             move(pend, own, R_PARAM)
         self.note_lifts()
 
-    def make_room(self, lifted) -> None:
+    def push_aside(self, lifted) -> None:
         """Push pendula out of the way of the lifted ones; single pendula are never in each other's way."""
 
     # --- move --------------------------------------------------------------------------------------------------------
@@ -138,7 +138,7 @@ class Cradle:
     def collision_scope(self) -> dict[str, Any]:
         """Return the globals in which the tick finds the function that lets two pendula collide.
 
-        They are those of main, of the tick, or of a function that the tick can call.
+        Look in main's module, then in the tick's, then in the modules of the functions that the tick can call.
         """
         called = getattr(self.tick, "__globals__", {})
         scopes = [self.scope, called, *(function.__globals__ for function in called.values() if isfunction(function))]

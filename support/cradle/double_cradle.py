@@ -28,7 +28,7 @@ class DoubleCradle(Cradle):
         dt="DOUBLE_DT",
     )
 
-    def make_room(self, lifted) -> None:
+    def push_aside(self, lifted) -> None:
         """Push pendula out of the way of the lifted ones: a lower cord that is bent inwards reaches far."""
         for i in reversed(range(min(lifted, len(self.pend_list)))):
             push_others(self.pend_list, i, R_PARAM)

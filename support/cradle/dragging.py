@@ -80,7 +80,7 @@ def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
 def drag_pendulum(pend_list, held, angles, r_param) -> None:
     """Turn the held pendulum (an index) to these angles (rad), the short way round, and push others out of its way.
 
-    If they have no room, it stops. r_param (m) is the length of a cord. Pendula that were moved are at rest.
+    If these cannot give way, it stops. r_param (m) is the length of a cord. Pendula that were moved are at rest.
     """
     pend = pend_list[held]
     before = cord_angles(pend)
@@ -97,7 +97,7 @@ def drag_pendulum(pend_list, held, angles, r_param) -> None:
 
 
 def push_others(pend_list, held, r_param) -> bool:
-    """Turn pendula out of the way of the held one, and others out of their way; return whether all have room."""
+    """Turn pendula out of the way of the held one, and others out of their way; return whether all could give way."""
     pushers = [held]
     for pusher in pushers:  # the loop adds each pushed pendulum
         for other, pend in enumerate(pend_list):

@@ -1,7 +1,7 @@
 """Hits: how they are noted while the loop does ticks, and the list of impacts, with a line for each train.
 
-A hit is one of two bobs. A path is a row of bobs that pass a hit on, by their numbers: 1-2-3-4-5. A train has the hits
-that follow each other quickly. If two bobs come in, it has two paths: 2-3-4-5  1-2-3-4.
+A hit is a collision of two bobs. support/__init__.py says what a train and a path are. If two bobs come in, a train has
+two paths: 2-3-4-5  1-2-3-4.
 """
 
 from collections import Counter, deque
@@ -14,7 +14,7 @@ GAP = 0.005  # s: the longest time between two hits of one train
 MOST_PATHS = 12  # in a train
 TOGETHER = 20  # two bobs with more hits than this in one train stay together
 STRIP_WIDTH = 44  # characters
-LONGEST = 9  # bobs: of a longer path, only the ends are shown
+LONGEST_PATH = 9  # bobs: of a longer path, only the ends are shown
 
 
 UNASKED = 100_000  # ticks that a loop may do without asking whether the cradle runs: more than one does on purpose
@@ -37,7 +37,8 @@ class Hits:
     def __init__(self, cradle):
         """Listen to nothing yet."""
         self.cradle = cradle
-        self.new, self.kept = list[Hit](), list[Hit]()  # those that nobody has counted yet, and all since listen
+        self.new = list[Hit]()  # hits that are not yet in the list of impacts
+        self.kept = list[Hit]()  # all hits since the last call of listen
         self.calls: list[str] = []  # of the collision function, as text
         self.unasked = 0  # ticks of the loop since it was last told to do one
         self.replaced: list[tuple[dict, str, object]] = []
@@ -240,4 +241,4 @@ def first_and_last(pairs) -> list[list[int]]:
 def path_text(path) -> str:
     """Return a path as text; of a long one, only its ends."""
     numbers = list(map(str, path))
-    return "-".join(numbers if len(path) <= LONGEST else [*numbers[:3], "...", numbers[-1]])
+    return "-".join(numbers if len(path) <= LONGEST_PATH else [*numbers[:3], "...", numbers[-1]])

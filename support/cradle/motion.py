@@ -43,7 +43,7 @@ class Motion:
             self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, right, rightwards)
             self.fastest = max(self.fastest, speed)
 
-    def take_fastest(self) -> float:
+    def pop_fastest(self) -> float:
         """Return the speed (m/s) of the fastest hit since the last call, or 0."""
         fastest, self.fastest = self.fastest, 0.0
         return fastest

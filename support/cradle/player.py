@@ -77,7 +77,7 @@ class Player:
         if self.is_shown:
             raise MistakeError(self.loop, "called page.show again. Show the cradle once, before the loop.")
         with self.copy:
-            self.cradle.take(pend_list, self.path)
+            self.cradle.accept(pend_list, self.path)
         self.is_shown = True
         self.cradle.release(self.angles, self.lifted)
         self.motion.restart()

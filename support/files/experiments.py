@@ -12,7 +12,7 @@ from support.files.cradle_csv import check_cradle, read_cells, read_file, Snapsh
 
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
-LONGEST = 60.0  # s from the release to the measurement
+LONGEST_RUN = 60.0  # s from the release to the measurement
 MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
 YOUR_CSV = "My cradle (CSV)"  # the name in the menu that no experiment can have
 NAME = re.compile(rf"(?!{re.escape(YOUR_CSV)}$)[^&<>]+")  # VPython's menu would change the letters & < >
@@ -77,8 +77,8 @@ def read_experiment(path, cords) -> Experiment:
     if not (2 <= len(answers) <= 5 and len(explained) == 1):
         found = f"found {len(answers)} answers, {len(explained)} of them with an asterisk"
         raise ValueError(f"{file}, [answers]: {found}, allowed are 2 to 5, one of them with an asterisk")
-    allowed = f"a number above 0 and up to {LONGEST:g}"
-    seconds = lines.text("seconds", lambda text: 0 < to_number(text) <= LONGEST, allowed)
+    allowed = f"a number above 0 and up to {LONGEST_RUN:g}"
+    seconds = lines.text("seconds", lambda text: 0 < to_number(text) <= LONGEST_RUN, allowed)
     return Experiment(
         key=path.stem,
         csv=csv,

@@ -25,7 +25,7 @@ class Marks:
         self.has_arrows = False
         self.shapes: dict[str, list] = {}
 
-    def take(self, cradle, bottom) -> None:
+    def surround(self, cradle, bottom) -> None:
         """Take a new cradle; its base is at the height bottom (m)."""
         self.cradle, self.height = cradle, BAR * cradle.reach
         self.level = bottom - BELOW * cradle.reach - self.height  # the height of the lower end of a bar that points up

@@ -10,9 +10,9 @@ from vpython import color, gcurve, graph, vector
 from support.files.data_file import EVERY
 
 SPANS = {"last 2 s": (2.0, 0.01), "last 10 s": (10.0, 0.03)}  # the times on the axis, and from point to point (s)
-LONGEST = max(seconds for seconds, _ in SPANS.values())
+LONGEST_SPAN = max(seconds for seconds, _ in SPANS.values())
 PHASE_SPAN = 3.0, EVERY  # of the phase picture
-MOST = 20  # pendula in the graph: more curves could not be told apart
+MOST_DRAWN = 20  # pendula in the graph: more curves could not be told apart
 
 # Three colors of Okabe and Ito's palette, which look different to color-blind people, too.
 ENERGIES = {"kinetic": vector(213, 94, 0) / 255, "potential": vector(0, 114, 178) / 255, "total": color.black}
@@ -38,17 +38,17 @@ class MotionGraph:
         """
         self.angle_keys, self.rate_keys = angle_keys, rate_keys
         self.names: list[str] = []  # of the numbers in a row
-        self.rows: deque[array] = deque(maxlen=round(LONGEST / EVERY))
+        self.rows: deque[array] = deque(maxlen=round(LONGEST_SPAN / EVERY))
         self.graph = graph()
         self.curves = {name: gcurve(graph=self.graph, color=hue, label=name) for name, hue in ENERGIES.items()}
         self.curves[PHASE] = gcurve(graph=self.graph, label=PHASE)
         self.choice, self.span = ENERGY, next(iter(SPANS))
-        self.take([])
+        self.begin([])
 
-    def take(self, colors) -> None:
+    def begin(self, colors) -> None:
         """Forget all samples, and take the colors of a new cradle's pendula: each pendulum's curves have its color."""
         self.rows.clear()
-        self.colors = colors[:MOST]
+        self.colors = colors[:MOST_DRAWN]
         for number, hue in enumerate(self.colors, start=1):
             if str(number) not in self.curves:  # VPython keeps every curve for ever
                 self.curves[str(number)] = gcurve(graph=self.graph, label=str(number))
@@ -99,7 +99,7 @@ class MotionGraph:
 
 
 def last_rows(rows, seconds, interval) -> list:
-    """Return the rows of the last seconds, about one for each interval (s); always the same ones, so nothing shakes."""
+    """Return the rows of the last seconds, about one for each interval (s). It keeps a row as long as it is drawn."""
     step = round(interval / EVERY)
     first = round(rows[-1][0] / EVERY) % step  # the newest row whose time is a multiple of the interval
     newest_first = list(islice(reversed(rows), first, round(seconds / EVERY), step)) or [rows[-1]]

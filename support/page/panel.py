@@ -15,7 +15,7 @@ PRESENT = """\
 <button class="keys" popovertarget="keys" aria-label="Keys" title="Keys">?</button>
 <div id="keys" popover><h2>Keys</h2><dl>KEYS</dl><p>Drag a bob with the mouse or a finger.</p></div>"""
 LEAVE = '<button class="leave" onclick="present()" aria-label="End the presentation">&times;</button>'
-KEYS = {  # what you press, and what it does; panel.js shows the first four as hints of their buttons
+WORDS_OF_KEYS = {  # what you press, and what it does; panel.js shows the first four as hints of their buttons
     "Space": "pause, run",
     "&rarr;": "one step, while paused",
     "R": "restart",
@@ -63,7 +63,7 @@ class Panel:
         self.step = button(text="Step", bind=lambda: give("step"))
         self.restart = button(text="Restart", bind=lambda: give("restart"))
         self.view = button(text="Reset view", disabled=True, bind=lambda: give("view"))
-        keys = "".join(f"<dt>{key}</dt><dd>{does}</dd>" for key, does in KEYS.items())
+        keys = "".join(f"<dt>{key}</dt><dd>{does}</dd>" for key, does in WORDS_OF_KEYS.items())
         scene.append_to_caption(PRESENT.replace("KEYS", keys))
         begin_part("numbers")
         self.readout, self.impacts = wtext(), wtext()

@@ -19,7 +19,7 @@ SMALLEST = 12  # pixels
 LETTER = 0.55  # width of a letter, in heights of the text
 
 
-class Room(NamedTuple):
+class Space(NamedTuple):
     """The space that a cradle needs, all in m."""
 
     left: float  # the first axle
@@ -44,8 +44,8 @@ class Scenery:
         distant_light(direction=vector(0.3, 0.6, 0.9), color=vector(0.5, 0.5, 0.5))
         distant_light(direction=vector(-0.6, 0.3, 0.4), color=vector(0.25, 0.25, 0.25))
         self.frame: list = []
-        self.room = Room(0, 0, 0, 0, 0, 0, 0)
-        self.whole_circles = False  # whether the view has room for bobs that swing above the frame
+        self.space = Space(0, 0, 0, 0, 0, 0, 0)
+        self.whole_circles = False  # whether the view has space for bobs that swing above the frame
         self.below, self.lines = 0.0, 0  # in view, too: m below the base, and lines of text above the cradle
         self.home = scene.center, scene.range  # of the camera that shows the whole cradle
         self.axles: list = []
@@ -61,45 +61,45 @@ class Scenery:
         """
         self.axles, self.masses = axles, masses if len({*masses}) > 1 else []
         first, last = axles[0], axles[-1]
-        room = Room(first.pos.x, last.pos.x, first.pos.y, first.width, reach, bobs[0].radius, 2 if self.masses else 1)
-        if room != self.room:
+        space = Space(first.pos.x, last.pos.x, first.pos.y, first.width, reach, bobs[0].radius, 2 if self.masses else 1)
+        if space != self.space:
             discard(self.frame)
-            self.frame = make_frame(room)
+            self.frame = make_frame(space)
         elif not self.whole_circles:
             self.number_axles()
             return
-        self.room, self.whole_circles = room, False
+        self.space, self.whole_circles = space, False
         self.point_camera()
 
     def keep_in_view(self, bobs) -> None:
         """Move the camera back as soon as a bob swings above the frame."""
-        if not self.whole_circles and any(bob.pos.y > self.room.top for bob in bobs):
+        if not self.whole_circles and any(bob.pos.y > self.space.top for bob in bobs):
             self.whole_circles = True
             self.point_camera()
 
     def point_camera(self) -> None:
         """Point the camera at the frame and at all swings up to the horizontal, or at whole circles."""
-        room = self.room
-        swing = room.reach + room.radius
-        left, right, bottom = frame_corners(room)
-        top = room.top + (swing if self.whole_circles else room.radius)
-        depth, ground = room.depth / 2 + room.reach / 10, bottom - room.reach / 20  # the base stands out a little
+        space = self.space
+        swing = space.reach + space.radius
+        left, right, bottom = frame_corners(space)
+        top = space.top + (swing if self.whole_circles else space.radius)
+        depth, ground = space.depth / 2 + space.reach / 10, bottom - space.reach / 20  # the base stands out a little
         ground -= self.below
-        corners = [vector(x, y, z) for x in (left, right) for y in (room.top, ground) for z in (-depth, depth)]
-        swings = [vector(x, y, 0) for x in (room.left - swing, room.right + swing) for y in (room.top, top)]
+        corners = [vector(x, y, z) for x in (left, right) for y in (space.top, ground) for z in (-depth, depth)]
+        swings = [vector(x, y, 0) for x in (space.left - swing, space.right + swing) for y in (space.top, top)]
         # The canvas is about 1.1 times as high as the frame.
-        writing = room.radius / 2 + (room.lines + self.lines + 0.5) * 1.3 * TEXT * 1.1 * (room.top - ground)
-        texts = [vector(x, room.top + writing, 0) for x in (room.left, room.right)]
+        writing = space.radius / 2 + (space.lines + self.lines + 0.5) * 1.3 * TEXT * 1.1 * (space.top - ground)
+        texts = [vector(x, space.top + writing, 0) for x in (space.left, space.right)]
         view(corners + swings + texts)
         self.home = scene.center, scene.range
         self.number_axles()
 
     def bottom(self) -> float:
         """Return the height of the base (m)."""
-        return frame_corners(self.room)[2]
+        return frame_corners(self.space)[2]
 
-    def leave_room(self, below, lines) -> None:
-        """Leave room for this much (m) below the base, and for these lines of text above the cradle."""
+    def leave_space(self, below, lines) -> None:
+        """Leave space for this much (m) below the base, and for these lines of text above the cradle."""
         self.below, self.lines = below, lines
         self.point_camera()
 
@@ -108,7 +108,7 @@ class Scenery:
         scene.forward, scene.up = FORWARD, vector(0, 1, 0)
         self.point_camera()
 
-    def limit_view(self) -> bool:
+    def bring_camera_back(self) -> bool:
         """Return whether you have moved the camera; bring it back if nothing of the cradle is seen."""
         center, distance = self.home
         if not NEAREST * distance <= scene.range <= FARTHEST * distance:
@@ -119,13 +119,13 @@ class Scenery:
         return turned or max(abs(scene.range - distance), mag(scene.center - center)) > MOVED * distance
 
     def number_axles(self) -> None:
-        """Write the numbers of the pendula, and their masses if these differ, above the axles that have room for it."""
+        """Write the numbers of the pendula, and their masses if these differ, above as many axles as they fit."""
         texts = [[str(number)] for number in range(1, len(self.axles) + 1)]
         for text, mass in zip(texts, self.masses, strict=False):
             text.append(f"{mass:g}")
         height = max(SMALLEST, TEXT * scene.height)
         widest = LETTER * height * (0.4 + max(len(line) for text in texts for line in text))  # pixels, with a gap
-        apart = (self.room.right - self.room.left) / max(1, len(texts) - 1)
+        apart = (self.space.right - self.space.left) / max(1, len(texts) - 1)
         widest *= 2 * scene.range / min(scene.width, scene.height)  # m
         step = next((step for step in (1, 5, 10, 50) if step * apart >= widest), inf)
         shown = [(self.axles[i].pos, text) for i, text in enumerate(texts) if i == 0 or (i + 1) % step == 0]
@@ -134,7 +134,7 @@ class Scenery:
         while len(self.labels) < len(shown):
             self.labels.append(label(box=False, line=False, opacity=0, color=INK, yoffset=1))
         for mark, (place, text) in zip(self.labels, shown, strict=False):
-            mark.pos, mark.text = place + vector(0, self.room.radius / 2, 0), "\n".join(text)
+            mark.pos, mark.text = place + vector(0, self.space.radius / 2, 0), "\n".join(text)
             mark.height, mark.visible = height, True
         for mark in self.labels[len(shown) :]:
             mark.visible = False
@@ -163,20 +163,20 @@ def view(points) -> None:
     )
 
 
-def frame_corners(room) -> tuple[float, float, float]:
+def frame_corners(space) -> tuple[float, float, float]:
     """Return the left and the right end of the frame, and its bottom (m)."""
-    return room.left - room.reach, room.right + room.reach, room.top - 1.3 * room.reach
+    return space.left - space.reach, space.right + space.reach, space.top - 1.3 * space.reach
 
 
-def make_frame(room) -> list:
+def make_frame(space) -> list:
     """Return two rails from left to right, four posts and the base."""
-    left, right, bottom = frame_corners(room)
-    thickness = room.reach / 50
+    left, right, bottom = frame_corners(space)
+    thickness = space.reach / 50
     bars = []  # each a place and an axis
-    for z in (-room.depth / 2, room.depth / 2):
-        bars.append((vector(left - thickness, room.top, z), vector(right - left + 2 * thickness, 0, 0)))
-        bars += [(vector(x, bottom, z), vector(0, room.top - bottom, 0)) for x in (left, right)]
+    for z in (-space.depth / 2, space.depth / 2):
+        bars.append((vector(left - thickness, space.top, z), vector(right - left + 2 * thickness, 0, 0)))
+        bars += [(vector(x, bottom, z), vector(0, space.top - bottom, 0)) for x in (left, right)]
     frame = [make_shape(cylinder, pos=pos, axis=axis, radius=thickness, color=STEEL) for pos, axis in bars]
-    size = vector(right - left + 10 * thickness, 5 * thickness, room.depth + 10 * thickness)
+    size = vector(right - left + 10 * thickness, 5 * thickness, space.depth + 10 * thickness)
     base = make_shape(box, pos=vector((left + right) / 2, bottom, 0), size=size, texture=textures.wood)
     return [*frame, base]

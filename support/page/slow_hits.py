@@ -36,7 +36,7 @@ class SlowHits:
         self.count, self.last = 0, -inf  # of this train: the number and the time (s) of its last hit
         self.least = LEAST * max(self.cradle.top_speeds(), default=0.0)  # m/s
 
-    def take(self, hits, time) -> None:
+    def add(self, hits, time) -> None:
         """Take the hits of the last few ticks, at this simulated time (s)."""
         pendula = list(self.cradle.pend_list)
         for hit in reversed(hits):  # back to the velocities before them

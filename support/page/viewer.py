@@ -28,7 +28,7 @@ REST = 3.0  # s that the picture rests when an experiment has been measured
 GOODBYE = 10.0  # s that the page has to fetch the last message
 
 # The commands of the keys, with their values; the names of the keys are VPython's.
-KEYS = {
+COMMANDS_OF_KEYS = {
     " ": ("pause", None),
     "right": ("step", None),
     "r": ("restart", None),
@@ -81,12 +81,12 @@ class Viewer(Player):
                 self.show_settings()
         if not self.is_wanted and self.source.file.changed():
             self.source.reload()
-        if self.keeps_still() or not self.running:
+        if self.hold_if_due() or not self.running:
             self.pace.restart()
         elif not (self.is_wanted or self.planned):
             self.keep_time()
 
-    def keeps_still(self) -> bool:
+    def hold_if_due(self) -> bool:
         """Go on with slow hits and slow runs; return whether the time holds, also after an experiment is measured."""
         now = self.pace.clock()
         if self.questions.slowly and -inf < self.rest_end <= now:
@@ -99,13 +99,13 @@ class Viewer(Player):
         if self.cradle.hand.held is not None:
             self.motion.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
-        change(self.panel.view, disabled=not self.scenery.limit_view())  # panel.css hides it then
+        change(self.panel.view, disabled=not self.scenery.bring_camera_back())  # panel.css hides it then
         shown = self.slow_hits.shown
         self.marks.show_arrows(shown.pendula if shown else self.cradle.pend_list)
         self.marks.show_halos((shown.hit.left, shown.hit.right) if shown else ())
         self.marks.show_ghosts(self.questions.predicted(self.motion.time()))
         change(self.panel.hit_words, text=self.slow_hits.words())
-        fastest = self.motion.take_fastest()
+        fastest = self.motion.pop_fastest()
         if self.sound and fastest > QUIET:
             self.panel.hit.text = f'<i class="hit" data-speed="{fastest:.4f}"></i>'
         if self.pace.clock() >= self.next_refresh:
@@ -120,8 +120,8 @@ class Viewer(Player):
         self.pace.speed = SLOWLY if self.questions.slowly else self.speed
         masses = self.cradle.values("mass")
         self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, masses)
-        self.marks.take(self.cradle, self.scenery.bottom())
-        self.graph.take([pend["objects"][1].color for pend in self.cradle.pend_list])
+        self.marks.surround(self.cradle, self.scenery.bottom())
+        self.graph.begin([pend["objects"][1].color for pend in self.cradle.pend_list])
         self.note()
         change(self.table.before_and_after, text="")
         self.source.show_rows()
@@ -142,7 +142,7 @@ class Viewer(Player):
         """Look at the result of a part; show One tick, or its hits."""
         super().end_part()
         if self.looks_at_hits:
-            self.slow_hits.take(self.cradle.hits.kept, self.motion.time())
+            self.slow_hits.add(self.cradle.hits.kept, self.motion.time())
             self.planned *= not self.slow_hits.waiting
         if self.one_tick is not None:
             calls = self.cradle.hits.calls or [f"{self.cradle.names.shown} was not called."]
@@ -172,8 +172,8 @@ class Viewer(Player):
         """Turn the keys and the mouse into commands."""
 
         def press(event):
-            if event.key.lower() in KEYS and not (event.ctrl or event.alt):
-                self.give(*KEYS[event.key.lower()])
+            if event.key.lower() in COMMANDS_OF_KEYS and not (event.ctrl or event.alt):
+                self.give(*COMMANDS_OF_KEYS[event.key.lower()])
 
         def ray(event):  # of the mouse: a point on it, and its direction
             return event.pos, scene.mouse.ray
@@ -240,18 +240,18 @@ class Viewer(Player):
         """Show arrows and bars, or not."""
         self.marks.has_arrows = shown
         self.marks.place_arrows()
-        self.leave_room()
+        self.leave_space()
 
-    def leave_room(self) -> None:
-        """Let the view make room for the bars, and for the words about a hit."""
-        self.scenery.leave_room(self.marks.depth(), HIT_LINES * self.looks_at_hits)
+    def leave_space(self) -> None:
+        """Let the view leave space for the bars, and for the words about a hit."""
+        self.scenery.leave_space(self.marks.depth(), HIT_LINES * self.looks_at_hits)
 
     def slow_down_hits(self, slow) -> None:
         """Show the hits slowly, or not; None stands for the other way than now."""
         self.looks_at_hits = not self.looks_at_hits if slow is None else slow
         self.panel.slow_hits.checked = self.looks_at_hits
         self.slow_hits.clear()
-        self.leave_room()
+        self.leave_space()
 
     def do_one_tick(self, _) -> None:
         """Do one tick, while paused, and show its effect on each pendulum, and the collisions in it."""
@@ -286,7 +286,7 @@ class Viewer(Player):
         if self.cradle.hand.held is not None:
             self.cradle.hand.held = None
             self.motion.set_start()
-            self.marks.take(self.cradle, self.scenery.bottom())
+            self.marks.surround(self.cradle, self.scenery.bottom())
             self.slow_hits.clear()
 
     # --- texts and numbers -------------------------------------------------------------------------------------------

@@ -30,7 +30,7 @@ def is_own(frame) -> bool:
 def own_frames(error) -> list[traceback.FrameSummary]:
     """Return the frames of an error that are in the handout's files: none if the error did not arise in these.
 
-    If main calls a method of the player, and the error arises there, main is right: return none, too.
+    Return none as well if main called the player and the player failed.
     """
     if isinstance(error, MistakeError):
         file, line = error.code.co_filename, error.code.co_firstlineno

@@ -19,14 +19,14 @@ GIVEN = {
 CONSTANTS = {"r_param": R_PARAM, "theta_init": THETA_INIT, "dt": DT, "g": G}
 
 
-def stubs_in(file) -> dict[str, tuple[int, bool]]:
-    """Return the functions in a file that still have their raise from tests/make_starter.py, each with its line.
+def stubs_in(source) -> dict[str, tuple[int, bool]]:
+    """Return the functions in source that still have their raise from tests/make_starter.py, each with its line.
 
-    The bool says whether code stands beside the raise, which stops it. Below a return, a raise does not count. Raises
-    a SyntaxError or a ValueError if Python cannot compile the file.
+    The bool says whether code stands beside the raise, which stops it. A raise below a return does not count: it never
+    runs. Raises a SyntaxError or a ValueError if Python cannot compile the source.
     """
     found: dict[str, tuple[int, bool]] = {}
-    for function in ast.parse(file.read_bytes()).body:
+    for function in ast.parse(source).body:
         name = getattr(function, "name", "")
         for block in (getattr(node, part, ()) for node in ast.walk(function) for part in ("body", "orelse")):
             lines = [ast.unparse(each).partition("\n")[0] for each in block] if isinstance(block, list) else []
@@ -45,7 +45,7 @@ def missing_in(*modules) -> str:
     places = []
     for file in filter(Path.is_file, (SRC / f"{module}.py" for module in modules)):
         with suppress(SyntaxError, ValueError):
-            found = stubs_in(file).items()
+            found = stubs_in(file.read_bytes()).items()
             names = [f"{name} (delete line {line})" if has_code else name for name, (line, has_code) in found]
             places += [f"{', '.join(names)} in src/{file.name}"] * bool(names)
     return "; ".join(places)

@@ -15,14 +15,14 @@ from math import atan2, pi
 from support.cradle.cradle import Cradle
 from support.start.output import say
 
-CORD = 16  # length of a cord in columns if there is room; neighbouring bobs are then four columns apart
+CORD = 16  # length of a cord in columns if they fit; neighbouring bobs are then four columns apart
 STROKES = "-\\|/"  # a line to the right, and lines turned down from it by 45, 90 and 135 degrees
 WIDTH = 80  # columns, at most
 ROWS = 24  # of a terminal that does not know its size
 TRAINS = 4  # of impacts, a line for each
 LOW = 18  # lines; a terminal with fewer lines shows no impacts
 BAR_AFTER = 2.0  # s before a bar shows the progress
-REFRESH = 0.05  # s from one bar to the next
+BAR_STEP = 0.05  # s from one bar to the next
 OWN_SCREEN, OLD_SCREEN = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"  # the first has no cursor
 
 
@@ -34,7 +34,7 @@ class TextPicture:
         self.above = 0.0  # m
 
     def lines(self, cradle: Cradle, columns, rows) -> list[str]:
-        """Return the lines of a picture, at most `columns` wide and `rows` high; no line if there is no room."""
+        """Return the lines of a picture, at most `columns` wide and `rows` high; no line if it does not fit."""
         axles, bobs = [axle.pos for axle in cradle.axles()], [bob.pos for bob in cradle.bobs()]
         xs, ys = sorted(axle.x for axle in axles), sorted(axle.y for axle in axles)
         self.above = max(self.above, *(bob.y - ys[-1] for bob in bobs))
@@ -67,8 +67,8 @@ class TextPicture:
             grid[row][column] = "+"
 
         names = [f"({number})" for number in range(1, len(bobs) + 1)]
-        there_is_room = len(axles) == 1 or len(names[-1]) <= apart * scale + 1e-9
-        for bob, name in zip(bobs, names if there_is_room else "O" * len(bobs), strict=True):
+        names_fit = len(axles) == 1 or len(names[-1]) <= apart * scale + 1e-9
+        for bob, name in zip(bobs, names if names_fit else "O" * len(bobs), strict=True):
             row, column = cell(bob)
             start = max(0, column - len(name) // 2)
             grid[row][start : start + len(name)] = name
@@ -122,7 +122,7 @@ def progress_bar(clock=time.monotonic):
     def progress(part):
         nonlocal next_look
         if clock() > next_look and sys.stderr.isatty():
-            next_look = clock() + REFRESH
+            next_look = clock() + BAR_STEP
             left = (clock() - begin) * (1 - part) / part
             width = max(1, min(40, shutil.get_terminal_size().columns - 25))
             say(f"\r[{'#' * int(part * width):<{width}}] {part:4.0%}, {left:.0f} s left ", sys.stderr, end="")

@@ -11,7 +11,7 @@ from vpython import vector
 
 from grading.messages import about, form_of, shown, Wanted
 
-MOST = 8_000  # characters of a student's code in which hints are looked for
+MOST_CODE = 8_000  # characters of a student's code in which hints are looked for
 LONG = 130  # characters; of a longer list, a message shows only the first difference
 
 # Errors of a check that reads a value of the wrong form.
@@ -88,7 +88,7 @@ def hints_of(name, names) -> list[tuple]:
 
 def known_hint(kind, text) -> str:
     """Return the hint of hints.txt for a text of this kind (errors, code or wrong), or ""."""
-    text = text[:MOST].replace('"', "'")
+    text = text[:MOST_CODE].replace('"', "'")
     for pattern, hint in rows_of("hints.txt", kind):
         if found := re.search(pattern, text, re.DOTALL | re.MULTILINE):
             return found.expand(hint)

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.comparing import both, fits, hint_for, hints_of, known_hint, mistake_in, MOST, OTHER_FORM
+from grading.comparing import both, fits, hint_for, hints_of, known_hint, mistake_in, MOST_CODE, OTHER_FORM
 from grading.handout import FUNCTIONS, needed, SUITES
 from grading.idle import idle_in
 from grading.messages import about, Call, damage, end_of, error_lines, message, MOST_CHARACTERS, plain, PlainFile, shown
@@ -85,7 +85,7 @@ class WaitError(Exception):
         self.place, self.raised = place, raised
 
 
-student: Any = OwnProcess()  # has the student's functions; for a class, a Solver of tests/teacher/ takes its place
+runner: Any = OwnProcess()  # has the student's functions; for a class, a Solver of tests/teacher/ takes its place
 
 CALLS: list[Call] = []  # of the current check
 ALONE: list[int] = []  # the number of the only call that expect makes, if there is one: is_right_alone
@@ -96,11 +96,12 @@ NOTES: list[str] = []  # sentences for a student whose solution is right
 def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), times=1) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
-    see(result) returns the value to compare with wanted, from the result or from the arguments; without see, it is the
-    result. wanted is a Wanted, or a value for same. what describes the value in words. hints are pairs: the result of a
-    mistake (a value, or a test of a value or an error), and the sentence that names the mistake. A hint is shown only
-    if no other hint has the same result. notes are such pairs for a right result. times is the number of calls; a
-    result gives the first arguments of the next one.
+    wanted  the right value: a Wanted, or a value for same
+    see     see(result) returns the value to compare, from the result or the arguments; without see, it is the result
+    what    the name of this value, in words
+    hints   pairs of a wrong value, or a test of a value or an error, and a sentence; shown if no other hint fits
+    notes   such pairs for a right result
+    times   the number of calls; a result gives the first arguments of the next one
     """
     call, hints = Call(function, tuple(map(plain, arguments)), times), [*hints, *KNOWN]
     CALLS.append(call)
@@ -109,7 +110,7 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
     expected, returns = ("expected", about(what, wanted)), FUNCTIONS[function].returns
     result = run(call, arguments, expected, hints)
     has_changed = any(isinstance(one, PlainFile) and plain(one.path) != one for one in call.arguments)
-    if has_changed or student.has_written and function != "main":  # the handout lets main write into NC_FP
+    if has_changed or runner.has_written and function != "main":  # the handout lets main write into NC_FP
         lines = [("came back", "A file has changed."), ("expected", "All files stay as they are. Only read them.")]
         raise WrongError(f"{function} writes into a file.", call, lines)
     for words in damage(call.arguments, FUNCTIONS[function].parameters, arguments):
@@ -151,7 +152,7 @@ def run(call, arguments, expected, hints) -> Any:
     """
     file = FUNCTIONS[call.function].file
     try:
-        return student.run(call.function, arguments, call.times)
+        return runner.run(call.function, arguments, call.times)
     except StoppedError as error:
         raised = error.raised
     if raised.before == "missing":
@@ -188,7 +189,7 @@ def is_right_alone(check, number) -> bool:
     CALLS.clear()
     ALONE.append(number)
     try:
-        with student.check(is_again=True), redirect_stdout(StringIO()):
+        with runner.check(is_again=True), redirect_stdout(StringIO()):
             check.ask()
     except BaseException:
         if limits.PRESSED.is_set():
@@ -255,7 +256,7 @@ class Grading:
         outcome = self.make(check)
         if outcome.state == FAILED and not outcome.cause and not self.hung:
             earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
-            names = student.codes[check.function].names
+            names = runner.codes[check.function].names
             wrong = [name for name in names if name in earlier and self.is_wrong(name)]
             if wrong:  # the function uses others than those that the handout asks for
                 return waiting(", ".join(wrong))
@@ -274,7 +275,7 @@ class Grading:
         if FUNCTIONS[check.function].file in self.broken:
             return waiting(self.broken[FUNCTIONS[check.function].file])
         try:
-            with student.check():
+            with runner.check():
                 check.ask()
         except WrongError as error:
             return self.failed(check, error)
@@ -290,11 +291,11 @@ class Grading:
     def failed(self, check, error) -> Outcome:
         """Return the outcome of a check that raised this WrongError."""
         raised, file = error.raised, FUNCTIONS[check.function].file
-        code, own = student.codes[check.function], FUNCTIONS[check.function].parameters
+        code, own = runner.codes[check.function], FUNCTIONS[check.function].parameters
         place, values = place_of(raised, check.function) if raised else ("", code.values)
         place = place or (f"{file}, line {code.line}" if code.line else file)
         wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
-        source = code.source[:MOST]
+        source = code.source[:MOST_CODE]
         source = f"{idle_in(source, code.line)}{source}"
         error.hint = known_hint("code", source) or error.hint or known_hint("wrong", f"{wrong}\n{source}")
         if code.line and not code.parameters.startswith(own):
@@ -313,7 +314,7 @@ class Grading:
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
         where = "Here" if raised else "At the end" if re.search(NUMBERS, wrong) and not error.hint else ""
         rows = [("wrong", f"{error}"), ("called", called), *error.lines, ("hint", error.hint), ("read", read)]
-        watch = ("watch", f"{student.watch} {check.name}" if call else "")
+        watch = ("watch", f"{runner.watch} {check.name}" if call else "")
         values = in_one_line(f"{where}, {values[:MOST_CHARACTERS]}.") if where and values else ""
         return Outcome(FAILED, message([*rows, watch]), call, place, error.hint, wrong=wrong, values=values)
 

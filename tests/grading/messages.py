@@ -16,7 +16,7 @@ from support.start.output import in_one_line
 
 LABEL = 12  # columns of the labels of a message
 WIDTH = 62  # columns of the text to the right of them: a terminal has 80
-MOST = 20  # elements shown of a list
+MOST_ELEMENTS = 20  # elements shown of a list
 PENDULA = 3  # pendula shown of a call
 FILE = 8  # lines of the longest file that is shown whole
 DICTIONARIES = 1  # shown of a list of dictionaries
@@ -149,10 +149,12 @@ def text_of(value, digits, parts) -> str:
     if isinstance(value, (box, sphere, cylinder)):
         return "an axle" if isinstance(value, box) else "a bob" if isinstance(value, sphere) else "a cord"
     if isinstance(value, dict):
-        rows = [[text_of(each, digits, parts) for each in pair] for pair in islice(value.items(), MOST)]
+        rows = [[text_of(each, digits, parts) for each in pair] for pair in islice(value.items(), MOST_ELEMENTS)]
         return "{" + joined([f"{key}: {part}" for key, part in rows], value, value.values()) + "}"
     if isinstance(value, (list, tuple)):
-        most = DICTIONARIES if isinstance(value, list) and any(isinstance(part, dict) for part in value) else MOST
+        most = (
+            DICTIONARIES if isinstance(value, list) and any(isinstance(part, dict) for part in value) else MOST_ELEMENTS
+        )
         text = joined([text_of(part, digits, parts) for part in value[:most]], value, value)
         return f"[{text}]" if isinstance(value, list) else f"({text}{',' * (len(value) == 1)})"
     text = repr(value)

@@ -23,7 +23,7 @@ from grading.raised import Raised, raised_by, StoppedError
 from grading.values import all_in_words, noting_ends
 from support.start.options import command_line
 
-# What solutions find in place of newton_cradle_pends.csv: as many pendula as it has, all with a value of their own.
+# The CSV that solutions read instead of the shipped one; each pendulum has another mass.
 SHIPPED_CSV = "mass,e,theta,omega,color,texture\n" + "".join(f"{i}.25,0.5,0.0,0.0,cyan,none\n" for i in range(1, 6))
 
 

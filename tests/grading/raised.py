@@ -4,7 +4,7 @@ import re
 import traceback
 from dataclasses import dataclass
 from difflib import get_close_matches
-from linecache import getline
+from linecache import getline, getlines
 from pathlib import Path
 from typing import NamedTuple
 
@@ -95,12 +95,13 @@ def own_places(error) -> list[Place]:
 def stub_of(error) -> tuple[str | None, str]:
     """Return the function that raised this error because it is not written yet, or None, and a hint if it has code."""
     frames = traceback.extract_tb(error.__traceback__)
-    name, file, line = (frames[-1].name, Path(frames[-1].filename), frames[-1].lineno) if frames else ("", Path(), 0)
-    if name not in FUNCTIONS or not isinstance(error, NotImplementedError):
+    name = frames[-1].name if frames else ""
+    is_stub = isinstance(error, NotImplementedError) and name in FUNCTIONS
+    stubs = stubs_in("".join(getlines(frames[-1].filename))) if is_stub else {}
+    if name not in stubs:
         return None, ""
-    if not file.is_file() or not stubs_in(file).get(name, (0, False))[1]:
-        return name, ""
-    return name, f"Delete line {line}, raise NotImplementedError: it stops your function before its end."
+    line, has_code = stubs[name]
+    return name, f"Delete line {line}, raise NotImplementedError: it stops your function before its end." * has_code
 
 
 def culprit_of(error, text, files) -> str | None:

@@ -13,13 +13,13 @@ from vpython import box, cylinder, sphere, vector
 
 from grading.messages import form_of, shown
 
-SHORT, MOST, KEYS = 50, 160, 7  # characters of a value that is shown whole, and of all values; keys
+SHORT, MOST_VALUES, MOST_KEYS = 50, 160, 7  # characters of a value that is shown whole, and of all values; keys
 
 
 def in_words(value) -> str:
     """Return a value in a few words: "a list of 3 pendula"."""
     if isinstance(value, dict) and value:
-        keys = ", ".join([*map(shown, islice(value, KEYS)), *["..."] * (len(value) > KEYS)])
+        keys = ", ".join([*map(shown, islice(value, MOST_KEYS)), *["..."] * (len(value) > MOST_KEYS)])
         return "a pendulum (a dictionary)" if "mass" in value else f"a dictionary with the keys {keys}"
     if isinstance(value, list) and value:
         are_pendula = all(isinstance(one, dict) and "mass" in one for one in value[:20])
@@ -40,7 +40,7 @@ def all_in_words(values) -> str:
         with suppress(Exception):  # a value that says nothing of itself
             if not callable(value) and not isinstance(value, ModuleType):
                 text += f"{', ' * bool(text)}{name} is {in_words(value)}"
-        if len(text) > MOST:
+        if len(text) > MOST_VALUES:
             return f"{text}, ..."
     return text
 

@@ -10,7 +10,7 @@ from wrong_solutions import PLAIN
 
 from grading.handout import FUNCTIONS
 from teacher import judge
-from teacher.sandbox import holds_off, make_room, Process
+from teacher.sandbox import copy_files, holds_off, Process
 
 COUNTS = {"D": 16, "C": 6, "B": 12, "A": 12, "Honor roll": 7}  # checks of each tier
 
@@ -42,8 +42,8 @@ def solved(made, tmp_path_factory):
 @pytest.fixture(scope="session")
 def process(made, tmp_path_factory):
     """A process for solutions, with what holds them off on this machine."""
-    room = make_room(made, tmp_path_factory.mktemp("solver") / "room")
-    process = Process(room, holds_off(room, []))
+    copied = copy_files(made, tmp_path_factory.mktemp("solver") / "copied")
+    process = Process(copied, holds_off(copied, []))
     yield process
     process.close()
 

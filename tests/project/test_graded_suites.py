@@ -48,7 +48,7 @@ def solve(monkeypatch):
     """A function that replaces a function by a version from the tables, in all modules that use it."""
     modules = [module for name, module in sys.modules.items() if name.startswith("src.")]
     kept = [dict(vars(module)) for module in modules]
-    shipped = str(grader.student.shipped)
+    shipped = str(grader.runner.shipped)
     monkeypatch.setattr("support.constants.NC_FP", shipped)
     monkeypatch.setattr(import_module("src.pds_helper").write_to_csv, "__defaults__", (shipped,))
 
@@ -57,7 +57,7 @@ def solve(monkeypatch):
             assert version[0] in PLAIN[function]
             version = PLAIN[function].replace(*version)
         scope, made = vars(MODULES[function]), {}
-        scope.update({"cos": cos, "sin": sin, "vector": vector, **scope})  # the student's file imports them
+        scope.update({"cos": cos, "sin": sin, "vector": vector, **scope})  # so that no row needs to import them
         original = getattr(MODULES[function], function)
         # The student's function has the parameters of the handout; for the honor roll, the handout names none.
         own = signature(original).replace(return_annotation=Signature.empty)

@@ -31,7 +31,7 @@ def with_body(files, function, body):
     lines = files[name].decode().splitlines()
     (node,) = (node for node in ast.parse(files[name]).body if getattr(node, "name", "") == function)
     lines[node.body[0].end_lineno : node.end_lineno] = indent(dedent(body).strip("\n"), "    ").splitlines()
-    names = "from math import cos, sin", "from vpython import mag, vector"  # the student's file imports them
+    names = "from math import cos, sin", "from vpython import mag, vector"  # so that no row needs to import them
     return {**files, name: "\n".join([*names, *lines, ""]).encode()}
 
 
@@ -54,7 +54,7 @@ def judged(process, monkeypatch):
 
     def judged(files, function):
         solver = Solver(files, process)
-        monkeypatch.setattr(grader, "student", solver)
+        monkeypatch.setattr(grader, "runner", solver)
         try:
             solver.open()
             return outcomes_of(function)
@@ -76,7 +76,7 @@ def graded_here(tmp_path, monkeypatch):
         put_files(tmp_path, files)
         own = own_process.OwnProcess()
         own.watch = Solver.watch
-        monkeypatch.setattr(grader, "student", own)
+        monkeypatch.setattr(grader, "runner", own)
         importlib.invalidate_caches()
         with own.again():
             return outcomes_of(function)

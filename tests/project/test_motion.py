@@ -51,7 +51,7 @@ def test_impacts_and_their_speeds_are_those_of_single_ticks(tmp_path):
         speeds = []
         for part in (0.2, 0.2, 0.5, 0.4, 0):
             player.swing(round(part * PERIOD / DT))
-            speeds.append(player.motion.take_fastest())
+            speeds.append(player.motion.pop_fastest())
         found.append((player.motion.trains.lines(), speeds))
     assert found[0] == found[1]
     assert {"1-2-3-4-5", "5-4-3-2-1"} <= {*map(str, player.motion.trains.trains)}

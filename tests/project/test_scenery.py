@@ -91,7 +91,7 @@ def test_the_view_stays_at_the_cradle_neither_too_near_nor_too_far(zoomed, zoom,
     scenery = surround(5)
     near, center = scene.range, vector(scene.center)
     scene.range, scene.center = zoomed * near, center + moved * near * vector(0, 1, 0)
-    scenery.limit_view()
+    scenery.bring_camera_back()
     assert scene.range == pytest.approx(zoom * near)
     assert (scene.center - center).value == pytest.approx([0, way * near, 0])
 

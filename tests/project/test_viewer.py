@@ -19,7 +19,7 @@ from support.energy import bob_motions, momentum
 from support.files.cradle_csv import POLL
 from support.files.data_file import EVERY
 from support.page.marks import ARROW_TIME, FLAT, STILL
-from support.page.motion_graph import ENERGIES, ENERGY, MOST, NOTHING, PHASE, PHASE_SPAN, SPANS
+from support.page.motion_graph import ENERGIES, ENERGY, MOST_DRAWN, NOTHING, PHASE, PHASE_SPAN, SPANS
 from support.page.scenery import FORWARD
 
 
@@ -393,7 +393,7 @@ def test_a_resized_canvas_is_filled_and_a_swing_above_the_frame_widens_the_view_
     assert scene.range > 1.2 * near
     wall.use(wall.panel.angles[0].slider, value=45)
     assert scene.range == near
-    scenery.room = scenery.room._replace(reach=0)
+    scenery.space = scenery.space._replace(reach=0)
     wall.press("r")
     assert scene.range == near
 
@@ -487,9 +487,9 @@ def test_the_phase_picture_is_that_of_one_bob(wall):
 
 def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wall):
     choose(wall, ANGLES)
-    wall.save(HEADER + GOOD.replace("red", "green") * (MOST + 3))
+    wall.save(HEADER + GOOD.replace("red", "green") * (MOST_DRAWN + 3))
     assert wall.panel.graph.selected == ANGLES
-    assert list(drawn(wall)) == [str(number) for number in range(1, MOST + 1)]  # the first ones
+    assert list(drawn(wall)) == [str(number) for number in range(1, MOST_DRAWN + 1)]  # the first ones
     assert wall.viewer.graph.curves["1"].color == COLOR_MAP["green"]
     choose(wall, "Phase 7")
     wall.save(HEADER + GOOD * 2)

@@ -24,7 +24,7 @@ from teacher.crossing import bounded, Crossing, File, MOST_PRINTED
 SPARE = 3.0  # s that a solver has to say that a call took too long
 WHOLE = 120.0  # s for all checks of a solution
 LINE = 5_000_000  # bytes of an answer
-MOST = 20_000  # characters of a message
+MOST_MESSAGE = 20_000  # characters of a message
 
 
 def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
@@ -34,7 +34,7 @@ def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
         signal.signal(signal.SIGALRM, signal.default_int_handler)
         signal.setitimer(signal.ITIMER_REAL, WHOLE, SPARE)
     try:
-        with patch.object(grader, "student", solver), limits.limited_memory():
+        with patch.object(grader, "runner", solver), limits.limited_memory():
             solver.open()
             for check in CHECKS.values():
                 with redirect_stdout(StringIO()) as out:
@@ -51,7 +51,9 @@ def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
         if os.name != "nt":
             signal.setitimer(signal.ITIMER_REAL, 0)
         process.end()
-    outcomes = {name: one._replace(call=None, message=one.message[:MOST]) for name, one in grading.outcomes.items()}
+    outcomes = {
+        name: one._replace(call=None, message=one.message[:MOST_MESSAGE]) for name, one in grading.outcomes.items()
+    }
     return outcomes, "\n".join(line for line, _ in words(outcomes, printed)), problems
 
 

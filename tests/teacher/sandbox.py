@@ -25,7 +25,7 @@ SYSTEM = (
 )
 ALONE = ("--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try")
 FIRST_USER, USERS = 60_600, 500  # numbers that systems give to nobody
-LONGEST = 20.0  # s, of the start of a process and of its end
+START_OR_END = 20.0  # s, of the start of a process and of its end
 IN_SANDBOX = Path("/cradle")  # the solver's folder
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
@@ -43,14 +43,14 @@ LEFT_OPEN = {
 }
 
 
-def holds_off(room, hidden) -> str:
+def holds_off(copied, hidden) -> str:
     """Return the first of LEFT_OPEN with which a process starts here; raise an OSError if there is none."""
     for kind in LEFT_OPEN:
         if kind in (COPIES, BWRAP) and shutil.which("bwrap") is None or kind == USER and not IS_ROOT:
             continue
-        process = Process(room, kind, hidden)
+        process = Process(copied, kind, hidden)
         process.begin()
-        process.line.settimeout(LONGEST)
+        process.line.settimeout(START_OR_END)
         with closing(process), suppress(OSError):
             if process.line.recv(1) == b"{":
                 return kind
@@ -60,9 +60,9 @@ def holds_off(room, hidden) -> str:
 class Process:
     """A process of solver.py for one solution after the other, and all that it starts."""
 
-    def __init__(self, room, kind, hidden=()):
-        """room is the folder that make_room has made. kind is one of LEFT_OPEN. The solver sees no hidden folder."""
-        self.room, self.kind, self.hidden = room, kind, hidden
+    def __init__(self, copied, kind, hidden=()):
+        """copied is the folder that copy_files has made. kind is one of LEFT_OPEN. The solver sees no hidden folder."""
+        self.copied, self.kind, self.hidden = copied, kind, hidden
         self.user = FIRST_USER + os.getpid() % USERS if IS_ROOT and kind != LIMITS else 0
         self.process = self.folder = self.control = self.line = None  # line leads to the process of a solution
 
@@ -73,7 +73,7 @@ class Process:
             return
         if self.process is None:
             self.control = self.start()
-            self.control.settimeout(LONGEST)
+            self.control.settimeout(START_OR_END)
         self.line, end = socket.socketpair()
         with end, suppress(OSError):  # line will show that the process has ended
             socket.send_fds(self.control, [b"\n"], [end.fileno()])
@@ -81,11 +81,11 @@ class Process:
     def start(self) -> socket.socket:
         """Start a process, and return the socket that leads to it."""
         if self.kind in (COPIES, BWRAP):
-            folder, before = IN_SANDBOX, bubblewrap(self.room, self.hidden)
+            folder, before = IN_SANDBOX, bubblewrap(self.copied, self.hidden)
         else:
             self.folder = tempfile.TemporaryDirectory(prefix="cradle_", ignore_cleanup_errors=True)
             folder, before = Path(os.path.realpath(self.folder.name)), []
-            shutil.copytree(self.room, folder, dirs_exist_ok=True)
+            shutil.copytree(self.copied, folder, dirs_exist_ok=True)
             if self.user:
                 os.chown(folder, self.user, self.user)
         line, end = socket.socketpair()
@@ -130,8 +130,8 @@ class Process:
             self.folder.cleanup()
 
 
-def bubblewrap(room, hidden) -> list[str]:
-    """Return the command that starts a command in a sandbox with the room, but with no other file of these folders."""
+def bubblewrap(copied, hidden) -> list[str]:
+    """Return the command that starts a command in a sandbox with the copied files, but with no other file."""
     python = [sys.prefix, sys.base_prefix, *site.getsitepackages(), site.getusersitepackages()]
     visible = [path for path in (*SYSTEM, *map(os.path.abspath, python)) if os.path.exists(path)]
     mounts = [["--ro-bind", path, path] for path in dict.fromkeys(visible)]
@@ -140,7 +140,7 @@ def bubblewrap(room, hidden) -> list[str]:
     known = subprocess.run(["bwrap", "--help"], capture_output=True, text=True, check=False).stdout
     size = ["--size", str(SPACE)] if "--size" in known else []  # from version 0.8 on
     mounts += [[*size, "--perms", "1777", "--tmpfs", str(IN_SANDBOX)]]
-    mounts += [["--ro-bind", str(room / name), str(IN_SANDBOX / name)] for name in ("support", "tests")]
+    mounts += [["--ro-bind", str(copied / name), str(IN_SANDBOX / name)] for name in ("support", "tests")]
     parents = {parent for mount in mounts for parent in Path(mount[-1]).parents}
     mounts += [["--perms", "0755", "--dir", str(parent)] for parent in parents]
     mounts.sort(key=lambda mount: (len(Path(mount[-1]).parts), "--dir" not in mount))  # the deeper one covers the other
@@ -150,7 +150,7 @@ def bubblewrap(room, hidden) -> list[str]:
     return [*begin, *(word for mount in mounts + end for word in mount)]
 
 
-def make_room(starter, folder) -> Path:
+def copy_files(starter, folder) -> Path:
     """Make the folder that solvers share: the starter's support/, and what a solver needs of the grader."""
     shutil.copytree(starter / "support", folder / "support", ignore=shutil.ignore_patterns("__pycache__"))
     for name in SOLVERS:
