@@ -33,7 +33,6 @@ from support.terminal.screen import TextPicture
 # Import all modules first: a module that is imported later would keep a solution of a test.
 MODULES = {name: import_module(module_of(function.file)) for name, function in FUNCTIONS.items()}
 
-FILE = str(ROOT / "src" / "a_solution.py")  # there is none
 CHECKS = [check for tier in SUITES for check in checks(tier=tier)]
 
 
@@ -63,8 +62,9 @@ def solve(monkeypatch):
         own = signature(original).replace(return_annotation=Signature.empty)
         parameters = own if FUNCTIONS[function].tier == HONOR else f"({FUNCTIONS[function].parameters})"
         source = f"def {function}{parameters}:\n{indent(dedent(version), '    ')}"
-        linecache.cache[FILE] = len(source), None, source.splitlines(keepends=True), FILE  # for the lines in messages
-        exec(compile(source, FILE, "exec"), scope, made)
+        file = str(ROOT / "src" / f"solution_of_{function}.py")  # there is none, but messages have its lines
+        linecache.cache[file] = len(source), None, source.splitlines(keepends=True), file
+        exec(compile(source, file, "exec"), scope, made)
         for module in modules:
             if vars(module).get(function) is original:
                 setattr(module, function, made[function])
@@ -453,8 +453,12 @@ def test_a_function_that_is_not_written_waits(solve):
         solve(name, STUB.format(name))
     outcomes = {(check.function, *outcome[:2]) for check, outcome in outcomes_of("angle_update").items()}
     assert outcomes == {
-        ("angle_update", WAITING, "waits for you to write angle_update in src/a_solution.py, line 2"),
-        ("full_swing_update", WAITING, "waits for you to write full_swing_update in src/a_solution.py, line 2"),
+        ("angle_update", WAITING, "waits for you to write angle_update in src/solution_of_angle_update.py, line 2"),
+        (
+            "full_swing_update",
+            WAITING,
+            "waits for you to write full_swing_update in src/solution_of_full_swing_update.py, line 2",
+        ),
         ("newton_cradle_tick", WAITING, "waits for angle_update, full_swing_update"),
         ("main", WAITING, "waits for angle_update, full_swing_update"),
     }

@@ -187,7 +187,7 @@ def copy_for_each(control, user) -> None:
     """Let a copy of this process serve each socket that comes from the socket control.
 
     At the next byte, the copy ends, and the files that it has left are removed.
-    Fork, because importing pandas is slow. The fork gets its own process namespace, so it cannot see or kill this process.
+    Fork, because importing pandas is slow. The fork gets its own process namespace: it cannot see or kill this process.
     It has neither /proc nor control.
     """
     if os.getpid() != 2:  # not in a sandbox: kill would end everything
