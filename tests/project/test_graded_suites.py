@@ -62,7 +62,7 @@ def solve(monkeypatch):
         own = signature(original).replace(return_annotation=Signature.empty)
         parameters = own if FUNCTIONS[function].tier == HONOR else f"({FUNCTIONS[function].parameters})"
         source = f"def {function}{parameters}:\n{indent(dedent(version), '    ')}"
-        file = str(ROOT / "src" / f"solution_of_{function}.py")  # there is none, but messages have its lines
+        file = str(ROOT / "src" / f"my_{function}.py")  # there is none, but messages have its lines
         linecache.cache[file] = len(source), None, source.splitlines(keepends=True), file
         exec(compile(source, file, "exec"), scope, made)
         for module in modules:
@@ -453,11 +453,11 @@ def test_a_function_that_is_not_written_waits(solve):
         solve(name, STUB.format(name))
     outcomes = {(check.function, *outcome[:2]) for check, outcome in outcomes_of("angle_update").items()}
     assert outcomes == {
-        ("angle_update", WAITING, "waits for you to write angle_update in src/solution_of_angle_update.py, line 2"),
+        ("angle_update", WAITING, "waits for you to write angle_update in src/my_angle_update.py, line 2"),
         (
             "full_swing_update",
             WAITING,
-            "waits for you to write full_swing_update in src/solution_of_full_swing_update.py, line 2",
+            "waits for you to write full_swing_update in src/my_full_swing_update.py, line 2",
         ),
         ("newton_cradle_tick", WAITING, "waits for angle_update, full_swing_update"),
         ("main", WAITING, "waits for angle_update, full_swing_update"),
