@@ -119,10 +119,9 @@ def keep_apart(pend1, pend2, r_param) -> bool:
     """Move bobs of two double pendula that rest on each other apart, to CLOSEST; return whether any bobs were moved.
 
     e is pend1's; with e = 1, nothing moves. Bobs with e below 1 can come to rest on each other. Then each tick presses
-    them a little further into each other. The impulse at its end stops them, but does not move them apart: after some
-    time, they would pass through each other. The cords turn in the ratio in which an impulse between the two bobs turns
-    them. This adds energy: at DOUBLE_DT seldom 1e-5 of it, but 1e-3 with ticks of 1 ms, in which hits bring bobs closer
-    than CLOSEST, too.
+    them a little further into each other: after some time, they would pass through each other. The cords turn in the
+    ratio in which an impulse between the two bobs turns them. This adds energy: at DOUBLE_DT seldom 1e-5 of it, but
+    1e-3 with ticks of 1 ms.
     """
     if pend1["e"] >= 1:
         return False

@@ -36,8 +36,7 @@ from vpython import box, cylinder, sphere
 
 from src.double_collisions import collide_pairs, keep_apart
 from src.special_cradles import make_newton_cradle
-from support.pendulum import DoublePendulumEntry, make_bob_and_cord, make_pendulum, show_double_pendulum
-from support.shapes import discard
+from support.pendulum import discard, DoublePendulumEntry, make_bob_and_cord, make_pendulum, show_double_pendulum
 
 # The cords of a pendulum turn at most about this far in one step (rad). With equal masses, they turn much less.
 MOST_TURN = 0.05

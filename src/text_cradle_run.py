@@ -26,9 +26,8 @@ from support.terminal.players import has_terminal, Lines, Pictures, record, show
 def main() -> None:
     """Show the cradle of src/visualize_cradle_run.py, or record its data.
 
-    Exits with status 2 if an option, the CSV or the data file is wrong, if the output is full, or if functions for a
-    cradle are missing; with status 1 if a function makes a mistake, or if a signal ends a recording. For a signal that
-    ends the picture or the lines, stop_on_signals has the status.
+    Exits with status 2 if an option, the CSV, the data file or the output is wrong, or if functions for a cradle are
+    missing; with status 1 if a function makes a mistake, or a signal ends a recording; else stop_on_signals has it.
     """
     options = read_text_options()
     loop, remark = what_there_is(cradle_main)

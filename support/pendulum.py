@@ -1,12 +1,12 @@
 """A pendulum: its dictionary, and the VPython objects that show it."""
 
+from collections import defaultdict
 from math import copysign, cos, degrees, radians, sin
 from typing import TypedDict
 
-from vpython import box, cylinder, sphere, vector
+from vpython import box, color, cylinder, sphere, vector
 
 from support.constants import THETA_INIT
-from support.shapes import make_shape
 
 # Two bobs touch if their centres are at most BUFFER times the sum of their radii apart: the handout's little buffer.
 BUFFER = 1.05
@@ -108,3 +108,28 @@ def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cy
     up, grey = vector(0, 0, 1), vector(0.45, 0.45, 0.47)  # a grey that you see on a pale page and on a dark one
     cord = make_shape(cylinder, pos=place, axis=axis, up=up, radius=r_param / 200, color=grey)
     return bob, cord
+
+
+# --- reuse shapes: VPython keeps every shape for ever, so a new cradle takes the shapes of the old one ----------------
+
+# VPython's default values. make_shape gives them to a used shape first.
+PLAIN = {"color": color.white, "texture": None, "shininess": 0.6, "visible": True}
+
+discarded: defaultdict[type, list] = defaultdict(list)  # kind -> shapes
+
+
+def make_shape(kind, **attributes):
+    """Return a box, sphere or cylinder (kind) with these attributes: a discarded one, or a new one if there is none."""
+    if not discarded[kind]:
+        return kind(**attributes)
+    shape = discarded[kind].pop()
+    for name, value in {**PLAIN, **attributes}.items():
+        setattr(shape, name, value)
+    return shape
+
+
+def discard(shapes) -> None:
+    """Hide these shapes, and let make_shape use them again."""
+    for shape in shapes:
+        shape.visible = False
+        discarded[type(shape)].append(shape)

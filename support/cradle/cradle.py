@@ -11,8 +11,7 @@ from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import Hand, move
 from support.cradle.impacts import Hits
 from support.energy import kinetic_energy, momentum, potential_energy
-from support.pendulum import cord_angles
-from support.shapes import discard
+from support.pendulum import cord_angles, discard
 from support.start.mistake import check_made, check_moved
 
 

@@ -44,10 +44,9 @@ class Hits:
         self.replaced: list[tuple[dict, str, object]] = []
 
     def listen(self, calls=False) -> None:
-        """Note the hits from now on, until stop; with calls, also the calls of the collision function.
+        """Note the hits from now on, until stop, but not of a held bob; with calls, also those of names.shown.
 
-        A hit is a call for two pendula that changes a velocity. A comparison before and after a whole tick would miss
-        hits: after a train of hits, the bobs in the middle have their old velocity. Hits of a held bob do not count.
+        To compare before and after a whole tick would miss hits: after a train, the inner bobs have their old velocity.
         """
         self.calls.clear()
         self.kept.clear()
@@ -133,11 +132,7 @@ class Hits:
 
 
 class ImpactTrains:
-    """The last trains.
-
-    Two things would fill the list: single hits after a train, of bobs that hardly move, and bobs that stay together.
-    The first are left out, the second get one line of words.
-    """
+    """The last trains, without single hits of bobs that hardly move; bobs that stay together have a line of words."""
 
     def __init__(self, count):
         """Remember up to count trains."""

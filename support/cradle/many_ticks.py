@@ -33,10 +33,9 @@ class Constants(NamedTuple):
 def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool, float]] | None:
     """Same result as `ticks` calls of newton_cradle_tick; return the contacts (tick, left, right, rightwards, speed).
 
-    scope is main.__globals__, with R_PARAM (m), DT (s) and G (m/s^2). rule has the keywords of newton_cradle_tick:
-    none, or approaching_only. The contacts are those that change a velocity. tick counts from 0, left and right are
-    indices into pend_list. rightwards is True if the sum of the two velocities before the contact points to the right.
-    speed (m/s) is that of the two bobs' approach before the contact, negative if they moved apart.
+    scope is main.__globals__. rule has the keywords of newton_cradle_tick: none, or approaching_only. tick counts from
+    0, left and right are indices into pend_list. rightwards is True if the sum of the two velocities before the contact
+    points to the right. speed (m/s) is that of the two bobs' approach, negative if they moved apart.
 
     Return None, and change nothing, if the same result is not certain; the caller must then do single ticks. This
     includes overflows and divisions by 0: single ticks then raise the error in the function that causes it.
@@ -61,7 +60,7 @@ def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool,
 # The files of the motion, and a digest of their text. If you change one of them, the programs do single ticks. If you
 # change it for good, change the fast path as well, and put the new digest here.
 FILES = "support/pendulum.py", "src/swinging.py", "src/visualize_cradle_run.py"
-DIGEST = "958452a7f72c2767"
+DIGEST = "a526b2a5ca52e2fb"
 # What their functions use, beside each other.
 BESIDE = {"BUFFER": BUFFER, "cos": cos, "mag": mag, "pairwise": pairwise, "sin": sin, "vector": vector}
 

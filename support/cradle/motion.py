@@ -62,10 +62,9 @@ class Motion:
         return {name: energy / unit if unit else 0.0 for name, energy in energies.items()}
 
     def sample(self) -> dict[str, float]:
-        """Return the data of this moment by name; the names are the columns of a data file.
+        """Return the data of this moment by the names of the columns of a data file.
 
-        They are t (s), the cradle's coordinates (rad, rad/s), kinetic, potential and total energy (J), and the momentum
-        to the right (kg m/s).
+        They are t (s), the coordinates (rad, rad/s), the three energies (J), and the momentum to the right (kg m/s).
         """
         kinetic, potential = self.cradle.energies()
         energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}

@@ -12,8 +12,7 @@ KEPT_UP_OVER = 1.0  # s over which kept_up is measured
 class RealTime:
     """Makes a simulated second, 1/dt ticks, last 1/speed seconds on the wall.
 
-    A machine that is too slow for this shows slow motion. VPython's rate() is no replacement: it is wrong by a tenth
-    and more, and keeps a processor core busy while it waits.
+    A machine that is too slow shows slow motion. VPython's rate() is wrong by a tenth and more, and keeps a core busy.
     """
 
     def __init__(self, dt, clock=time.perf_counter, sleep=time.sleep):

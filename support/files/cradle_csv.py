@@ -23,10 +23,9 @@ LONGEST_FOUND = 300  # letters of a file in a message
 
 
 def read_file(filepath) -> bytes:
-    """Return the content of a file.
+    """Return the content of a file; raises an OSError if it cannot be read, or is larger than LARGEST.
 
-    Raises an OSError if it cannot be read, is larger than LARGEST, or is no regular file. A pipe may have no writer,
-    and a device has no end: this function never waits for them, and reads nothing from them.
+    It raises one for a pipe, which may have no writer, and for a device, which may have no end, and never waits.
     """
     at_once = getattr(os, "O_NONBLOCK", 0)  # without it, which Windows does not have, a pipe would wait for its writer
     path = Path(filepath)  # it takes no number, which would be an open file
@@ -126,9 +125,8 @@ class LiveFile:
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV, the header first, each row as (line number in the file, cells as text).
 
-    Blank lines, spaces around a cell and byte-order marks are left out. A Snapshot is read only once. Raises a
-    ValueError that names the mistake and its place if the file cannot be read, is not UTF-8 text, is empty, or has a
-    row with more cells than the header.
+    Blank lines, spaces around a cell and byte-order marks are left out. Raises a ValueError that names the mistake and
+    its place if the file cannot be read, is not UTF-8 text, is empty, or has a row with more cells than the header.
     """
     return snapshot_of(filepath).rows
 

@@ -18,8 +18,7 @@ EVERY = 0.01  # s from sample to sample
 def whole_file(filepath):
     """Yield a text file to write to; when it is complete on the disk, it replaces filepath.
 
-    After a crash, on a full disk, or if the body of the with statement ends early, the old file is still there.
-    Raises an OSError if filepath cannot be written.
+    Otherwise, the old file is still there. Raises an OSError if filepath cannot be written.
     """
     target = Path(os.path.realpath(filepath))  # the file behind a link: the link must stay
     unfinished = target.parent / f".{target.name}.{token_hex(4)}.tmp"

@@ -120,17 +120,10 @@ class Access:
 
 
 class PageServer(http.server.ThreadingHTTPServer):
-    """The server of VPython's page, with a thread for each connection.
-
-    VPython's own server has a single thread: a connection that a browser opens in advance, without using it, would
-    block the page.
-    """
+    """The server of VPython's page, with a thread for each connection: browsers open some long before they use them."""
 
     def __init__(self, sockets, access, head, handler) -> None:
-        """Serve at sockets, made by page_sockets; head is HTML for the beginning of the page, before VPython's own.
-
-        access (an Access) checks the key.
-        """
+        """Serve at sockets, made by page_sockets, whoever has the key of access; head is HTML before VPython's own."""
         page_socket, websocket = sockets
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
@@ -147,8 +140,7 @@ class PageServer(http.server.ThreadingHTTPServer):
 def own_files_only(handler: Any, access) -> Any:
     """Return VPython's request handler, limited to the page, which needs the key, and VPython's own two folders.
 
-    When the page is requested, access waits for its tab: a slow machine loads it for seconds before it opens the
-    websocket.
+    A request for the page lets access wait for its tab: a slow machine needs seconds until it opens the websocket.
     """
     files = {
         f"/{file.relative_to(folder).as_posix()}": (content_type, file)

@@ -32,10 +32,7 @@ class MotionGraph:
     """Draws a choice of curves of the last samples of Motion. While hidden, it sends no points."""
 
     def __init__(self, angle_keys, rate_keys):
-        """Make the graph, without points; panel.css sets its size, and panel.js its colors and its axes' limits.
-
-        angle_keys and rate_keys are the keys of the pendula's angles (rad) and of their rates (rad/s).
-        """
+        """Make the graph of these keys of a pendulum; panel.css sets its size, panel.js its colors and limits."""
         self.angle_keys, self.rate_keys = angle_keys, rate_keys
         self.names: list[str] = []  # of the numbers in a row
         self.rows: deque[array] = deque(maxlen=round(LONGEST_SPAN / EVERY))

@@ -56,9 +56,8 @@ def show_double_cradle(main, special_cradles) -> None:
 def show_page(main, cradle, options, angles, remark="") -> None:
     """Run main with the page of a cradle, until the tab is closed for good.
 
-    cradle has no pendula yet. options are the page's, from support/start/options.py. angles are the release angles
-    (rad); None keeps the angle with which main makes the cradle. remark is a line on the page. Exits with status 2 if
-    the CSV, --lift or the port is wrong, with status 1 if a function makes a mistake.
+    angles are the release angles (rad); None keeps the angle with which main makes the cradle. remark is a line on the
+    page. Exits with status 2 if the CSV, --lift or the port is wrong, with status 1 if a function makes a mistake.
     """
     file = LiveFile(options.csv)
     try:

@@ -34,10 +34,7 @@ TRAINS = 5  # of impacts, a line for each
 
 
 class Panel:
-    """The widgets and texts. Each use of a widget gives a command; the methods show_... change the page.
-
-    A text is sent only if it has changed, and keeps its width, so that nothing flickers or moves.
-    """
+    """The widgets and texts. A text is sent only if it has changed, and keeps its width: nothing flickers or moves."""
 
     def __init__(self, give, cradle, questions, table, remark=""):
         """Make the panel for this cradle, with the experiments' questions and the table of the pendula.

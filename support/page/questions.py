@@ -21,10 +21,7 @@ class Questions:
     """
 
     def __init__(self, folder, cords):
-        """Begin with your CSV; you can choose an experiment in this folder in place of it.
-
-        cords is the number of cords of a pendulum.
-        """
+        """Begin with your CSV; the folder has the experiments, cords is the number of cords of a pendulum."""
         self.experiments, self.mistakes = read_experiments(folder, cords)
         self.experiment: Experiment | None = None  # None stands for your CSV
         self.is_changed = False  # whether the cradle is no longer that of the experiment
@@ -84,10 +81,7 @@ class Questions:
         self.drop()
 
     def answer(self, question, number) -> bool:
-        """Take this answer (its index, or None for no answer) to the question of this experiment (its key).
-
-        Return False, and do nothing, if this is not asked any more.
-        """
+        """Take this answer (its index, or None) to the question of this experiment (its key); False if it is over."""
         if not (number is None and self.is_asked(question, 0) or self.is_asked(question, number)):
             return False
         self.is_asking, self.said = False, number
@@ -177,10 +171,7 @@ def what_happened(experiment, measured, said) -> str:
 
 
 def sheet_text(experiment, measured, said) -> str:
-    """Return a page to fill in, and after the measurement a second one with its figures.
-
-    panel.js puts the picture into the first one.
-    """
+    """Return a page to fill in (panel.js puts the picture into it), and after the measurement one with its figures."""
     name = escape(experiment.name)
     answers = "".join(f"<li>{escape(answer.text)}</li>" for answer in experiment.answers)
     pages = [

@@ -14,10 +14,7 @@ ADDING = ("append_to_caption", "append_to_title")
 
 
 class Replay:
-    """The messages to the page, as one message that has the same result.
-
-    It keeps only the last value of each attribute. It grows with the number of objects, and not with the time.
-    """
+    """The messages to the page, as one with the same result: it keeps only the last value of each attribute."""
 
     def __init__(self):
         self.cmds: dict[tuple, dict] = {}

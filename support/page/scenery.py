@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from vpython import box, cross, cylinder, distant_light, dot, label, mag, norm, scene, textures, vector
 
-from support.shapes import discard, make_shape
+from support.pendulum import discard, make_shape
 
 STEEL = vector(0.75, 0.76, 0.78)
 BACKGROUND = vector(241, 242, 244) / 255  # the same as in panel.css, so that the canvas has no visible edge
@@ -55,9 +55,8 @@ class Scenery:
     def surround(self, axles, bobs, reach, masses) -> None:
         """Put a frame around the cradle with these axles and bobs, from left to right, and point the camera at it.
 
-        The axles carry their numbers, and the masses (kg) if these differ. reach (m) is the distance from an axle to
-        the centre of the lowest bob at rest. If the new cradle needs the same space as the old one, the camera does not
-        change, because you may have turned it; but it comes as near as before keep_in_view.
+        The axles carry their numbers, and the masses (kg) if these differ; reach (m) is that of a Space. If the new
+        cradle needs the same space, the camera stays as you turned it, but comes as near as before keep_in_view.
         """
         self.axles, self.masses = axles, masses if len({*masses}) > 1 else []
         first, last = axles[0], axles[-1]

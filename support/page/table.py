@@ -14,10 +14,7 @@ HINT = "Row 1 is pend_list[0]. A change of mass or e restarts the cradle. Your f
 
 
 class Table:
-    """A row for each pendulum: mass and e, to change; the angles (rad) and their rates (rad/s) as they are now.
-
-    While the table is folded away, nothing of it is sent.
-    """
+    """Mass, e, angles (rad) and rates (rad/s) of each pendulum, as they are now; nothing is sent while it is folded."""
 
     def __init__(self, keys):
         """Begin folded away; keys are those of the numbers that move."""

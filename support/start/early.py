@@ -20,9 +20,8 @@ def end_on_interrupt(status=0) -> None:
 def stop_on_signals() -> None:
     """Let Ctrl+C, Ctrl+\\, a closed terminal and kill raise one KeyboardInterrupt with the exit status.
 
-    The status is 0 for Ctrl+C, and the one of a shell for the others, 128 + the signal's number. Later signals do not
-    interrupt the clean-up. A signal that is already ignored, for instance because of nohup, stays ignored. Windows has
-    no signal for Ctrl+\\ and for a closed terminal, but one for Ctrl+Break, which is like Ctrl+C.
+    The status is 0 for Ctrl+C (and Ctrl+Break on Windows), else that of a shell, 128 + the signal's number. Later
+    signals do not interrupt the clean-up. A signal that is already ignored, as by nohup, stays ignored.
     """
     names = ("SIGINT", "SIGBREAK", "SIGQUIT", "SIGHUP", "SIGTERM")
     numbers = {getattr(signal, name): name for name in names if hasattr(signal, name)}

@@ -46,8 +46,7 @@ def own_frames(error) -> list[traceback.FrameSummary]:
 def tell_mistake(error) -> str:
     """Print the traceback of an error on stderr, and return the error in one line, with its place.
 
-    The traceback has only lines of the handout's files, the last one last. The functions of support/ and VPython that
-    they call are right, but got a wrong argument.
+    The traceback has only lines of the handout's files: what they call is right, but got a wrong argument.
     """
     report = traceback.TracebackException.from_exception(error)
     report.stack[:] = own_frames(error) or report.stack

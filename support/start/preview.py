@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.shapes import discard
+from support.pendulum import discard
 from support.start.output import refuse
 
 SWING = "full_swing_update"
@@ -59,10 +59,7 @@ def end_if_unwritten(*modules) -> None:
 
 
 def what_there_is(main) -> tuple:
-    """Return main and an empty remark or, while functions are missing, a simpler loop and a remark that names them.
-
-    If there is nothing to see yet, print one line and exit with status 2.
-    """
+    """Return main and no remark, or a simpler loop and a remark that names the missing functions; or exit."""
     end_if_unwritten("pds_helper", "special_cradles")
     swings, collides = missing_in("swinging"), missing_in("visualize_cradle_run")
     if swings:

@@ -76,10 +76,7 @@ class TextPicture:
 
 
 def screen(motion, picture, speed, remark="") -> list[str]:
-    """Return the lines of the screen, for the present size of the terminal.
-
-    speed is a remark about the speed, remark is a remark about the cradle.
-    """
+    """Return the lines of the screen for the size of the terminal; speed and remark are texts, maybe empty."""
     size = shutil.get_terminal_size()
     columns = min(WIDTH, size.columns or WIDTH)  # Python 3.10 returns 0 for a terminal that does not know its size
     rows = size.lines or ROWS

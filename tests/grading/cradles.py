@@ -4,8 +4,7 @@ from operator import itemgetter
 
 from vpython import color, scene, vector
 
-from support.pendulum import make_pendulum
-from support.shapes import discarded
+from support.pendulum import discarded, make_pendulum
 
 R = 0.4  # m; R_PARAM differs, so a check finds the constant in place of the parameter
 

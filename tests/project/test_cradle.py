@@ -13,7 +13,7 @@ from whole_cradles import check_places, distances, FIVE_CSV, hang_double, HEADER
 
 from grading.cradles import hang, MIXED_CSV, R, row
 from src import visualize_cradle_run
-from support import shapes
+from support import pendulum
 from support.constants import DOUBLE_DT, G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
@@ -91,7 +91,7 @@ def test_a_release_into_hanging_pendula_pushes_them_aside(swing, lifted, angles)
 @BOTH
 def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch, kind):
     """When the first file is back, each single pendulum has its first objects again."""
-    monkeypatch.setattr(shapes, "discarded", defaultdict(list))
+    monkeypatch.setattr(pendulum, "discarded", defaultdict(list))
     player = swing(kind=kind)
     player.cradle.hand.hold(4)
     first = values(player, "objects")

@@ -14,7 +14,7 @@ from vpython import color, sphere, textures
 from whole_cradles import advance, apart, energy, ExactCradle, make_row, outer_angles, SAMPLE, thetas_after
 
 from src.visualize_cradle_run import handle_two_bobs
-from support import shapes
+from support import pendulum
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
 
@@ -49,10 +49,10 @@ def test_the_period_of_one_pendulum_over_twenty_swings(amplitude):
 
 def test_a_discarded_shape_is_hidden_and_used_again(monkeypatch):
     """With its new looks, and none of the old ones; test_cradle.py has the reload of a cradle."""
-    monkeypatch.setattr(shapes, "discarded", defaultdict(list))
-    ball = shapes.make_shape(sphere, color=color.red, texture=textures.wood, shininess=1)
-    shapes.discard([ball])
-    assert shapes.make_shape(sphere, radius=3) is ball
+    monkeypatch.setattr(pendulum, "discarded", defaultdict(list))
+    ball = pendulum.make_shape(sphere, color=color.red, texture=textures.wood, shininess=1)
+    pendulum.discard([ball])
+    assert pendulum.make_shape(sphere, radius=3) is ball
     looks = (ball.visible, ball.radius, ball.color, ball.texture, ball.shininess)
     assert looks == (True, 3, color.white, None, sphere().shininess)
 

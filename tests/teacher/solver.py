@@ -29,7 +29,7 @@ from vpython import scene
 from grading import limits
 from grading.own_process import OwnProcess, working_in
 from grading.raised import raised_by, StoppedError
-from support.shapes import discarded
+from support.pendulum import discarded
 from teacher.crossing import Crossing, File, MOST_PRINTED
 
 SECONDS = 300  # of processor time
