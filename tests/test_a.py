@@ -117,10 +117,7 @@ class Page:
     METHODS, VALUES = ("show", "is_running"), ("csv", "rule")  # for main
 
     def __init__(self, *ticks, change=lambda pend_list: None, csv=str(CRADLE)):
-        """ticks has the number of ticks of each cradle: main is called once for each of them.
-
-        change(pend_list) is called when main shows a cradle.
-        """
+        """ticks has the number of ticks of each cradle; change(pend_list) is called when main shows one."""
         self.ticks, self.change, self.csv, self.rule = ticks, change, csv, {}
         self.answers = iter([answer for number in ticks for answer in (*[True] * number, False)])
         self.shown: list = []  # the cradles
@@ -191,25 +188,20 @@ def check_the_file_is_read_each_time():
     """Check the masses of two cradles; the file changes between them."""
     before, after = MIXED[:2], [{**row, "mass": row["mass"] + 1} for row in MIXED]
     old, new = ([row["mass"] for row in rows] for rows in (before, after))
-    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        file, masses = Path(folder) / "cradle.csv", []
+    file, masses = Path(FOLDER.name) / "changing.csv", []
 
-        def show(pend_list):
-            masses.append([pend["mass"] for pend in pend_list])
-            file.write_text(csv_of(after))
-            for pend in pend_list:
-                pend["mass"] += 100
+    def show(pend_list):
+        masses.append([pend["mass"] for pend in pend_list])
+        file.write_text(csv_of(after))
 
-        def is_new(found):  # a main that reads another file than page.csv finds no change in it
-            return same(found[1], new if same(found[0], old) else found[0]) and len(found) == 2
+    def is_new(found):  # a main that reads another file than page.csv finds no change in it
+        return same(found[1], new if same(found[0], old) else found[0]) and len(found) == 2
 
-        file.write_text(csv_of(before))
-        page = Page(0, 0, change=show, csv=str(file))
-        wanted = Wanted("for each cradle, those that the file has then", is_new)
-        what = "masses of the first cradle, and of the second one"
-        own = "main always reads NC_FP. With page.csv, experiments and the CSV of a command would work, too."
-        notes = [(lambda found: not same(found[0], old), own)]
-        expect("main", page, wanted=wanted, see=lambda _: masses, what=what, notes=notes, times=2)
+    file.write_text(csv_of(before))
+    own = "main always reads NC_FP. With page.csv, experiments and the CSV of a command would work, too."
+    wanted, notes = Wanted("for each cradle, those that the file has then", is_new), [(lambda _: masses[0] != old, own)]
+    see = {"see": lambda _: masses, "what": "masses of the first cradle, and of the second one"}
+    expect("main", Page(0, 0, change=show, csv=str(file)), wanted=wanted, notes=notes, times=2, **see)
 
 
 @check("main")

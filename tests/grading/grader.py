@@ -97,7 +97,7 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
     wanted  the right value: a Wanted, or a value for same
-    see     see(result) returns the value to compare, from the result or the arguments; without see, it is the result
+    see     returns the value to compare, from the result or the arguments; without see, it is the result
     what    the name of this value, in words
     hints   pairs of a wrong value, or a test of a value or an error, and a sentence; shown if no other hint fits
     notes   such pairs for a right result
