@@ -120,22 +120,25 @@ class Page:
         """ticks has the number of ticks of each cradle; change(pend_list) is called when main shows one."""
         self.ticks, self.change, self.csv, self.rule = ticks, change, csv, {}
         self.answers = iter([answer for number in ticks for answer in (*[True] * number, False)])
-        self.shown: list = []  # the cradles
+        self.is_shown, self.shown = False, []  # whether this cradle is, and all cradles
         self.parts: list = []  # the objects of their pendula
         self.states: list = []  # (omega, theta) of the first pendulum at each call of is_running
 
     def __repr__(self):
-        ticks = [f"{number} tick{'s' * (number != 1)}" for number in self.ticks]
-        return f"a page that wants {', then a new cradle and '.join(ticks)}"
+        return "a page that wants " + ", then a new cradle and ".join(f"{n} tick{'s' * (n != 1)}" for n in self.ticks)
 
     def show(self, pend_list):
+        if self.is_shown:
+            raise RuntimeError("page.show was called again. Show the cradle once, before the loop.")
+        self.is_shown = True
         self.shown.append(pend_list if isinstance(pend_list, list) else [])
         self.parts += [part for pend in self.shown[-1] for part in pend.get("objects", ())]
         self.change(self.shown[-1])
 
     def is_running(self):
         self.states += [(pend["omega"], pend["theta"]) for cradle in self.shown[-1:] for pend in cradle[:1]]
-        return next(self.answers, False)
+        self.is_shown = next(self.answers, False)
+        return self.is_shown
 
 
 def swings(ticks, r_param=R_PARAM, dt=DT, g=G):
@@ -226,10 +229,7 @@ def test_in_the_cradle_bobs_collide():
             show_pendulum(pend, R_PARAM)
             pend["objects"][1].radius = R_PARAM / 8  # all bobs touch
 
-    def is_passed_on(omegas):
-        return same(omegas, [0.0] * (len(omegas) - 1) + [10.0])
-
-    page = Page(1, change=push)
-    wanted = Wanted("10 for the last pendulum, 0 for all others", is_passed_on)
+    page, words = Page(1, change=push), "10 for the last pendulum, 0 for all others"
+    wanted = Wanted(words, lambda omegas: same(omegas, [0.0] * (len(omegas) - 1) + [10.0]))
     see = {"see": lambda _: [pend["omega"] for pend in page.shown[0]], "what": "omega of each pendulum"}
     expect("main", page, wanted=wanted, **see)

@@ -175,7 +175,6 @@ def test_the_maps_have_all_names_of_vpython_and_none_for_a_plain_bob():
 
 
 def test_an_edit_leaves_the_other_cells_and_the_file_as_they_are(save):
-    """test_table.py has the edits themselves."""
     text = 'note,mass , e\n"a, b",1.50,1\nshort\n'
     original = Snapshot(save(text))
     edited = with_numbers(original, {"mass": [1.5, 0.1 + 0.2], "e": [1]})

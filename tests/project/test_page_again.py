@@ -82,7 +82,6 @@ def picture_of(page):
 
 
 def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, page, program):
-    """And the cradle is still there for another browser."""
     folder = program.parents[1]
     with programs.running(program, folder=folder) as process:
         address = programs.first_lines(process)

@@ -71,7 +71,6 @@ def test_the_rooms_inside_support_hand_nothing_on():
 
 
 def test_only_a_start_as_a_program_changes_the_path():
-    """And the module that only programs of tests/ and the grader import."""
     files = [file for folder in ("src", "support", "tests") for file in (ROOT / folder).rglob("*.py")]
     changing = [file.relative_to(ROOT) for file in files if "\nsys.path" in file.read_text(encoding="utf-8")]
     assert [*map(str, changing)] == [str(Path("tests/grading/begin.py"))]

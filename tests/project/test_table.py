@@ -120,7 +120,6 @@ def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(opened, csv)
 
 
 def test_nothing_happens_to_a_row_that_is_no_longer_there(opened):
-    """You may click faster than the page shows the new table."""
     opened.save(HEADER + GOOD)
     command(opened, "edit", [3, "mass", "2"])
     assert (opened.values("mass"), mistakes(opened)) == ([1], {})

@@ -124,7 +124,6 @@ def on_a_terminal(command, steps):
 
 @on_posix
 def test_on_a_terminal_a_picture_moves_until_ctrl_c(csv):
-    """Ctrl+Z, which would leave the picture's screen to the shell, does nothing."""
     program = shlex.join([sys.executable, str(ROOT / "src" / "text_cradle_run.py"), str(csv), "--angle", "40"])
     keys = (lambda text: text.count(HOME) > 4, b"\x1a"), (lambda text: text.count(HOME) > 8, b"\x03")
     printed = on_a_terminal(f'{program}; echo "ended: $?"', [*keys])

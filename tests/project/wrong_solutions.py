@@ -716,6 +716,7 @@ UNHINTED = {
     "main": {
         "another G": ("DT, G)", "DT, 10)"),
         "the last one does not tick": ("newton_cradle_tick(pend_list,", "newton_cradle_tick(pend_list[:-1],"),
+        "shows it again and again": ("DT, G)", "DT, G)\n            page.show(pend_list)"),
         "the first cradle once more": ("pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "pend_list = vars(page).setdefault('first', make_newton_cradle(page.csv, R_PARAM, THETA_INIT))"),
         "the file as it was once": ("pend_list = make_newton_cradle(page.csv", "page.old = vars(page).get('old') or __import__('shutil').copy(page.csv, f'{page.csv}.old'); pend_list = make_newton_cradle(page.old"),
     },
