@@ -99,7 +99,7 @@ BROKEN = {  # a file and what is put into it, and the lines that pytest prints a
         *("visualize_cradle_run", MAIN, f"main(5)\n{MAIN}"),
         [
             *("src/visualize_cradle_run.py, line {}:", "    main(5)"),
-            "AttributeError: 'int' object has no attribute 'is_running'",
+            "AttributeError: 'int' object has no attribute 'csv'",
             "This line runs when Python reads the file. Remove it: the given lines at the end start main.",
         ],
     ),

@@ -109,7 +109,7 @@ def test_bobs_that_touch_or_not_by_a_rounding_error_end_in_the_same_bits(count):
             same_contacts(lambda: make(seed), ticks=ticks)  # noqa: B023  it is called at once
 
 
-@pytest.mark.parametrize(("theta", "omega"), product([0, 0.0, -0.0, 3], [0, -0.0, 2]))
+@pytest.mark.parametrize(("theta", "omega"), [*product([0, 0.0, -0.0, 3], [0, -0.0, 2])])
 def test_whole_numbers_and_zeros_of_both_signs_end_in_the_same_bits(theta, omega):
     for ticks, g in ((0, G), (1, 0), (100, -0.0), (3, 10)):
         same_contacts(lambda: [hang(theta, omega, 1, 1, (0, -0.0, -0.0)), hang(axle=(R / 4, 0, 0))], g=g, ticks=ticks)

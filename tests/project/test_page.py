@@ -325,7 +325,7 @@ def test_the_page_fits_the_window(at_rest, size):
         assert all(is_whole(at_rest, f"button:has-text('{name}')") for name in ("Run", "Step", "Restart"))
         unfold(at_rest, "For programmers")
         scroll = "e => { (e.closest('tr')?.cells[0] ?? e).scrollIntoView() }"  # down, not sideways
-        for name in ("tr:has(.now:not(:empty)) [title='Delete pendulum 5']", ".fold summary"):
+        for name in ("tr:has(.now:not(:empty)) [aria-label='e of pendulum 5']", ".fold summary"):
             wait_until(lambda name=name: at_rest.locator(name).evaluate(scroll) or is_whole(at_rest, name))
     else:
         assert at_rest.evaluate("(e => e.scrollHeight - e.clientHeight)(document.querySelector('.panel'))") == 0
