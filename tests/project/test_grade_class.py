@@ -25,7 +25,7 @@ from right_solutions import RIGHT
 from students import change, COUNTS, files_of, put_files, write
 from wrong_solutions import HINTED, PLAIN, UNHINTED
 
-from grading import grader, own_process, raised
+from grading import grader, limits, own_process, raised
 from grading.grader import checks, Grading, Outcome, PASSED
 from grading.handout import FUNCTIONS, SUITES
 from grading.messages import message
@@ -493,6 +493,7 @@ def judged(process, monkeypatch):
 def graded_here(tmp_path, monkeypatch):
     """A function that returns the outcomes of a solution of this function in this process."""
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    monkeypatch.setattr(limits, "PATIENCE", 60.0)  # also of the solver; a busy machine can stall for seconds
     monkeypatch.syspath_prepend(tmp_path)
     for module in (own_process, raised):
         monkeypatch.setattr(module, "ROOT", tmp_path)
