@@ -149,7 +149,7 @@ def one_double_pendulum(solution, given):
 
 
 def swing(pend_list, r_param):
-    """Move pendula on by DT, at all angles as at small ones: theta'' = -w^2 theta. It needs no function of the runner.
+    """Move pendula on by DT, at all angles as at small ones: theta'' = -w^2 theta. It needs no function of the student.
 
     theta becomes theta cos(w DT) + omega / w sin(w DT), and omega its derivative.
     """

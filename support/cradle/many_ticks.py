@@ -40,15 +40,13 @@ def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool,
     Return None, and change nothing, if the same result is not certain; the caller must then do single ticks. This
     includes overflows and divisions by 0: single ticks then raise the error in the function that causes it.
     """
-    if not (is_certain(scope) and rule.keys() <= {"approaching_only"}):
-        return None
-    constants = Constants(scope["R_PARAM"], scope["DT"], scope["G"])
     try:
-        if not are_plain(pend_list, constants):
+        constants = Constants(scope["R_PARAM"], scope["DT"], scope["G"])
+        if not (is_certain(scope) and rule.keys() <= {"approaching_only"} and are_plain(pend_list, constants)):
             return None
         run = Run(pend_list, constants, rule.get("approaching_only", False), scope["handle_collision"])
         run.advance(ticks)
-    except (ArithmeticError, LookupError, TypeError, ValueError):
+    except (ArithmeticError, LookupError, OSError, TypeError, ValueError):
         return None
     if ticks:
         run.show()
@@ -105,6 +103,7 @@ def are_plain(pend_list, constants) -> bool:
         and all(map(isfinite, [*numbers, *(bob.radius for _, bob, _ in parts)]))
         and all(abs(place) <= FARTHEST * abs(constants.r_param) for axle, *_ in parts for place in axle.pos.value)
         and all(cord.up.value == [0, 0, 1] for *_, cord in parts)  # VPython turns any other up in each tick
+        and len({id(shape) for _, *moved in parts for shape in moved}) == 2 * len(parts)  # or one moves twice
     )
 
 

@@ -18,6 +18,7 @@ from support.files.cradle_csv import clean_copy
 from support.start.mistake import MistakeError
 
 ENDLESS = 1.0  # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends
+MOST_REFUSED = 1000  # questions after is_running was False: a loop in a loop asks again, but not so often
 FEW = 10  # ticks in a part for slow hits, or while a bob is held: it then falls by less than 0.01 degrees
 
 
@@ -100,6 +101,11 @@ class Player:
             if self.is_in_part:
                 self.end_part()
             elif self.is_over or self.is_wanted:
+                self.refused += 1
+                if self.refused > MOST_REFUSED:
+                    raise MistakeError(
+                        self.loop, "went on after page.is_running() was False. It must leave its loop then."
+                    )
                 self.cradle.hits.count_ticks(self.loop)
                 return False
             elif self.planned and self.pace.clock() < self.deadline:
@@ -181,7 +187,7 @@ class Player:
         self.cradle.give_back()
         self.path = self.copy.enter_context(clean_copy(self.snapshot))
         self.is_wanted = self.is_shown = False
-        self.cradle.hits.unasked = 0
+        self.cradle.hits.unasked = self.refused = 0
         self.cradle.hits.count_ticks(self.loop)
 
 

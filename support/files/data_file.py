@@ -1,6 +1,5 @@
 """Write a file whole or not at all, and the motion of a cradle to a CSV, with a row for each sample."""
 
-import csv
 import errno
 import os
 import shutil
@@ -54,8 +53,3 @@ def check_record(filepath) -> None:
     if columns and not (columns.startswith(b"t,theta_1,") and columns.endswith(b",momentum")):
         allowed = "a new file, or one with data of a cradle, to replace it"
         raise ValueError(f"--record: found '{filepath}', which has no data of a cradle; allowed is {allowed}")
-
-
-def data_writer(file):
-    """Return a writer to this file for the rows of a CSV: first the names of the columns, then the data."""
-    return csv.writer(file, lineterminator="\n")

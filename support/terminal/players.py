@@ -2,11 +2,12 @@
 
 import os
 import sys
+from csv import writer
 from math import degrees, inf, pi, remainder
 
 from support.cradle.motion import in_words
 from support.cradle.player import Player, run
-from support.files.data_file import data_writer, whole_file
+from support.files.data_file import whole_file
 from support.start.output import in_one_line
 from support.terminal.screen import own_screen, progress_bar, screen, TextPicture, TRAINS, WIDTH
 
@@ -107,7 +108,7 @@ class Recorder(Player):
     """Writes a row of data for every options.every seconds of simulated time, as fast as the machine can."""
 
     def __init__(self, cradle, csv, options, writer, progress):
-        """Write with writer, a data_writer; call progress(part) again and again with the finished part, 0 to 1.
+        """Write with writer, a csv.writer; call progress(part) again and again with the finished part, 0 to 1.
 
         options has angle, lift, seconds and every, from read_text_options.
         """
@@ -136,7 +137,7 @@ class Recorder(Player):
 def record(loop, cradle, csv, options, remark="") -> None:
     """Write the data of options.seconds to the file options.record, whole or not at all."""
     with whole_file(options.record) as file, progress_bar() as progress:
-        recorder = Recorder(cradle, csv, options, data_writer(file), progress)
+        recorder = Recorder(cradle, csv, options, writer(file, lineterminator="\n"), progress)
         run(loop, recorder)
     print(remark, end="\n" if remark else "")
     line = f"{recorder.count} rows, from t = 0 to {recorder.motion.time():g} s, are in {options.record}"

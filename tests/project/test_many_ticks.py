@@ -174,6 +174,7 @@ def test_the_fast_path_steps_back_after_a_patch(name, monkeypatch):
 
 STRANGE = {  # changes of a row of three pendula, p
     "a true mass": lambda p: p[1].update(mass=True),
+    "a shared bob": lambda p: p[1].update(objects=(p[1]["objects"][0], *p[0]["objects"][1:])),
     "no e": lambda p: p[2].pop("e"),
     "an endless theta": lambda p: p[2].update(theta=inf),
     "one object more": lambda p: p[0].update(objects=(*p[0]["objects"], hang()["objects"][1])),

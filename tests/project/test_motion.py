@@ -224,11 +224,10 @@ UNASKED = "called newton_cradle_tick 100000 times, and page.is_running() was not
 MISTAKES = {  # the lines of main, and what is said about it
     "shows nothing": ([CRADLE, LOOP, f"  {TICK}"], "asked page.is_running() before page.show(pend_list)."),
     "shows nothing, and ends": ([CRADLE], "showed no cradle: page.show(pend_list) is missing."),
-    "has no loop": ([CRADLE, SHOW], ENDED),
     "leaves its loop at once": ([CRADLE, SHOW, LOOP, f"  {TICK}", "  break"], ENDED),
     "ticks without asking": ([CRADLE, SHOW, "while True:", f"  {TICK}"], UNASKED),
     "never asks again": ([CRADLE, SHOW, LOOP, "  while True:", f"    {TICK}"], UNASKED),
-    "does not hear the answer": ([CRADLE, SHOW, "while True:", "  page.is_running()", f"  {TICK}"], UNASKED),
+    "does not hear the answer": ([CRADLE, SHOW, "while True:", "  page.is_running()", f"  {TICK}"], "went on after"),
     "makes it again and again": ([CRADLE, SHOW, LOOP, f"  {CRADLE}"], "used page.csv after page.show. Make the cradle"),
     "shows it again and again": ([CRADLE, SHOW, LOOP, f"  {SHOW}"], "called page.show again. Show the cradle once,"),
 }
