@@ -123,7 +123,7 @@ class PageServer(http.server.ThreadingHTTPServer):
     """The server of VPython's page, with a thread for each connection: browsers open some long before they use them."""
 
     def __init__(self, sockets, access, head, handler) -> None:
-        """Serve at sockets, made by page_sockets, whoever has the key of access; head is HTML before VPython's own."""
+        """Serve the page at sockets, made by page_sockets; access checks the key, head is HTML before VPython's own."""
         page_socket, websocket = sockets
         vpython = sys.modules[handler.__module__]  # has the page's text, with a websocket port that VPython chose
         page = vpython.glowcomm_with_socket_port(port_of(websocket))  # type: ignore[attr-defined]
