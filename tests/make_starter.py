@@ -15,7 +15,7 @@ from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 
 FILES = [
-    *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml", "tests/watch.py"),
+    *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"),
     *(f"tests/{suite}.py" for suite in SUITES.values()),
 ]
 FOLDERS = ["src", "support", "tests/grading"]

@@ -1,5 +1,8 @@
 """A checks: the tick, and the program that makes a cradle and lets it run."""
 
+if __name__ == "__main__":
+    raise SystemExit("These are checks. Type pytest to run them.")
+
 from math import pi
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -19,7 +22,7 @@ def check_tick(pend_list, wanted, *, dt=SHORT, g=9.81):
     expect("newton_cradle_tick", pend_list, R, dt, g, wanted=wanted, **each(pend_list, "omega"))
 
 
-@check("newton_cradle_tick", watched=True)
+@check("newton_cradle_tick")
 def test_a_tick_swings_all_pendula():
     """Update the swings of all the pendula."""
     pend_list = [hang(theta=pi / 6, omega=2.0, axle=(i * 1.0, 0, 0), r_param=0.5) for i in range(3)]
@@ -27,7 +30,7 @@ def test_a_tick_swings_all_pendula():
     expect("newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, wanted=[(1.0, pi / 6 + 0.1)] * 3, **states)
 
 
-@check("newton_cradle_tick", watched=True)
+@check("newton_cradle_tick")
 def test_each_pendulum_is_handled_with_the_one_after_it():
     """For each pendulum (except the last) handle the pairwise interaction of that pendulum and the one after it."""
     check_tick(touching(1.0, 2.0, 3.0), [2.0, 3.0, 1.0])
@@ -39,13 +42,13 @@ def test_each_pendulum_is_handled_with_the_one_after_it():
     check_tick(touching(-1.0, -2.0, -3.0), [-2.0, -3.0, -1.0])
 
 
-@check("newton_cradle_tick", watched=True)
+@check("newton_cradle_tick")
 def test_only_neighbours_are_pairs():
     """In a pairwise manner, we only consider the collision of two pendula."""
     check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0])
 
 
-@check("newton_cradle_tick", watched=True)
+@check("newton_cradle_tick")
 def test_a_cradle_may_have_any_number_of_pendula():
     """Feel free to play around with the values and the number of pendulums."""
     check_tick([hang(theta=pi / 6, omega=2.0)], [0.75], dt=0.1, g=10.0)
@@ -54,7 +57,7 @@ def test_a_cradle_may_have_any_number_of_pendula():
     check_tick(touching(4e-8, *[0.0] * 39), [*[0.0] * 39, 4e-8])
 
 
-@check("newton_cradle_tick", watched=True)
+@check("newton_cradle_tick")
 def test_the_pairs_use_masses_and_restitution():
     """(Hint: Use another function you already wrote!)"""
     pend_list = touching(4.0, 0.0, 0.0)
@@ -70,7 +73,7 @@ def test_the_pairs_use_masses_and_restitution():
     check_tick(pend_list, [6.0, 1.25, 2.25])
 
 
-@check("newton_cradle_tick", watched=True)
+@check("newton_cradle_tick")
 def test_bobs_that_do_not_touch_are_left_alone():
     """The Newton's cradle is defined by the collisions between its pendula."""
     pend_list = row(3)
@@ -78,7 +81,7 @@ def test_bobs_that_do_not_touch_are_left_alone():
     check_tick(pend_list, [-1.0, 0.0, 0.0])
 
 
-@check("newton_cradle_tick", watched=True)
+@check("newton_cradle_tick")
 def test_swings_come_before_collisions():
     """Performs a single timestep or tick of the Newton's cradle."""
     check_tick(touching(2.0, 0.0), [0.0, 2.0])
@@ -88,7 +91,7 @@ def test_swings_come_before_collisions():
     check_tick(pend_list, [-1.0, 0.0], dt=0.1, g=0.0)
 
 
-@check("newton_cradle_tick", watched=True)
+@check("newton_cradle_tick")
 def test_a_cradle_passes_the_swing_on():
     """A "chain reaction" when each pendulum knocks into the pendulum next to it."""
     cord, lift = 0.2, pi / 4

@@ -1,5 +1,8 @@
 """D checks: a CSV becomes a pend_list, and its pendula get VPython objects."""
 
+if __name__ == "__main__":
+    raise SystemExit("These are checks. Type pytest to run them.")
+
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import cycle, islice
@@ -214,7 +217,7 @@ def axles(left, apart, height, count=3):
     return [vector(left + apart * i, height, 0) for i in range(count)]
 
 
-@check("make_newton_cradle", watched=True)
+@check("make_newton_cradle")
 def test_axle_positions():
     """The axle position of the ith pendulum can be defined as axle_pos = vector((-0.1+r_param/4 * i), r_param/5, 0)."""
 
@@ -227,7 +230,7 @@ def test_axle_positions():
     expect_cradle(place, "position of each axle", axles(-0.1, 0.1, 0.08, 7), file="seven.csv")  # R is 0.4 m
 
 
-@check("make_newton_cradle", watched=True)
+@check("make_newton_cradle")
 def test_bobs_hang_from_their_axles():
     """Use one relevant helper function to create the tuple of objects."""
 

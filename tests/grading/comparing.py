@@ -1,43 +1,38 @@
 """Comparing a student's result with the expected one: whether they are equal, and what is wrong."""
 
 import re
-from functools import cache
-from itertools import permutations
 from math import isclose
 from numbers import Real
-from pathlib import Path
 
 from vpython import vector
 
 from grading.messages import about, form_of, shown, Wanted
 
-MOST_CODE = 8_000  # characters of a student's code in which hints are looked for
 LONG = 130  # characters; of a longer list, a message shows only the first difference
 
 # Errors of a check that reads a value of the wrong form.
 OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
 
 
-def fits(found, wanted, *change) -> bool:
-    """Return whether found is right; wanted is a value (change: see same), a Wanted, or a test of a value."""
+def fits(found, wanted) -> bool:
+    """Return whether found is right; wanted is a value, a Wanted, or a test of a value."""
     test = wanted.is_one if isinstance(wanted, Wanted) else wanted if callable(wanted) else None
     try:
-        return bool(test(found)) if test else same(found, wanted, *change)
+        return bool(test(found)) if test else same(found, wanted)
     except OTHER_FORM:
         return False
 
 
-def same(found, wanted, change=lambda value: value) -> bool:
-    """Return whether two values are equal, numbers within rounding errors; 0 equals 0.0. change alters found."""
-    found = change(found)
+def same(found, wanted) -> bool:
+    """Return whether two values are equal, numbers within rounding errors; 0 equals 0.0."""
     if isinstance(wanted, vector):
         return isinstance(found, vector) and same(found.value, wanted.value)
     if isinstance(wanted, dict):
         has_keys = isinstance(found, dict) and found.keys() == wanted.keys()
-        return has_keys and all(same(found[key], wanted[key], change) for key in wanted)
+        return has_keys and all(same(found[key], wanted[key]) for key in wanted)
     if isinstance(wanted, (list, tuple)):
         is_row = isinstance(found, list if isinstance(wanted, list) else tuple) and len(found) == len(wanted)
-        return is_row and all(same(*pair, change) for pair in zip(found, wanted, strict=True))
+        return is_row and all(same(*pair) for pair in zip(found, wanted, strict=True))
     if isinstance(wanted, str):
         return isinstance(found, str) and found == wanted
     if isinstance(wanted, Real):
@@ -45,65 +40,10 @@ def same(found, wanted, change=lambda value: value) -> bool:
     return type(found) is type(wanted) and bool(found == wanted)
 
 
-def hint_for(found, wanted, hints) -> str:
-    """Return the hint for this result, or "". If two mistakes give this result, nobody knows which one it was."""
-    sentences = {sentence for mistaken, sentence in hints if fits(found, mistaken)}
-    if not sentences:
-        are_parts = isinstance(wanted, tuple) and len(wanted) > 1 and isinstance(found, (list, tuple))
-        general = {
-            "You returned a list. Return a tuple.": are_parts and same(tuple(found), wanted),
-            "The values are right, but in the wrong order.": are_parts and is_mixed_up(found, wanted),
-            "A number here is text. Numbers have no quotes, and need no str().": fits(found, wanted, number_in),
-            "A comma at the end of a line makes a tuple of one value. Remove it.": fits(found, wanted, single_in),
-        }
-        sentences = {sentence for sentence, is_so in general.items() if is_so}
+def words_of(found, rows) -> str:
+    """Return the words of the rows that fit a result, or "". If two of them do, nobody knows which one it was."""
+    sentences = {sentence for mistaken, sentence in rows if fits(found, mistaken)}
     return sentences.pop() if len(sentences) == 1 else ""
-
-
-def is_mixed_up(found, wanted) -> bool:
-    """Return whether found has the values of wanted, up to four numbers, in another order."""
-    has_all = len(found) < 5 and any(same(order, wanted) for order in permutations(found))
-    return has_all and not same(tuple(found), wanted)
-
-
-@cache
-def rows_of(file, name) -> list[tuple[str, str]]:
-    """Return the rows of a table (a file of this folder) below the headings with this name, as pairs of lines."""
-    text = Path(__file__).with_name(file).read_text(encoding="utf-8")
-    parts = re.split(r"^\[([a-z_ ]+)\]\n", text, flags=re.MULTILINE)
-    below = [text for names, text in zip(parts[1::2], parts[2::2], strict=True) if name in names.split()]
-    return re.findall(r"^(\S.*)\n    (.*)", "".join(below), re.MULTILINE)
-
-
-def cases_of(name, names) -> list[tuple]:
-    """Return cases: pairs of the arguments of a call and of its result, in which these names occur."""
-    return [(eval(given, names), eval(result, names)) for given, result in rows_of("cases.txt", name)]
-
-
-def hints_of(name, names) -> list[tuple]:
-    """Return the hints of a check: pairs of the result of a mistake or a test of it, with these names, and the hint."""
-    names = {"same": same, **names}
-    return [(eval(mistaken, names), sentence) for mistaken, sentence in rows_of("hints.txt", name)]
-
-
-def known_hint(kind, text) -> str:
-    """Return the hint of hints.txt for a text of this kind (errors, code or wrong), or ""."""
-    text = text[:MOST_CODE].replace('"', "'")
-    for pattern, hint in rows_of("hints.txt", kind):
-        if found := re.search(pattern, text, re.DOTALL | re.MULTILINE):
-            return found.expand(hint)
-    return ""
-
-
-def number_in(value):
-    """Return the number in a text, or the value."""
-    is_number = isinstance(value, str) and re.fullmatch(r"-?\d+(\.\d*)?", value)
-    return float(value) if is_number else value
-
-
-def single_in(value):
-    """Return the only value in a tuple, or the value."""
-    return value[0] if type(value) is tuple and len(value) == 1 else value
 
 
 def both(what, found, wanted) -> list[tuple[str, list[str]]]:

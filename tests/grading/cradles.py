@@ -54,11 +54,7 @@ def shapes() -> set[int]:
 
 
 # Options of expect for the number of left_over.
-LEFT_OVER = {
-    "wanted": 0,
-    "what": "number of shapes that are left over in the scene",
-    "hints": [(lambda count: count, "Axles, bobs or cords stay in the scene without use. Make each pendulum once.")],
-}
+LEFT_OVER = {"wanted": 0, "what": "number of shapes that no pendulum has"}
 
 
 def left_over(old, parts) -> int:

@@ -5,9 +5,9 @@ from collections import Counter
 from itertools import takewhile
 from textwrap import wrap
 
-from grading.comparing import rows_of
 from grading.grader import checks, FAILED, FAULT, NUMBERS, PASSED, WAITING
 from grading.handout import FUNCTIONS, SUITES
+from grading.hints import PYTHON, STEPS
 from support.start.output import in_one_line
 
 PRINTED = 10  # lines that are shown of what a solution has printed
@@ -51,11 +51,10 @@ def next_step(outcomes) -> tuple[str, str]:
         if outcome.state == FAILED:
             step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
             dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
-            steps, python = dict(rows_of("hints.txt", "steps")), rows_of("hints.txt", "python")
-            hint = outcome.hint or (steps.get(check.name, "") if re.search(NUMBERS, outcome.wrong) else "")
+            hint = outcome.hint or (STEPS.get(check.name, "") if re.search(NUMBERS, outcome.wrong) else "")
             lines = [f"{outcome.wrong}{dot} {hint}".strip(), *[outcome.values] * bool(outcome.values)]
-            lines += [steps[check.function], BOOKS]
-            lines += [f"  {code}" for code, names in python if check.function in names.split()]
+            lines += [STEPS[check.function], BOOKS]
+            lines += [f"  {code}" for code, names in PYTHON.items() if check.function in names.split()]
             return step, "\n".join(lines)
         if outcome.is_unwritten:
             return f"{check.function} in {outcome.place}", f"read in the handout: {function.read}"

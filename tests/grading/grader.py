@@ -10,18 +10,30 @@ import importlib
 import re
 import traceback
 from collections.abc import Callable
-from contextlib import redirect_stdout
 from errno import ENOSPC
-from io import StringIO
+from textwrap import wrap
 from typing import Any, NamedTuple
 
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.comparing import both, fits, hint_for, hints_of, known_hint, mistake_in, MOST_CODE, OTHER_FORM
+from grading.comparing import both, fits, mistake_in, OTHER_FORM, words_of
+from grading.evidence import words_for
 from grading.handout import FUNCTIONS, needed, SUITES
-from grading.idle import idle_in
-from grading.messages import about, Call, damage, end_of, error_lines, message, MOST_CHARACTERS, plain, PlainFile, shown
+from grading.hints import RESULTS
+from grading.messages import (
+    about,
+    Call,
+    COLUMNS,
+    damage,
+    end_of,
+    error_lines,
+    message,
+    MOST_CHARACTERS,
+    plain,
+    PlainFile,
+    shown,
+)
 from grading.own_process import OwnProcess
 from grading.raised import StoppedError
 from support.start.output import in_one_line
@@ -35,15 +47,14 @@ class Check(NamedTuple):
     tier: str
     function: str  # the name of the function that is checked
     ask: Callable  # calls the function; raises WrongError or WaitError
-    watched: bool  # whether watch.py can play it
     others_wait: bool  # for it, if their functions use this one
 
 
 CHECKS: dict[str, Check] = {}  # by name, in the order of the suites
 
 
-def check(function, watched=False, others_wait=True) -> Callable:
-    """Return a decorator that makes a check of this function of the handout. watched: watch.py can play it.
+def check(function, others_wait=True) -> Callable:
+    """Return a decorator that makes a check of this function of the handout.
 
     others_wait: if it fails, the functions that use this one wait.
     """
@@ -51,7 +62,7 @@ def check(function, watched=False, others_wait=True) -> Callable:
     def add(ask):
         ask.is_check = True
         own = ask.__name__, ask.__doc__, FUNCTIONS[function].tier
-        CHECKS[ask.__name__] = Check(*own, function, ask, watched, others_wait)
+        CHECKS[ask.__name__] = Check(*own, function, ask, others_wait)
         return ask
 
     return add
@@ -70,10 +81,12 @@ def checks(*, tier=None, function=None) -> list[Check]:
 class WrongError(Exception):
     """A result that the handout does not ask for. Its text is a sentence that says what is wrong."""
 
-    def __init__(self, wrong, call, lines, hint="", raised=None):
-        """lines are the (label, text) pairs below the call in the message. raised is what stopped the call, if so."""
+    def __init__(self, wrong, call, lines, result="", raised=None):
+        """lines are the (label, text) pairs below the call in the message. result has the words for the exact result,
+        and raised is what stopped the call, if so.
+        """
         super().__init__(wrong)
-        self.call, self.lines, self.hint, self.raised = call, lines, hint, raised
+        self.call, self.lines, self.result, self.raised = call, lines, result, raised
 
 
 class WaitError(Exception):
@@ -87,36 +100,29 @@ class WaitError(Exception):
 
 runner: Any = OwnProcess()  # has the student's functions; for a class, a Solver of tests/teacher/ takes its place
 
-CALLS: list[Call] = []  # of the current check
-ALONE: list[int] = []  # the number of the only call that expect makes, if there is one: is_right_alone
-KNOWN: list[tuple] = []  # the hints of hints.txt for the current check
+KNOWN: list[tuple] = []  # the rows of hints.RESULTS for the current check
 NOTES: list[str] = []  # sentences for a student whose solution is right
 
 
-def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), times=1) -> Any:
+def expect(function, *arguments, wanted, see=None, what="", notes=(), times=1) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
     wanted  the right value: a Wanted, or a value for same
     see     returns the value to compare, from the result or the arguments; without see, it is the result
     what    the name of this value, in words
-    hints   pairs of a wrong value, or a test of a value or an error, and a sentence; shown if no other hint fits
-    notes   such pairs for a right result
+    notes   pairs of a test of a right result, and a sentence
     times   the number of calls; a result gives the first arguments of the next one
     """
-    call, hints = Call(function, tuple(map(plain, arguments)), times), [*hints, *KNOWN]
-    CALLS.append(call)
-    if ALONE and len(CALLS) not in ALONE:
-        return None
+    call = Call(function, tuple(map(plain, arguments)), times)
     expected, returns = ("expected", about(what, wanted)), FUNCTIONS[function].returns
-    result = run(call, arguments, expected, hints)
+    result = run(call, arguments, expected)
     has_changed = any(isinstance(one, PlainFile) and plain(one.path) != one for one in call.arguments)
     if has_changed or runner.has_written and function != "main":  # the handout lets main write into NC_FP
         lines = [("came back", "A file has changed."), ("expected", "All files stay as they are. Only read them.")]
         raise WrongError(f"{function} writes into a file.", call, lines)
     for words in damage(call.arguments, FUNCTIONS[function].parameters, arguments):
         lines = [("came back", words), ("expected", "The same dictionary, with its keys and its objects.")]
-        hint = "Change the pendulum itself. A function such as swing_update returns nothing: do not store its result."
-        raise WrongError(f"{function} has lost a pendulum.", call, lines, hint)
+        raise WrongError(f"{function} has lost a pendulum.", call, lines)
     if result is None and returns:
         raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected])
     try:
@@ -129,24 +135,23 @@ def expect(function, *arguments, wanted, see=None, what="", hints=(), notes=(), 
             sentence = f"A pendulum has no key {error}."
         for i, one in enumerate(result if isinstance(result, list) else ()):
             sentence = sentence if isinstance(one, dict) else mistake_in(f"pend_list[{i}]", one, {})
-        raise WrongError(sentence, call, lines, hint_for(result, wanted, hints)) from None
+        raise WrongError(sentence, call, lines, words_of(result, KNOWN)) from None
     if not fits(found, wanted):
-        lines, hint = both(what, found, wanted), hint_for(found, wanted, hints)
         sentence = mistake_in(what or returns, found, wanted)
-        raise WrongError(sentence, call, lines, hint)
+        raise WrongError(sentence, call, both(what, found, wanted), words_of(found, KNOWN))
     NOTES.extend(sentence for test, sentence in notes if fits(found, test))
     return result
 
 
 def result_of(function, *arguments) -> Any:
     """Return the result of a student's function that is correct: the check waits for it, also if it is none."""
-    result = run(Call(function, arguments), arguments, ("expected", "a result"), ())
+    result = run(Call(function, arguments), arguments, ("expected", "a result"))
     if not (isinstance(result, tuple) and len(result) == len(FUNCTIONS[function].returns.split(", "))):
         raise WaitError(function)
     return result
 
 
-def run(call, arguments, expected, hints) -> Any:
+def run(call, arguments, expected) -> Any:
     """Return the result of a student's function. Raise WrongError if it is missing, raises an error or goes over a
     limit, and WaitError if it or a function that it calls is not written yet, or if its file is wrong.
     """
@@ -164,40 +169,14 @@ def run(call, arguments, expected, hints) -> Any:
     if raised.stub and not raised.hint:
         place = place_of(raised, call.function)[0] or file
         raise WaitError(f"you to write {raised.stub} in {place}", place)
-    hint = hint_for(raised, None, hints) or hint_at(raised)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
-    raise WrongError(sentence, call, [end_of(raised), expected], hint, raised)
-
-
-def hint_at(raised) -> str:
-    """Return the hint for what stopped a student's code."""
-    if raised.ends:
-        ends = "This line ends the whole program. Remove it; return ends a function."
-        return "Does a loop in it ever end?" if raised.limit else ends
-    lines = [error_lines(raised)[0], *(f"in {place.function}: {place.code}" for place in raised.places)]
-    return "" if raised.limit else raised.hint or known_hint("errors", "\n".join(lines))
+    raise WrongError(sentence, call, [end_of(raised), expected], raised=raised)
 
 
 def place_of(raised, function) -> tuple[str, str]:
     """Return the place of an error in a student's files, in this function if it has passed it, and the values there."""
     own = [place for place in raised.places if place.function == function] or raised.places
     return (f"{own[-1].file}, line {own[-1].line}", own[-1].values) if own else ("", "")
-
-
-def is_right_alone(check, number) -> bool:
-    """Return whether the call with this number in a check is right if nothing was called before it."""
-    CALLS.clear()
-    ALONE.append(number)
-    try:
-        with runner.check(is_again=True), redirect_stdout(StringIO()):
-            check.ask()
-    except BaseException:
-        if limits.PRESSED.is_set():
-            raise
-        return False
-    finally:
-        ALONE.clear()
-    return True
 
 
 # --- judging ---------------------------------------------------------------------------------------------------------
@@ -208,28 +187,28 @@ PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
 class Outcome(NamedTuple):
     state: str
     message: str = ""
-    call: Call | None = None  # the call that failed, else the first one; None if watch.py cannot play it
     place: str = ""  # a file and a line of the student's: where the function is not written yet, or is wrong
-    hint: str = ""  # it is in the message, too; of a check that passes, a note
+    hint: str = ""  # of a check that passes, a note
     cause: str = ""  # the functions or the file that a check waits for, or the file that makes it fail
     wrong: str = ""  # in a sentence
-    values: str = ""  # of the names in the line that stopped, or at the function's end, in words
+    values: str = ""  # of the names in the line that stopped, in words
 
     @property
     def is_unwritten(self) -> bool:
         return self.state == WAITING and bool(self.place)
 
 
-NUMBERS = r" (is|are) (-?[\d.]\S*|vector\(.*\)), not | wrong\.$"  # in a sentence: watch.py can play what is wrong
-MATTERS = "This call is right when it is made alone. What does your code keep from the calls before it?"
+NUMBERS = r" (is|are) (-?[\d.]\S*|vector\(.*\)), not | wrong\.$"  # in a sentence about numbers
 
 
 class Grading:
     """The outcomes of the checks. Each check is made once."""
 
-    def __init__(self, asks_again=True):
-        """asks_again: make a call that fails once more, alone, to find out whether the calls before it matter."""
-        self.asks_again = asks_again
+    def __init__(self, search=None):
+        """search(check, line) looks for a change with which the checks pass, for the first function that fails: see
+        search.one_change.
+        """
+        self.search = search
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
         self.hung: set[str] = set()  # functions that went over a limit: they are not called again
         self.broken: dict[str, str] = {}  # files that cannot be imported, and the file that is the cause
@@ -248,19 +227,14 @@ class Grading:
         waits = [name for name in needed(check.function) if self.is_wrong(name)]
         if waits:
             # Find out whether the function is written; skip this if a function hangs.
+            search, self.search = self.search, None  # what this call says is not shown
             outcome = None if self.hung else self.make(checks(function=check.function)[0])
+            self.search = search
             is_own = outcome and (outcome.is_unwritten or outcome.cause in self.broken.values())
             return outcome if is_own else waiting(", ".join(waits))
         if check.function in self.hung:
             return waiting(check.function)
-        outcome = self.make(check)
-        if outcome.state == FAILED and not outcome.cause and not self.hung:
-            earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
-            names = runner.codes[check.function].names
-            wrong = [name for name in names if name in earlier and self.is_wrong(name)]
-            if wrong:  # the function uses others than those that the handout asks for
-                return waiting(", ".join(wrong))
-        return outcome
+        return self.make(check)
 
     def is_wrong(self, function) -> bool:
         """Return whether the function is not written, or one of its own checks fails for which others wait."""
@@ -269,9 +243,8 @@ class Grading:
 
     def make(self, check) -> Outcome:
         """Make a check, and return its outcome."""
-        CALLS.clear()
         NOTES.clear()
-        KNOWN[:] = hints_of(check.name, check.ask.__globals__)
+        KNOWN[:] = RESULTS.get(check.name, {}).values()
         if FUNCTIONS[check.function].file in self.broken:
             return waiting(self.broken[FUNCTIONS[check.function].file])
         try:
@@ -286,37 +259,33 @@ class Grading:
                 raise
             lines = ["This is a fault of the grader, not of your code. Please show it to your teacher."]
             return Outcome(FAULT, "\n".join([*lines, traceback.format_exc(limit=-3).rstrip()]))
-        return Outcome(PASSED, call=CALLS[0] if check.watched else None, hint=" ".join(NOTES))
+        return Outcome(PASSED, hint=" ".join(NOTES))
 
     def failed(self, check, error) -> Outcome:
-        """Return the outcome of a check that raised this WrongError."""
-        raised, file = error.raised, FUNCTIONS[check.function].file
-        code, own = runner.codes[check.function], FUNCTIONS[check.function].parameters
-        place, values = place_of(raised, check.function) if raised else ("", code.values)
-        place = place or (f"{file}, line {code.line}" if code.line else file)
-        wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
-        source = code.source[:MOST_CODE]
-        source = f"{idle_in(source, code.line)}{source}"
-        error.hint = known_hint("code", source) or error.hint or known_hint("wrong", f"{wrong}\n{source}")
-        if code.line and not code.parameters.startswith(own):
-            error.hint = f"The line def has changed. It must be: def {check.function}({own}):"
+        """Return the outcome of a check that raised this WrongError. The first one of a function has a hint."""
+        raised, file, code = error.raised, FUNCTIONS[check.function].file, runner.codes[check.function]
+        place, values = place_of(raised, check.function) if raised else ("", "")
         if raised and raised.limit:
             self.hung.add(check.function)
-        elif error.call.arguments is not None and self.asks_again and is_right_alone(check, len(CALLS)):
-            error.hint = MATTERS
-        before = [each for each in checks(function=check.function) if each.name in self.outcomes]
-        hints = [self.outcomes[each.name].hint for each in before if self.outcomes[each.name].state == FAILED]
-        if hints and error.hint != hints[0]:
-            error.hint = ""  # the same mistake: no hint fits both
-        call = error.call if check.watched and re.search(NUMBERS, f"{error}") else None
+        earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
+        others = [name for name in code.names if name in earlier and not self.hung and self.is_wrong(name)]
+        if others:  # the function uses others than those that the handout asks for
+            return waiting(", ".join(others))
+        search, self.search = None if self.hung else self.search, None
+        before = [self.outcomes[each.name] for each in checks(function=check.function) if each.name in self.outcomes]
+        wrong, hint, line = error_lines(raised)[0] if raised and not raised.limit else f"{error}", "", 0
+        if not any(each.state == FAILED for each in before):
+            at = int(place.rpartition(" ")[2]) if raised and place else 0
+            known = raised, error.result, f"{error}"
+            hint, line = words_for(*known, code, check.function, lambda: search and search(check, at))
+            hint = in_one_line(hint)
+        place = f"{file}, line {line}" if line else place or (f"{file}, line {code.line}" if code.line else file)
         index = re.search(r"pend_list\[(\d+)\]", f"{error}")
         called = error.call.lines(int(index[1]) if index else 0)
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
-        where = "Here" if raised else "At the end" if re.search(NUMBERS, wrong) and not error.hint else ""
-        rows = [("wrong", f"{error}"), ("called", called), *error.lines, ("hint", error.hint), ("read", read)]
-        watch = ("watch", f"{runner.watch} {check.name}" if call else "")
-        values = in_one_line(f"{where}, {values[:MOST_CHARACTERS]}.") if where and values else ""
-        return Outcome(FAILED, message([*rows, watch]), call, place, error.hint, wrong=wrong, values=values)
+        values = in_one_line(f"Here, {values[:MOST_CHARACTERS]}.") if values and not line else ""
+        text = message([("wrong", f"{error}"), ("called", called), *error.lines, ("read", read)])
+        return Outcome(FAILED, text, place, hint, wrong=wrong, values=values)
 
     def broken_by(self, check, error) -> Outcome:
         """Return the outcome of a check whose file cannot be imported: the first one fails, and the others wait."""
@@ -325,14 +294,14 @@ class Grading:
         self.broken[FUNCTIONS[check.function].file] = file
         if not is_first:
             return waiting(file)
-        hint, wrong, place, code = hint_at(raised), raised.limit or error_lines(raised)[0], file, []
+        hint, wrong, place, code = raised.hint or raised.meaning, raised.limit or error_lines(raised)[0], file, []
         own = [each for each in raised.places if each.function in ("", "<module>")]
         for each in ([each for each in own if each.file == file] or own)[-1:]:
             place, code = f"{each.file}, line {each.line}", [f"    {each.code}"]
             if own[-1] is not raised.places[-1]:
-                hint = "This line runs when Python reads the file. Remove it: the given lines at the end start main."
-        lines = [f"{place}:", *code, wrong, *[hint] * bool(hint)]
-        return Outcome(FAILED, "\n".join(lines), None, place, hint, file, wrong)
+                hint = "This line stands outside of all functions, so it runs when Python reads the file. Remove it."
+        lines = [f"{place}:", *code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
+        return Outcome(FAILED, "\n".join(lines), place, hint, file, wrong)
 
 
 def waiting(cause, place="") -> Outcome:

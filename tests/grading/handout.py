@@ -63,6 +63,15 @@ FUNCTIONS = {
     ),
 }
 
+# The names that the files of the handout import.
+IMPORTS = {
+    "src/pds_helper.py": "pd PendulumEntry",
+    SPECIAL: "vector extract_and_convert COLOR_MAP TEXTURE_MAP make_pendulum PendulumEntry",
+    SWINGING: "sin show_pendulum",
+    RUN: "mag make_newton_cradle full_swing_update DT G R_PARAM THETA_INIT",
+    DOUBLE: "vector make_bob_and_cord make_pendulum double_accelerations",
+}
+
 
 def needed(function) -> list[str]:
     """Return all functions that this one uses, directly or not, in the order of the handout."""

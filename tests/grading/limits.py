@@ -69,8 +69,8 @@ def over_limit(error) -> str:
 
 
 @contextmanager
-def patience():
-    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than PATIENCE.
+def patience(seconds):
+    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than seconds.
 
     If somebody presses Ctrl+C, set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches it.
     """
@@ -79,13 +79,13 @@ def patience():
     kill = getattr(signal, "pthread_kill", lambda _, number: signal.raise_signal(number))
 
     def interrupt():
-        seconds = PATIENCE
-        while not over.wait(seconds):
+        left = seconds
+        while not over.wait(left):
             with lock:
                 if not over.is_set():
                     LATE.set()
                     kill(threading.main_thread().ident, signal.SIGINT)
-            seconds = 0.5  # the solution may catch the first one
+            left = 0.5  # the solution may catch the first one
 
     def on_interrupt(*_):
         if not LATE.is_set():

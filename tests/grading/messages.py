@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import islice
 from numbers import Real
 from pathlib import Path
+from textwrap import wrap
 from typing import Any, NamedTuple
 
 from vpython import box, cylinder, sphere, vector
@@ -14,8 +15,8 @@ from grading import limits
 from grading.handout import FUNCTIONS
 from support.start.output import in_one_line
 
-LABEL = 12  # columns of the labels of a message
-WIDTH = 62  # columns of the text to the right of them: a terminal has 80
+COLUMNS, LABEL = 80, 12  # of a terminal, and of the labels of a message
+WIDTH = 62  # columns of the values to the right of them
 MOST_ELEMENTS = 20  # elements shown of a list
 PENDULA = 3  # pendula shown of a call
 FILE = 8  # lines of the longest file that is shown whole
@@ -67,7 +68,7 @@ class Call(NamedTuple):
                 below += value_lines(name, value, function.reads, index)
             else:
                 words.append(f"{name}={shown(value)}")
-        return [f"{self.function}({', '.join(words)})", *below]
+        return [*wrap(f"{self.function}({', '.join(words)})", COLUMNS - LABEL), *below]
 
 
 def plain(value):
@@ -184,10 +185,10 @@ def about(what, value, digits=6) -> list[str]:
 
 
 def message(pairs) -> str:
-    """Return pairs of a label and a text (or a list of lines) as one text, without those that have no text."""
+    """Return pairs of a label and a sentence (or a list of lines) as one text, without those that have no text."""
     rows = []
     for label, text in pairs:
-        lines = "\n".join([text] if isinstance(text, str) else text).split("\n")
+        lines = wrap(text, COLUMNS - LABEL) if isinstance(text, str) else "\n".join(text).split("\n")
         rows += [f"{label if i == 0 else '':<{LABEL}}{line}" for i, line in enumerate(lines) if text]
     return "\n".join(rows)
 

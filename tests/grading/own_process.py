@@ -7,7 +7,7 @@ import os
 import sys
 from collections import defaultdict
 from collections.abc import Callable
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -15,13 +15,9 @@ from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 from unittest.mock import patch
 
-from grading.begin import ROOT
-
 from grading import limits
 from grading.handout import FUNCTIONS
 from grading.raised import Raised, raised_by, StoppedError
-from grading.values import all_in_words, noting_ends
-from support.start.options import command_line
 
 # The CSV that solutions read instead of the shipped one; each pendulum has another mass.
 SHIPPED_CSV = "mass,e,theta,omega,color,texture\n" + "".join(f"{i}.25,0.5,0.0,0.0,cyan,none\n" for i in range(1, 6))
@@ -34,7 +30,6 @@ class Code(NamedTuple):
     names: list[str] = []  # in its code
     parameters: str = ""  # with commas
     source: str = ""
-    values: str = ""  # of its names at its end, in words
 
 
 class OwnProcess:
@@ -43,7 +38,6 @@ class OwnProcess:
     They find a CSV of the grader in place of newton_cradle_pends.csv: yours may have a mistake, and stays as it is.
     """
 
-    watch = command_line("tests/watch.py", ROOT)  # the command that plays a check
     has_written = False  # whether the last call has changed the grader's CSV, which was then put back
 
     def __init__(self):
@@ -53,22 +47,10 @@ class OwnProcess:
         self.shipped.write_text(SHIPPED_CSV)
 
     @contextmanager
-    def check(self, is_again=False):
-        """Keep the limits of a check in the body of the with statement. is_again: import the modules again."""
-        again = self.again() if is_again else nullcontext()
-        with limits.patience(), limits.without_ends(), working_in(self.folder.name), again:
+    def check(self):
+        """Keep the limits of a check in the body of the with statement."""
+        with limits.patience(limits.PATIENCE), limits.without_ends(), working_in(self.folder.name):
             yield
-
-    @contextmanager
-    def again(self):
-        """Let the body of the with statement import the student's modules again, so that they have kept nothing."""
-        kept = {name: sys.modules.pop(name) for name in students_modules()}
-        try:
-            yield
-        finally:
-            for name in students_modules():
-                del sys.modules[name]
-            sys.modules.update(kept)
 
     def find(self, function) -> Callable:
         """Return a function of the handout; raise a StoppedError if its file lacks it, or cannot be imported."""
@@ -89,27 +71,34 @@ class OwnProcess:
 
         times is the number of calls; if the function returns values, they begin the arguments of the next call.
         """
-        self.has_written, values = False, {}
+        self.has_written = False
         try:
             solution = self.find(function)
             code = getattr(solution, "__code__", None)
             if code:
                 self.codes[function] = known_of(code)
-            with limits.limited_memory(), noting_ends(code, values):
-                for _ in range(times):
-                    result = solution(*arguments)
-                    if FUNCTIONS[function].returns and isinstance(result, tuple):
-                        arguments = (*result, *arguments[len(result) :])
-            self.codes[function] = self.codes[function]._replace(values=all_in_words(values.items()))
-            return result
+            with limits.limited_memory():
+                return self.repeated(solution, function, arguments, times)
         except StoppedError:
             raise
         except BaseException as error:  # also SystemExit
-            raise StoppedError(raised_by(error)) from None
+            raise StoppedError(raised_by(error, function)) from None
         finally:
-            if not (self.shipped.is_file() and self.shipped.read_text(errors="replace") == SHIPPED_CSV):
-                self.shipped.write_text(SHIPPED_CSV)
-                self.has_written = True
+            self.put_back()
+
+    def repeated(self, solution, function, arguments, times) -> Any:
+        """Call a solution of a function, and return the last result."""
+        for _ in range(times):
+            result = solution(*arguments)
+            if FUNCTIONS[function].returns and isinstance(result, tuple):
+                arguments = (*result, *arguments[len(result) :])
+        return result
+
+    def put_back(self) -> None:
+        """Set has_written; if it is True, make the grader's CSV again."""
+        self.has_written = not (self.shipped.is_file() and self.shipped.read_text(errors="replace") == SHIPPED_CSV)
+        if self.has_written:
+            self.shipped.write_text(SHIPPED_CSV)
 
 
 @cache
@@ -118,11 +107,6 @@ def known_of(code) -> Code:
     parameters = ", ".join(code.co_varnames[: code.co_argcount])
     source = "".join(inspect.getblock(linecache.getlines(code.co_filename)[code.co_firstlineno - 1 :]))
     return Code(code.co_firstlineno, [*code.co_names], parameters, source)
-
-
-def students_modules() -> list[str]:
-    """Return the names of the modules of src/ that are imported."""
-    return [name for name in sys.modules if name.partition(".")[0] == "src"]
 
 
 @contextmanager

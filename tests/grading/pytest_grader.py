@@ -8,6 +8,7 @@ import os
 import sys
 import threading
 from argparse import ArgumentTypeError
+from functools import partial
 from pathlib import Path
 from shutil import get_terminal_size
 
@@ -18,6 +19,7 @@ import pytest
 from grading.grade import grade, words
 from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import SUITES
+from grading.search import one_change
 from support.constants import NC_FP
 from support.files.cradle_csv import check_cradle
 from support.files.data_file import whole_file
@@ -32,6 +34,8 @@ def pytest_addoption(parser):
     text = "run the graded suite of one tier only: D, C, B, A or honor"
     group.addoption("--tier", type=tier_name, metavar="TIER", help=text)
     group.addoption("--grade-json", metavar="FILE", help="write the grade to FILE")
+    text = "do not look for a change with which the checks of a wrong function pass (at most 6 s)"
+    group.addoption("--no-search", action="store_true", help=text)
 
 
 def tier_name(text) -> str:
@@ -45,7 +49,8 @@ def tier_name(text) -> str:
 def pytest_configure(config):
     if not __debug__:
         raise pytest.UsageError("Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks.")
-    config.grading = Grading()
+    is_off = config.option.no_search or config.option.grade_json is not None
+    config.grading = Grading(None if is_off else partial(search, config))
     RAN.clear()
     for word in config.args:
         if not Path(word.partition("::")[0]).exists():
@@ -53,6 +58,16 @@ def pytest_configure(config):
     file = config.option.grade_json
     if file is not None and (Path(file).is_dir() or not Path(file).parent.is_dir()):
         raise pytest.UsageError(f"--grade-json: found {file!r}, allowed is a file in a folder that is there")
+
+
+def search(config, check, line):
+    """Look for one change with which all checks of a function pass, and say so."""
+    terminal = config.pluginmanager.get_plugin("terminalreporter")
+    if terminal:  # a process of xdist's has none
+        with config.pluginmanager.get_plugin("capturemanager").global_and_fixture_disabled():
+            words = f"Looking for one change with which all checks of {check.function} pass ..."
+            terminal.write_line("\n" * bool(terminal.stats) + words)
+    return one_change(check, line)
 
 
 def pytest_ignore_collect(collection_path, config):
@@ -80,7 +95,7 @@ class Item(pytest.Item):
 
     def runtest(self):
         outcome = self.config.grading.judge(self.check)
-        self.user_properties.append((OUTCOME, [*outcome._replace(call=None)]))
+        self.user_properties.append((OUTCOME, [*outcome]))
         if outcome.state == WAITING:
             if self.config.option.maxfail == 1:  # -x
                 self.session.shouldfail = "stopping at the first check that waits"

@@ -2,6 +2,7 @@
 
 import re
 import traceback
+from contextlib import suppress
 from dataclasses import dataclass
 from difflib import get_close_matches
 from linecache import getline, getlines
@@ -11,10 +12,12 @@ from typing import NamedTuple
 from grading.begin import ROOT
 
 from grading import limits
+from grading.evidence import of_error
 from grading.handout import FUNCTIONS
 from grading.values import values_at
 from support.start.preview import stubs_in
 
+ENDLESS, ENDING = "Does a loop in it ever end?", "This line ends the whole program. Remove it; return ends a function."
 MOST_TEXT, MOST_PLACES = 2000, 20  # characters and lines of an error that are kept: a recursion has hundreds
 
 
@@ -39,8 +42,9 @@ class Raised:
     ends: bool = False  # it ends the whole program
     stub: str | None = None  # the function that is not written yet
     culprit: str | None = None  # the file of src/ that made an import fail
-    hint: str = ""  # if the function has code beside its stub
+    hint: str = ""  # the words for it, if it is known
     before: str = ""  # why the function was not called: "import" if its file has failed, "missing" if it has none
+    meaning: str = ""  # what an error of this kind means
 
 
 class StoppedError(Exception):
@@ -51,17 +55,23 @@ class StoppedError(Exception):
         self.raised = raised
 
 
-def raised_by(error) -> Raised:
-    """Return an error as plain data."""
+def raised_by(error, function="") -> Raised:
+    """Return an error of a function as plain data."""
     try:
         text = (error.msg if isinstance(error, SyntaxError) else f"{error}{nearest_name(error)}")[:MOST_TEXT]
     except Exception:
         text = None
-    places, ends = tuple(own_places(error)), isinstance(error, (SystemExit, KeyboardInterrupt))
+    places, frames = own_places(error)
     files = [each.file for each in places if each.function in ("", "<module>")]
     stub, hint = stub_of(error)
+    limit, ends = limits.over_limit(error), isinstance(error, (SystemExit, KeyboardInterrupt))
+    words = meaning = ""
+    if not (limit or ends or stub):
+        with suppress(Exception):  # an error of the student's own, which says nothing of itself
+            words, meaning = of_error(error, frames, function)
+    words = hint or words or ends * (ENDLESS if limit else ENDING)
     culprit = culprit_of(error, text or "", files)
-    return Raised(type(error).__name__, text, places, limits.over_limit(error), ends, stub, culprit, hint)
+    return Raised(type(error).__name__, text, places, limit, ends, stub, culprit, words, meaning=meaning)
 
 
 def nearest_name(error) -> str:
@@ -77,8 +87,8 @@ def nearest_name(error) -> str:
     return f". Did you mean: '{lower[near[0]]}'?" if near else ""
 
 
-def own_places(error) -> list[Place]:
-    """Return the places of an error in the student's own files."""
+def own_places(error) -> tuple[tuple[Place, ...], list]:
+    """Return the places of an error in the student's own files, and the frames and lines of them that have run."""
     stack = [(frame, frame.f_code.co_filename, line) for frame, line in traceback.walk_tb(error.__traceback__)]
     places = [(Place(file, line, at.f_code.co_name, getline(file, line).strip()), at) for at, file, line in stack]
     if isinstance(error, SyntaxError) and error.filename:
@@ -86,10 +96,11 @@ def own_places(error) -> list[Place]:
     # ROOT is resolved, for example to the share behind a drive on Windows. "<string>" is no file.
     files = [(Path(place.file).resolve(), place, at) for place, at in places if Path(place.file).is_absolute()]
     own = [each for each in files if each[0].is_relative_to(ROOT / "src")][:MOST_PLACES]
-    for i, (file, place, at) in enumerate(own):
-        values = values_at(at, place.line, isinstance(error, NameError))
-        own[i] = place._replace(file=file.relative_to(ROOT).as_posix(), values=values)
-    return own
+    found = []
+    for file, place, at in own:
+        values = values_at(at, place.line, isinstance(error, NameError)) if at else ""
+        found.append(place._replace(file=file.relative_to(ROOT).as_posix(), values=values))
+    return tuple(found), [(at, place.line) for _, place, at in own if at]
 
 
 def stub_of(error) -> tuple[str | None, str]:

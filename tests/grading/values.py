@@ -1,16 +1,15 @@
-"""The values in a student's code, in words: where it stopped, and at its end."""
+"""The values in a student's code where it stopped, in words."""
 
 import ast
-import linecache
 import os
-import sys
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from itertools import islice
 from numbers import Real
 from types import ModuleType
 
 from vpython import box, cylinder, sphere, vector
 
+from grading.evidence import nodes_of
 from grading.messages import form_of, shown
 
 SHORT, MOST_VALUES, MOST_KEYS = 50, 160, 7  # characters of a value that is shown whole, and of all values; keys
@@ -65,40 +64,9 @@ def values_at(frame, line, only_names) -> str:
     with suppress(Exception):  # a line of no file
         if only_names:
             return f"these names have a value: {', '.join(islice(frame.f_locals, 12))}"
-        nodes = [*ast.walk(ast.parse("".join(linecache.getlines(frame.f_code.co_filename))))]  # the outer ones first
-        *_, inmost = (node for node in nodes if isinstance(node, ast.stmt) and node.lineno <= line <= node.end_lineno)
-        lines = (line, line) if hasattr(inmost, "body") else (inmost.lineno, inmost.end_lineno)
-        for node in nodes:
-            is_there = lines[0] <= getattr(node, "lineno", 0) <= lines[1]
-            is_read = is_there and isinstance(getattr(node, "ctx", None), ast.Load)
-            if is_read and node not in inner:
+        for node in nodes_of(frame, line):
+            if isinstance(getattr(node, "ctx", None), ast.Load) and node not in inner:
                 with suppress(LookupError, TypeError, AttributeError):
                     found.setdefault(ast.unparse(node), value_of(node, frame.f_locals))
                     inner.update(ast.walk(node))
     return all_in_words(sorted(found.items(), key=lambda pair: isinstance(pair[1], Real)))  # numbers last
-
-
-@contextmanager
-def noting_ends(code, values):
-    """In the body of the with statement, fill values with the names that a function with this code sets, at its end."""
-    start = {}
-
-    def note(frame, event, _):
-        if frame.f_code is not code:
-            return None
-        frame.f_trace_lines = False
-        if event == "call":
-            start.clear()
-            start.update(frame.f_locals)
-        elif event == "return":
-            values.clear()
-            values.update((name, value) for name, value in frame.f_locals.items() if value is not start.get(name, note))
-        return note
-
-    if code and sys.gettrace() is None:  # no debugger is there
-        sys.settrace(note)
-    try:
-        yield
-    finally:
-        if sys.gettrace() is note:
-            sys.settrace(None)

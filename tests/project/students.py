@@ -1,6 +1,8 @@
 """Starters, and students who write functions into them. conftest.py takes over the fixtures."""
 
 import shutil
+import sys
+from contextlib import contextmanager
 from textwrap import dedent, indent
 
 import pytest
@@ -63,6 +65,21 @@ def files_of(folder) -> dict[str, bytes]:
     """Return the files that a student in this folder submits, by their paths below src/."""
     names = sorted({function.file.removeprefix("src/") for function in FUNCTIONS.values()})
     return {name: (folder / "src" / name).read_bytes() for name in names}
+
+
+@contextmanager
+def imported_again():
+    """Let the body of the with statement import the modules of src/ again."""
+
+    def taken():
+        return {name: sys.modules.pop(name) for name in [*sys.modules] if name.partition(".")[0] == "src"}
+
+    kept = taken()
+    try:
+        yield
+    finally:
+        taken()
+        sys.modules.update(kept)
 
 
 def put_files(folder, files):

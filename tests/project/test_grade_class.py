@@ -18,12 +18,12 @@ import grade_class
 import make_autograder
 import make_starter
 import pytest
-import watch
 from grade_class import given_files
 from programs import call, on_posix, ROOT, SECONDS, slow_but_for
 from right_solutions import RIGHT
-from students import change, COUNTS, files_of, put_files, write
-from wrong_solutions import HINTED, PLAIN, UNHINTED
+from students import change, COUNTS, files_of, imported_again, put_files, write
+from wrong_solutions import HINTED, PLAIN
+from wrong_solutions import OTHERS as UNNAMED
 
 from grading import grader, limits, own_process, raised
 from grading.grader import checks, Grading, Outcome, PASSED
@@ -216,7 +216,7 @@ def test_a_class_that_is_interrupted_and_goes_on(solved, starter, tmp_path, main
     result = json.loads((tmp_path / "gradescope" / "bea" / "results.json").read_text())
     (test,) = (test for test in result["tests"] if test["name"].startswith("C: angle_update: Takes in"))
     assert (test["score"], test["max_score"], test["visibility"]) == (0, 1, "visible")
-    assert "hint        The sign of gravity is wrong." in test["output"]
+    assert "wrong       omega_new is 4, not 2." in test["output"]
     assert (result["score"], result["max_score"], sum(test["score"] for test in result["tests"])) == (35, 53, 35)
 
     first, *others = (out / "results.jsonl").read_text().splitlines()
@@ -401,7 +401,6 @@ def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_pat
         (make_autograder, "nowhere/cradle.zip", "nowhere/cradle.zip cannot be made: No such file or directory"),
         (make_starter, "class", "found 'class', allowed is a new or an empty folder"),
         (make_starter, "file.zip/new", "argument FOLDER: file.zip/new cannot be made: Not a directory"),
-        (watch, "test_angle", "found 'test_angle', allowed is the name of a check, for example test_angle_update"),
     ],
 )
 def test_wrong_arguments_are_refused_in_one_line(tmp_path, monkeypatch, main, program, arguments, words):
@@ -444,7 +443,7 @@ def test_the_autograder_grades_a_solution_and_holds_no_answers(tmp_path, main, s
 
 SOLUTIONS = {
     (function, words): version
-    for table in (HINTED, UNHINTED, RIGHT)
+    for table in (HINTED, UNNAMED, RIGHT)
     for function, versions in table.items()
     for words, version in versions.items()
 }
@@ -467,10 +466,10 @@ def files(made, solved):
 
 
 def outcomes_of(function):
-    """Return the outcomes of the checks of this function, without the calls. All others count as passed."""
+    """Return the outcomes of the checks of this function. All others count as passed."""
     grading = Grading()
     grading.outcomes = {check.name: Outcome(PASSED) for check in grader.CHECKS.values() if check.function != function}
-    return {check.name: grading.judge(check)._replace(call=None) for check in checks(function=function)}
+    return {check.name: grading.judge(check) for check in checks(function=function)}
 
 
 @pytest.fixture
@@ -495,16 +494,13 @@ def graded_here(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
     monkeypatch.setattr(limits, "PATIENCE", 60.0)  # also of the solver; a busy machine can stall for seconds
     monkeypatch.syspath_prepend(tmp_path)
-    for module in (own_process, raised):
-        monkeypatch.setattr(module, "ROOT", tmp_path)
+    monkeypatch.setattr(raised, "ROOT", tmp_path)
 
     def graded_here(files, function):
         put_files(tmp_path, files)
-        own = own_process.OwnProcess()
-        own.watch = Solver.watch
-        monkeypatch.setattr(grader, "runner", own)
+        monkeypatch.setattr(grader, "runner", own_process.OwnProcess())
         importlib.invalidate_caches()
-        with own.again():
+        with imported_again():
             return outcomes_of(function)
 
     return graded_here

@@ -5,7 +5,6 @@ import linecache
 import os
 import re
 import sys
-from contextlib import contextmanager
 from importlib import import_module
 from inspect import Signature, signature
 from math import ceil, cos, pi, sin
@@ -15,20 +14,17 @@ from textwrap import dedent, indent
 from grading.begin import ROOT
 
 import pytest
-import watch
 from programs import slow_but_for
 from right_solutions import RIGHT
 from vpython import vector
-from wrong_solutions import HINTED, PLAIN, UNHINTED
+from wrong_solutions import HINTED, OTHERS, PLAIN
 
-from grading import comparing, grader, limits, own_process
+from grading import comparing, grader, hints, limits, own_process
 from grading.grader import check, checks, expect, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import FUNCTIONS, HONOR, needed, SUITES
-from grading.own_process import module_of, OwnProcess
+from grading.own_process import module_of
 from grading.raised import own_places
 from support.constants import NC_FP
-from support.start.options import command_line
-from support.terminal.screen import TextPicture
 
 # Import all modules first: a module that is imported later would keep a solution of a test.
 MODULES = {name: import_module(module_of(function.file)) for name, function in FUNCTIONS.items()}
@@ -76,11 +72,8 @@ def solve(monkeypatch):
 
 
 def outcomes_of(function, users=True) -> dict:
-    """Return the outcome of each check of this function, and of the functions that use it. All others count as passed.
-
-    The grader does not make a call again to see whether it is right alone.
-    """
-    grading = Grading(asks_again=False)
+    """Return the outcome of each check of this function, and of the functions that use it; all others are passed."""
+    grading = Grading()
     made = [check for check in CHECKS if function in (check.function, *(needed(check.function) if users else ()))]
     grading.outcomes = {check.name: Outcome(PASSED) for check in CHECKS if check not in made}
     return {check: grading.judge(check) for check in made}
@@ -97,38 +90,38 @@ def first_message(function) -> str:
 
 # --- the tables ------------------------------------------------------------------------------------------------------
 
-# The form of a failure: a sentence, the call, the result, the expected result, a hint, the place in the handout, and
-# the command to watch it.
+# The form of a failure: a sentence, the call, the result, the expected result, and the place in the handout.
 FORM = re.compile(
-    r"wrong       [^\n]+\.\ncalled      .+?\n(came back|it raised)   .+?\nexpected    .+?\n(hint        [^\n]+\n)?"
-    r"read        handout, [^\n]+(\nwatch       [^\n]+ tests[/\\]watch\.py \w+)?",
+    r"wrong       .+\.\ncalled      .+?\n(came back|it raised)   .+?\nexpected    .+?\nread        handout, .+",
     re.DOTALL,
 )
 
-HINTS, OTHERS = (
-    {(function, words): version for function, mistakes in table.items() for words, version in mistakes.items()}
-    for table in (HINTED, UNHINTED)
-)
-# The mistakes without a hint that fail in a check in which no mistake with a hint fails.
+WRONG = {
+    (function, words): version
+    for table in (HINTED, OTHERS)
+    for function, mistakes in table.items()
+    for words, version in mistakes.items()
+}
+KNOWN = [(function, words) for function, mistakes in HINTED.items() for words in mistakes]
+# Mistakes that fail in a check in which no mistake with a hint fails.
 ALONE = [("handle_two_bobs", "moves the bobs apart")]
 
 
-@pytest.mark.parametrize(("function", "words"), slow_but_for([*HINTS, *ALONE], [*HINTS, *OTHERS]))
+@pytest.mark.parametrize(("function", "words"), slow_but_for([*KNOWN, *ALONE], WRONG))
 def test_a_wrong_solution_fails_its_own_checks_and_its_mistake_is_named(solve, function, words):
-    """The functions that use it wait: the mistakes without a hint show this."""
-    solve(function, {**OTHERS, **HINTS}[function, words])
-    outcomes = outcomes_of(function, users=(function, words) in OTHERS)
-    failed = [outcome for outcome in outcomes.values() if outcome.state == FAILED]
+    """The functions that use it wait: the other mistakes show this."""
+    solve(function, WRONG[function, words])
+    outcomes = outcomes_of(function, users=(function, words) not in KNOWN)
+    first, *failed = [outcome for outcome in outcomes.values() if outcome.state == FAILED]
     others = {outcome[:2] for check, outcome in outcomes.items() if check.function != function}
     assert others in (set(), {(WAITING, f"waits for {function}")})
-    for outcome in failed:
+    for outcome in (first, *failed):
         assert FORM.fullmatch(outcome.message), outcome.message
         assert "grader" not in outcome.message
-        assert f"\nhint        {outcome.hint}\n" in outcome.message or not outcome.hint
-    first = failed[0].message  # with 20 rows, pytest prints at most 40 (tests/project/test_grader_output.py)
-    assert sum(ceil(len(line) / 80) for line in first.splitlines()) <= 20, first
-    hints = [outcome.hint for outcome in failed if outcome.hint]
-    assert any(hint.startswith(words) for hint in hints) if (function, words) in HINTS else not hints, hints
+    # With 20 rows, pytest prints at most 40 (tests/project/test_grader_output.py).
+    assert sum(ceil(len(line) / 80) for line in first.message.splitlines()) <= 20, first.message
+    assert first.hint.startswith(words if (function, words) in KNOWN else "")
+    assert {outcome.hint for outcome in failed} <= {""}
 
 
 @pytest.mark.parametrize("users", slow_but_for([False], [False, True]))
@@ -160,24 +153,27 @@ def test_a_right_main_with_a_trap_has_a_note(solve, monkeypatch, name, value, no
 # --- hints -----------------------------------------------------------------------------------------------------------
 
 
-def test_each_hint_has_a_mistake_in_the_table(monkeypatch):
-    def noting(*arguments, hints=(), **options):
-        sentences.update(sentence for _, sentence in hints)
-        return expect(*arguments, hints=hints, **options)
+def all_rows() -> dict:
+    """Return the words of each row of hints.py by its table and name."""
+    rows = {("errors", name): words for name, (*_, words) in hints.ERRORS.items()}
+    rows |= {("meaning", kind.__name__): words for kind, words in hints.MEANING.items()}
+    rows |= {("forms", name): words for name, (_, words) in hints.FORMS.items()}
+    rows |= {("code", name): words for name, (_, words) in hints.CODE.items()}
+    return rows | {(check, name): row[1] for check, results in hints.RESULTS.items() for name, row in results.items()}
 
-    sentences, grading = {"Does your function reach a return with a value? (append returns None.)"}, Grading()
-    for suite in SUITES.values():
-        monkeypatch.setattr(import_module(suite), "expect", noting)
-    assert {grading.judge(check).state for check in CHECKS} == {PASSED}
-    known = tuple(words for mistakes in HINTED.values() for words in mistakes)
-    assert [sentence for sentence in sentences if not sentence.startswith(known)] == []
-    names = re.findall(r"^\[(\w[a-z_ ]*)\]$", (ROOT / "tests/grading/hints.txt").read_text(), re.MULTILINE)
-    kinds = {"code", "errors", "wrong"}
-    others = {"steps", "python", *(check.name for check in CHECKS)}
-    assert {name for words in names for name in words.split()} <= kinds | others
-    begins = [hint.partition("\\")[0] for kind in kinds for _, hint in comparing.rows_of("hints.txt", kind)]
-    assert [each for each in begins if not any(words.startswith((each, each[: len(words)])) for words in known)] == []
-    assert min(map(len, begins)) > 4
+
+def is_same(word, said) -> bool:
+    """Return whether a word of a row is this one in a hint; a place for a value is any word."""
+    return word == said or re.search(r"{.", word) is not None
+
+
+def test_each_row_has_a_mistake_in_the_table_and_each_check_of_the_rows_is_there():
+    begins = [words.split() for mistakes in HINTED.values() for words in mistakes]
+    for name, words in all_rows().items():
+        pairs = [zip(words.replace("{{ }}", "{ }").split(), begin, strict=False) for begin in begins]
+        assert any(all(is_same(*pair) for pair in each) for each in pairs), name
+    assert {*hints.RESULTS} <= {check.name for check in CHECKS}
+    assert {*hints.STEPS} <= {*FUNCTIONS, *(check.name for check in CHECKS)}
 
 
 V1, V2, SUM = 0.4 * 3, 0.4 * -4, 2 * 0.4 * 3 + 8 * 0.4 * -4
@@ -190,52 +186,22 @@ WORKED = {  # the numbers in the steps for a mistake without a hint
 @pytest.mark.parametrize("function", WORKED)
 def test_the_steps_have_the_right_numbers_of_the_first_call(solve, function):
     solve(function, "return 1, 1")
-    given, words = dict(comparing.rows_of("hints.txt", "steps"))[f"test_{function}"].split(": ")
+    given, words = hints.STEPS[f"test_{function}"].split(": ")
     given = given.removeprefix("With ").replace(" = ", "=").replace(" and ", ", ")
-    assert f"called      {function}({given})\n" in first_message(function)
+    assert f"called {function}({given})" in " ".join(first_message(function).split())
     assert [*map(float, re.findall(r"(?:is|by|are|and) (-?[\d.]*\d)", words))] == pytest.approx(WORKED[function])
 
 
 def test_each_function_has_lines_of_python():
-    lines = comparing.rows_of("hints.txt", "python")
-    assert {name for _, names in lines for name in names.split()} == {*FUNCTIONS}
-    assert max(len(code) for code, _ in lines) <= 80 - 9  # one row of the screen
-    assert [ast.parse(code + "\n  ..." * (":  #" in code)) for code, _ in lines]
+    assert {name for names in hints.PYTHON.values() for name in names.split()} == {*FUNCTIONS}
+    assert max(map(len, hints.PYTHON)) <= 80 - 9  # one row of the screen
+    assert [ast.parse(code + "\n  ..." * (":  #" in code)) for code in hints.PYTHON]
 
 
 def test_two_mistakes_with_the_same_result_have_no_hint():
     first, second = (2.0, "You doubled it."), (2.0, "You added 1.")
-    assert comparing.hint_for(2.0, 1.0, [first]) == comparing.hint_for(2.0, 1.0, [first, first]) == "You doubled it."
-    assert comparing.hint_for(2.0, 1.0, [first, second]) == comparing.hint_for(3.0, 1.0, [first]) == ""
-
-
-RIGHT_ALONE = {
-    "angle_update": ("return (", "calls = vars(angle_update); calls[f'c{len(calls)}'] = 0; return (len(calls) // 4 + "),
-    "uniform_mass_newton_cradle": ("= mass", "= vars(uniform_mass_newton_cradle).setdefault('_', mass)"),
-}
-
-
-@pytest.mark.parametrize("function", RIGHT_ALONE)
-def test_a_call_that_is_right_alone_is_recognised(solve, monkeypatch, function):
-    @contextmanager
-    def again(_):
-        """Do the same as in the grader, for a version that is in no file."""
-        solve(function, RIGHT_ALONE[function])
-        yield
-
-    monkeypatch.setattr(OwnProcess, "again", again)
-    solve(function, RIGHT_ALONE[function])
-    outcomes = [Grading().judge(check) for check in checks(function=function)]
-    assert {outcome.hint for outcome in outcomes if outcome.state == FAILED} == {grader.MATTERS}
-
-
-def test_a_file_is_imported_again_to_make_a_call_alone():
-    module = MODULES["angle_update"]
-    with OwnProcess().again():
-        again = import_module("src.swinging")
-        assert again is not module
-        assert again.angle_update is not module.angle_update
-    assert import_module("src.swinging") is module
+    assert comparing.words_of(2.0, [first]) == comparing.words_of(2.0, [first, first]) == "You doubled it."
+    assert comparing.words_of(2.0, [first, second]) == comparing.words_of(3.0, [first]) == ""
 
 
 # --- messages --------------------------------------------------------------------------------------------------------
@@ -256,9 +222,8 @@ def test_a_failure_says_it_all_in_order(solve):
         "            pend2: mass 1, e 1, omega 0, bob (1, -4, 0), radius 0.5",
         "came back   omega of pend1, omega of pend2: (0, 4)",
         "expected    omega of pend1, omega of pend2: (1, 3)",
-        "hint        This is the result with e = 1, but e of pend1 is another number.",
-        "read        handout, Handling Collisions (B Tests), and Appendix: Conservation Laws: handle_two_bobs",
-        f"watch       {command_line('tests/watch.py', ROOT)} test_e_is_the_first_pendulums",
+        "read        handout, Handling Collisions (B Tests), and Appendix: Conservation",
+        "            Laws: handle_two_bobs",
     ]
 
 
@@ -281,7 +246,6 @@ def test_a_message_shows_the_part_of_pendula_and_files_that_matters(solve):
         "'color': 'white', 'texture': 'none'}",
         *("expected    at index 0:", "{'mass': 12.625, 'e': 1, 'theta': 0.4375, 'omega': 0,"),
         "'color': 'white', 'texture': 'none'}",
-        "hint        round changes the value. Give back the exact one.",
         "read        handout, A CVS to pend_list converter (D Tests): extract_and_convert",
     ]
 
@@ -292,14 +256,12 @@ VALUES = {  # a mistake, and the values that the next step shows
     "place = vector(1, 2, 0), None, sin\nplace[0].pos": "Here, place[0] is vector(1, 2, 0).",
     "a = (\n    omega\n    + None\n)": "Here, omega is 3.",
     "a = omega\nreturn a + b": "Here, these names have a value: omega, theta, r_param, dt, g, a.",
-    "a = omega + theta * dt * g; b = a / r_param\nreturn a, b": "At the end, a is 5.0944, b is 12.736.",
-    "theta_new = theta + omega * dt\nreturn 2, theta_new": "",  # the hint is enough
     "part = {'a': {'mass': 1}}\npart['a'][object()]": "Here, part['a'] is a pendulum (a dictionary).",
 }
 
 
 @pytest.mark.parametrize("body", VALUES)
-def test_the_values_of_the_line_that_stopped_or_of_the_end_are_shown(solve, body):
+def test_the_values_of_the_line_that_stopped_are_shown(solve, body):
     solve("angle_update", body)
     assert failures("angle_update")[0].values == VALUES[body]
 
@@ -332,7 +294,7 @@ def test_only_lines_of_files_are_a_students(monkeypatch, code):
     monkeypatch.chdir(ROOT / "src")
     with pytest.raises((ZeroDivisionError, ModuleNotFoundError)) as raised:
         exec(code)
-    assert own_places(raised.value) == []
+    assert own_places(raised.value) == ((), [])
 
 
 # --- limits ----------------------------------------------------------------------------------------------------------
@@ -408,7 +370,7 @@ def test_a_solution_that_ends_the_program_ends_its_check_only(solve, ending, rai
     solve("angle_update", ending)
     lines = first_message("angle_update").splitlines()
     assert f"it raised   {raises}" in lines
-    assert "hint        This line ends the whole program. Remove it; return ends a function." in lines
+    assert failures("angle_update")[0].hint == "This line ends the whole program. Remove it; return ends a function."
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="only Linux and macOS have fork")
@@ -469,50 +431,3 @@ def test_a_function_waits_for_one_that_it_need_not_use(solve):
     solve("uniform_e_newton_cradle", "return uniform_mass_newton_cradle(relative_filepath, e_val)")
     outcome = Grading().judge(checks(function="uniform_e_newton_cradle")[0])
     assert outcome[:2] == (WAITING, "waits for uniform_mass_newton_cradle")
-
-
-# --- watching --------------------------------------------------------------------------------------------------------
-
-
-def test_a_check_that_passes_offers_its_first_call_to_watch():
-    grading = Grading()
-    for one in CHECKS:
-        call = grading.judge(one).call
-        assert (call and call.function) == (one.function if one.watched else None)
-    assert grading.outcomes["test_angle_update_of_other_swings"].call.arguments == import_module("test_c").STEPS[0][0]
-    assert set(watch.SCENES) == {check.function for check in CHECKS if check.watched}
-
-
-@pytest.mark.parametrize(
-    ("function", "version"),
-    [
-        ("make_newton_cradle", ("* i", "")),
-        ("angle_update", ("theta + omega_new", "theta + omega")),
-        ("full_swing_update", ("in pend_list", "in pend_list[:1]")),
-        ("handle_collision", ("v1 = r_param", "e = -e; v1 = r_param")),
-        ("handle_two_bobs", ("e = pend1", "e = pend2")),
-        ("newton_cradle_tick", ("len(pend_list) - 1", "0")),
-        ("make_double_pendulum", ("theta + phi", "theta")),
-        ("double_angle_update", ("g / r_param", "-g / r_param")),
-    ],
-)
-def test_a_failure_is_played_by_the_solution(solve, function, version):
-    solve(function, version)
-    outcome = failures(function)[0]
-    assert outcome.message.splitlines()[-1].startswith("watch ")
-    places = []
-    for each in (version, PLAIN[function]):
-        solve(function, each)
-        scene = watch.scene_of(outcome.call)
-        for _ in range(4000 if scene.tick else 0):
-            scene.tick()
-        places.append([bob.pos.value for bob in scene.bobs()])
-        assert any("(" in line or "O" in line for line in TextPicture().lines(scene, 80, 20))
-    assert places[0] != places[1]
-
-
-def test_a_result_of_another_form_is_not_played(solve):
-    solve("double_angle_update", ("(u, v - u, a,", "(a,"))
-    outcome = failures("double_angle_update")[0]
-    assert outcome.call is None
-    assert "\nwatch" not in outcome.message

@@ -1,9 +1,6 @@
 """The command line: accepted options, refused options, and the commands that the page and the messages show."""
 
-import os
-import sys
 from math import degrees, inf
-from pathlib import Path
 
 import pytest
 from programs import call
@@ -99,19 +96,3 @@ BAD = [  # a program, an option, its bad values, and what is allowed
 )
 def test_bad_options_are_refused_in_one_line(program, line, message, capsys):
     assert refusal(program, line.split(), capsys) == message
-
-
-@pytest.mark.parametrize(
-    ("running", "folder", "words"),
-    [
-        ("/project/.venv/bin/python", "/project", ".venv/bin/python tests/watch.py"),
-        ("/opt/my own/$bin/python", "/project", "'/opt/my own/$bin/python' tests/watch.py"),
-        ("/opt/3.14/bin/python", "/elsewhere", "/opt/3.14/bin/python /project/tests/watch.py"),
-    ],
-)
-def test_a_command_starts_a_program_with_the_same_python(monkeypatch, running, folder, words):
-    monkeypatch.setattr("support.start.options.ROOT", Path("/project"))
-    monkeypatch.setattr(sys, "executable", running)
-    for platform, quote in (("linux", "'"), ("win32", '"')):
-        monkeypatch.setattr(sys, "platform", platform)
-        assert options.command_line("tests/watch.py", Path(folder)) == words.replace("/", os.sep).replace("'", quote)

@@ -48,7 +48,7 @@ def test_a_program_finds_its_own_project_from_any_folder_and_refuses_in_one_line
     assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
 
 
-@pytest.mark.parametrize("program", ["watch", "make_starter", "benchmark", "grade_class", "make_autograder"])
+@pytest.mark.parametrize("program", ["make_starter", "benchmark", "grade_class", "make_autograder"])
 def test_a_program_of_the_tests_finds_its_own_project_and_has_help(program):
     done = python(ROOT / "tests" / f"{program}.py", "--help", folder=os.sep)
     assert (done.returncode, done.stderr) == (0, "")

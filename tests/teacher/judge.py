@@ -18,7 +18,7 @@ from grading.comparing import OTHER_FORM
 from grading.grade import words
 from grading.grader import CHECKS, FAULT, Grading, Outcome
 from grading.own_process import Code
-from grading.raised import Place, Raised, StoppedError
+from grading.raised import ENDLESS, Place, Raised, StoppedError
 from teacher.crossing import bounded, Crossing, File, MOST_PRINTED
 
 SPARE = 3.0  # s that a solver has to say that a call took too long
@@ -51,29 +51,25 @@ def grade(files, process) -> tuple[dict[str, Outcome], str, list[str]]:
         if os.name != "nt":
             signal.setitimer(signal.ITIMER_REAL, 0)
         process.end()
-    outcomes = {
-        name: one._replace(call=None, message=one.message[:MOST_MESSAGE]) for name, one in grading.outcomes.items()
-    }
+    outcomes = {name: one._replace(message=one.message[:MOST_MESSAGE]) for name, one in grading.outcomes.items()}
     return outcomes, "\n".join(line for line, _ in words(outcomes, printed)), problems
 
 
 class Solver:
-    """The functions of a solution in a process of their own. It takes the place of OwnProcess: watch, check, run."""
-
-    watch = f".venv{os.sep}{'Scripts' if os.name == 'nt' else 'bin'}{os.sep}python tests{os.sep}watch.py"
+    """The functions of a solution in a process of their own. It takes the place of OwnProcess: check, run."""
 
     def __init__(self, files, process):
         self.files = {name: content.decode("latin-1") for name, content in files.items()}
         self.process, self.codes, self.has_written = process, defaultdict(Code), False
 
     @contextmanager
-    def check(self, is_again=False):
+    def check(self):
         scene._made.clear()
         if self.process.line is None:
             self.open()
         self.desk, self.files_given = Crossing(first=0), {}
         self.until = time.monotonic() + limits.PATIENCE + SPARE
-        self.beginning = {"seconds": limits.PATIENCE, "is_again": is_again}  # the next message tells the solver
+        self.beginning = {"seconds": limits.PATIENCE}  # the next message tells the solver
         yield
 
     def run(self, function, arguments, times=1):
@@ -150,7 +146,7 @@ class Solver:
             self.process.line.settimeout(left)
             yield self.process.line
         except TimeoutError:
-            late = Raised("KeyboardInterrupt", limit=f"took longer than {limits.PATIENCE:g} s", ends=True)
+            late = Raised("KeyboardInterrupt", limit=f"took longer than {limits.PATIENCE:g} s", ends=True, hint=ENDLESS)
             raise StoppedError(late) from None
         except OSError:
             raise StoppedError(ended()) from None
@@ -176,7 +172,7 @@ def ended(status=None) -> Raised:
 
 def raised_in(fields) -> Raised:
     """Return the error in an answer; raise an error if it has another form."""
-    kind, text, places, limit, ends, stub, culprit, hint, before = fields
+    kind, text, places, limit, ends, stub, culprit, *words = fields
     lines = tuple(Place(bounded(a), int(line), *map(bounded, rest)) for a, line, *rest in places)
     text, culprit, stub = (None if part is None else bounded(part) for part in (text, culprit, stub))
-    return Raised(bounded(kind), text, lines, bounded(limit), bool(ends), stub, culprit, bounded(hint), bounded(before))
+    return Raised(bounded(kind), text, lines, bounded(limit), bool(ends), stub, culprit, *map(bounded, words))

@@ -29,24 +29,18 @@ START_OR_END = 20.0  # s, of the start of a process and of its end
 IN_SANDBOX = Path("/cradle")  # the solver's folder
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 
-GRADING = "handout", "limits", "messages", "own_process", "begin", "raised", "values"
+GRADING = "begin", "cradles", "evidence", "handout", "hints", "limits", "messages", "own_process", "raised", "values"
 # The files of tests/ that a solver needs.
 SOLVERS = (*(f"grading/{name}" for name in GRADING), "teacher/crossing", "teacher/solver")
 
-COPIES, BWRAP, USER, LIMITS = "copies", "bwrap", "user", "limits"  # what holds a solver off
-# What a solution can use nevertheless. Where COPIES do not work, each solution has a sandbox and a start of its own.
-LEFT_OPEN = {
-    COPIES: "",
-    BWRAP: "",
-    USER: "the network, and files that all users may read",
-    LIMITS: "the network, and all of your files",
-}
+BWRAP, LIMITS = "bwrap", "limits"  # what holds a solver off
+LEFT_OPEN = {BWRAP: "", LIMITS: "the network, and all of your files"}  # what a solution can use nevertheless
 
 
 def holds_off(copied, hidden) -> str:
     """Return the first of LEFT_OPEN with which a process starts here; raise an OSError if there is none."""
     for kind in LEFT_OPEN:
-        if kind in (COPIES, BWRAP) and shutil.which("bwrap") is None or kind == USER and not IS_ROOT:
+        if kind == BWRAP and shutil.which("bwrap") is None:
             continue
         process = Process(copied, kind, hidden)
         process.begin()
@@ -58,39 +52,25 @@ def holds_off(copied, hidden) -> str:
 
 
 class Process:
-    """A process of solver.py for one solution after the other, and all that it starts."""
+    """A process of solver.py for a solution, and all that it starts."""
 
     def __init__(self, copied, kind, hidden=()):
         """copied is the folder that copy_files has made. kind is one of LEFT_OPEN. The solver sees no hidden folder."""
         self.copied, self.kind, self.hidden = copied, kind, hidden
         self.user = FIRST_USER + os.getpid() % USERS if IS_ROOT and kind != LIMITS else 0
-        self.process = self.folder = self.control = self.line = None  # line leads to the process of a solution
+        self.process = self.folder = self.line = None  # line leads to the process
 
     def begin(self) -> None:
         """Start a process for a solution."""
-        if self.kind != COPIES:
-            self.line = self.start()
-            return
-        if self.process is None:
-            self.control = self.start()
-            self.control.settimeout(START_OR_END)
-        self.line, end = socket.socketpair()
-        with end, suppress(OSError):  # line will show that the process has ended
-            socket.send_fds(self.control, [b"\n"], [end.fileno()])
-
-    def start(self) -> socket.socket:
-        """Start a process, and return the socket that leads to it."""
-        if self.kind in (COPIES, BWRAP):
+        if self.kind == BWRAP:
             folder, before = IN_SANDBOX, bubblewrap(self.copied, self.hidden)
         else:
             self.folder = tempfile.TemporaryDirectory(prefix="cradle_", ignore_cleanup_errors=True)
             folder, before = Path(os.path.realpath(self.folder.name)), []
             shutil.copytree(self.copied, folder, dirs_exist_ok=True)
-            if self.user:
-                os.chown(folder, self.user, self.user)
-        line, end = socket.socketpair()
+        self.line, end = socket.socketpair()
         end.set_inheritable(True)
-        numbers = int(self.kind == COPIES), self.user, end.fileno()
+        numbers = self.user, end.fileno()
         python = [sys.executable, "-B", str(folder / "tests" / "teacher" / "solver.py"), *map(str, numbers)]
         environment = dict(os.environ) if os.name == "nt" else {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
         environment.update(HOME=str(folder), TMPDIR=str(folder), PYTHONUSERBASE=site.getuserbase())
@@ -99,18 +79,13 @@ class Process:
         options.update(env={**environment, "OPENBLAS_NUM_THREADS": "1"}, cwd="/" if before else folder)
         with end:  # in a session of its own: Ctrl+C reaches only the program that tells it
             self.process = subprocess.Popen([*before, *python], start_new_session=True, **options)
-        return line
 
     def end(self) -> None:
         """End the solution's process and all that it has started."""
-        if self.line is None:
-            return
-        self.line.close()
-        self.line = None
-        with suppress(OSError):
-            if self.kind == COPIES and self.control.send(b"\n") and self.control.recv(1):
-                return
-        self.close()
+        if self.line is not None:
+            self.line.close()
+            self.line = None
+            self.close()
 
     def close(self) -> None:
         """End everything."""
@@ -118,14 +93,9 @@ class Process:
             return
         with suppress(OSError, AttributeError):  # Windows has no groups
             os.killpg(self.process.pid, signal.SIGKILL)
-        if self.kind == USER:  # also what has left the session
-            who = {"user": self.user, "group": self.user, "extra_groups": [], "stderr": subprocess.DEVNULL}
-            subprocess.run(["sh", "-c", "kill -KILL -1"], **who, check=False)
         self.process.kill()
         self.process.wait()
         self.process = None
-        if self.control:
-            self.control.close()
         if self.folder:
             self.folder.cleanup()
 

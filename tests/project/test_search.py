@@ -1,0 +1,123 @@
+"""The search for one change that makes all checks pass, and the words for a mistake in code with harmless lines."""
+
+import ast
+import linecache
+import re
+from contextlib import ExitStack
+from textwrap import dedent
+from unittest.mock import patch
+
+import pytest
+from programs import slow_but_for
+from students import write
+from test_graded_suites import MODULES, patient, solve, WRONG  # noqa: F401  two of them are fixtures
+from test_grader_output import run
+from wrong_solutions import FOUND, PLAIN
+
+from grading import grader, limits, search
+from grading.grader import checks, Grading
+from grading.handout import FUNCTIONS
+from grading.own_process import working_in
+
+
+def searched(check, line):
+    """Do what search.one_change does, in this process, with the function that solve has put into its module."""
+    scope, runner = vars(MODULES[check.function]), search.Quick()
+    kept = scope[check.function]
+    own = ast.parse("".join(linecache.getlines(kept.__code__.co_filename))).body[0]
+    with ExitStack() as stack:
+        for each in (patch.object(grader, "runner", runner), working_in(runner.folder.name), limits.without_ends()):
+            stack.enter_context(each)
+        stack.callback(scope.__setitem__, check.function, kept)
+        return search.first_change(own, scope, check.name, line)
+
+
+def first_failure(function, look=searched):
+    grading = Grading(look)
+    return next(one for one in map(grading.judge, checks(function=function)) if one.state == grader.FAILED)
+
+
+def body(function, version):
+    return dedent(version if isinstance(version, str) else PLAIN[function].replace(*version))
+
+
+@pytest.mark.parametrize(("function", "version", "words"), slow_but_for(FOUND[::3], FOUND))
+def test_a_change_with_which_all_checks_pass_is_named_and_not_shown(solve, function, version, words):  # noqa: F811
+    solve(function, version)
+    grading = Grading()
+    failed = [check for check in checks(function=function) if grading.judge(check).state == grader.FAILED]
+    _, hint = searched(failed[0], 0)
+    assert re.match(r"One change.* makes all checks pass: ", hint)
+    assert words in hint
+    right = [line.strip() for line in PLAIN[function].split("\n") if line.strip() not in body(function, version)]
+    assert not [line for line in right if line in hint]
+
+
+def test_a_print_that_changes_the_result_is_named(solve):  # noqa: F811
+    solve(
+        "uniform_mass_newton_cradle",
+        body("uniform_mass_newton_cradle", ("return", "print(pend_list.pop())\n        return")),
+    )
+    assert first_failure("uniform_mass_newton_cradle").hint.startswith("Without your prints, all checks pass")
+
+
+def test_a_change_that_loops_is_stopped(solve, monkeypatch):  # noqa: F811
+    monkeypatch.setattr(search, "A_CHANGE", 0.05)
+    first, *_, last = dedent(PLAIN["uniform_mass_newton_cradle"]).split("\n")
+    loop = "i = 0\nwhile i < len(pend_list):\n    pend_list[i]['e'] = mass\n    i += 1"
+    solve("uniform_mass_newton_cradle", "\n".join([first, loop, last]))
+    assert "another key belongs in place of 'e'" in first_failure("uniform_mass_newton_cradle").hint
+
+
+HARMLESS = f"""\
+'A docstring about sin, cos, round and return.'
+# {" ".join(FUNCTIONS)}: R_PARAM, THETA_INIT, DT and G are constants; pend_list[i + 1] == append = while
+print(round(1.25, 1), cos(0), "and", 1.05)
+if len("never") < 1:
+    raise ValueError("omega")
+"""
+
+
+def told(solve, function, source, look):  # noqa: F811
+    """Return what the first check that fails says, without the numbers of lines."""
+    solve(function, source)
+    first = first_failure(function, look)
+    return [re.sub(r"\b([Ll]ines?) \d+(, \d+)*", r"\1", text) for text in (first.hint, first.wrong, first.values)]
+
+
+CASES = [(name, version, searched) for name, version, _ in FOUND]
+CASES += [(name, version, None) for (name, _), version in WRONG.items()]
+
+
+@pytest.mark.parametrize(("function", "version", "look"), slow_but_for([*CASES[:20:7], *CASES[20::9]], CASES))
+def test_harmless_lines_change_no_word(solve, function, version, look):  # noqa: F811
+    source = body(function, version)
+    assert told(solve, function, HARMLESS + source, look) == told(solve, function, source, look)
+
+
+def test_a_process_of_its_own_looks_at_a_students_file(starter, monkeypatch):
+    monkeypatch.setattr(search, "ROOT", starter)
+    monkeypatch.setattr(search, "SECONDS", 60.0)
+    write(starter, *FUNCTIONS, angle_update=PLAIN["angle_update"].replace("sin(theta)", "sin(omega)"))
+    line, words = search.one_change(checks(function="angle_update")[0])
+    assert "sin(omega)" in (starter / "src/swinging.py").read_text().splitlines()[line - 1]
+    assert words.endswith(", another name belongs in place of omega.")
+
+
+def test_pytest_looks_for_a_change_and_leaves_nothing_behind(starter, tmp_path, monkeypatch):
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
+    monkeypatch.setenv("TMPDIR", str(temporary))
+    write(starter, *FUNCTIONS, angle_update="print('noise')\nreturn omega - g * sin(omega) / r_param * dt, theta")
+
+    def files():
+        return {path: path.read_bytes() for path in starter.rglob("*") if path.is_file() and path.suffix != ".pyc"}
+
+    before = files()
+    for options in ([], ["--no-search"], ["--grade-json", str(tmp_path / "grade.json")]):
+        _, rows = run(starter, *options)
+        lines = "\n".join(rows)
+        assert ("Looking for one change with which all checks of angle_update pass ..." in lines) == (not options)
+        assert lines.count("noise") == 1
+    assert files() == before
+    assert [*temporary.iterdir()] == []
