@@ -71,7 +71,7 @@ class Seen:
         self.function = frame.f_code.co_name if frame else ""
         own = re.match(r"'(\w+)' object has no attribute '(\w+)'", self.text)  # if it is stored, Python names nothing
         self.of = type(error.obj).__name__ if getattr(error, "name", None) and own else own[1] if own else ""
-        key = error.args[0] if isinstance(error, KeyError) and error.args else getattr(error, "filename", None)
+        key = f"{error.args[0]}" if isinstance(error, KeyError) and error.args else getattr(error, "filename", None)
         found = re.search(r"'(\w+)'", self.text) if isinstance(error, NameError) else None
         self.name = str(getattr(error, "name", None) or key or (found[1] if found else own[2] if own else ""))
         self.file = self.name.replace(".", "/") + ".py"
@@ -219,6 +219,8 @@ def line_facts(node, above):
     value = getattr(node, "value", None)
     if isinstance(node, ast.Expr) and isinstance(value, ast.Compare):
         yield "compared", node.lineno, ""
+    if isinstance(node, ast.Expr) and isinstance(value, (ast.Name, ast.Attribute)):
+        yield "only named", node.lineno, ast.unparse(value)
     loops = [one for one in above if isinstance(one, LOOPS)]
     if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
         name = node.targets[0].id

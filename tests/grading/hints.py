@@ -180,7 +180,7 @@ FORMS = {
     "one": ("pend_list is a [^,]*, not a list", "pend_list must be a list of all pendula. [ ] makes an empty list, append adds a pendulum to it, and { } makes a dictionary."),
     "other keys": (r"pend_list\[\d+\] (?:misses|must not have) the key", "The keys must be those of the file, letter by letter: all of them, and no others."),
     "no key": ("has no key", "Keep all keys of each pendulum, and add the new ones. Compare them with the handout, letter by letter."),
-    "text": ("is text, not a number", "In quotes, a name is only text. Names and numbers have no quotes."),
+    "text": ("is text, not a number", "This is text: a name in quotes, for example, or a key of a dictionary. A number belongs in its place."),
     "no pendulum": (r"pend_list\[\d+\] is [^,]*, not a dictionary", "Each element must be a whole pendulum: a dictionary with all of its keys."),
 }
 OTHER_VALUE = "Compare this value in each pendulum with the file and with the handout: which pendula must change, and which must not?"
@@ -190,6 +190,7 @@ CODE = {
     "never runs": ("", "Line {line} never runs: a line above it leaves the function or the loop first."),
     "no return": ("", "Your function has no return with a value. Its last line gives the result back with return."),
     "compared": ("", "Line {line} only compares, and stores nothing. One = stores a value."),
+    "only named": ("", "Line {line} names {0}, and does nothing with it. A function runs only with ( ) behind its name, and its values in them."),
     "new value": ("", "Line {line} gives the name {0} another value, and the pendulum in the list stays as it was. Store each value in the pendulum, under its key: {0}['omega'] = ..., for example."),
     "one element": ("", "Line {line} loops over {0}: that is one element of the list. A loop over the list itself gives all of them."),
     "counter": ("make_newton_cradle newton_cradle_tick", "Line {line} gives {0} its value, and the loop never changes it. A counter gets + 1 at the end of each turn."),

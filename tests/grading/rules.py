@@ -39,6 +39,8 @@ _EXPRESSIONS = [
         ("a[b]", "b", "{b} alone belongs in place of {a}[{b}]"),
         ("a[b]", "a", "[{b}] does not belong behind {a}"),
         ("(a,)", "a", "the comma does not belong behind {a}"),
+        *((f"(a {one} b) {two} c", f"a {one} (b {two} c)", MOVED) for one in SIGNS[:4] for two in SIGNS[:4]),
+        *((f"a {one} (b {two} c)", f"(a {one} b) {two} c", MOVED) for one in SIGNS[:4] for two in SIGNS[:4]),
     ],
     [
         *((f"a {old} b", f"a {new} b", f"another sign belongs in place of {old}") for old, new in permutations(COMPARISONS, 2) if {old, new} & {"==", "!="}),
@@ -57,8 +59,6 @@ _EXPRESSIONS = [
         *((f"a {sign} b", "a", f"{sign} {{b}} does not belong") for sign in SIGNS[:4]),
         *((f"a {sign} b", "b", f"{{a}} {sign} does not belong") for sign in SIGNS[:4]),
         *((f"a {sign} b", f"b {sign} a", f"the two sides of {sign} are exchanged") for sign in "-/"),
-        *((f"(a {one} b) {two} c", f"a {one} (b {two} c)", MOVED) for one in SIGNS[:4] for two in SIGNS[:4]),
-        *((f"a {one} (b {two} c)", f"(a {one} b) {two} c", MOVED) for one in SIGNS[:4] for two in SIGNS[:4]),
         *((f"f(a {sign} b)", f"f(a) {sign} b", "the bracket of {f} closes at the wrong place") for sign in (*SIGNS[:4], *COMPARISONS)),
         ("f(a) - f(b)", "f(a - b)", "one {f}( ) belongs around the whole difference"),
         ("f(a)", "a", "{f}( ) does not belong around {a}"),

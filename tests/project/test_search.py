@@ -62,11 +62,10 @@ def test_a_print_that_changes_the_result_is_named(solve):  # noqa: F811
 
 
 def test_a_change_that_loops_is_stopped(solve, monkeypatch):  # noqa: F811
-    monkeypatch.setattr(search, "A_CHANGE", 0.05)
-    first, *_, last = dedent(PLAIN["uniform_mass_newton_cradle"]).split("\n")
-    loop = "i = 0\nwhile i < len(pend_list):\n    pend_list[i]['e'] = mass\n    i += 1"
-    solve("uniform_mass_newton_cradle", "\n".join([first, loop, last]))
-    assert "another key belongs in place of 'e'" in first_failure("uniform_mass_newton_cradle").hint
+    monkeypatch.setattr(search, "A_CHANGE", 0.2)
+    loop = "i = 0\nwhile i < len(pend_list):\n    swing_update(pend_list[i], r_param, g, dt)\n    i += 1"
+    solve("full_swing_update", loop)
+    assert "another order belongs in the ( ) of swing_update" in first_failure("full_swing_update").hint
 
 
 HARMLESS = f"""\
@@ -89,7 +88,7 @@ CASES = [(name, version, searched) for name, version, _ in FOUND]
 CASES += [(name, version, None) for (name, _), version in WRONG.items()]
 
 
-@pytest.mark.parametrize(("function", "version", "look"), slow_but_for([*CASES[:20:7], *CASES[20::9]], CASES))
+@pytest.mark.parametrize(("function", "version", "look"), slow_but_for([*CASES[1:20:7], *CASES[20::9]], CASES))
 def test_harmless_lines_change_no_word(solve, function, version, look):  # noqa: F811
     source = body(function, version)
     assert told(solve, function, HARMLESS + source, look) == told(solve, function, source, look)
@@ -108,7 +107,7 @@ def test_pytest_looks_for_a_change_and_leaves_nothing_behind(starter, tmp_path, 
     temporary = tmp_path / "temporary"
     temporary.mkdir()
     monkeypatch.setenv("TMPDIR", str(temporary))
-    write(starter, *FUNCTIONS, angle_update="print('noise')\nreturn omega - g * sin(omega) / r_param * dt, theta")
+    write(starter, *FUNCTIONS, angle_update="print('noise')\n" + body("angle_update", ("sin(theta)", "sin(omega)")))
 
     def files():
         return {path: path.read_bytes() for path in starter.rglob("*") if path.is_file() and path.suffix != ".pyc"}

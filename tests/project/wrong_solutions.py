@@ -115,7 +115,7 @@ HINTED = {
         "A sign is missing between sin": "exec('a = sin theta')",
         "Your function has no return with": ("return pend_list", "pass"),
         "Your list has the keys of": ("bad_rep.values()", "bad_rep"),
-        "In quotes, a name is only": ("append(pend)", "append({key: str(value) for key, value in pend.items()})"),
+        "This is text: a name in": ("append(pend)", "append({key: str(value) for key, value in pend.items()})"),
         "A list has no place for": ("pend_list.append(pend)", "pend_list[len(pend_list)] = pend"),
         "One value in this line is": ("pend_list.append(pend)", "pend_list = pend_list.append(pend)"),
         "A name without ( ) is": ("return pend_list", "return len"),
@@ -223,6 +223,7 @@ HINTED = {
         "There is no module full_swing_update for": ("full_swing_update(", "import full_swing_update\n        full_swing_update("),
     },
     "main": {
+        "Line 5 names newton_cradle_tick, and": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "newton_cradle_tick"),
         "Line 5 makes a new cradle": ("    newton_cradle_tick(", "    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)\n            newton_cradle_tick("),
     },
     "make_double_pendulum": {
@@ -342,7 +343,6 @@ OTHERS = {
         "from the right": ("len(pend_list) - 1)", "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]"),
     },
     "main": {
-        "No cradle was shown, and the": "pass",
         "A function needs ( ) with its values": ("make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "make_newton_cradle"),
         "One tick is enough here:": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "while page.is_running():\n                newton_cradle_tick(pend_list, R_PARAM, G, DT)"),
         "In main, the word break": ("DT, G)", "DT, G)\n            break"),
@@ -417,9 +417,9 @@ FOUND = [
     ("extract_and_convert", ("    return pend_list", "        return pend_list"), "this line belongs below the loop of line 4, not in it"),
     ("newton_cradle_tick", ("- 1):", "- 1):\n            full_swing_update(pend_list, r_param, dt, g)"), "the line does not belong"),
     ("main", ("pend_list = make", "pend_list = []; make"), "a name and = are missing in front of make_newton_cradle"),
-    ("handle_two_bobs", ("new_omega1, new_omega2 = handle", "handle"), "a name and = are missing in front of handle_collision"),
     ("inelastic_newton_cradle", "print(uniform_e_newton_cradle(relative_filepath, 0))", "return belongs in place of print( )"),
     ("uniform_mass_newton_cradle", ("        return pend_list", ""), "a line with return is missing below this line"),
     ("handle_collision", ("- m2*e*(v1 - v2)) / (m1 + m2)", "- m2*e*(v1 - v2) / (m1 + m2))"), "brackets are missing"),
     ("handle_two_bobs", ("bob1.pos - bob2.pos", "bob1 - bob2"), ".pos is missing behind bob1"),
+    ("handle_two_bobs", ("new_omega1, new_omega2 = handle", "handle"), "a name and = are missing in front of handle_collision"),
 ]
