@@ -19,6 +19,8 @@ from grading.grader import checks, Grading
 from grading.handout import FUNCTIONS
 from grading.own_process import working_in
 
+pytestmark = pytest.mark.filterwarnings("ignore::SyntaxWarning")  # of a change, such as (1, 2)["mass"]
+
 
 def searched(check, line):
     """Do what search.one_change does, in this process, with the function that solve has put into its module."""

@@ -356,7 +356,6 @@ OTHERS = {
         "the file as it was once": ("pend_list = make_newton_cradle(page.csv", "page.old = vars(page).get('old') or __import__('shutil').copy(page.csv, f'{page.csv}.old'); pend_list = make_newton_cradle(page.old"),
     },
     "make_double_pendulum": {
-        "The first value of make_bob_and_cord": ("(bob1.pos", "(cord1.axis"),
         "Both cords have the length r_param.": ("bob1.pos, r_param", "bob1.pos, 2 * r_param"),
         "You returned two tuples.": ("(axle, bob1, cord1, bob2, cord2)", "(axle, bob1, cord1), (bob2, cord2)"),
         "You returned a single pendulum.": "return make_pendulum(axle_pos, r_param, theta, color, texture)",
