@@ -85,20 +85,15 @@ def first_change(own, scope, first, line) -> tuple[int, str] | None:
     """Return the line and the words of the first change of a function (its tree own) with which all checks pass."""
     checks = sorted(grader.checks(function=own.name), key=lambda check: check.name != first)
     types = types_in(scope[own.name].__code__, checks[0])
-    silent = [
-        (where, key, ast.Pass()) for node, where, key, *_ in places(own) if isinstance(node, ast.Expr) and is_idle(node)
-    ]
+    idle = [(where, key) for node, where, key, *_ in places(own) if isinstance(node, ast.Expr) and is_idle(node)]
+    silent = [(where, key, ast.Pass()) for where, key in idle]
 
     def is_right(edits):
         return made(own, edits, scope) and all(map(passes, checks))
 
     if is_right(silent):  # a print can fail, too, and its values can change a list
-        prints = [where[key].lineno for where, key, _ in silent if not isinstance(where[key].value, ast.Constant)]
-        return (
-            (prints[0], "Without your prints, all checks pass: a print stops your function, or changes its result.")
-            if prints
-            else None
-        )
+        words = "Without your prints, all checks pass: a print stops your function, or changes its result."
+        return (idle[0][0][idle[0][1]].lineno, words) if idle else None
     for is_here in (True, False) if line else (False,):  # first in the line that has stopped
         for at, words, edits in changes(own, scope, types):
             if (at == line) == is_here and is_right(silent + edits):
