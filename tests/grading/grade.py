@@ -5,22 +5,22 @@ from collections import Counter
 from itertools import takewhile
 from textwrap import wrap
 
-from grading.grader import checks, FAILED, FAULT, NUMBERS, PASSED, WAITING
+from grading.grader import checks, FAILED, FAULT, PASSED, WAITING
 from grading.handout import FUNCTIONS, SUITES
 from grading.hints import PYTHON, STEPS
 from support.start.output import in_one_line
 
 PRINTED = 10  # lines that are shown of what a solution has printed
 BOOKS = "In Python, with books:"
+NUMBERS = r" (is|are) (-?[\d.]\S*|vector\(.*\)), not | wrong\.$"  # in a sentence about numbers
 LAST = 9  # lines of the next step; below it, pytest has one more
 
 
 def grade(outcomes) -> dict:
     """Return the grade of outcomes (by the names of the checks) for a gradebook.
 
-    It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next", "more"}. Each passed check
-    gives a point. The grade is the highest complete tier, with all tiers below it complete, or None. A tier without
-    checks in outcomes has no entry. next is the next step, and more are words about it.
+    It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next", "more"}, without the tiers
+    that have no outcomes. The grade is the highest complete tier, with all tiers below it complete, or None.
     """
     tiers = {}
     for tier in SUITES:
@@ -74,16 +74,10 @@ def mistakes_in(outcomes) -> list:
     return sorted(failed, key=lambda check: not outcomes[check.name].cause)
 
 
-def whole_step(graded) -> str:
-    """Return the next step and the first of the words about it, in one line."""
-    return "; ".join(filter(None, (graded["next"], graded["more"].partition("\n")[0])))
-
-
-def words(outcomes, printed, columns=100, note="") -> list[tuple[str, str]]:
+def words(outcomes, printed, columns, note) -> list[tuple[str, str]]:
     """Return what a student reads about outcomes, as lines of text, each with its color or "".
 
-    printed has the output of the student's code by the names of the checks that fail. columns is the width of rules.
-    note is about something else than the checks.
+    printed has the output of the student's code by the names of the checks that fail; note is about something else.
     """
     lines = []
     for first in mistakes_in(outcomes)[:1]:

@@ -11,12 +11,13 @@ from argparse import ArgumentTypeError
 from functools import partial
 from pathlib import Path
 from shutil import get_terminal_size
+from unittest.mock import patch
 
 import grading.begin  # noqa: F401
 
 import pytest
 
-from grading.grade import grade, words
+from grading.grade import grade, made_checks, words
 from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import SUITES
 from grading.search import one_change
@@ -125,9 +126,7 @@ def pytest_report_teststatus(report):
 
 
 def pytest_sessionfinish(session):
-    """Write the grade. The exit status, else pytest's own, is 1 also if checks wait, and says if the file cannot be
-    written.
-    """
+    """Write the grade. The exit status is 1 also if checks wait, and another one if the file cannot be written."""
     session.config.session = session
     if hasattr(session.config, "workerinput"):  # a process of xdist's, which has seen a part only
         return
@@ -136,32 +135,39 @@ def pytest_sessionfinish(session):
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
     if file and RAN:
         try:
+            graded = {**grade(RAN), "checks": {}, "text": [line for line, _ in words_of_run(session.config)]}
+            for check in made_checks(RAN):
+                seen = dict(zip(Outcome._fields[:4], RAN[check.name], strict=False))
+                own = {"tier": check.tier, "function": check.function, "title": check.title}
+                graded["checks"][check.name] = {**own, **seen}
             with whole_file(file) as out:
-                json.dump(grade(RAN), out, indent=4)
+                json.dump(graded, out, indent=4)
                 out.write("\n")
         except OSError as error:
             session.exitstatus = pytest.ExitCode.USAGE_ERROR
             session.config.not_written = f"--grade-json: {file}: {error.strerror}"
 
 
-@pytest.hookimpl(wrapper=True, tryfirst=True)
-def pytest_terminal_summary(terminalreporter, config):
-    """Show what students read below everything else."""
-    failed = terminalreporter.stats.get("failed", [])
-    mistakes = [report for report in failed if name_of(report) in RAN]
-    if mistakes:
-        terminalreporter.stats["failed"] = [report for report in failed if report not in mistakes]
-    yield
-    if mistakes:
-        terminalreporter.stats["failed"] = failed
-    terminalreporter.currentfspath = None  # no line is begun: or an empty one would be put in
-    printed = {name_of(report): report.capstdout for report in mistakes}
+def words_of_run(config) -> list[tuple[str, str]]:
+    """Return what a student reads about this run, as lines of text, each with its color or ""."""
+    failed = getattr(config.pluginmanager.get_plugin("terminalreporter"), "stats", {}).get("failed", [])
     note = ""
     try:
         check_cradle(NC_FP)
     except ValueError as error:  # the checks have files of their own
         note = f"your CSV has a mistake. {error}".replace(f"{config.rootpath}{os.sep}", "")
-    for line, color in words(RAN, printed, get_terminal_size().columns, note) if RAN else []:
+    printed = {name_of(report): report.capstdout for report in failed}
+    return words(RAN, printed, get_terminal_size().columns, note) if RAN else []
+
+
+@pytest.hookimpl(wrapper=True, tryfirst=True)
+def pytest_terminal_summary(terminalreporter, config):
+    """Show what students read below everything else."""
+    others = [report for report in terminalreporter.stats.get("failed", []) if name_of(report) not in RAN]
+    with patch.dict(terminalreporter.stats, failed=others):  # pytest shows these only
+        yield
+    terminalreporter.currentfspath = None  # no line is begun: or an empty one would be put in
+    for line, color in words_of_run(config):
         terminalreporter.line(line, **{color: True} if color else {})
     if not RAN and config.session.exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED:
         terminalreporter.write_line(f"The checks are not here. Type: cd {config.rootpath} && pytest", red=True)

@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, needs_vpython, new_page, PROGRAM
-from students import grade, made, process, solved, starter  # noqa: F401  fixtures
+from students import made, solved, starter  # noqa: F401  fixtures
 from wall import Wall
 from whole_cradles import FIVE_CSV
 

@@ -1,18 +1,17 @@
 """Starters, and students who write functions into them. conftest.py takes over the fixtures."""
 
+import json
 import shutil
 import sys
 from contextlib import contextmanager
 from textwrap import dedent, indent
 
 import pytest
-from grade_class import given_files
 from make_starter import make_starter
+from programs import python
 from wrong_solutions import PLAIN
 
 from grading.handout import FUNCTIONS
-from teacher import judge
-from teacher.sandbox import copy_files, holds_off, Process
 
 COUNTS = {"D": 16, "C": 6, "B": 12, "A": 12, "Honor roll": 7}  # checks of each tier
 
@@ -41,26 +40,6 @@ def solved(made, tmp_path_factory):
     return files_of(folder)
 
 
-@pytest.fixture(scope="session")
-def process(made, tmp_path_factory):
-    """A process for solutions, with what holds them off on this machine."""
-    copied = copy_files(made, tmp_path_factory.mktemp("solver") / "copied")
-    process = Process(copied, holds_off(copied, []))
-    yield process
-    process.close()
-
-
-@pytest.fixture(scope="session")
-def grade(made, process):
-    """A function that grades the files of a solution, by their paths below src/."""
-
-    def grade(files):
-        below_src = {f"src/{name}": content for name, content in files.items()}
-        return judge.grade({**given_files(made), **below_src}, process)
-
-    return grade
-
-
 def files_of(folder) -> dict[str, bytes]:
     """Return the files that a student in this folder submits, by their paths below src/."""
     names = sorted({function.file.removeprefix("src/") for function in FUNCTIONS.values()})
@@ -80,6 +59,16 @@ def imported_again():
     finally:
         taken()
         sys.modules.update(kept)
+
+
+def graded_in(starter) -> dict:
+    """Return what pytest writes for a gradebook in this starter."""
+    words = "-m", "pytest", "-p", "no:cacheprovider", "--grade-json", "grade.json"
+    done = python(*words, folder=starter, PYTEST_ADDOPTS="", COLUMNS="100")
+    grade = json.loads((starter / "grade.json").read_text())
+    (starter / "grade.json").unlink()  # or pytest would take it for a folder of tests
+    assert (done.returncode, done.stderr) == (int(grade["grade"] != "Honor roll"), "")
+    return grade
 
 
 def put_files(folder, files):

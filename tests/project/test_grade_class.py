@@ -1,40 +1,34 @@
-"""Grading a class: how submissions are read, what a solution costs its student, and what the teacher gets."""
+"""Grading a class: how submissions are read, what a solution can do, and what the teacher gets."""
 
-import ast
+import asyncio
 import csv
 import errno
-import importlib
 import json
 import os
+import random
 import shutil
+import signal
 import socket
+import stat
 import subprocess
 import sys
+import time
 import zipfile
-from textwrap import dedent, indent
-from unittest.mock import Mock
+from io import BytesIO
+from pathlib import Path
+from types import SimpleNamespace
 
 import grade_class
 import make_autograder
 import make_starter
 import pytest
-from grade_class import given_files
-from programs import call, on_posix, ROOT, SECONDS, slow_but_for
-from right_solutions import RIGHT
-from students import change, COUNTS, files_of, imported_again, put_files, write
-from wrong_solutions import HINTED, PLAIN
-from wrong_solutions import OTHERS as UNNAMED
+from programs import call, on_posix, ROOT, SECONDS, wait_until
+from students import change, COUNTS, files_of, graded_in, put_files, write
 
-from grading import grader, limits, own_process, raised
-from grading.grader import checks, Grading, Outcome, PASSED
+from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
-from grading.messages import message
-from teacher import judge, report
-from teacher.crossing import bounded, MOST_TEXT
-from teacher.judge import Solver
-from teacher.submissions import MOST_BYTES, MOST_FILES, read_submission, submissions_in
-
-# --- submissions -----------------------------------------------------------------------------------------------------
+from teacher import one_run, report, sandbox
+from teacher.submissions import LEFT_OUT, MOST_BYTES, MOST_FILES, MOST_PROBLEMS, read_submission, submissions_in
 
 SOLUTION = {function.file: f"# {function.file}\n" for function in FUNCTIONS.values()}
 READ = {file.removeprefix("src/"): text.encode() for file, text in SOLUTION.items()}
@@ -45,52 +39,97 @@ def below(folder, files=SOLUTION):
     return {f"{folder}/{name}": text for name, text in files.items()}
 
 
+def zip_of(files) -> bytes:
+    """Return a .zip with these files; a name may be a ZipInfo."""
+    with zipfile.ZipFile(whole := BytesIO(), "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(name, content)
+    return whole.getvalue()
+
+
 OTHERS = {"README.md": "text", "support/swinging.py": "mine", ".venv/lib/swinging.py": "x", "tests/swinging.py": "mine"}
 PROJECT = {**SOLUTION, **OTHERS}
 MAC = {**below("cradle", PROJECT), **{f"__MACOSX/{name}": "mac" for name in below("cradle")}}
 MORE = {"src/helpers/angles.py": "a", "src/notes.txt": "n", "src/__pycache__/x.py": "x"}
-NAMED = {name.replace("swinging", "Swinging (1)"): text for name, text in SOLUTION.items()}
-NAMED_READ = {name.replace("swinging", "Swinging (1)"): text for name, text in READ.items()}
-OUTSIDE = ["../src/swinging.py", "src/../../swinging.py", "..\\src\\swinging.py", "C:/swinging.py"]
-NONE = "none of the handout's files is there; found: "
-FORMS = {  # the files of a submission, those that count, and the problem
-    "the files of src": (READ, READ, None),
-    "a project of macOS": (MAC, READ, None),
-    "more files": ({**SOLUTION, **MORE}, {**READ, "helpers/angles.py": b"a"}, None),
-    "paths that lead outside": ({**SOLUTION, **dict.fromkeys(OUTSIDE, "x")}, READ, None),
-    "two projects": ({**below("new"), "old/src/swinging.py": "old"}, READ, "took new/src, left old/src"),
-    "another name": (NAMED, NAMED_READ, "src/swinging.py is missing, found 'Swinging (1).py'"),
-    "nothing": ({}, {}, f"{NONE}nothing"),
-    "something else": ({"b.txt": "b", "essay.docx": "a"}, {}, f"{NONE}b.txt, essay.docx"),
-    "much": ({**SOLUTION, "src/big.py": "#" * MOST_BYTES}, {}, "too large: found 6 Python files, allowed are at most"),
-    "many": ({**SOLUTION, **{f"src/a{i}.py": "" for i in range(MOST_FILES)}}, {}, "too large: found 205 Python files"),
+NEWER = {**SOLUTION, "src/swinging (1).py": "1", "src/swinging-12.py": "12", "src/swinging-2.py": "2"}
+CAPITAL = {name.replace("swinging", "Swinging"): text for name, text in SOLUTION.items()}
+CAPITAL_READ = {name.replace("swinging", "Swinging"): text for name, text in READ.items()}
+NONE = "none of the handout's files is there, found: "
+TOOK = [f"took src/{name.replace('.py', '-1.py')} as {name}" for name in sorted(READ)]
+LEFT = "took src/swinging-12.py as swinging.py, left src/swinging.py, src/swinging (1).py, src/swinging-2.py"
+FORMS = {  # the files of a submission, those that count, and the problems
+    "the files of src": (READ, READ, []),
+    "a project of macOS": (MAC, READ, []),
+    "more files": ({**SOLUTION, **MORE}, {**READ, "helpers/angles.py": b"a"}, []),
+    "two projects": ({**below("new"), "old/src/swinging.py": "old"}, READ, ["took new/src, left old/src"]),
+    "a capital": (CAPITAL, CAPITAL_READ, ["src/swinging.py is missing, found 'Swinging.py'"]),
+    "nothing": ({}, {}, [NONE]),
+    "something else": ({"b.txt": "b", "essay.docx": "a"}, {}, [NONE]),
+    "much": ({**SOLUTION, "src/big.py": "#" * MOST_BYTES}, {}, ["too large: allowed are at most 200 Python files"]),
+    "many": ({**SOLUTION, **{f"src/a{i}.py": "" for i in range(MOST_FILES)}}, {}, ["too large: allowed are"]),
+    "all again": ({name.replace(".py", "-1.py"): text for name, text in SOLUTION.items()}, READ, TOOK),
+    "one again": (NEWER, {**READ, "swinging.py": b"12"}, [LEFT]),
+    "again and again": (
+        {name.replace(".py", "-1 (2).py"): text for name, text in SOLUTION.items()},
+        READ,
+        ["took "] * 5,
+    ),
 }
 
 
 @pytest.mark.parametrize("name", FORMS)
-@pytest.mark.parametrize("place", ["ann", "ann.zip", "ann/cradle.zip"])
+@pytest.mark.parametrize("place", ["ann", "ann.zip", "ann/cradle.zip", "ann.zip/cradle.zip"])
 def test_the_files_of_src_are_found_and_problems_named(tmp_path, name, place):
-    files, found, problem = FORMS[name]
+    files, found, problems = FORMS[name]
     (tmp_path / "ann").mkdir()
-    if place.endswith(".zip"):
-        with zipfile.ZipFile(tmp_path / place, "w", zipfile.ZIP_DEFLATED) as archive:
-            for path, text in files.items():
-                archive.writestr(path, text)
+    if place == "ann.zip/cradle.zip":
+        put_files(tmp_path, {"ann.zip": zip_of({"cradle.zip": zip_of(files)})})
     else:
-        put_files(tmp_path / place, files)
-    student, read, problems = read_submission("ann", tmp_path / place.removesuffix("/cradle.zip"))
-    assert (student, read) == ("ann", found)
-    assert [each.startswith(problem) for each in problems] == [True] if problem else problems == []
+        put_files(tmp_path, {place: zip_of(files)} if ".zip" in place else below("ann", files))
+    read, told = read_submission({"": tmp_path / place.removesuffix("/cradle.zip")})
+    assert (read, len(told)) == (found, len(problems))
+    for each, problem in zip(sorted(told), sorted(problems), strict=True):
+        assert each.replace("cradle.zip/", "").startswith(problem)
 
 
-def test_a_damaged_zip_is_a_problem(tmp_path):
-    """The names in it can be read, but not the content."""
-    with zipfile.ZipFile(tmp_path / "ann.zip", "w", zipfile.ZIP_LZMA) as archive:
-        archive.writestr("src/swinging.py", "angle = 1\n" * 100)
-    data = (tmp_path / "ann.zip").read_bytes()
-    (tmp_path / "ann.zip").write_bytes(data[:60] + b"damaged" + data[67:])
-    (problem,) = read_submission("ann", tmp_path / "ann.zip").problems
-    assert problem.startswith("ann.zip is no .zip that can be read: ")
+ODD = {  # entries of a .zip that are left out, and how they are there
+    **dict.fromkeys(("C:/src/swinging.py", "/src/swinging.py", "src/../../swinging.py", "..\\src\\swinging.py"), {}),
+    "src/link.py": {"external_attr": (stat.S_IFLNK | 0o777) << 16},
+    "src/bzip2.py": {"compress_type": zipfile.ZIP_BZIP2},
+    "src/lzma.py": {"compress_type": zipfile.ZIP_LZMA},
+}
+
+
+@pytest.mark.parametrize("name", ODD)
+def test_an_odd_entry_of_a_zip_is_named_and_the_rest_is_taken(tmp_path, name):
+    info = zipfile.ZipInfo(name)
+    for key, value in ODD[name].items():
+        setattr(info, key, value)
+    (tmp_path / "a.zip").write_bytes(zip_of({**SOLUTION, info: "x", f"src/a-{'9' * 5000}.py": ""}))
+    files, problems = read_submission({"": tmp_path / "a.zip"})
+    assert READ.items() <= files.items()
+    assert problems[0] == f"left out {name}: {LEFT_OUT}"
+    assert len(files) == len(READ) + 1
+
+
+def test_an_encrypted_and_a_damaged_entry_are_named_and_the_rest_is_taken(tmp_path):
+    data = bytearray(zip_of(SOLUTION))
+    local, central = data.find(b"src/swinging.py"), data.rfind(b"src/pds_helper.py")
+    data[local + len("src/swinging.py")] ^= 0xFF  # the content
+    data[central - 38] |= 1  # a flag: encrypted
+    (tmp_path / "a.zip").write_bytes(data)
+    files, problems = read_submission({"": tmp_path / "a.zip"})
+    assert files == {name: text for name, text in READ.items() if name not in ("swinging.py", "pds_helper.py")}
+    assert problems[0] == f"left out src/pds_helper.py: {LEFT_OUT}"
+    assert problems[1].startswith("left out src/swinging.py: ")
+
+
+def test_problems_are_few_and_short(tmp_path):
+    (tmp_path / "a.zip").write_bytes(zip_of({f"/{'a' * 300}{i}\x1b.py": "" for i in range(99)}))
+    _, problems = read_submission({"": tmp_path / "a.zip"})
+    assert (len(problems), problems[-1]) == (MOST_PROBLEMS + 1, "and more")
+    assert max(map(len, problems)) <= 203
+    assert all(problem.isprintable() for problem in problems)
 
 
 @on_posix
@@ -100,135 +139,93 @@ def test_pipes_and_links_are_not_read(tmp_path):
     (folder / "src" / "swinging.py").symlink_to(tmp_path / "secret.py")
     (folder / "src" / "folder").symlink_to(tmp_path)
     os.mkfifo(folder / "src" / "special_cradles.py")
-    read = read_submission("ann", folder)
-    assert read.files == {"pds_helper.py": b"a"}
-    assert {"src/special_cradles.py is missing", "src/swinging.py is missing"} <= {*read.problems}
+    files, problems = read_submission({"": folder})
+    assert files == {"pds_helper.py": b"a"}
+    assert {"src/special_cradles.py is missing", "src/swinging.py is missing"} <= {*problems}
 
 
-def test_each_folder_and_each_archive_is_a_student(tmp_path):
+def test_each_folder_each_archive_and_each_name_of_a_flat_download_is_a_student(tmp_path):
     """Letters of a name that cannot be printed are spelled out."""
     for name in ("ann", "Bea B", ".git", "__MACOSX", "a\nb"):
         (tmp_path / name).mkdir()
     put_files(tmp_path, {"ann.zip": "", "cem.ZIP": "", "dan.rar": "", "index.html": "", "a\tb/c\nd/e\nf": ""})
+    flat = ["li_1_5_swinging.py", "li_1_6_pds_helper-1.py", "li_2_7_swinging.py", "eve_LATE_3_8_a.zip"]
+    flat += ["Fay F_9_assignsubmission_file_swinging.py"]
+    put_files(tmp_path, dict.fromkeys(flat, ""))
     found, others = submissions_in(tmp_path)
     students = {"Bea B": "Bea B", "ann": "ann", "ann.zip": "ann.zip", "cem": "cem.ZIP", "dan": "dan.rar"}
-    assert {name: path.name for name, path in found.items()} == {**students, r"a\tb": "a\tb", r"a\nb": "a\nb"}
+    whole = {**students, r"a\tb": "a\tb", r"a\nb": "a\nb"}
+    assert {name: paths[""].name for name, paths in found.items() if "" in paths} == whole
+    assert {name: {*paths} for name, paths in found.items() if "" not in paths} == {
+        **{"li_1": {"swinging.py", "pds_helper-1.py"}, "li_2": {"swinging.py"}},
+        **{"eve": {"a.zip"}, "Fay F": {"swinging.py"}},
+    }
     assert others == ["index.html"]
-    (problem,) = read_submission("dan", found["dan"]).problems
-    assert problem == "dan.rar is no .zip that can be read: File is not a zip file"
-    assert read_submission("a", found[r"a\tb"]).problems == [rf"{NONE}c\nd/e\nf"]
+    assert read_submission(found["dan"])[1][0] == "dan.rar is no .zip that can be read: File is not a zip file"
+    assert read_submission(found[r"a\tb"]) == ({}, [rf"{NONE}c\nd/e\nf"])
+    assert [*read_submission(found["li_1"])[0]] == ["swinging.py", "pds_helper.py"]
 
 
 @pytest.mark.parametrize("files", [{}, {"index.html": "a"}, PROJECT, READ], ids=["nothing", "a file", "project", "src"])
 def test_a_folder_that_is_no_class_is_refused(tmp_path, files):
-    with pytest.raises(ValueError, match="allowed is a folder with a folder or a .zip for each student"):
+    with pytest.raises(ValueError, match="allowed is a folder with a folder or a .zip for each student, or with files"):
         submissions_in(put_files(tmp_path, files))
 
 
-# --- solutions -------------------------------------------------------------------------------------------------------
+@pytest.fixture(scope="session")
+def empty(made, tmp_path_factory):
+    """The grade of the starter."""
+    return graded_in(shutil.copytree(made, tmp_path_factory.mktemp("empty") / "starter"))
 
 
-@pytest.mark.parametrize("name", ["a" * 300 + ".py", "beyond/a/b.py/c.py", "nul\0.py"])
-def test_a_name_that_cannot_be_written_costs_that_solution(grade, solved, name):
-    outcomes, _, problems = grade({"beyond/a/b.py": b"", **solved, name: b""})
-    assert outcomes == {}
-    assert problems[0].startswith("the files cannot be written: ")
+def passed(grade):
+    return {**grade, "checks": {name: {**check, "state": "passed"} for name, check in grade["checks"].items()}}
 
 
-def test_a_full_disk_stops_the_class(grade, solved, monkeypatch):
-    """It costs no student a point."""
-    monkeypatch.setattr("test_d.TemporaryDirectory", Mock(side_effect=OSError(errno.ENOSPC, "Full")))
-    with pytest.raises(OSError, match="Full"):
-        grade(solved)
+OUTPUTS = {  # the exit status, how the grade of the starter changes, and the problem
+    "right": (0, passed, ""),
+    "waiting": (1, lambda grade: grade, ""),
+    "another status": (1, passed, "no grade: pytest ended with status 1"),
+    "a check less": (
+        1,
+        lambda grade: {**grade, "checks": dict([*grade["checks"].items()][1:])},
+        "no grade: pytest ended",
+    ),
+    "a check more": (1, lambda grade: {**grade, "checks": {**grade["checks"], "a": {}}}, "no grade: pytest ended"),
+    "another form": (1, lambda grade: {**grade, "checks": dict.fromkeys(grade["checks"], 1)}, "no grade: pytest ended"),
+    "no text": (1, lambda grade: {**grade, "text": [1]}, "no grade: pytest ended"),
+    "deep": (1, lambda grade: "[" * 10**5, "no grade: pytest ended"),
+    "late": (one_run.LATE, lambda grade: "", "no grade: pytest took longer than 100 s"),
+    "not run": ("the files cannot be written", lambda grade: "", "no grade: the files cannot be written"),
+}
 
 
-# --- the program -----------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", OUTPUTS)
+def test_a_grade_agrees_with_the_checks_and_with_the_exit_status(empty, name):
+    status, changed, problem = OUTPUTS[name]
+    output = changed(empty)
+    output = output if isinstance(output, str) else json.dumps(output)
+    grade = report.read_grade(empty, status, output.encode(), ["one"])
+    assert grade["grade"] == ("Honor roll" if name == "right" else None)
+    assert [*grade["points"].values()] == [*(COUNTS.values() if name == "right" else [0] * 5)]
+    assert [*grade["checks"]] == [*empty["checks"]]
+    assert grade["problems"][0] == "one"
+    assert "".join(grade["problems"][1:]).startswith(problem) and len(grade["problems"]) == 1 + bool(problem)
 
 
-@pytest.fixture
-def main(made, process, monkeypatch, capsys):
-    """A function that runs grade_class.py, or another program, in this process; it returns (status, stdout, stderr)."""
-
-    def side_by_side(to_grade, given, *_):
-        grade_class.JUDGE.update(given=given, process=process)
-        yield from (grade_class.graded(*each) for each in to_grade)
-
-    monkeypatch.setattr(grade_class, "side_by_side", side_by_side)
-    monkeypatch.setattr(make_starter, "make_starter", lambda folder: shutil.copytree(made, folder))
-
-    def main(*arguments, program=grade_class):
-        monkeypatch.setattr(sys, "argv", [program.__name__ + ".py", *map(str, arguments)])
-        return call(program.main, capsys)
-
-    return main
-
-
-def tables_of(folder):
-    """Return the rows of grades.csv and the results in results.jsonl, each by student."""
-    with open(folder / "grades.csv", encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(file))
-    results = [json.loads(line) for line in (folder / "results.jsonl").read_text(encoding="utf-8").splitlines()]
-    return tuple({each["student"]: each for each in table} for table in (rows, results))
-
-
-@on_posix
-def test_a_class_that_is_interrupted_and_goes_on(solved, starter, tmp_path, main, monkeypatch):
-    a_class, out, calls = tmp_path / "class", tmp_path / "class-grades", []
-    write(starter, "extract_and_convert", "double_angle_update")
-    for student, files in {"ann": solved, "bea": solved, "cem": files_of(starter)}.items():
-        put_files(a_class / student / "src", files)
-    change(a_class / "bea" / "src" / "swinging.py", "omega + -g", "omega + g")
-    (a_class / "dan").mkdir()
-
-    def grade(*arguments):
-        calls.append(arguments)
-        if len(calls) > 2:
-            raise KeyboardInterrupt
-        return original(*arguments)
-
-    original = judge.grade
-    with monkeypatch.context() as patches:
-        patches.setattr(judge, "grade", grade)
-        assert main(a_class) == (130, "2 of 4 solutions are graded. The same command goes on from there.\n", "")
-    rows, first = tables_of(out)
-    assert set(rows) == set(first) == {"ann", "bea"}
-
-    with open(out / "results.jsonl", "a") as file:
-        file.write('{"student": "dan", "dig')  # not whole
-    status, printed, errors = main(a_class, "--gradescope", tmp_path / "gradescope")
-    assert (status, errors) == (0, "")
-    rows, results = tables_of(out)
-    assert {student: results[student] for student in first} == first  # also the seconds: not graded again
-    convert, double = (len(checks(function=name)) for name in ("extract_and_convert", "double_angle_update"))
-    assert [(row["student"], row["grade"], *(int(row[tier]) for tier in SUITES)) for row in rows.values()] == [
-        ("ann", "Honor roll", *COUNTS.values()),
-        ("bea", "D", COUNTS["D"], 0, COUNTS["B"], 0, COUNTS["Honor roll"]),
-        ("cem", "none", convert, 0, 0, 0, double),
-        ("dan", "none", 0, 0, 0, 0, 0),
-    ]
-    assert tuple(row["problems"] for row in rows.values()) == ("", "", "", f"{NONE}nothing")
-    assert rows["bea"]["next"].startswith("angle_update in src/swinging.py, line ")
-    for student, words in [("ann", "Grade: Honor roll."), ("bea", "Grade: D.")]:
-        assert words in (out / f"{student}.txt").read_text(encoding="utf-8")
-    assert "    1  The sign of gravity is wrong. Gravity pulls the bob back down. (angle_update)\n" in printed
-    assert "Honor roll           1\n" in printed
-
-    result = json.loads((tmp_path / "gradescope" / "bea" / "results.json").read_text())
-    (test,) = (test for test in result["tests"] if test["name"].startswith("C: angle_update: Takes in"))
-    assert (test["score"], test["max_score"], test["visibility"]) == (0, 1, "visible")
-    assert "wrong       omega_new is 4, not 2." in test["output"]
-    assert (result["score"], result["max_score"], sum(test["score"] for test in result["tests"])) == (35, 53, 35)
-
-    first, *others = (out / "results.jsonl").read_text().splitlines()
-    damaged = [first.replace('"passed"', way) for way in ("1", "null", '"excellent"', '{"a": []}')]
-    damaged += [first.replace('"seconds": ', '"seconds": "x'), "[" * 100_000]
-    shutil.rmtree(a_class / "bea")
-    (out / "results.jsonl").write_text("\n".join([*damaged, *others]))
-    assert main(a_class)[0] == 0
-    rows, results = tables_of(out)
-    assert [*rows] == ["ann", "cem", "dan"]
-    assert rows["ann"]["grade"] == "Honor roll"
-    assert not (out / "bea.txt").exists()  # of who is gone, nothing is left
+def test_what_a_solution_says_is_short_and_has_no_codes_of_a_terminal(empty, tmp_path):
+    said = {"message": "\x1b[2J=1;2\n" + "x" * 50_000, "hint": "=1+1;=2"}
+    checks = {name: {**check, **said} for name, check in empty["checks"].items()}
+    changed = {**empty, "checks": checks, "next": "\t=1;2\x1b" + "y" * 50_000, "text": ["\x1b[2J\ud800"] * 50_000}
+    grade = report.read_grade(empty, 1, json.dumps(changed).encode(), [])
+    result = {"student": "@a;b", "digest": "", "seconds": 1.0, **grade}
+    report.write_grades(tmp_path, [result])
+    (row,) = tables_of(tmp_path)[0].values()
+    assert (row["student"], row["next"][:8]) == ("'@a,b", "\\t=1,2\\x")
+    assert len((tmp_path / "grades.csv").read_text()) < 3000
+    (text,) = (path.read_text(encoding="utf-8") for path in tmp_path.glob("*.txt"))
+    assert len(text) < 11_000
+    assert text.replace("\n", "").isprintable()
 
 
 def test_names_are_safe_in_files_and_in_tables(tmp_path):
@@ -238,154 +235,234 @@ def test_names_are_safe_in_files_and_in_tables(tmp_path):
     assert len(set(files)) == len(names)
     for file in files:
         (tmp_path / f"{file}.txt").write_text("a")
-    assert [report.cell(name)[:1] for name in ("=1", "-a", "@b", "+c", "\t=1", "Bea")] == ["'"] * 5 + ["B"]
+    assert [report.cell(name)[:1] for name in ("=1", "-a", "@b", "+c", " =1", "Bea")] == ["'"] * 5 + ["B"]
 
 
-def test_a_solutions_words_forge_no_line_and_no_code_of_a_terminal():
-    assert message([("read", ["a\nb"])]) == "read        a\n            b"
-    assert bounded("\x1b[2J\ud800\n" + "a" * 9999) == "\\x1b[2J\\ud800\n" + "a" * (MOST_TEXT - 6)
+@pytest.mark.parametrize("name", ["a" * 300 + ".py", "beyond/a/b.py/c.py", "nul\0.py", "a/" * 1500 + "b.py"])
+def test_files_that_cannot_be_written_are_told(made, tmp_path, name):
+    files = {"beyond/a/b.py": b"", name: b""}
+    status, output = asyncio.run(sandbox.run(made, tmp_path, [], False, files))
+    assert status.startswith("the files cannot be written: ")
+    assert (output, os.listdir(tmp_path)) == (b"", [])
 
 
-# --- the real program, with attackers in the class -------------------------------------------------------------------
+def test_a_full_disk_stops_the_class_and_is_named(made, tmp_path, monkeypatch):
+    """It costs no student a point."""
 
-IMPORTED = {  # what they add to a starter with nothing written
-    "states": "from grading import grader\ngrader.FAILED = grader.FAULT = grader.WAITING = 'passed'",
-    "alone": "from grading.grader import ALONE\nALONE.append(-1)",
-    "outcome": "from grading.grader import Outcome\nOutcome.state = property(lambda outcome: 'passed')",
-    "frames": """
-import sys
-frame = sys._getframe()
-while frame:
-    for value in [*frame.f_locals.values()]:
-        if hasattr(value, 'outcomes') or hasattr(value, 'ALONE'):
-            value.outcomes = value.ALONE = 1
-    frame = frame.f_back
-""",
-    "modules": """
-import sys, grading.own_process, grading.raised
-for module in [*sys.modules.values()]:
-    for name in ('FAILED', 'WAITING', 'FAULT'):
-        setattr(module, name, 'passed')
-grading.raised.raised_by = lambda error: None
-grading.own_process.OwnProcess.run = lambda *_, **__: (2.0, 2.81799)
-""",
-}
-OUTSIDE = """
-import os, sqlite3, sys
-def tried(function, *arguments, **options):
-    try:
-        return function(*arguments, **options)
-    except BaseException as error:
-        return error
-folder = {folder!r}
-for path in (folder + '/secret.txt', folder + '/class/ann/src/swinging.py'):
-    print(tried(lambda: open(path).read()))
-tried(lambda: open(folder + '/secret.txt', 'w'))
-print(tried(lambda: os.open('secret.txt', os.O_RDWR | os.O_TRUNC, dir_fd=os.open(folder, os.O_RDONLY))))
-tried(lambda: sqlite3.connect(folder + '/secret.txt').execute('create table a (b)'))
-tried(os.mkfifo, folder + '/pipe')
-tried(os.setxattr, folder, 'user.a', b'b')
-tried(lambda: __import__('readline').write_history_file(folder + '/secret.txt'))
-interpreters = tried(__import__, '_interpreters' if sys.version_info >= (3, 13) else '_xxsubinterpreters')
-tried(lambda: interpreters.run_string(interpreters.create(), "open('" + folder + "/secret.txt', 'w')"))
-tried(lambda: __import__('subprocess').run(['touch', folder + '/started']))
-in_sandbox = os.environ['HOME'] == '/cradle'  # elsewhere, the processes are somebody's
-for number in (1, os.getppid(), *range(100, 300)) if in_sandbox else ():  # below, there are threads of its own
-    if number != os.getpid():
-        tried(os.kill, number, 9)
-        tried(lambda: __import__('signal').pidfd_send_signal(os.pidfd_open(number), 9))
-        tried(lambda: __import__('resource').prlimit(number, 0, (1, 1)))
-print(tried(lambda: __import__('socket').create_connection(('127.0.0.1', {port}), 1)))
-"""
-FIRST = "    omega_new = "  # in angle_update
-BODIES = {  # come before it
-    "floods": """
-import contextlib, os
-while True:
-    for fd in range(3, 20):
-        with contextlib.suppress(OSError):
-            os.write(fd, b'x\\n')
-""",
-    "hangs": "import signal\nsignal.pthread_sigmask(signal.SIG_BLOCK, [2])\nwhile True: pass",
-    "dies": "import signal\nsignal.raise_signal(9)",
-    "forks": "import os\nwhile True:\n  try: os.fork()\n  except OSError: pass",
-    "grows": "rows = [0]\nwhile True: rows += rows",
-    "nests": "a = [0, 0]\nfor _ in range(60): a = [a, a]\nreturn a",
-}
-ODD = {  # their names, and what they add to this file of a complete solution
-    ("closes", "swinging.py"): "import sys\nsys.stdout.close()",
-    ("links", "swinging.py"): "import os\nos.symlink('/dev', os.environ['HOME'] + '/link')",
-    ("code", "pds_helper.py"): """
-import contextlib, time
-class Function:
-    __call__ = lambda self, file: 5
-    @property
-    def __code__(self):
-        while True:
-            with contextlib.suppress(BaseException):
-                time.sleep(100)
-extract_and_convert = Function()
-""",
-    ("letters", "pds_helper.py"): """
-class Odd:
-    __repr__ = lambda self: 'a\\ud800b'
-extract_and_convert = lambda file: Odd()
-""",
-    ("vectors", "double_cradle.py"): """
-original = make_double_pendulum
-def make_double_pendulum(axle_pos, r_param, theta, phi, color, texture):
-    axle_pos.x = color.x = 1e18
-    return original(axle_pos, r_param, 0, 0, color, texture)
-""",
-}
-SAID = {
-    "floods": "gave an answer that the grader cannot read",
-    "hangs": "took longer than 5 s",
-    "dies": "ended its process (signal 9)",
-    "grows": "took more than 1000 MB of memory",
-}
+    async def run_in(*_):
+        return 1
+
+    monkeypatch.setattr(sandbox, "run_in", run_in)
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=1000))
+    with pytest.raises(OSError, match="No space left") as raised:
+        asyncio.run(sandbox.run(made, tmp_path, [], False, {}))
+    assert (raised.value.errno, raised.value.filename) == (errno.ENOSPC, str(tmp_path))
+    assert os.listdir(tmp_path) == []
+
+
+def tables_of(folder):
+    """Return the rows of grades.csv and the results in results.jsonl, each by student."""
+    with open(folder / "grades.csv", encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    lines = (folder / "results.jsonl").read_text(encoding="utf-8").splitlines() if len(os.listdir(folder)) > 2 else []
+    return tuple({each["student"]: each for each in table} for table in (rows, [*map(json.loads, lines)]))
+
+
+FAST = "import grade_class as g; from teacher import one_run, sandbox as s; one_run.WHOLE, s.SPARE = 20, 2; g.main()"
+
+
+@pytest.fixture
+def grading(made, tmp_path):
+    """A function that starts the program for the folder class; a submission has 20 s."""
+    (tmp_path / "work").mkdir(mode=0o777)
+
+    def grading(*options, **environment):
+        own = {"TMPDIR": str(tmp_path / "work"), "PYTHONPATH": str(ROOT / "tests"), **environment}
+        command = [sys.executable, "-c", FAST, "class", "--starter", str(made), *options]
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+        return subprocess.Popen(command, cwd=tmp_path, env={**os.environ, **own}, **pipes)
+
+    return grading
+
+
+def test_a_class_is_graded_goes_on_and_forgets_who_is_gone(solved, starter, tmp_path, grading):
+    write(starter, "extract_and_convert", "double_angle_update")
+    for student, files in {"ann": solved, "bea": solved, "cem": files_of(starter), "dan": {"a.txt": b""}}.items():
+        put_files(tmp_path / "class" / student / "src", files)
+    change(tmp_path / "class" / "bea" / "src" / "swinging.py", "omega + -g", "omega + g")
+    put_files(tmp_path / "class", {f"eve_1_{i}_{name}": content for i, (name, content) in enumerate(solved.items())})
+    put_files(tmp_path / "class", {"eve_1_9_swinging-1.py": solved["swinging.py"].decode().encode("utf-16")})
+    process = grading("--gradescope", "gradescope")
+    printed, errors = process.communicate(timeout=2 * SECONDS)
+    assert (process.returncode, errors.count("\n")) == (0, int("Without bubblewrap" in errors))
+    rows, first = tables_of(out := tmp_path / "class-grades")
+    convert, double = (len(checks(function=name)) for name in ("extract_and_convert", "double_angle_update"))
+    assert [(row["student"], row["grade"], *(int(row[tier]) for tier in SUITES)) for row in rows.values()] == [
+        ("ann", "Honor roll", *COUNTS.values()),
+        ("bea", "D", COUNTS["D"], 0, COUNTS["B"], 0, COUNTS["Honor roll"]),
+        ("cem", "none", convert, 0, 0, 0, double),
+        ("dan", "none", 0, 0, 0, 0, 0),
+        ("eve", "D", COUNTS["D"], 0, 0, 0, COUNTS["Honor roll"]),
+    ]
+    took = "took swinging-1.py as swinging.py, left swinging.py"
+    assert [row["problems"] for row in rows.values()] == ["", "", "", f"{NONE}src/a.txt", took]
+    assert rows["bea"]["next"].startswith("angle_update in src/swinging.py, line ")
+    for student, words in [("ann", "Grade: Honor roll."), ("bea", "Grade: D."), ("eve", "UTF-8")]:
+        assert words in (out / f"{student}.txt").read_text(encoding="utf-8")
+    assert "    1  The sign of gravity is wrong. Gravity pulls the bob back down. (angle_update)\n" in printed
+    assert "Honor roll           1\n" in printed
+    assert os.name == "nt" or stat.S_IMODE(out.stat().st_mode) == 0o700
+    result = json.loads((tmp_path / "gradescope" / "bea" / "results.json").read_text())
+    (test,) = (test for test in result["tests"] if test["name"].startswith("C: angle_update: Takes in"))
+    assert (test["score"], test["max_score"], "wrong       omega_new is 4, not 2." in test["output"]) == (0, 1, True)
+    assert (result["score"], result["max_score"], sum(test["score"] for test in result["tests"])) == (35, 53, 35)
+
+    whole, *others = sorted((out / "results.jsonl").read_text().splitlines())  # the first one is ann's
+    damaged = [whole.replace('"passed"', way) for way in ("1", "null", '"excellent"', '{"a": []}')]
+    damaged += [whole.replace('"seconds": ', '"seconds": "x'), "[" * 100_000, whole[:99]]
+    shutil.rmtree(tmp_path / "class" / "bea")
+    (out / "results.jsonl").write_text("\n".join([*damaged, *others, '{"student": "dan", "dig']))
+    process = grading()
+    process.communicate(timeout=2 * SECONDS)
+    rows, results = tables_of(out)
+    assert [*rows] == ["ann", "cem", "dan", "eve"]
+    assert rows["ann"]["grade"] == "Honor roll"
+    assert [results[name] for name in ("cem", "dan", "eve")] == [first[name] for name in ("cem", "dan", "eve")]
+    assert not (out / "bea.txt").exists()
+    assert os.listdir(tmp_path / "work") == []
 
 
 @on_posix
-def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_path):
-    """Honest students beside them get all their points, nothing outside changes, and nothing hangs."""
-    a_class, ours = tmp_path / "class", {name: content.decode() for name, content in solved.items()}
-    empty = {name: content.decode() for name, content in files_of(made).items()}
-    secret = put_files(tmp_path, {"secret.txt": "secret"}) / "secret.txt"
-    listening = socket.create_server(("127.0.0.1", 0))
-    outside = OUTSIDE.format(folder=str(tmp_path), port=listening.getsockname()[1])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_interrupted_class_leaves_nothing_in_the_temporary_folder(solved, tmp_path, grading, number):
+    for student in range(8):
+        put_files(tmp_path / "class" / f"{student}" / "src", {**solved, "swinging.py": b"while True: pass"})
+    process = grading()
+    wait_until(lambda: [*tmp_path.glob("work/*/tmp*/own/src")])
+    for _ in range(3):
+        process.send_signal(number)
+    printed, errors = process.communicate(timeout=SECONDS)
+    assert (process.returncode, "Traceback" in errors) == (130, False), errors
+    assert printed.endswith(" of 8 solutions are graded. The same command goes on from there.\n")
+    assert os.listdir(tmp_path / "work") == []
 
-    students = dict.fromkeys(["ann", "zoe", "=1+1", "x" * 252], ours)
-    for name, text in IMPORTED.items():
-        students[f"empty {name}"] = {**empty, "pds_helper.py": f"{text}\n{empty['pds_helper.py']}"}
-    for (name, file), text in {**ODD, ("outside", "swinging.py"): outside}.items():
-        students[name] = {**ours, file: f"{ours[file]}\n{text}\n"}
-    for name, body in BODIES.items():
-        changed = ours["swinging.py"].replace(FIRST, f"{indent(body, '    ')}\n{FIRST}", 1)
-        students[name] = {**ours, "swinging.py": changed}
-    for student, files in students.items():
-        put_files(a_class / student / "src", files)
-    os.mkfifo(a_class / "pipe.zip")
 
-    device = os.stat(os.devnull).st_mode
-    command = [sys.executable, ROOT / "tests" / "grade_class.py", a_class]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=4 * SECONDS)
-    assert done.returncode == 0, done.stderr
+@on_posix
+@pytest.mark.slow
+def test_a_class_that_is_killed_at_any_moment_goes_on(solved, tmp_path, grading):
+    for student in range(12):
+        put_files(tmp_path / "class" / f"{student}" / "src", {**solved, "own.py": f"{student}".encode()})
+    for seconds in random.Random(44).sample(range(5, 40), 10):
+        process = grading()
+        time.sleep(seconds / 10)  # any moment
+        process.kill()
+        process.communicate(timeout=SECONDS)
+    process = grading()
+    assert (process.communicate(timeout=2 * SECONDS)[0] > "", process.returncode) == (True, 0)
     rows, results = tables_of(tmp_path / "class-grades")
-    points = {student.removeprefix("'"): int(row["points"]) for student, row in rows.items()}
-    full, rest = sum(COUNTS.values()), sum(COUNTS.values()) - COUNTS["C"] - COUNTS["A"]
-    expected = dict.fromkeys([*(f"empty {name}" for name in IMPORTED), "pipe"], 0) | dict.fromkeys(BODIES, rest)
-    expected |= {**dict.fromkeys(["code", "letters"], full - COUNTS["D"] - 4), "vectors": full - 3}
-    assert {student: number for student, number in points.items() if number != full} == expected
-    assert rows["pipe"]["problems"] == "cannot be read: pipe.zip is neither a folder nor a plain file"
-    assert "'=1+1" in rows
-    for student, said in SAID.items():
-        assert f"angle_update {said}" in " ".join(each[1] for each in results[student]["outcomes"].values())
-    assert os.stat(os.devnull).st_mode == device
-    if "Without bubblewrap" not in done.stderr:
-        assert secret.read_text() == "secret"
-        assert "secret" not in (tmp_path / "class-grades" / "outside.txt").read_text().replace("secret.txt", "")
-        assert sorted(path.name for path in tmp_path.iterdir()) == ["class", "class-grades", "secret.txt"]
+    assert {row["points"] for row in rows.values()} == {"53"}
+    assert len(rows) == len(results) == len((tmp_path / "class-grades/results.jsonl").read_text().splitlines()) == 12
+
+
+# What solutions do when their file is imported. These keep all their points,
+HERE = "import os, shutil, signal, sys, threading, time\nhere = os.path.dirname(os.path.dirname(__file__))\n"
+HARMLESS = {
+    "leaves a process": "if not os.fork():\n  os.setsid()\n  time.sleep(300)\n  os._exit(0)",
+    "makes deep folders": "os.chdir(here)\nfor _ in range(3000): os.mkdir('a'); os.chdir('a')\nos.chdir(here)",
+    "takes rights away": "os.mkdir(here + '/a')\nos.chmod(here + '/a', 0)\nos.chmod(here + '/src', 0o500)",
+}
+# these too, in bubblewrap (outside of it, they write, kill and take what a line names),
+CALLS = "import ctypes, socket\ncalls = ctypes.CDLL(None)\n"
+BOXED = {
+    "writes": "for path in {outside}:\n  try: open(path, 'w').write('x')\n  except OSError: pass",
+    "reads": "for path in {outside}:\n  assert not os.path.exists(path)",
+    "connects": CALLS + "assert socket.socket().connect_ex(('127.0.0.1', {port}))",
+    "takes shared memory": CALLS + "assert calls.shmget(0, 10 ** 6, 0o1666) == -1",
+    "takes memory in a file": "try: os.memfd_create('a')\nexcept OSError: pass\nelse: 1 / 0",
+    "reads keys": CALLS + "assert calls.syscall(250 if os.uname().machine == 'x86_64' else 219, 0, -4, 1) == -1",
+    "locks": "import fcntl\ntry: fcntl.flock(open('/one_run.py'), fcntl.LOCK_EX)\nexcept OSError: pass\nelse: 1 / 0",
+    "leases": "import fcntl\ntry: fcntl.fcntl(open(__file__), 1024, 1)\nexcept OSError as e: assert e.errno == 38",
+    "attaches": CALLS + "assert calls.ptrace(16, 1, 0, 0) == -1",
+    "calls machines": "try: __import__('socket').socket(40, 1)\nexcept OSError: pass\nelse: 1 / 0",
+    "makes namespaces": CALLS + "assert calls.unshare(0x10000000) == -1",
+}
+# and these spoil their own run.
+SPOILED = {
+    "kills its parent": "os.kill(os.getppid(), 9)",
+    "stops its parent": "os.kill(os.getppid(), signal.SIGSTOP)",
+    "forks": "while True:\n  try: os.fork()\n  except OSError: pass",
+    "starts threads": "while True: threading.Thread(target=time.sleep, args=(300,)).start()",
+    "takes memory": "rows = [0]\nwhile True: rows += rows",
+    "fills its folder": "for i in range(100): open(here + '/' + str(i), 'wb').write(bytes(9_000_000))",
+    "removes all": "shutil.rmtree(here, ignore_errors=True)",
+    "makes a pipe": "os.mkfifo(here + '/grade.json')",
+    "makes a link": "os.symlink('/dev/zero', here + '/grade.json')",
+    "writes a grade": "open(here + '/grade.json', 'w').write('[' * 400_000)\nos.kill(os.getpid(), 9)",
+    "prints without end": "while True: os.write(1, b'x' * 100_000)",
+    "catches everything": "while True:\n  try: time.sleep(1)\n  except BaseException: pass",
+    "ends late": "__import__('atexit').register(time.sleep, 300)",
+    "ends at once": "os.abort()",
+    "closes its output": "sys.stdout.close()",
+    "forgets the language": "import builtins\ndel builtins.open, builtins.len",
+    "raises a formula": "raise ValueError('=1+1;=2' + 'x' * 10 ** 6)",
+}
+KILLS = {"kills all": "os.kill(-1, 9)"}
+MAIN = "    pend_list = make_newton_cradle("
+
+
+@on_posix
+@pytest.mark.slow
+@pytest.mark.parametrize("boxed", [True, False], ids=["bubblewrap", "limits"])
+def test_hostile_solutions_harm_nobody_else(solved, tmp_path, grading, boxed):
+    if boxed and shutil.which("bwrap") is None:
+        pytest.skip("bubblewrap is not installed")
+    (tmp_path / "secret.txt").write_text("secret")
+    outside = [str(tmp_path / name) for name in ("secret.txt", "class/0 honest/src/swinging.py", "new.txt")]
+    full = {**HARMLESS, **(BOXED if boxed else {})}
+    rows = {**full, **SPOILED, **(KILLS if boxed else {}), "writes page.csv": ""}
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        for i, (name, text) in enumerate(rows.items()):
+            text = text.replace("{outside}", f"{outside}").replace("{port}", f"{listening.getsockname()[1]}")
+            files = {**solved, "swinging.py": solved["swinging.py"] + f"{HERE}{text}".encode()}
+            put_files(tmp_path / "class" / name / "src", files)
+            put_files(tmp_path / "class" / f"{i} honest" / "src", {**solved, "own.py": f"{i}"})
+        main = tmp_path / "class" / "writes page.csv" / "src" / "visualize_cradle_run.py"
+        change(main, MAIN, f"    open(page.csv, 'w').close()\n{MAIN}")
+        before = contents(tmp_path)
+        path = os.environ["PATH"] if boxed else without_bubblewrap(tmp_path / "work" / "bin")
+        process = grading(PATH=path)
+        _, errors = process.communicate(timeout=10 * SECONDS)
+    assert (process.returncode, "Traceback" in errors, "Without bubblewrap" in errors) == (0, False, not boxed), errors
+    points = {student: int(row["points"]) for student, row in tables_of(tmp_path / "class-grades")[0].items()}
+    assert {student: n for student, n in points.items() if n != 53 and (student in full or "honest" in student)} == {}
+    shutil.rmtree(tmp_path / "class-grades")
+    assert contents(tmp_path) == before
+    assert {*os.listdir(tmp_path / "work")} <= {"bin"}
+
+
+def contents(folder):
+    return {path: path.read_bytes() for path in folder.rglob("*.*") if path.is_file() and "work" not in path.parts}
+
+
+def without_bubblewrap(folder):
+    """Make a folder with all programs but bwrap; return it."""
+    folder.mkdir()
+    for program in (each for where in os.environ["PATH"].split(os.pathsep) for each in Path(where).glob("*")):
+        if program.name != "bwrap" and not (folder / program.name).exists():
+            (folder / program.name).symlink_to(program)
+    return str(folder)
+
+
+@pytest.fixture
+def main(made, monkeypatch, capsys):
+    """A function that runs a program in this process; it returns (status, stdout, stderr)."""
+    monkeypatch.setattr(make_autograder, "make_starter", lambda folder: shutil.copytree(made, folder))
+
+    def main(program, *arguments):
+        monkeypatch.setattr(sys, "argv", [program.__name__ + ".py", *map(str, arguments)])
+        return call(program.main, capsys)
+
+    return main
 
 
 @pytest.mark.parametrize(
@@ -406,27 +483,23 @@ def test_attackers_in_a_class_get_what_their_code_deserves(made, solved, tmp_pat
 def test_wrong_arguments_are_refused_in_one_line(tmp_path, monkeypatch, main, program, arguments, words):
     monkeypatch.chdir(tmp_path)
     put_files(tmp_path, {"file.zip": "mine", "class/ann/a.txt": ""})
-    status, printed, errors = main(*arguments.split(), program=program)
+    status, printed, errors = main(program, *arguments.split())
     assert (status, printed, errors.count("\n")) == (2, "", 1)
     assert words.format(here=tmp_path) in errors
     assert (tmp_path / "file.zip").read_text() == "mine"
-
-
-# --- Gradescope ------------------------------------------------------------------------------------------------------
 
 
 @on_posix
 @pytest.mark.parametrize("installs", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_the_autograder_grades_a_solution_and_holds_no_answers(tmp_path, main, solved, installs):
     """Without an installation, this Python stands in for that of the autograder."""
-    assert main(tmp_path / "cradle.zip", program=make_autograder)[::2] == (0, "")
+    assert main(make_autograder, tmp_path / "cradle.zip")[::2] == (0, "")
     with zipfile.ZipFile(tmp_path / "cradle.zip") as archive:
         modes = {info.filename: info.external_attr >> 16 for info in archive.infolist()}
         archive.extractall(tmp_path / "source")
     assert modes["run_autograder"] & modes["setup.sh"] & 0o111 == 0o111
     assert "angle_update is not written yet" in (tmp_path / "source" / "src" / "swinging.py").read_text()
     assert not (tmp_path / "source" / "tests" / "project").exists()
-
     put_files(tmp_path / "venv" / "bin", {"python": f'#!/bin/sh\nexec "{sys.executable}" "$@"\n'})
     (tmp_path / "venv" / "bin" / "python").chmod(0o755)
     put_files(tmp_path / "submission" / "src", {"pds_helper.py": solved["pds_helper.py"]})
@@ -437,78 +510,3 @@ def test_the_autograder_grades_a_solution_and_holds_no_answers(tmp_path, main, s
     subprocess.run(["bash", tmp_path / "run_autograder"], check=True, capture_output=True, timeout=2 * SECONDS)
     results = json.loads((tmp_path / "results" / "results.json").read_text())
     assert (results["score"], results["max_score"]) == (4, 53)
-
-
-# --- the judge and the solver say the same as pytest in one process --------------------------------------------------
-
-SOLUTIONS = {
-    (function, words): version
-    for table in (HINTED, UNNAMED, RIGHT)
-    for function, versions in table.items()
-    for words, version in versions.items()
-}
-
-
-def with_body(files, function, body):
-    """Return the files of a solution with another body of a function."""
-    name = FUNCTIONS[function].file
-    lines = files[name].decode().splitlines()
-    (node,) = (node for node in ast.parse(files[name]).body if getattr(node, "name", "") == function)
-    lines[node.body[0].end_lineno : node.end_lineno] = indent(dedent(body).strip("\n"), "    ").splitlines()
-    names = "from math import cos, sin", "from vpython import mag, vector"  # so that no row needs to import them
-    return {**files, name: "\n".join([*names, *lines, ""]).encode()}
-
-
-@pytest.fixture
-def files(made, solved):
-    """The files of a complete solution, by their paths in the project."""
-    return {**given_files(made), **{f"src/{name}": content for name, content in solved.items()}}
-
-
-def outcomes_of(function):
-    """Return the outcomes of the checks of this function. All others count as passed."""
-    grading = Grading()
-    grading.outcomes = {check.name: Outcome(PASSED) for check in grader.CHECKS.values() if check.function != function}
-    return {check.name: grading.judge(check) for check in checks(function=function)}
-
-
-@pytest.fixture
-def judged(process, monkeypatch):
-    """A function that returns the outcomes of a solution of this function in a solver."""
-
-    def judged(files, function):
-        solver = Solver(files, process)
-        monkeypatch.setattr(grader, "runner", solver)
-        try:
-            solver.open()
-            return outcomes_of(function)
-        finally:
-            process.end()
-
-    return judged
-
-
-@pytest.fixture
-def graded_here(tmp_path, monkeypatch):
-    """A function that returns the outcomes of a solution of this function in this process."""
-    monkeypatch.setattr(sys, "dont_write_bytecode", True)
-    monkeypatch.setattr(limits, "PATIENCE", 60.0)  # also of the solver; a busy machine can stall for seconds
-    monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(raised, "ROOT", tmp_path)
-
-    def graded_here(files, function):
-        put_files(tmp_path, files)
-        monkeypatch.setattr(grader, "runner", own_process.OwnProcess())
-        importlib.invalidate_caches()
-        with imported_again():
-            return outcomes_of(function)
-
-    return graded_here
-
-
-@pytest.mark.parametrize(("function", "words"), slow_but_for([*SOLUTIONS][::9], [*SOLUTIONS]))
-def test_a_solver_gives_the_same_outcomes_and_words_as_one_process(files, judged, graded_here, function, words):
-    version = SOLUTIONS[function, words]
-    body = PLAIN[function].replace(*version) if isinstance(version, tuple) else version
-    files = with_body(files, function, body)
-    assert judged(files, function) == graded_here(files, function)

@@ -1,131 +1,154 @@
-"""The process of a solver: what it may reach, and how much it may take.
+"""A fresh folder and a pytest for each submission: what it may reach, and how long it may take.
 
-Under bubblewrap, a solver sees Python, the system's libraries and a folder in memory, and nothing else: no files, no
-processes, no network. https://github.com/containers/bubblewrap
+In bubblewrap, it sees Python, libraries and a folder in memory, and no network. github.com/containers/bubblewrap
 """
 
-import compileall
+import asyncio
+import json
 import os
+import platform
 import shutil
 import signal
 import site
-import socket
+import struct
 import subprocess
 import sys
 import tempfile
-from contextlib import closing, suppress
+from contextlib import suppress
+from errno import EDQUOT, ENOSPC
+from functools import partial
+from itertools import count
 from pathlib import Path
 
-from grading.begin import ROOT
+from support.start.output import complain
+from teacher import one_run
 
-SPACE = 50_000_000  # bytes of a solver's folder
-SYSTEM = (
-    *("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32", "/nix/store"),
-    *("/etc/alternatives", "/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/ld.so.conf.d", "/etc/localtime"),
-)
-ALONE = ("--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try")
-FIRST_USER, USERS = 60_600, 500  # numbers that systems give to nobody
-START_OR_END = 20.0  # s, of the start of a process and of its end
-IN_SANDBOX = Path("/cradle")  # the solver's folder
+SPARE, SPACE = 10, 50_000_000  # s in which one_run.py ends a pytest that takes too long; bytes of a folder in memory
+STARTER, OWN, FOLDER, PROGRAM = "/starter", "/own", "/cradle", "/one_run.py"  # in bubblewrap: copied, to where, by what
+SYSTEM = "/bin /sbin /lib /lib32 /lib64 /libx32 /nix/store /etc/alternatives /etc/ld.so.cache /etc/localtime"
+IN_PREFIX = "bin", "lib", "lib32", "lib64", "libx32", "libexec", "share", "pyvenv.cfg"  # of Python's folders and /usr
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
+USERS = (60_600 + number % 500 for number in count(os.getpid()))  # that systems give to nobody
+REMOVE = ["cmd", "/c", "rd", "/s", "/q"] if os.name == "nt" else ["sh", "-c", 'chmod -R u+rwx "$0"; rm -rf "$0"']
+OPEN = "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
 
-GRADING = "begin", "cradles", "evidence", "handout", "hints", "limits", "messages", "own_process", "raised", "values"
-# The files of tests/ that a solver needs.
-SOLVERS = (*(f"grading/{name}" for name in GRADING), "teacher/crossing", "teacher/solver")
-
-BWRAP, LIMITS = "bwrap", "limits"  # what holds a solver off
-LEFT_OPEN = {BWRAP: "", LIMITS: "the network, and all of your files"}  # what a solution can use nevertheless
-
-
-def holds_off(copied, hidden) -> str:
-    """Return the first of LEFT_OPEN with which a process starts here; raise an OSError if there is none."""
-    for kind in LEFT_OPEN:
-        if kind == BWRAP and shutil.which("bwrap") is None:
-            continue
-        process = Process(copied, kind, hidden)
-        process.begin()
-        process.line.settimeout(START_OR_END)
-        with closing(process), suppress(OSError):
-            if process.line.recv(1) == b"{":
-                return kind
-    raise OSError(0, "it does not start", "tests/teacher/solver.py")
+# What the kernel refuses (docs.kernel.org/userspace-api/seccomp_filter.html): memory that outlives a process (shmget,
+# semget, msgget, memfd_create), keys (add_key, request_key, keyctl), namespaces (unshare, clone3, clone), processes of
+# others (ptrace, pidfd_getfd, process_vm_writev), locks (flock, a lease by fcntl), sockets to other virtual machines.
+CALLS = {  # of a processor: its number, the numbers of these calls, and those of clone, fcntl and socket
+    "x86_64": (0xC000003E, (29, 64, 68, 319, 248, 249, 250, 272, 435, 101, 438, 311, 73), (56, 72, 41)),
+    "aarch64": (0xC00000B7, (194, 190, 186, 279, 217, 218, 219, 97, 435, 117, 438, 271, 32), (220, 25, 198)),
+}
+LOAD, IS, IS_FROM, HAS, RETURN, OTHER_TABLE = 0x20, 0x15, 0x35, 0x45, 0x06, 0x40000000  # the calls of x32 begin there
+BY_ARGUMENT = (16, HAS, 0x10000000), (24, IS, 1024), (16, IS, 40)  # where it is, and what is refused
+REFUSE, ALLOW = (RETURN, 0, 0, 0x50026), (RETURN, 0, 0, 0x7FFF0000)  # ENOSYS: glibc then takes clone for clone3
 
 
-class Process:
-    """A process of solver.py for a solution, and all that it starts."""
-
-    def __init__(self, copied, kind, hidden=()):
-        """copied is the folder that copy_files has made. kind is one of LEFT_OPEN. The solver sees no hidden folder."""
-        self.copied, self.kind, self.hidden = copied, kind, hidden
-        self.user = FIRST_USER + os.getpid() % USERS if IS_ROOT and kind != LIMITS else 0
-        self.process = self.folder = self.line = None  # line leads to the process
-
-    def begin(self) -> None:
-        """Start a process for a solution."""
-        if self.kind == BWRAP:
-            folder, before = IN_SANDBOX, bubblewrap(self.copied, self.hidden)
-        else:
-            self.folder = tempfile.TemporaryDirectory(prefix="cradle_", ignore_cleanup_errors=True)
-            folder, before = Path(os.path.realpath(self.folder.name)), []
-            shutil.copytree(self.copied, folder, dirs_exist_ok=True)
-        self.line, end = socket.socketpair()
-        end.set_inheritable(True)
-        numbers = self.user, end.fileno()
-        python = [sys.executable, "-B", str(folder / "tests" / "teacher" / "solver.py"), *map(str, numbers)]
-        environment = dict(os.environ) if os.name == "nt" else {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
-        environment.update(HOME=str(folder), TMPDIR=str(folder), PYTHONUSERBASE=site.getuserbase())
-        options = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.DEVNULL)
-        options.update({"close_fds": False} if os.name == "nt" else {"pass_fds": [end.fileno()]})
-        options.update(env={**environment, "OPENBLAS_NUM_THREADS": "1"}, cwd="/" if before else folder)
-        with end:  # in a session of its own: Ctrl+C reaches only the program that tells it
-            self.process = subprocess.Popen([*before, *python], start_new_session=True, **options)
-
-    def end(self) -> None:
-        """End the solution's process and all that it has started."""
-        if self.line is not None:
-            self.line.close()
-            self.line = None
-            self.close()
-
-    def close(self) -> None:
-        """End everything."""
-        if self.process is None:
-            return
-        with suppress(OSError, AttributeError):  # Windows has no groups
-            os.killpg(self.process.pid, signal.SIGKILL)
-        self.process.kill()
-        self.process.wait()
-        self.process = None
-        if self.folder:
-            self.folder.cleanup()
+def seccomp_filter(name, refused, by_argument) -> bytes:
+    """Return the filter for a processor, from its row of CALLS."""
+    rows = [(LOAD, 0, 0, 4), (IS, 1, 0, name), REFUSE, (LOAD, 0, 0, 0), (IS_FROM, 0, 1, OTHER_TABLE), REFUSE]
+    rows += [row for number in refused for row in ((IS, 0, 1, number), REFUSE)]
+    for number, (place, test, value) in zip(by_argument, BY_ARGUMENT, strict=True):
+        rows += [(IS, 0, 4, number), (LOAD, 0, 0, place), (test, 0, 1, value), REFUSE, ALLOW]
+    return b"".join(struct.pack("HBBI", *row) for row in [*rows, ALLOW])
 
 
-def bubblewrap(copied, hidden) -> list[str]:
-    """Return the command that starts a command in a sandbox with the copied files, but with no other file."""
-    python = [sys.prefix, sys.base_prefix, *site.getsitepackages(), site.getusersitepackages()]
-    visible = [path for path in (*SYSTEM, *map(os.path.abspath, python)) if os.path.exists(path)]
-    mounts = [["--ro-bind", path, path] for path in dict.fromkeys(visible)]
-    hidden = {str(folder) for folder in (ROOT, *hidden)}
-    mounts += [["--tmpfs", folder] for folder in hidden]
-    known = subprocess.run(["bwrap", "--help"], capture_output=True, text=True, check=False).stdout
-    size = ["--size", str(SPACE)] if "--size" in known else []  # from version 0.8 on
-    mounts += [[*size, "--perms", "1777", "--tmpfs", str(IN_SANDBOX)]]
-    mounts += [["--ro-bind", str(copied / name), str(IN_SANDBOX / name)] for name in ("support", "tests")]
-    parents = {parent for mount in mounts for parent in Path(mount[-1]).parents}
-    mounts += [["--perms", "0755", "--dir", str(parent)] for parent in parents]
-    mounts.sort(key=lambda mount: (len(Path(mount[-1]).parts), "--dir" not in mount))  # the deeper one covers the other
-    # Root makes the sandbox, and solver.py becomes another user in it: limits of root's processes have no effect.
-    begin = ["bwrap", "--die-with-parent", *(ALONE if IS_ROOT else ["--unshare-all"]), "--dev", "/dev"]
-    end = [["--remount-ro", folder] for folder in (*hidden, "/dev", "/")]  # it can write only into its own folder
-    return [*begin, *(word for mount in mounts + end for word in mount)]
+def quietly(*command, **options) -> bytes:
+    """Run a command, and return what it prints."""
+    return subprocess.run(command, capture_output=True, check=False, **options).stdout
 
 
-def copy_files(starter, folder) -> Path:
-    """Make the folder that solvers share: the starter's support/, and what a solver needs of the grader."""
-    shutil.copytree(starter / "support", folder / "support", ignore=shutil.ignore_patterns("__pycache__"))
-    for name in SOLVERS:
-        file = folder / "tests" / f"{name}.py"
-        file.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(ROOT / "tests" / f"{name}.py", file)
-    compileall.compile_dir(folder, quiet=2)
-    return folder
+def bubblewrap(work) -> list[str]:
+    """Return the command that starts a command in bubblewrap; put the filter into the folder work."""
+    prefixes = ["/usr", "/usr/local", *map(os.path.abspath, (sys.base_prefix, sys.prefix))]
+    python = [f"{prefix}/{name}" for prefix in prefixes for name in IN_PREFIX]
+    visible = [path for path in [*SYSTEM.split(), *python, site.getusersitepackages()] if os.path.exists(path)]
+    folders = sorted({STARTER, OWN, *(str(parent) for path in visible for parent in Path(path).parents)})
+    mounts = [word for folder in folders for word in ("--perms", "0755", "--dir", folder)]
+    mounts += [word for path in visible for word in ("--ro-bind", path, path)]
+    size = ["--size", str(SPACE)] if b"--size" in quietly("bwrap", "--help") else []  # from version 0.8 on
+    mounts += ["--ro-bind", one_run.__file__, PROGRAM, *size, "--perms", "1777", "--tmpfs", FOLDER, "--dev", "/dev"]
+    mounts += ["--remount-ro", "/dev", "--remount-ro", "/", "--chdir", FOLDER]  # it writes only into its own folder
+    # Root makes the sandbox, and one_run.py becomes another user in it: limits of root's processes have no effect.
+    alone = [f"--unshare-{name}" for name in ("ipc", "pid", "net", "uts", "cgroup-try", *["user"] * (not IS_ROOT))]
+    rules = [seccomp_filter(*row) for machine, row in CALLS.items() if machine == platform.machine()]
+    (work / "filter").write_bytes(b"".join(rules))
+    command = [
+        "sh",
+        "-c",
+        'echo 1000 2>&- >/proc/self/oom_score_adj; exec bwrap "$@" 9<"$0"',
+        str(work / "filter"),
+        *["--seccomp", "9"] * len(rules),
+    ]
+    return [*command, "--die-with-parent", *alone, *mounts]
+
+
+async def run(starter, work, before, drops_root, files) -> tuple[int | str, bytes]:
+    """Run pytest for these files of a submission, by their paths below src/, in a copy of the starter.
+
+    before is the command of bubblewrap, if any. Return the exit status, or in words why there is none, and what
+    one_run.py has written. Raise an OSError if the disk of the folder work is full.
+    """
+    folder = Path(tempfile.mkdtemp(dir=work))
+    try:
+        (folder / "own").mkdir()
+        for path, content in ((folder / "own" / "src" / name, content) for name, content in files.items()):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+        with tempfile.TemporaryFile(dir=work) as output:
+            status = await run_in(folder, starter, before, drops_root, output)
+            if shutil.disk_usage(work).free < SPACE:
+                raise OSError(ENOSPC, "No space left")
+            output.seek(0)
+            return status, output.read(one_run.MOST_BYTES + 1)
+    except (OSError, ValueError, RecursionError) as error:
+        if getattr(error, "errno", 0) in (ENOSPC, EDQUOT):
+            raise OSError(error.errno, error.strerror, str(work)) from None
+        return f"the files cannot be written: {getattr(error, 'strerror', error)}", b""
+    finally:
+        quietly(*REMOVE, str(folder))
+
+
+async def run_in(folder, starter, before, drops_root, output) -> int:
+    """Run pytest in a folder, and end all that it has started; return its exit status."""
+    user, own = next(USERS) if drops_root else 0, str(folder / "own")
+    for path in (folder, *folder.rglob("*")) if user else ():
+        os.chown(path, user, user)
+    home, program = str(folder), [one_run.__file__, str(user), str(one_run.WHOLE), str(starter), own]
+    if before:
+        home, program = FOLDER, [PROGRAM, str(user), str(one_run.WHOLE), STARTER, OWN]
+        before = [*before, "--ro-bind", str(starter), STARTER, "--ro-bind", own, OWN]
+    environment = dict(os.environ) if os.name == "nt" else {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
+    environment |= {"HOME": home, "TMPDIR": home, "PYTHONUSERBASE": site.getuserbase(), "OPENBLAS_NUM_THREADS": "1"}
+    environment |= {"PYTHONDONTWRITEBYTECODE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "COLUMNS": "100"}
+    own_group = "creationflags" if os.name == "nt" else "start_new_session"  # Ctrl+C is for this program only
+    options = {"env": environment, own_group: getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", True), "cwd": folder}
+    options |= {"stdin": subprocess.DEVNULL, "stdout": output, "stderr": output}
+    process = subprocess.Popen([*before, sys.executable, *program], **options)
+    try:
+        return await asyncio.wait_for(asyncio.to_thread(process.wait), one_run.WHOLE + SPARE)
+    except asyncio.TimeoutError:
+        return one_run.LATE
+    finally:
+        if os.name == "nt":
+            quietly("taskkill", "/F", "/T", "/PID", str(process.pid))
+        with suppress(ProcessLookupError, AttributeError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        if user and not before:  # what has left its group
+            quietly("sh", "-c", "ipcrm -a; kill -9 -1", user=user)
+
+
+async def open_sandbox(starter, work) -> tuple:
+    """Return run with its first arguments, and the grade of the starter; raise an OSError if this cannot be graded."""
+    work.chmod(0o711)  # for other users
+    has_bwrap = shutil.which("bwrap") is not None
+    for command, drops_root in [(bubblewrap, IS_ROOT)] * has_bwrap + [(None, True)] * IS_ROOT + [(None, False)]:
+        run_one = partial(run, starter, work, command(work) if command else [], drops_root)
+        status, output = await run_one({})
+        with suppress(ValueError):
+            empty = json.loads(output)
+            if command is None:
+                complain(OPEN + (" It does not work here." if has_bwrap else " On Linux: apt install bubblewrap."))
+            return run_one, empty
+    raise OSError(0, f"pytest does not grade it: {output.decode(errors='replace').strip() or status}", str(starter))
