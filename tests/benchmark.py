@@ -79,8 +79,7 @@ ENGINES = {  # name -> (a function that makes a cradle, its steps in s)
 
 def cpu_time(make, seconds) -> float:
     """Return the processor time (s) that a cradle takes for these simulated seconds: the least of three."""
-    names = {"make": make, "seconds": seconds}
-    return min(timeit.repeat("move(seconds)", "move = make()", time.process_time, repeat=3, number=1, globals=names))
+    return min(timeit.repeat("move(seconds)", "move = make()", time.process_time, repeat=3, number=1, globals=locals()))
 
 
 def speeds():

@@ -60,22 +60,7 @@ def main() -> None:
 
 def make_starter(folder) -> None:
     """Make the folder, or fill an empty one; if this fails, leave nothing behind, and raise an OSError."""
-    new = [path for path in (folder, *folder.parents) if not path.exists()]
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        fill(folder)
-    except BaseException:
-        for path in new[-1:] or folder.iterdir():
-            shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
-        raise
-
-
-def fill(folder) -> None:
-    """Write all files of the starter into an empty folder."""
     found = [path.relative_to(ROOT) for name in FOLDERS for path in (ROOT / name).rglob("*") if path.is_file()]
-    for path in [*map(Path, FILES), *(path for path in found if not UNUSED.intersection(path.parts))]:
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(ROOT / path, folder / path)
     rows = "\n".join(f"| {function.tier} | `{name}` | `{function.file}` |" for name, function in FUNCTIONS.items())
     project = (ROOT / "pyproject.toml").read_text(encoding="utf-8").partition("\n# A plain pytest")[0]
     texts = {
@@ -83,31 +68,35 @@ def fill(folder) -> None:
         "pyproject.toml": project.replace(" -m 'not browser and not slow' -n 2 --dist worksteal", ""),
         **{f"src/{path.name}": for_students(path) for path in (ROOT / "src").glob("*.py") if path.name not in UNUSED},
     }
-    for name, text in texts.items():
-        (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    new = [path for path in (folder, *folder.parents) if not path.exists()]
+    try:
+        for path in [*map(Path, FILES), *(path for path in found if not UNUSED.intersection(path.parts))]:
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / path, folder / path)
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    except BaseException:
+        for path in new[-1:] or folder.iterdir():
+            shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
+        raise
 
 
 def for_students(path) -> str:
-    """Return the source of a file of src/ in the form for students."""
+    """Return the source of a file of src/ without what students write; the docstrings of their functions stay."""
     source = path.read_text(encoding="utf-8")
     for pattern in CUT:
         source = re.sub(pattern, "", source)
     if "__main__" not in source:
         source = source.replace('"""\n\n', f'"""\n\n{NO_PROGRAM}', 1)
-    return emptied(source) if f"src/{path.name}" in STUDENTS_FILES else source
-
-
-def emptied(source) -> str:
-    """Return the source of a module without what students write; the docstrings of their functions stay."""
-    lines = source.splitlines()
-    for function in reversed(ast.parse(source).body):
+    lines = source.splitlines(keepends=True)
+    for function in reversed(ast.parse(source).body if f"src/{path.name}" in STUDENTS_FILES else []):
         if isinstance(function, ast.FunctionDef) and function.name in STUDENTS_FUNCTIONS:
             for before, last, indent, words in reversed(places(function)):
                 lines[before:last] = [
-                    " " * indent + f"# Write your code here, in place of the next line{words}.",
-                    " " * indent + f'raise NotImplementedError("{function.name} is not written yet")',
+                    " " * indent + f"# Write your code here, in place of the next line{words}.\n",
+                    " " * indent + f'raise NotImplementedError("{function.name} is not written yet")\n',
                 ]
-    return "\n".join(lines) + "\n"
+    return "".join(lines)
 
 
 def places(function) -> list[tuple[int, int, int, str]]:

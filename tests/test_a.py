@@ -14,11 +14,9 @@ from grading.messages import Wanted
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import show_pendulum
 
-SHORT = 1e-9  # s: a tick without visible motion
 
-
-def check_tick(pend_list, wanted, *, dt=SHORT, g=9.81):
-    """Check omega of each pendulum after a tick."""
+def check_tick(pend_list, wanted, *, dt=1e-9, g=9.81):
+    """Check omega of each pendulum after a tick, with this dt (s) without visible motion."""
     expect("newton_cradle_tick", pend_list, R, dt, g, wanted=wanted, **each(pend_list, "omega"))
 
 
@@ -100,14 +98,11 @@ def test_a_cradle_passes_the_swing_on():
     def is_passed_on(thetas):
         return abs(thetas[-1] / lift - 1) < 0.02 and all(abs(theta) < 0.1 for theta in thetas[:-1])
 
-    half_a_period = 234  # ticks; 0.467 s, a bit more than pi sqrt(R / g), as the swing is large
+    # After half a period: 234 ticks are 0.467 s, a bit more than pi sqrt(R / g), as the swing is large.
     words = "the last one at about 0.785, as high as the first one was; the others at about 0"
     wanted = Wanted(words, is_passed_on, like=[0.0] * 5)
-    thetas = each(pend_list, "theta")
-    expect("newton_cradle_tick", pend_list, cord, 0.002, 9.81, wanted=wanted, times=half_a_period, **thetas)
+    expect("newton_cradle_tick", pend_list, cord, 0.002, 9.81, wanted=wanted, times=234, **each(pend_list, "theta"))
 
-
-# --- main ------------------------------------------------------------------------------------------------------------
 
 FOLDER = TemporaryDirectory(ignore_cleanup_errors=True)
 CRADLE = Path(FOLDER.name) / "cradle.csv"
@@ -116,8 +111,6 @@ CRADLE.write_text(MIXED_CSV)
 
 class Page:
     """The page for main in a check: it says when to tick, and records the result."""
-
-    METHODS, VALUES = ("show", "is_running"), ("csv", "rule")  # for main
 
     def __init__(self, *ticks, change=lambda pend_list: None, csv=str(CRADLE)):
         """ticks has the number of ticks of each cradle; change(pend_list) is called when main shows one."""
@@ -144,21 +137,12 @@ class Page:
         return self.is_shown
 
 
-def swings(ticks, r_param=R_PARAM, dt=DT, g=G):
-    """Return (omega, theta) of a pendulum released at THETA_INIT, at the start and after each tick.
-
-    The student's angle_update moves it. It is correct: main waits for it.
-    """
+def swings(ticks):
+    """Return (omega, theta) at the start and after each tick. They are the student's: main waits for angle_update."""
     states = [(0.0, THETA_INIT)]
-    while len(states) <= ticks:
-        states.append(result_of("angle_update", *states[-1], 2 * r_param, dt, 2 * g))  # the same motion
+    for _ in range(ticks):
+        states.append(result_of("angle_update", *states[-1], 2 * R_PARAM, DT, 2 * G))  # the same motion
     return states
-
-
-def is_made(found, theta_init, r_param):
-    """Return whether one cradle was shown, and its pendula have these angles (rad) and cords (m)."""
-    rows = [(0 if i else theta_init, abs(r_param)) for i in range(len(found[0]))]
-    return rows and same(found, [rows])
 
 
 @check("main")
@@ -172,14 +156,17 @@ def test_the_cradle_is_made_and_shown():
     def length_of_cord(pend):
         return pend["objects"][2].axis.mag if "objects" in pend else None
 
+    def is_made(found):
+        rows = [(0 if i else THETA_INIT, abs(R_PARAM)) for i in range(len(found[0]))]
+        return rows and same(found, [rows])  # one cradle was shown
+
     notes = [
         (lambda _: abs(THETA_INIT) > 2 * pi, f"THETA_INIT is {THETA_INIT:g} radians. Is it in degrees?"),
         (lambda _: DT > 0.001, f"DT is {DT:g} s. Such long ticks are not exact, and bobs pass through each other."),
     ]
     what = "theta and cord length of each pendulum on the page"
     words = f"({THETA_INIT:g}, {R_PARAM:g}) for the first one, (0, {R_PARAM:g}) for the others"
-    wanted = Wanted(words, lambda found: is_made(found, THETA_INIT, R_PARAM), like=[[]])
-    expect("main", page, wanted=wanted, see=see, what=what, notes=notes)
+    expect("main", page, wanted=Wanted(words, is_made, like=[[]]), see=see, what=what, notes=notes)
 
 
 @check("main")
@@ -190,8 +177,16 @@ def test_the_cradle_ticks():
     expect("main", page, wanted=swings(3), see=lambda _: page.states, what=what)
 
 
-def check_the_file_is_read_each_time():
-    """Check the masses of two cradles; the file changes between them."""
+@check("main")
+def test_each_cradle_that_is_wanted_is_a_new_one():
+    """Creates the Newton's cradle visualisation from data in the CSV file."""
+    page = Page(2, 1)
+    what = "omega and theta before the last tick, omega and theta after the last tick"
+    expect("main", page, wanted=swings(1), see=lambda _: page.states[-2:], what=what, times=2)
+    page, shown = Page(1, 0), shapes()
+    expect("main", page, see=lambda _: left_over(shown, page.parts), times=2, **LEFT_OVER)
+
+    # The file changes between the first cradle and the second one.
     before, after = MIXED[:2], [{**row, "mass": row["mass"] + 1} for row in MIXED]
     old, new = ([row["mass"] for row in rows] for rows in (before, after))
     file, masses = Path(FOLDER.name) / "changing.csv", []
@@ -208,18 +203,6 @@ def check_the_file_is_read_each_time():
     wanted, notes = Wanted("for each cradle, those that the file has then", is_new), [(lambda _: masses[0] != old, own)]
     see = {"see": lambda _: masses, "what": "masses of the first cradle, and of the second one"}
     expect("main", Page(0, 0, change=show, csv=str(file)), wanted=wanted, notes=notes, times=2, **see)
-
-
-@check("main")
-def test_each_cradle_that_is_wanted_is_a_new_one():
-    """Creates the Newton's cradle visualisation from data in the CSV file."""
-    page = Page(2, 1)
-    what = "omega and theta before the last tick, omega and theta after the last tick"
-    expect("main", page, wanted=swings(1), see=lambda _: page.states[-2:], what=what, times=2)
-    page = Page(1, 0)
-    old = shapes()
-    expect("main", page, see=lambda _: left_over(old, page.parts), times=2, **LEFT_OVER)
-    check_the_file_is_read_each_time()
 
 
 @check("main")

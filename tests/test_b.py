@@ -62,30 +62,29 @@ def test_the_cord_length_does_not_matter():
 @check("handle_collision")
 def test_laws_of_the_collision():
     """The system should conserve kinetic energy and linear momentum."""
-    omega1, omega2 = 2.5, -1.5
-    for m1, m2 in [(1.0, 1.0), (0.2, 5.0), (7.0, 0.1)]:
-        momentum, energy = m1 * omega1 + m2 * omega2, m1 * omega1**2 + m2 * omega2**2
-        laws = [("momentum m1 new_omega1 + m2 new_omega2", 1, momentum)] * 3
-        energy_law = ("energy m1 new_omega1^2 + m2 new_omega2^2", 2, energy)
-        for e, (what, power, wanted) in zip((0, 0.3, 1, 1), [*laws, energy_law], strict=True):
+    momentum, energy = "momentum m1 new_omega1 + m2 new_omega2", "energy m1 new_omega1^2 + m2 new_omega2^2"
+    laws = [(0, momentum, 1), (0.3, momentum, 1), (1, momentum, 1), (1, energy, 2)]  # e, what stays, the power of omega
+    for (m1, m2), (e, what, power) in product([(1.0, 1.0), (0.2, 5.0), (7.0, 0.1)], laws):
 
-            def see(new, m1=m1, m2=m2, power=power):
-                return m1 * new[0] ** power + m2 * new[1] ** power
+        def see(omegas, m1=m1, m2=m2, power=power):
+            return m1 * omegas[0] ** power + m2 * omegas[1] ** power
 
-            expect("handle_collision", e, omega1, omega2, m1, m2, 0.4, wanted=wanted, see=see, what=what)
+        expect("handle_collision", e, 2.5, -1.5, m1, m2, 0.4, wanted=see((2.5, -1.5)), see=see, what=what)
 
-
-# --- handle_two_bobs -------------------------------------------------------------------------------------------------
 
 # omega of pend1 before, and the omegas of both after, with e = 0.5 and equal masses.
 LEFT, HITS, MISSES = 4.0, (1.0, 3.0), (4.0, 0.0)
 
 
-def pair(apart=1.0, radius1=0.5, radius2=0.5, values1=None, values2=None):
-    """Return two pendula. Their axles are apart (m), and the cords 4 times as long, as in a cradle. pend1 moves."""
-    pend1 = hang(r_param=4 * apart, radius=radius1, **{"omega": LEFT, "e": 0.5, **(values1 or {})})
-    pend2 = hang(r_param=4 * apart, axle=(apart, 0, 0), radius=radius2, **{"e": 0.5, **(values2 or {})})
-    return pend1, pend2
+def pair(apart=1.0, radius1=0.5, radius2=0.5, **values):
+    """Return two pendula. Their axles are apart (m), and the cords 4 times as long, as in a cradle. pend1 moves.
+
+    values are those of hang, with a 1 or a 2 behind the name.
+    """
+    values = {"omega1": LEFT, "e1": 0.5, "e2": 0.5, **values}
+    one, two = ({name[:-1]: value for name, value in values.items() if name[-1] == number} for number in "12")
+    pend1 = hang(r_param=4 * apart, radius=radius1, **one)
+    return pend1, hang(r_param=4 * apart, axle=(apart, 0, 0), radius=radius2, **two)
 
 
 def check_pair(wanted, apart=1.0, *radii, **values):
@@ -99,47 +98,37 @@ def omegas(pend1, pend2):
     return {"see": lambda _: (pend1["omega"], pend2["omega"]), "what": "omega of pend1, omega of pend2"}
 
 
-def check_places(wanted, theta1, theta2, apart=1.0):
-    """Check whether two bobs at these angles collide."""
-    check_pair(wanted, apart, values1={"theta": theta1}, values2={"theta": theta2})
-
-
-# Two bobs with different values, and their omegas after the hit, by hand.
-MEETING = {"values1": {"omega": 3.0, "mass": 2.0, "e": 0.25}, "values2": {"omega": 1.0, "mass": 6.0, "e": 0.25}}
-MET = (1.125, 1.625)
-
-
 @check("handle_two_bobs")
 def test_masses_and_omegas_are_those_of_each():
     """For each pendulum dictionary, get the masses, bobs and angular velocity (omega)."""
-    check_pair(MET, **MEETING)
-    check_pair((-0.5, 1.5), values2={"mass": 3.0})
-    check_pair((2.5, 4.5), values1={"mass": 3.0})
-    check_pair((-0.5, 2.5), values2={"omega": -2.0})
+    check_pair((1.125, 1.625), omega1=3.0, mass1=2.0, e1=0.25, omega2=1.0, mass2=6.0, e2=0.25)
+    check_pair((-0.5, 1.5), mass2=3.0)
+    check_pair((2.5, 4.5), mass1=3.0)
+    check_pair((-0.5, 2.5), omega2=-2.0)
 
 
 @check("handle_two_bobs")
 def test_bobs_that_touch_collide():
     """Check if the bobs are at most 1.05 times the sum of their radii apart."""
     for apart in (1.0, 0.2, 1.02, 1.04):
-        check_places(HITS, 0, 0, apart)
+        check_pair(HITS, apart)
     check_pair(HITS, 21.0, 10.0, 10.0)  # every way to compute 1.05 times the sum of the radii gives exactly 21
-    check_places(HITS, 0.25, -0.25)  # bob 2 is to the left of bob 1
-    check_places(HITS, 0.15, 0.0, 1.5)  # the distance of the axles does not matter
-    for thetas in ((0.3, 0.0), (0.02, 0.03), (1.25, 1.05), (-1.05, -1.25)):  # the last two are on a diagonal
-        check_places(HITS, *thetas)
-    check_places(HITS, pi / 2, pi / 2)  # level
-    check_places(HITS, 2.0, 2.1)  # above the axles
-    check_places(HITS, 2.0 - 4 * pi, 2.1 + 2 * pi)  # turned more than once
+    check_pair(HITS, theta1=0.25, theta2=-0.25)  # bob 2 is to the left of bob 1
+    check_pair(HITS, 1.5, theta1=0.15)  # the distance of the axles does not matter
+    for theta1, theta2 in ((0.3, 0.0), (0.02, 0.03), (1.25, 1.05), (-1.05, -1.25)):  # the last two are on a diagonal
+        check_pair(HITS, theta1=theta1, theta2=theta2)
+    check_pair(HITS, theta1=pi / 2, theta2=pi / 2)  # level
+    check_pair(HITS, theta1=2.0, theta2=2.1)  # above the axles
+    check_pair(HITS, theta1=2.0 - 4 * pi, theta2=2.1 + 2 * pi)  # turned more than once
 
 
 @check("handle_two_bobs")
 def test_bobs_that_do_not_touch_go_on():
     """We add a little bit of buffer to what is considered a 'collision'."""
     for apart in (9.0, 1.0504):
-        check_places(MISSES, 0, 0, apart)
-    for thetas in ((0.28, -0.28), (-0.3, 0.3), (1.5, 1.64), (1.64, 1.5), (2.05, 2.45), (2.0, 1.93)):
-        check_places(MISSES, *thetas)
+        check_pair(MISSES, apart)
+    for theta1, theta2 in ((0.28, -0.28), (-0.3, 0.3), (1.5, 1.64), (1.64, 1.5), (2.05, 2.45), (2.0, 1.93)):
+        check_pair(MISSES, theta1=theta1, theta2=theta2)
 
 
 @check("handle_two_bobs")
@@ -155,28 +144,28 @@ def test_both_radii_count():
 @check("handle_two_bobs")
 def test_e_is_the_first_pendulums():
     """From only the first dictionary, get the coefficient of restitution."""
-    check_pair((1.0, 3.0), values1={"e": 0.5}, values2={"e": 1.0})
-    check_pair((0.0, 4.0), values1={"e": 1.0}, values2={"e": 0.5})
-    check_pair((2.0, 2.0), values1={"e": 0}, values2={"e": 1.0})
+    check_pair((1.0, 3.0), e1=0.5, e2=1.0)
+    check_pair((0.0, 4.0), e1=1.0, e2=0.5)
+    check_pair((2.0, 2.0), e1=0, e2=1.0)
     # pend1 counts, even if pend2 is heavier, faster, or has its bob on the left.
-    check_pair((2.5, 4.5), values1={"e": 0.5, "mass": 3.0}, values2={"e": 1.0})
-    check_pair((-0.5, 1.5), values1={"e": 0.5}, values2={"e": 1.0, "mass": 3.0})
-    check_pair((-3.0, -1.0), values1={"e": 0.5, "omega": 0.0}, values2={"e": 1.0, "omega": -4.0})
-    check_pair((1.0, 3.0), values1={"e": 0.5, "theta": 0.25}, values2={"e": 1.0, "theta": -0.25})
+    check_pair((2.5, 4.5), e1=0.5, mass1=3.0, e2=1.0)
+    check_pair((-0.5, 1.5), e1=0.5, e2=1.0, mass2=3.0)
+    check_pair((-3.0, -1.0), e1=0.5, omega1=0.0, e2=1.0, omega2=-4.0)
+    check_pair((1.0, 3.0), e1=0.5, theta1=0.25, e2=1.0, theta2=-0.25)
 
 
 @check("handle_two_bobs")
 def test_bobs_that_touch_collide_whatever_their_velocities_are():
     """If true, use the helper function handle_collision to get the new angular velocity values for both pendula."""
     check_pair(HITS)
-    check_pair((1.25, -0.25), values1={"omega": -1.0}, values2={"omega": 2.0})
-    check_pair((-2.25, -0.75), values1={"omega": 0.0}, values2={"omega": -3.0})
-    check_pair((-2.5, -1.5), values1={"omega": -1.0}, values2={"omega": -3.0})
-    check_pair((1.75, 3.25), values2={"omega": 1.0})
-    check_pair((1e-8, 3e-8), values1={"omega": 4e-8})
+    check_pair((1.25, -0.25), omega1=-1.0, omega2=2.0)
+    check_pair((-2.25, -0.75), omega1=0.0, omega2=-3.0)
+    check_pair((-2.5, -1.5), omega1=-1.0, omega2=-3.0)
+    check_pair((1.75, 3.25), omega2=1.0)
+    check_pair((1e-8, 3e-8), omega1=4e-8)
     for (e, mass), omega in zip(product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0)), cycle((-5.0, 0.0, 6.0))):
         wanted = result_of("handle_collision", e, LEFT, omega, 1.0, mass, 4.0)
-        check_pair(wanted, values1={"e": e}, values2={"e": 0.25, "mass": mass, "omega": omega})
+        check_pair(wanted, e1=e, e2=0.25, mass2=mass, omega2=omega)
 
 
 def all_but_omega(pend1, pend2):
@@ -193,7 +182,7 @@ def all_but_omega(pend1, pend2):
 def test_omegas_are_updated_and_nothing_else():
     """Then, update both dictionaries with their respective new omega values."""
     for apart in (1.0, 2.0):
-        pends = pair(apart, values1={"mass": 2.0, "theta": 0.01}, values2={"e": 0.9, "theta": 0.02})
+        pends = pair(apart, mass1=2.0, theta1=0.01, e2=0.9, theta2=0.02)
 
         before = all_but_omega(*pends)
 

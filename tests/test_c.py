@@ -60,7 +60,6 @@ SWINGING = [
     ((-5 * pi / 2, -5.0, 2.0, 0.5), (-3.0, -5 * pi / 2 - 0.3)),
     ((pi / 6, 2.0, 2.0, 0.5), (1.0, pi / 6 + 0.1)),
 ]
-START, END = [(omega, theta) for (theta, omega, *_), _ in SWINGING[:3]], [after for _, after in SWINGING[:3]]
 
 
 def swinging_row(count):
@@ -75,11 +74,9 @@ def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
     for count in (3, 10, 40):
         pend_list, after = swinging_row(count)
-        states = each(pend_list, "omega", "theta")
-        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=after, **states)
-    other = [hang(theta=-pi / 6, omega=2.0, r_param=0.25)]
-    omega = {"see": lambda _: other[0]["omega"], "what": "omega of one pendulum"}
-    expect("full_swing_update", other, 0.25, 0.2, 5.0, wanted=4.0, **omega)
+        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=after, **each(pend_list, "omega", "theta"))
+    one, what = [hang(theta=-pi / 6, omega=2.0, r_param=0.25)], "omega of one pendulum"
+    expect("full_swing_update", one, 0.25, 0.2, 5.0, wanted=4.0, see=lambda _: one[0]["omega"], what=what)
     expect("full_swing_update", [], 0.5, 0.1, 10.0, wanted=Wanted("no error for an empty pend_list", lambda _: True))
 
 

@@ -6,6 +6,7 @@ if __name__ == "__main__":
 from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import cycle, islice
+from operator import itemgetter
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -40,7 +41,6 @@ FILES = {
     "mixed.csv": MIXED_CSV,
     "seven.csv": csv_of(SEVEN),  # no line break at the end
     "one.csv": csv_of([ONE]),
-    "two.csv": csv_of([ONE, {**ONE, "mass": 4.0}]),
     "none.csv": f"{','.join(ONE)}\n",
     "assistants.csv": csv_of(ASSISTANTS),
     "many.csv": csv_of(MANY),
@@ -68,9 +68,6 @@ def values_of(first, key):
     return lambda last: ([pend[key] for pend in first], [pend[key] for pend in last])
 
 
-# --- extract_and_convert ---------------------------------------------------------------------------------------------
-
-
 @check("extract_and_convert")
 def test_pend_list_is_a_list_of_dictionaries():
     """Each pendulum is represented by a dictionary in a list called pend_list."""
@@ -91,7 +88,7 @@ def test_the_file_given_is_read():
     """Creates and returns pend_list with the provided relative_filepath."""
     with files("one.csv") as folder, working_in(folder):
         first = expect("extract_and_convert", "one.csv", wanted=[ONE])
-        (folder / "one.csv").write_text(FILES["two.csv"])
+        (folder / "one.csv").write_text(csv_of([ONE, {**ONE, "mass": 4.0}]))
         what = "each mass from the first call, each mass from this call with a new file"
         both = {"see": values_of(first, "mass"), "what": what}
         expect("extract_and_convert", "one.csv", wanted=([3.0], [3.0, 4.0]), **both)
@@ -104,23 +101,16 @@ def test_any_csv_is_converted():
         expect("extract_and_convert", str(folder / "assistants.csv"), wanted=ASSISTANTS)
 
 
-# --- uniform_mass, uniform_e, elastic and inelastic ------------------------------------------------------------------
-
-
-def uniform(rows, **changed):
-    """Return copies of rows with the changed value."""
-    return [{**row, **changed} for row in rows]
-
-
 def check_uniform(function, *arguments, **changed):
-    """Check that all pendula of two files get the changed value and keep the others."""
+    """Check that all pendula of the files get the changed value and keep the others."""
     ((key, value),) = changed.items()
     with files(*FILES) as folder, working_in(folder):
-        first = expect(function, "mixed.csv", *arguments, wanted=uniform(MIXED, **changed))
-        for name, rows in (("seven", SEVEN), ("many", MANY), ("none", [])):
-            expect(function, f"{name}.csv", *arguments, wanted=uniform(rows, **changed))
+        results = []
+        for name, rows in (("mixed", MIXED), ("seven", SEVEN), ("many", MANY), ("none", [])):
+            wanted = [{**row, **changed} for row in rows]
+            results.append(expect(function, f"{name}.csv", *arguments, wanted=wanted))
         what = f"each {key} from the first call, each {key} from this call"
-        both = {"see": values_of(first, key), "what": what, "wanted": ([value] * 3, [value])}
+        both = {"see": values_of(results[0], key), "what": what, "wanted": ([value] * 3, [value])}
         expect(function, "one.csv", *arguments, **both)
 
 
@@ -151,9 +141,6 @@ def test_inelastic():
     check_uniform("inelastic_newton_cradle", e=0)
 
 
-# --- make_newton_cradle ----------------------------------------------------------------------------------------------
-
-
 def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6):
     """Check what see(pend) returns for each pendulum of the cradle from file."""
     options = {"wanted": wanted, "what": what, "see": lambda pend_list: [*map(see, pend_list)]}
@@ -175,12 +162,12 @@ def test_a_cradle_keeps_the_files_values():
 @check("make_newton_cradle")
 def test_the_first_pendulum_is_lifted():
     """theta should be theta_init for the first pendulum, 0 for all the others."""
-    expect_cradle(lambda pend: pend["theta"], "theta of each pendulum", [0.6, 0, 0])
-    counts = {"one": 1, "mixed": 3, "seven": 7, "many": 40}
-    angles = (-0.3, "one"), (2.0, "mixed"), (-2.0, "seven"), (0, "seven"), (8.0, "many"), (4e-8, "mixed")
-    for theta_init, name in angles:
-        file, wanted = f"{name}.csv", [theta_init, *[0] * (counts[name] - 1)]
-        expect_cradle(lambda pend: pend["theta"], "theta of each pendulum", wanted, file=file, theta_init=theta_init)
+    theta = itemgetter("theta")
+    expect_cradle(theta, "theta of each pendulum", [0.6, 0, 0])
+    cases = [(-0.3, "one", 1), (2.0, "mixed", 3), (-2.0, "seven", 7), (0, "seven", 7), (8.0, "many", 40)]
+    for theta_init, name, count in [*cases, (4e-8, "mixed", 3)]:
+        wanted = [theta_init, *[0] * (count - 1)]
+        expect_cradle(theta, "theta of each pendulum", wanted, file=f"{name}.csv", theta_init=theta_init)
 
 
 @check("make_newton_cradle")
@@ -212,22 +199,17 @@ def test_objects_are_axle_bob_and_cord():
         expect("make_newton_cradle", "mixed.csv", R, 0.6, see=strays, **LEFT_OVER)
 
 
-def axles(left, apart, height, count=3):
-    """Return the positions of count axles (m); left is that of the first one."""
-    return [vector(left + apart * i, height, 0) for i in range(count)]
-
-
 @check("make_newton_cradle")
 def test_axle_positions():
     """The axle position of the ith pendulum can be defined as axle_pos = vector((-0.1+r_param/4 * i), r_param/5, 0)."""
-
-    def place(pend):
-        return pend["objects"][0].pos
-
-    # r_param, and by hand the distance and the height of the axles (m).
-    for r_param, apart, height in ((0.3, 0.075, 0.06), (1.0, 0.25, 0.2)):
-        expect_cradle(place, "position of each axle", axles(-0.1, apart, height), r_param=r_param)
-    expect_cradle(place, "position of each axle", axles(-0.1, 0.1, 0.08, 7), file="seven.csv")  # R is 0.4 m
+    # The file, the number of its rows, r_param, and by hand the distance and the height of the axles (m).
+    for file, count, r_param, apart, height in (
+        ("mixed.csv", 3, 0.3, 0.075, 0.06),
+        ("mixed.csv", 3, 1.0, 0.25, 0.2),
+        ("seven.csv", 7, R, 0.1, 0.08),
+    ):
+        wanted = [vector(-0.1 + apart * i, height, 0) for i in range(count)]
+        expect_cradle(lambda pend: pend["objects"][0].pos, "position of each axle", wanted, file, r_param)
 
 
 @check("make_newton_cradle")
@@ -255,17 +237,13 @@ def test_bobs_hang_from_their_axles():
 @check("make_newton_cradle")
 def test_bobs_have_the_color_and_texture_of_their_row():
     """Use COLOR_MAP and TEXTURE_MAP to find the VPython analog color and texture objects."""
-
-    def seen(pend):
-        return pend["objects"][1].color, pend["objects"][1].texture
-
     mixed = [(color.red, textures.metal), (color.blue, None), (color.yellow, textures.wood)]
     white, red = (color.white, None), (color.red, textures.rug)
     others = [(color.green, None), (color.blue, textures.stucco), (color.purple, textures.wood_old)]
     seven, many = [white, red, red, *others, white], [(value, image) for (_, value), (_, image) in LOOKS]
-    expect_cradle(seen, "color and texture of each bob", mixed)
-    expect_cradle(seen, "color and texture of each bob", seven, file="seven.csv")
-    expect_cradle(seen, "color and texture of each bob", many, file="many.csv")
+    for file, wanted in (("mixed.csv", mixed), ("seven.csv", seven), ("many.csv", many)):
+        looks = {"what": "color and texture of each bob", "wanted": wanted, "file": file}
+        expect_cradle(lambda pend: (pend["objects"][1].color, pend["objects"][1].texture), **looks)
 
 
 @check("make_newton_cradle")

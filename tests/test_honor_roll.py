@@ -3,7 +3,6 @@
 if __name__ == "__main__":
     raise SystemExit("These are checks. Type pytest to run them.")
 
-from functools import partial
 from itertools import product
 from math import pi
 
@@ -12,19 +11,14 @@ from vpython import box, cylinder, sphere, textures, vector
 from grading.cradles import LEFT_OVER, left_over, shapes
 from grading.grader import check, expect
 from grading.messages import Wanted
-from support.pendulum import arm as arm_of
-from support.pendulum import make_pendulum
+from support.pendulum import arm, make_pendulum
 
 AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
-arm = partial(arm_of, r_param=CORD)
-
-# --- make_double_pendulum --------------------------------------------------------------------------------------------
 
 
 def check_double_pendulum(see, what, theta, phi, wanted, cord=CORD, texture=textures.wood):
     """Check what see(objects) returns for a double pendulum."""
-    given = {"wanted": wanted, "see": see, "what": what}
-    expect("make_double_pendulum", AXLE, cord, theta, phi, RED, texture, **given)
+    expect("make_double_pendulum", AXLE, cord, theta, phi, RED, texture, wanted=wanted, see=see, what=what)
 
 
 @check("make_double_pendulum")
@@ -41,11 +35,6 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
     check_double_pendulum(lambda objects: left_over(old, objects), theta=0.7, phi=0.4, **LEFT_OVER)
 
 
-def places(upper, lower):
-    """Return the positions of the axle and of both bobs, if these are so far from the axle."""
-    return AXLE, AXLE + upper, AXLE + lower
-
-
 @check("make_double_pendulum")
 def test_bobs_are_where_the_angles_say():
     """Correctly calculated positions for all the components."""
@@ -58,11 +47,10 @@ def test_bobs_are_where_the_angles_say():
     # theta, phi, and by hand the lower cord's angle from straight down
     angles = [(0.7, 0.4, 1.1), (0, 0, 0), (0.7, 0, 0.7), (0, 0.7, 0.7), (0.6, -0.4, 0.2), (-2.0, 3.0, 1.0)]
     angles += [(3.5, 1.0, 4.5), (0.5, 4.0, 4.5), (-7.0, -9.0, -16.0)]
-
-    for theta, phi, beta in angles:
-        check_double_pendulum(see, what, theta, phi, places(arm(theta), arm(theta) + arm(beta)))
-    longer = places(3 * arm(0.7), 3 * arm(0.7) + 3 * arm(1.1))
-    check_double_pendulum(see, what, 0.7, 0.4, longer, cord=3 * CORD)
+    for (theta, phi, beta), times in [*((each, 1) for each in angles), (angles[0], 3)]:
+        joint = AXLE + arm(theta, times * CORD)
+        wanted = AXLE, joint, joint + arm(beta, times * CORD)
+        check_double_pendulum(see, what, theta, phi, wanted, cord=times * CORD)
 
 
 @check("make_double_pendulum")
@@ -73,8 +61,8 @@ def test_cords_hold_the_bobs():
         _, _, cord1, _, cord2 = objects
         return [sorted([cord.pos, cord.pos + cord.axis], key=lambda end: -end.y) for cord in (cord1, cord2)]
 
-    joint = AXLE + arm(0.7)
-    wanted = [[AXLE, joint], [joint, joint + arm(1.1)]]
+    joint = AXLE + arm(0.7, CORD)
+    wanted = [[AXLE, joint], [joint, joint + arm(1.1, CORD)]]
     check_double_pendulum(see, "ends of cord1, ends of cord2", 0.7, 0.4, wanted)
 
 
@@ -91,8 +79,6 @@ def test_both_bobs_have_the_looks_that_are_given():
         what = "color/texture/radius/visible of bob1, color/texture/radius/visible of bob2"
         check_double_pendulum(see, what, 0.7, 0.4, wanted, texture=texture)
 
-
-# --- double_angle_update ---------------------------------------------------------------------------------------------
 
 LENGTH, DT, G = 0.5, 1e-6, 10.0  # m, s, m/s^2: g / R is 20 / s^2
 

@@ -16,9 +16,9 @@ OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, Arith
 
 def fits(found, wanted) -> bool:
     """Return whether found is right; wanted is a value, a Wanted, or a test of a value."""
-    test = wanted.is_one if isinstance(wanted, Wanted) else wanted if callable(wanted) else None
+    test = wanted.is_one if isinstance(wanted, Wanted) else wanted
     try:
-        return bool(test(found)) if test else same(found, wanted)
+        return bool(test(found)) if callable(test) else same(found, wanted)
     except OTHER_FORM:
         return False
 
@@ -33,11 +33,9 @@ def same(found, wanted) -> bool:
     if isinstance(wanted, (list, tuple)):
         is_row = isinstance(found, list if isinstance(wanted, list) else tuple) and len(found) == len(wanted)
         return is_row and all(same(*pair) for pair in zip(found, wanted, strict=True))
-    if isinstance(wanted, str):
-        return isinstance(found, str) and found == wanted
     if isinstance(wanted, Real):
         return isinstance(found, Real) and isclose(found, wanted, rel_tol=1e-6, abs_tol=1e-9)
-    return type(found) is type(wanted) and bool(found == wanted)
+    return isinstance(found, type(wanted)) and bool(found == wanted)
 
 
 def words_of(found, rows) -> str:
@@ -50,8 +48,7 @@ def both(what, found, wanted) -> list[tuple[str, list[str]]]:
     """Return both values as (label, lines) of a message; for long lists, those of the first wrong element."""
     digits = digits_of(found, wanted)
     are_lists = isinstance(found, list) and isinstance(wanted, list) and len(found) == len(wanted)
-    are_long = are_lists and max(len(shown(found)), len(shown(wanted))) > LONG
-    if are_long or (are_lists and isinstance(wanted[0], dict)):
+    if are_lists and (isinstance(wanted[0], dict) or max(len(shown(found)), len(shown(wanted))) > LONG):
         i = [same(*pair) for pair in zip(found, wanted, strict=True)].index(False)
         what, found, wanted = f"{what} at index {i}".lstrip(), found[i], wanted[i]
     return [("came back", about(what, found, digits)), ("expected", about(what, wanted, digits))]
@@ -67,8 +64,7 @@ def mistake_in(what, found, wanted) -> str:
     if like is not None and form_of(found) != form_of(like):
         return f"{whole} {are} {form_of(found)}, not {form_of(like)}."
     if isinstance(like, (list, tuple)) and len(found) != len(like):
-        elements = "element" if len(found) == 1 else "elements"
-        return f"{whole} {have} {len(found)} {elements}, not {len(like)}."
+        return f"{whole} {have} {len(found)} element{'s' * (len(found) != 1)}, not {len(like)}."
     if isinstance(wanted, Wanted) and isinstance(like, list):  # the forms of its elements
         wanted = [Wanted("", lambda one, each=each: form_of(one) == form_of(each), like=each) for each in like]
     if isinstance(wanted, dict):

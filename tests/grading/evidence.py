@@ -11,7 +11,6 @@ import keyword
 import linecache
 import re
 import tokenize
-from collections.abc import Callable
 from contextlib import suppress
 from difflib import get_close_matches
 from itertools import pairwise
@@ -27,27 +26,24 @@ CONSTANTS = {"R_PARAM": "r_param", "DT": "dt", "G": "g", "THETA_INIT": "theta_in
 MOST_CODE = 8_000  # characters of a function in which facts are looked for
 
 
-def words_for(error, result, wrong, code, function, search: Callable) -> tuple[str, int]:
+def words_for(error, result, wrong, code, function, search) -> tuple[str, int]:
     """Return the words for a mistake, and the line that they name, or 0: from the first evidence that there is.
 
-    error is what stopped the function (a Raised), or None; result has the words for its exact result, and wrong is the
+    error is the StoppedError of the function, or None; result has the words for its exact result, and wrong is the
     sentence that says what is wrong. code is the function's, and search() looks for a change. A file that cannot be
     compiled, or a function that is not written, has its words before.
     """
-    form = next((words for pattern, words in FORMS.values() if re.search(pattern, wrong)), "")
-    is_of_row = not error and FUNCTIONS[function].tier == "D" and " of pend_list[" in wrong
-    for evidence in (
-        lambda: of_parameters(code.parameters, function, error),  # the check's own call does not fit
-        lambda: error and error.hint,  # Python raised an error: its type, its own attributes, the line's tree
-        lambda: result,  # the exact result of a known mistake
-        search,  # one change with which all checks pass
-        lambda: error and error.meaning,
-        lambda: of_code(code, function) or form or is_of_row and OTHER_VALUE,
-    ):
-        found = evidence()
-        if found:
-            return (found, 0) if isinstance(found, str) else (found[1], found[0])
-    return "", 0
+    found = (
+        of_parameters(code.parameters, function, error)  # the check's own call does not fit
+        or (error and error.hint)  # Python raised an error: its type, its own attributes, the line's tree
+        or result  # the exact result of a known mistake
+        or search()  # one change with which all checks pass
+        or (error and error.meaning)
+        or of_code(code, function)
+        or next((words for pattern, words in FORMS.values() if re.search(pattern, wrong)), "")
+        or (OTHER_VALUE if not error and FUNCTIONS[function].tier == "D" and " of pend_list[" in wrong else "")
+    )
+    return (found, 0) if isinstance(found, str) else (found[1], found[0])
 
 
 def of_parameters(parameters, function, error) -> str:
@@ -58,9 +54,6 @@ def of_parameters(parameters, function, error) -> str:
     return f"The line def has changed. It must be: def {function}({', '.join(given)}):" if is_moved or is_unfit else ""
 
 
-# --- an error of Python ----------------------------------------------------------------------------------------------
-
-
 class Seen:
     """What an error says of itself, and what is in the line of the student's that raised it."""
 
@@ -69,11 +62,9 @@ class Seen:
         self.text = str(error.msg if isinstance(error, SyntaxError) else error)
         nodes = nodes_of(frame, line) if frame else []
         self.function = frame.f_code.co_name if frame else ""
-        own = re.match(r"'(\w+)' object has no attribute '(\w+)'", self.text)  # if it is stored, Python names nothing
-        self.of = type(error.obj).__name__ if getattr(error, "name", None) and own else own[1] if own else ""
         key = f"{error.args[0]}" if isinstance(error, KeyError) and error.args else getattr(error, "filename", None)
-        found = re.search(r"'(\w+)'", self.text) if isinstance(error, NameError) else None
-        self.name = str(getattr(error, "name", None) or key or (found[1] if found else own[2] if own else ""))
+        quoted = re.search(r"(?:name|variable|attribute) '(\w+)'", self.text)  # if the error itself has no name
+        self.name = str(getattr(error, "name", None) or key or (quoted[1] if quoted else ""))
         self.file = self.name.replace(".", "/") + ".py"
         brackets = [node for node in nodes if isinstance(node, ast.Subscript)]
         self.in_brackets = any(getattr(node.slice, "id", "") == self.name for node in brackets)
@@ -81,8 +72,7 @@ class Seen:
         self.adds = any(isinstance(getattr(node.slice, "op", None), ast.Add) for node in brackets)
         self.texts = [node.value for node in nodes if isinstance(node, ast.Constant)]
         self.is_taken = frame is not None and callable(frame.f_globals.get(self.name))
-        known = IMPORTS[FUNCTIONS[self.function].file] if self.function in FUNCTIONS else ""
-        self.is_given = self.name in known.split()
+        self.is_given = self.function in FUNCTIONS and self.name in IMPORTS[FUNCTIONS[self.function].file].split()
 
     @property
     def takes(self) -> str:
@@ -98,7 +88,7 @@ class Seen:
     def tokens(self) -> list[str]:
         """The names, numbers and signs of a line that Python cannot read."""
         found: list[str] = []
-        with suppress(tokenize.TokenError, SyntaxError, IndentationError):
+        with suppress(tokenize.TokenError, SyntaxError):
             for token in tokenize.generate_tokens(io.StringIO((self.error.text or "").strip()).readline):
                 found += [token.string] * (token.type in (tokenize.NAME, tokenize.NUMBER, tokenize.OP))
         return found if self.text.startswith("invalid syntax") else []
@@ -126,12 +116,11 @@ def of_error(error, frames, function) -> tuple[str, str]:
     """
     names = [frame.f_code.co_name for frame, _ in frames]
     own = len(names) - 1 - names[::-1].index(function) if function in names else len(names) - 1
-    for frame, _ in frames[own + 1 :][:1]:
-        code = frame.f_code
-        if code.co_name in FUNCTIONS or code.co_name == "swing_update":
-            given = ", ".join(code.co_varnames[: code.co_argcount])
-            words = f"This line calls {code.co_name} with a value that it cannot use. It takes, in this order: {given}."
-            return "", words
+    called = names[own + 1] if own + 1 < len(names) else ""
+    if called in FUNCTIONS or called == "swing_update":
+        code = frames[own + 1][0].f_code
+        given = ", ".join(code.co_varnames[: code.co_argcount])
+        return "", f"This line calls {called} with a value that it cannot use. It takes, in this order: {given}."
     seen = Seen(error, *(frames[-1] if frames else (None, 0)))
     meaning = next((words for kind, words in MEANING.items() if isinstance(error, kind)), "")
     if isinstance(error, SyntaxError) and seen.text != "invalid syntax":
@@ -144,18 +133,13 @@ def of_error(error, frames, function) -> tuple[str, str]:
 
 
 def nodes_of(frame, line) -> list:
-    """Return the nodes of the innermost statement of a frame at this line, the outer ones first: of a block, those of
-    its first line.
-    """
+    """Return the nodes of the innermost statement at a frame's line (of a block, its first line), outer ones first."""
     nodes = [*ast.walk(ast.parse("".join(linecache.getlines(frame.f_code.co_filename))))]
     around = [node for node in nodes if isinstance(node, ast.stmt) and node.lineno <= line <= node.end_lineno]
     if not around:
         return []
     first, last = (line, line) if hasattr(around[-1], "body") else (around[-1].lineno, around[-1].end_lineno)
     return [node for node in nodes if first <= getattr(node, "lineno", 0) <= last]
-
-
-# --- the tree of the function ----------------------------------------------------------------------------------------
 
 
 def of_code(code, function) -> str:
@@ -190,20 +174,21 @@ def facts(function, name):
     """Yield facts about a function (its tree): the name of the row, the line, and what is named."""
     pairs = [*working(function)]
     nodes = [node for node, _ in pairs]
-    for node, above in pairs:
-        yield from line_facts(node, above)
-    yield from block_facts(pairs)
-    yield from name_facts(function, [node for node in nodes if isinstance(node, ast.Name)])
-    yield from call_facts(pairs)
     stores = [node for node in nodes if isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Store)]
-    names = {*(one.attr for one in nodes if isinstance(one, ast.Attribute)), *(getattr(one, "id", "") for one in nodes)}
-    functions = [one.func for one in nodes if isinstance(one, ast.Call)]
-    called = {getattr(one, "id", "") or getattr(one, "attr", "") for one in functions}
+    yield from line_facts(pairs)
+    yield from name_facts(function, [node for node in nodes if isinstance(node, ast.Name)])
+    names = {*(one.attr for one in nodes if isinstance(one, ast.Attribute)), *map(id_of, nodes)}
+    calls = [one for one in nodes if isinstance(one, ast.Call)]
+    called = {id_of(one.func) or getattr(one.func, "attr", "") for one in calls}
+    reads = [one.lineno for one in calls if id_of(one.func) == "extract_and_convert"]
+    yield from (("read again", line, "") for line in reads[1:])
+    made = max((one.lineno for one in calls if id_of(one.func) == "make_pendulum"), default=1e9)
+    late = [one.lineno for one in stores if getattr(one.slice, "value", "") == "theta" and one.lineno > made]
+    yield from (("late theta", line, "") for line in late)
     numbers = {one.value for one in nodes if isinstance(one, ast.Constant)}
-    returned = [one.value for one in nodes if isinstance(one, ast.Return) and one.value]
-    results = [one for one in returned if getattr(one, "value", 0) is not None]
+    returned = [one.value for one in nodes if isinstance(one, ast.Return)]
     for row, is_so in (
-        ("no return", FUNCTIONS[name].returns and not results),
+        ("no return", FUNCTIONS[name].returns and all(getattr(one, "value", one) is None for one in returned)),
         ("no swing", "swing_update" not in called),
         ("no tick", not {"full_swing_update", "swing_update"} & called),
         ("not stored", "update" not in names and "omega" not in {getattr(one.slice, "value", "") for one in stores}),
@@ -214,42 +199,38 @@ def facts(function, name):
             yield row, function.lineno, ""
 
 
-def line_facts(node, above):
-    """Yield facts about a line, as facts does."""
-    value = getattr(node, "value", None)
-    if isinstance(node, ast.Expr) and isinstance(value, ast.Compare):
-        yield "compared", node.lineno, ""
-    if isinstance(node, ast.Expr) and isinstance(value, (ast.Name, ast.Attribute)):
-        yield "only named", node.lineno, ast.unparse(value)
-    loops = [one for one in above if isinstance(one, LOOPS)]
-    if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
-        name = node.targets[0].id
-        elements = [one for one in loops if name == getattr(getattr(one, "target", None), "id", "")]
-        is_pend = any("range" not in ast.unparse(one.iter) for one in elements)
-        is_copy = isinstance(value, ast.Dict) and name in [getattr(one, "id", "") for one in value.values]
-        yield from [("new value", node.lineno, name)] * (is_pend or is_copy)
-    if isinstance(node, LOOPS) and loops:
-        yield "two loops", node.lineno, ""
+def id_of(node) -> str:
+    """Return the name that a node is, or ""."""
+    return getattr(node, "id", "")
 
 
-def block_facts(pairs):
-    """Yield facts about the lines of blocks and loops, as facts does."""
+def line_facts(pairs):
+    """Yield facts about lines, blocks and loops, as facts does."""
     stores = [one.id for one, _ in pairs if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store)]
-    loops = [one for one, _ in pairs if isinstance(one, LOOPS)]
-    uses = [one for loop in loops for one in ast.walk(loop) if isinstance(one, (ast.Compare, ast.Subscript))]
-    used = {getattr(one, "id", "") for use in uses for one in ast.walk(use)}
+    inside = [one for loop, _ in pairs if isinstance(loop, LOOPS) for one in ast.walk(loop)]
+    used = {id_of(one) for use in inside if isinstance(use, (ast.Compare, ast.Subscript)) for one in ast.walk(use)}
     for node, above in pairs:
-        block, value = getattr(above[-1], "body", None), getattr(node, "value", None)
-        if (
-            isinstance(block, list)
-            and node in block
-            and any(isinstance(one, ENDS) for one in block[: block.index(node)])
-        ):
-            yield "never runs", node.lineno, ""
+        value, loops = getattr(node, "value", None), [one for one in above if isinstance(one, LOOPS)]
+        if isinstance(node, ast.Expr) and isinstance(value, ast.Compare):
+            yield "compared", node.lineno, ""
+        if isinstance(node, ast.Expr) and isinstance(value, (ast.Name, ast.Attribute)):
+            yield "only named", node.lineno, ast.unparse(value)
+        if isinstance(node, LOOPS) and loops:
+            yield "two loops", node.lineno, ""
         if isinstance(node, ast.For) and isinstance(getattr(getattr(node.iter, "slice", None), "value", None), int):
             yield "one element", node.lineno, ast.unparse(node.iter)
-        name = getattr(node.targets[0], "id", "") if isinstance(node, ast.Assign) else ""
-        if stores.count(name) == 1 and name in used and isinstance(value, ast.Constant) and not {*above} & {*loops}:
+        called = id_of(node.func) if isinstance(node, ast.Call) else ""
+        if called in IN_LOOPS and loops:
+            yield IN_LOOPS[called], node.lineno, ""
+        block = getattr(above[-1], "body", ()) if isinstance(node, ast.stmt) else ()
+        if node in block and any(isinstance(one, ENDS) for one in block[: block.index(node)]):
+            yield "never runs", node.lineno, ""
+        name = id_of(node.targets[0]) if isinstance(node, ast.Assign) else ""
+        elements = [one for one in loops if name and name == id_of(getattr(one, "target", None))]
+        is_pend = any("range" not in ast.unparse(one.iter) for one in elements)
+        if is_pend or name and isinstance(value, ast.Dict) and name in map(id_of, value.values):
+            yield "new value", node.lineno, name
+        if stores.count(name) == 1 and name in used and isinstance(value, ast.Constant) and not loops:
             yield "counter", node.lineno, name
 
 
@@ -265,17 +246,3 @@ def name_facts(function, names):
     for node in names:
         if CONSTANTS.get(node.id) in arguments:
             yield "constant", node.lineno, node.id
-
-
-def call_facts(pairs):
-    """Yield facts about the calls in a function, as facts does."""
-    calls = [(getattr(node.func, "id", ""), node.lineno, above) for node, above in pairs if isinstance(node, ast.Call)]
-    reads = [line for called, line, _ in calls if called == "extract_and_convert"]
-    yield from (("read again", line, "") for line in reads[1:])
-    made = max((line for called, line, _ in calls if called == "make_pendulum"), default=1e9)
-    stores = [node for node, _ in pairs if isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Store)]
-    late = [one.lineno for one in stores if getattr(one.slice, "value", "") == "theta" and one.lineno > made]
-    yield from (("late theta", line, "") for line in late)
-    for called, line, above in calls:
-        if called in IN_LOOPS and any(isinstance(one, LOOPS) for one in above):
-            yield IN_LOOPS[called], line, ""

@@ -1,9 +1,8 @@
 """The grader: the checks, the calls of the students' functions, and the outcomes. pytest_grader.py runs it in pytest.
 
-A check is a function in test_d.py, test_c.py, test_b.py, test_a.py or test_honor_roll.py with @check("...") above it.
-The decorator names the function of the handout that it checks. Its docstring, in words of the handout, is its title.
-It calls the function through expect, which compares the result, or the changed arguments, with the expected ones. The
-code of the function does not matter.
+A check is a function in a suite, such as test_d.py, with @check above it, which names the function of the handout. Its
+docstring, in words of the handout, is its title. It calls the function through expect, which compares the result, or
+the changed arguments, with the expected ones. The code of the function does not matter.
 """
 
 import importlib
@@ -13,6 +12,7 @@ from collections.abc import Callable
 from errno import ENOSPC
 from textwrap import wrap
 from typing import Any, NamedTuple
+from unittest.mock import patch
 
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
@@ -21,24 +21,10 @@ from grading.comparing import both, fits, mistake_in, OTHER_FORM, words_of
 from grading.evidence import words_for
 from grading.handout import FUNCTIONS, needed, SUITES
 from grading.hints import RESULTS
-from grading.messages import (
-    about,
-    Call,
-    COLUMNS,
-    damage,
-    end_of,
-    error_lines,
-    message,
-    MOST_CHARACTERS,
-    plain,
-    PlainFile,
-    shown,
-)
-from grading.own_process import OwnProcess
-from grading.raised import StoppedError
+from grading.messages import about, Call, COLUMNS, damage, end_of, error_lines, message, plain, PlainFile, shown
+from grading.own_process import code_of, MissingError, OwnProcess, working_in
+from grading.raised import Place, StoppedError
 from support.start.output import in_one_line
-
-# --- checks ----------------------------------------------------------------------------------------------------------
 
 
 class Check(NamedTuple):
@@ -54,10 +40,7 @@ CHECKS: dict[str, Check] = {}  # by name, in the order of the suites
 
 
 def check(function, others_wait=True) -> Callable:
-    """Return a decorator that makes a check of this function of the handout.
-
-    others_wait: if it fails, the functions that use this one wait.
-    """
+    """Return a decorator that makes a check of this function; if it fails and others_wait, those that use it wait."""
 
     def add(ask):
         ask.is_check = True
@@ -75,16 +58,11 @@ def checks(*, tier=None, function=None) -> list[Check]:
     return [check for check in CHECKS.values() if check.tier == tier and function in (None, check.function)]
 
 
-# --- calling students' functions -------------------------------------------------------------------------------------
-
-
 class WrongError(Exception):
     """A result that the handout does not ask for. Its text is a sentence that says what is wrong."""
 
     def __init__(self, wrong, call, lines, result="", raised=None):
-        """lines are the (label, text) pairs below the call in the message. result has the words for the exact result,
-        and raised is what stopped the call, if so.
-        """
+        """lines are (label, text) pairs, result has the words for the exact result, and raised is what stopped it."""
         super().__init__(wrong)
         self.call, self.lines, self.result, self.raised = call, lines, result, raised
 
@@ -98,8 +76,7 @@ class WaitError(Exception):
         self.place, self.raised = place, raised
 
 
-runner: Any = OwnProcess()  # has the student's functions; for a class, a Solver of tests/teacher/ takes its place
-
+runner = OwnProcess()
 KNOWN: list[tuple] = []  # the rows of hints.RESULTS for the current check
 NOTES: list[str] = []  # sentences for a student whose solution is right
 
@@ -130,9 +107,8 @@ def expect(function, *arguments, wanted, see=None, what="", notes=(), times=1) -
     except OTHER_FORM as error:
         form = f"This has the wrong form ({type(error).__name__}: {error})."
         lines = [("came back", [*shown(result).split("\n") * bool(returns), form]), expected]
-        sentence = f"{what or 'The result'} cannot be read."
-        if isinstance(error, KeyError):
-            sentence = f"A pendulum has no key {error}."
+        is_key = isinstance(error, KeyError)
+        sentence = f"A pendulum has no key {error}." if is_key else f"{what or 'The result'} cannot be read."
         for i, one in enumerate(result if isinstance(result, list) else ()):
             sentence = sentence if isinstance(one, dict) else mistake_in(f"pend_list[{i}]", one, {})
         raise WrongError(sentence, call, lines, words_of(result, KNOWN)) from None
@@ -158,28 +134,26 @@ def run(call, arguments, expected) -> Any:
     file = FUNCTIONS[call.function].file
     try:
         return runner.run(call.function, arguments, call.times)
+    except MissingError:
+        raise WrongError(f"{file} has no function {call.function}.", Call(call.function), []) from None
     except StoppedError as error:
-        raised = error.raised
-    if raised.before == "missing":
-        raise WrongError(f"{file} has no function {call.function}.", Call(call.function), [])
-    if raised.before:
+        raised = error
+    if not raised.function:
         raise WaitError(raised.culprit or file, raised=raised)
     if raised.stub not in (None, call.function):
         raise WaitError(raised.stub)
     if raised.stub and not raised.hint:
-        place = place_of(raised, call.function)[0] or file
+        place = f"{place_of(raised, call.function) or file}"
         raise WaitError(f"you to write {raised.stub} in {place}", place)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
     raise WrongError(sentence, call, [end_of(raised), expected], raised=raised)
 
 
-def place_of(raised, function) -> tuple[str, str]:
-    """Return the place of an error in a student's files, in this function if it has passed it, and the values there."""
+def place_of(raised, function) -> Place | None:
+    """Return the place of an error in a student's files, in this function if it has passed it; None if it has none."""
     own = [place for place in raised.places if place.function == function] or raised.places
-    return (f"{own[-1].file}, line {own[-1].line}", own[-1].values) if own else ("", "")
+    return own[-1] if own else None
 
-
-# --- judging ---------------------------------------------------------------------------------------------------------
 
 PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
 
@@ -198,16 +172,11 @@ class Outcome(NamedTuple):
         return self.state == WAITING and bool(self.place)
 
 
-NUMBERS = r" (is|are) (-?[\d.]\S*|vector\(.*\)), not | wrong\.$"  # in a sentence about numbers
-
-
 class Grading:
     """The outcomes of the checks. Each check is made once."""
 
     def __init__(self, search=None):
-        """search(check, line) looks for a change with which the checks pass, for the first function that fails: see
-        search.one_change.
-        """
+        """search looks for a change of the first function that fails with which its checks pass, as one_change does."""
         self.search = search
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
         self.hung: set[str] = set()  # functions that went over a limit: they are not called again
@@ -227,14 +196,11 @@ class Grading:
         waits = [name for name in needed(check.function) if self.is_wrong(name)]
         if waits:
             # Find out whether the function is written; skip this if a function hangs.
-            search, self.search = self.search, None  # what this call says is not shown
-            outcome = None if self.hung else self.make(checks(function=check.function)[0])
-            self.search = search
+            with patch.object(self, "search", None):  # what this call says is not shown
+                outcome = None if self.hung else self.make(checks(function=check.function)[0])
             is_own = outcome and (outcome.is_unwritten or outcome.cause in self.broken.values())
             return outcome if is_own else waiting(", ".join(waits))
-        if check.function in self.hung:
-            return waiting(check.function)
-        return self.make(check)
+        return waiting(check.function) if check.function in self.hung else self.make(check)
 
     def is_wrong(self, function) -> bool:
         """Return whether the function is not written, or one of its own checks fails for which others wait."""
@@ -248,7 +214,7 @@ class Grading:
         if FUNCTIONS[check.function].file in self.broken:
             return waiting(self.broken[FUNCTIONS[check.function].file])
         try:
-            with runner.check():
+            with limits.patience(limits.PATIENCE), limits.without_ends(), working_in(runner.folder.name):
                 check.ask()
         except WrongError as error:
             return self.failed(check, error)
@@ -263,8 +229,8 @@ class Grading:
 
     def failed(self, check, error) -> Outcome:
         """Return the outcome of a check that raised this WrongError. The first one of a function has a hint."""
-        raised, file, code = error.raised, FUNCTIONS[check.function].file, runner.codes[check.function]
-        place, values = place_of(raised, check.function) if raised else ("", "")
+        raised, file, code = error.raised, FUNCTIONS[check.function].file, code_of(check.function)
+        place = place_of(raised, check.function) if raised else None
         if raised and raised.limit:
             self.hung.add(check.function)
         earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
@@ -272,20 +238,20 @@ class Grading:
         if others:  # the function uses others than those that the handout asks for
             return waiting(", ".join(others))
         search, self.search = None if self.hung else self.search, None
-        before = [self.outcomes[each.name] for each in checks(function=check.function) if each.name in self.outcomes]
         wrong, hint, line = error_lines(raised)[0] if raised and not raised.limit else f"{error}", "", 0
+        before = [self.outcomes[each.name] for each in checks(function=check.function) if each.name in self.outcomes]
         if not any(each.state == FAILED for each in before):
-            at = int(place.rpartition(" ")[2]) if raised and place else 0
-            known = raised, error.result, f"{error}"
+            known, at = (raised, error.result, f"{error}"), place.line if place else 0
             hint, line = words_for(*known, code, check.function, lambda: search and search(check, at))
-            hint = in_one_line(hint)
-        place = f"{file}, line {line}" if line else place or (f"{file}, line {code.line}" if code.line else file)
+        values = f"Here, {place.values}." if place and place.values and not line else ""
+        if line or not place:
+            line = line or code.line
+            place = f"{file}, line {line}" if line else file
         index = re.search(r"pend_list\[(\d+)\]", f"{error}")
         called = error.call.lines(int(index[1]) if index else 0)
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
-        values = in_one_line(f"Here, {values[:MOST_CHARACTERS]}.") if values and not line else ""
         text = message([("wrong", f"{error}"), ("called", called), *error.lines, ("read", read)])
-        return Outcome(FAILED, text, place, hint, wrong=wrong, values=values)
+        return Outcome(FAILED, text, f"{place}", in_one_line(hint), wrong=wrong, values=in_one_line(values))
 
     def broken_by(self, check, error) -> Outcome:
         """Return the outcome of a check whose file cannot be imported: the first one fails, and the others wait."""
@@ -297,7 +263,7 @@ class Grading:
         hint, wrong, place, code = raised.hint or raised.meaning, raised.limit or error_lines(raised)[0], file, []
         own = [each for each in raised.places if each.function in ("", "<module>")]
         for each in ([each for each in own if each.file == file] or own)[-1:]:
-            place, code = f"{each.file}, line {each.line}", [f"    {each.code}"]
+            place, code = f"{each}", [f"    {each.code}"]
             if own[-1] is not raised.places[-1]:
                 hint = "This line stands outside of all functions, so it runs when Python reads the file. Remove it."
         lines = [f"{place}:", *code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]

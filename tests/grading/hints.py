@@ -16,14 +16,6 @@ from vpython import sphere
 from grading.cradles import MIXED, R
 
 KEYS = "mass", "e", "theta", "omega", "color", "texture", "objects"
-FILES = "pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"
-READING = (
-    "extract_and_convert",
-    "uniform_mass_newton_cradle",
-    "uniform_e_newton_cradle",
-    "elastic_newton_cradle",
-    "inelastic_newton_cradle",
-)
 TUPLE = "The bob is in the tuple objects of a pendulum: axle, bob, cord = pend['objects']."
 
 # A row is a line:
@@ -46,14 +38,13 @@ ERRORS = {
     "map": (KeyError, "", lambda seen: seen.has_map, "The key of COLOR_MAP is the color of the pendulum, and that of TEXTURE_MAP its texture."),
     "last": (IndexError, "", lambda seen: seen.adds, "The last pendulum has none after it. The loop goes one step too far."),
     "append": (IndexError, "list assignment", None, "A list has no place for a new element. Add it with append."),
-    "too many": (AttributeError, "", lambda seen: seen.of == "list" and seen.name in (*KEYS, "values", "items", "keys"), "This is the whole list. Take one pendulum first, for example in a for loop."),
-    "no dot": (AttributeError, "", lambda seen: seen.of == "dict" and seen.name in KEYS, "A dictionary needs brackets and quotes, not a dot: ['{name}']."),
-    "dot of a pendulum": (AttributeError, "", lambda seen: seen.name in ("pos", "radius", "axis") and seen.of in ("dict", "tuple"), TUPLE),
+    "too many": (AttributeError, "'list' object has no", lambda seen: seen.name in (*KEYS, "values", "items", "keys"), "This is the whole list. Take one pendulum first, for example in a for loop."),
+    "no dot": (AttributeError, "'dict' object has no", lambda seen: seen.name in KEYS, "A dictionary needs brackets and quotes, not a dot: ['{name}']."),
+    "no bob": ((AttributeError, TypeError), "'(?:dict|tuple)' object has no attribute '(?:pos|radius|axis)'|tuple indices .* not str", None, TUPLE),
     "nothing": ((AttributeError, TypeError), "NoneType", None, "One value in this line is None. A function without return gives None, and append gives None, too: do not store its result."),
     "color": (AttributeError, "color must be a vector", None, "COLOR_MAP has the vector of a color. make_pendulum takes axle_pos, r_param, theta, color, texture, in this order."),
     "pendulum as index": (TypeError, "list indices .* not dict|unhashable type: '(?:dict|list)'", None, "You use a whole pendulum as an index or a key. A loop over the list gives the pendulum itself: it needs no [ ]."),
     "key of a list": (TypeError, "list indices .* not str", None, "A list has no keys: each of its pendula has. Take one pendulum, for example in a for loop."),
-    "bob of a tuple": (TypeError, "tuple indices .* not str", None, TUPLE),
     "text with a key": (TypeError, "string indices|byte indices", None, "This is text (a key, or the name of a file), and no pendulum: it has no keys."),
     "no keys": (TypeError, r"'(?:int|float|numpy\.\w+)' object (?:is not subscriptable|does not support)", None, "A number has no keys and no elements: it is no pendulum. range( ) gives numbers, and a loop over a dictionary gives its keys."),
     "one number": (TypeError, "'(?:int|float)' object is not iterable|cannot unpack non-iterable (?:int|float)", None, "This is one number. A loop, or two names before = , need several values. A loop that counts takes range( )."),
@@ -75,7 +66,7 @@ ERRORS = {
     "path in quotes": (FileNotFoundError, "", lambda seen: seen.name in ("relative_filepath", "page.csv", "NC_FP"), "Write {name} without quotes: it is a name, not text."),
     "circle": (ImportError, "circular import", None, "Your files import each other in a circle. Remove the import in this file."),
     "file gone": (ModuleNotFoundError, "", lambda seen: seen.name.startswith("src."), "There is no file {seen.file}. Put it back."),
-    "src": (ModuleNotFoundError, "", lambda seen: seen.name in FILES, "Write src. in front of the file in the import: src.{name}."),
+    "src": (ModuleNotFoundError, "", lambda seen: seen.name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"), "Write src. in front of the file in the import: src.{name}."),
     "itself": (RecursionError, "", None, "Your function calls itself, without end. Delete this call, or call the function that you need in its place."),
 }
 MEANING = {
@@ -92,8 +83,7 @@ MEANING = {
     TypeError: "Python cannot do this with values of these kinds. Which line gave them?",
 }
 
-ITSELF = "A name without ( ) is the function itself, and not what a call of it gives. Store the result of the call, with = , and use that."
-DEGREES, AGAIN = "This is the result with degrees. theta is in radians already, as sin() takes it. Do not convert it.", "Both results belong to the first bob. Look at the second formula, with + m1 e, and at the line that converts its result."
+DEGREES = "This is the result with degrees. theta is in radians already, as sin() takes it. Do not convert it."
 # Mistakes in the formulas of handle_collision: the wrong first result, and the wrong second one.
 FORMULAS = {
     "e is missing.": (-8.2, -1.2),
@@ -129,11 +119,10 @@ RESULTS = {
         **{f"first: {words}": ((first, -1.62), f"In the first formula, {words}") for words, (first, _) in FORMULAS.items()},
         **{f"second: {words}": ((-6.52, second), f"In the second formula, {words}") for words, (_, second) in FORMULAS.items()},
         **{f"both: {words}": (both, f"In both formulas, {words}") for words, both in FORMULAS.items()},
-        "omega1 not converted": ((-8.14, -0.09), "omega1 is not converted: multiply it by r_param, too."),
-        "omega2 not converted": ((-14.68, -5.58), "omega2 is not converted: multiply it by r_param, too."),
+        **{f"{name} not converted": (both, f"{name} is not converted: multiply it by r_param, too.") for name, both in {"omega1": (-8.14, -0.09), "omega2": (-14.68, -5.58)}.items()},
         "only back": ((-16.3, -4.05), "You forgot to convert to linear velocities. You only converted back."),
         "converted twice": ((-1.0432, -0.2592), "You converted to linear velocities twice. The second time, convert back: divide by r_param."),
-        "one result twice": ((-6.52, -6.52), AGAIN),
+        "one result twice": ((-6.52, -6.52), "Both results belong to the first bob. Look at the second formula, with + m1 e, and at the line that converts its result."),
         "new v1": ((-6.52, -2.9528), "In the second formula, you used the new velocity of the first bob. Use the old one."),
         "v1 overwritten": ((-6.52, -4.8568), "Your second formula has the new velocity of the first bob. Do not overwrite the old one: give the new one another name."),
         "exchange": ((-4.0, 3.0), "This is the result for equal masses and e = 1. Do not set these values yourself: they come from the call."),
@@ -142,12 +131,8 @@ RESULTS = {
         "twice": ((1.125, 1.0390625), "You called handle_collision again after pend1 had changed. Call it once, for both."),
         "both e": ((1.40625, 1.53125), "This is the result with the product of both e. Use only that of pend1."),
     },
-    "test_a_tick_swings_all_pendula": {
-        "twice": ([(-0.167920715, 0.606806704)] * 3, "All pendula have swung twice. Call full_swing_update once, and outside of the loop."),
-    },
-    "test_only_neighbours_are_pairs": {
-        "all pairs": ([3.0, 2.0, 1.0], "These large bobs all touch, but only neighbours are pairs."),
-    },
+    "test_a_tick_swings_all_pendula": {"twice": ([(-0.167920715, 0.606806704)] * 3, "All pendula have swung twice. Call full_swing_update once, and outside of the loop.")},
+    "test_only_neighbours_are_pairs": {"all pairs": ([3.0, 2.0, 1.0], "These large bobs all touch, but only neighbours are pairs.")},
     "test_swings_come_before_collisions": {
         "swing last": ([1.0, 0.0], "These bobs touch only after the swing. Swing first, then handle the pairs."),
         "swing between": ([0.0, -1.0], "Here the second bob swings to the first one. All must swing before any collide."),
@@ -157,24 +142,17 @@ RESULTS = {
         "single values": ([value for row in MIXED for value in row.values()], "Your list has the single values of the file. A value of bad_rep is a whole pendulum already: append that one."),
         "a dictionary each": ([{key: value} for row in MIXED for key, value in row.items()], "Your list has a dictionary for each value. A value of bad_rep is a whole pendulum already: append that one."),
     },
-    "test_bobs_hang_from_their_axles": {
-        "all": (lambda found: len({(round(one.x, 6), round(one.y, 6)) for one in found}) == 1 and 0.2 < found[1].x < R, "All bobs are lifted. make_pendulum must get the theta of each pendulum, and not theta_init each time."),
-    },
-    "test_objects_are_axle_bob_and_cord": {
-        "shared": (lambda found: isinstance(found[0], tuple) and isinstance(found[0][1], sphere) and found[0][1] is found[-1][1], "All pendula have the same objects. Make them inside the loop."),
-    },
+    "test_bobs_hang_from_their_axles": {"all": (lambda found: len({(round(one.x, 6), round(one.y, 6)) for one in found}) == 1 and 0.2 < found[1].x < R, "All bobs are lifted. make_pendulum must get the theta of each pendulum, and not theta_init each time.")},
+    "test_objects_are_axle_bob_and_cord": {"shared": (lambda found: isinstance(found[0], tuple) and isinstance(found[0][1], sphere) and found[0][1] is found[-1][1], "All pendula have the same objects. Make them inside the loop.")},
     "test_the_accelerations_are_those_of_the_laws_of_motion": {
-        "two single": ((-10.0, -17.32), "These are two single pendula. But each one pulls at the other: call double_accelerations."),
-        "lower alone": ((-10.0, -10.0), "These are two single pendula. But each one pulls at the other: call double_accelerations."),
+        **{name: (found, "These are two single pendula. But each one pulls at the other: call double_accelerations.") for name, found in {"two single": (-10.0, -17.32), "lower alone": (-10.0, -10.0)}.items()},
         "beta": ((-5.71, -17.14), "double_accelerations gives the accelerations of alpha and beta. phi is beta - alpha: subtract that of alpha for omega_phi."),
     },
-    "test_both_angles_are_updated": {
-        "phi from straight down": ((3.0, 1.0, 0.6, 0.2), "phi counts from the upper cord, not from straight down; omega_phi, too."),
-    },
+    "test_both_angles_are_updated": {"phi from straight down": ((3.0, 1.0, 0.6, 0.2), "phi counts from the upper cord, not from straight down; omega_phi, too.")},
 }
 
 FORMS = {
-    "function": ("is a (?:function|builtin_function_or_method|method), not", ITSELF),
+    "function": ("is a (?:function|builtin_function_or_method|method), not", "A name without ( ) is the function itself, and not what a call of it gives. Store the result of the call, with = , and use that."),
     "tuple": ("is a tuple, not a number", "These are several values at once. Take them apart: a, b = ..."),
     "not a tuple": ("is (?:a number|text|a dictionary|a list|a set), not a tuple", "Return the values themselves, with commas between them: no list, no dictionary."),
     "one": ("pend_list is a [^,]*, not a list", "pend_list must be a list of all pendula. [ ] makes an empty list, append adds a pendulum to it, and { } makes a dictionary."),
@@ -215,10 +193,8 @@ STEPS = {
     "test_masses_and_omegas_are_those_of_each": "With e = 0.25, omega1 = 3, omega2 = 1, m1 = 2, m2 = 6 and r_param = 4, handle_collision gives 1.125 and 1.625. Compare these with the values in your code.",
     "test_axle_positions": "With r_param = 0.3, the axles are r_param/4 = 0.075 apart, and r_param/5 = 0.06 high. Compare these with the values in your code.",
     "extract_and_convert": "The steps: read_csv gives df, to_dict gives bad_rep, and pend_list gets each value of bad_rep. Return pend_list.",
-    "uniform_mass_newton_cradle": "The steps: pend_list comes from extract_and_convert; each pendulum gets the new mass; pend_list is returned.",
-    "uniform_e_newton_cradle": "The steps: pend_list comes from extract_and_convert; each pendulum gets the new e; pend_list is returned.",
-    "elastic_newton_cradle": "The steps: uniform_e_newton_cradle makes the pend_list, with the e of an elastic collision; pend_list is returned.",
-    "inelastic_newton_cradle": "The steps: uniform_e_newton_cradle makes the pend_list, with the e of an inelastic collision; pend_list is returned.",
+    **{f"uniform_{key}_newton_cradle": f"The steps: pend_list comes from extract_and_convert; each pendulum gets the new {key}; pend_list is returned." for key in ("mass", "e")},
+    **{f"{kind}_newton_cradle": f"The steps: uniform_e_newton_cradle makes the pend_list, with the e of an {kind} collision; pend_list is returned." for kind in ("elastic", "inelastic")},
     "make_newton_cradle": "The steps for each pendulum: theta, omega, axle_pos, color, texture, and objects (from make_pendulum).",
     "angle_update": "The steps: the acceleration from g, theta and r_param; omega plus its change in dt; theta plus its change, with the new omega; return both.",
     "full_swing_update": "The step: one loop over pend_list calls swing_update for each pendulum.",

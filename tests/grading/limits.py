@@ -17,7 +17,6 @@ except ImportError:  # Windows
 
 PATIENCE = 5.0  # s; then the grader stops a function
 MOST_MEMORY = 1000  # MB
-SPARE = 2**18  # bytes, for the message about a call that took all its memory
 
 MEMORY_IN_USE = Path("/proc/self/statm")  # Linux has it; its sixth number counts the pages of data
 
@@ -28,13 +27,13 @@ PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
 @contextmanager
 def limited_memory():
     """On Linux, raise a MemoryError if the body of the with statement takes more than MOST_MEMORY."""
-    if resource is None or not MEMORY_IN_USE.exists():
+    if not MEMORY_IN_USE.exists():
         yield
         return
     in_use = int(MEMORY_IN_USE.read_text().split()[5]) * resource.getpagesize()
     before = resource.getrlimit(resource.RLIMIT_DATA)
     allowed = [limit for limit in before if limit != resource.RLIM_INFINITY]
-    spare = bytearray(SPARE)
+    spare = bytearray(2**18)  # for the message about a call that took all its memory
     resource.setrlimit(resource.RLIMIT_DATA, (min([in_use + MOST_MEMORY * 10**6, *allowed]), before[1]))
     try:
         yield

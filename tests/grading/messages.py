@@ -15,16 +15,11 @@ from grading import limits
 from grading.handout import FUNCTIONS
 from support.start.output import in_one_line
 
-COLUMNS, LABEL = 80, 12  # of a terminal, and of the labels of a message
-WIDTH = 62  # columns of the values to the right of them
-MOST_ELEMENTS = 20  # elements shown of a list
-PENDULA = 3  # pendula shown of a call
-FILE = 8  # lines of the longest file that is shown whole
-DICTIONARIES = 1  # shown of a list of dictionaries
-ROWS = 4  # lines shown of a longer file
+COLUMNS, LABEL, WIDTH = 80, 12, 62  # of a terminal, of the labels of a message, and of the values beside them
+MOST_ELEMENTS, DICTIONARIES = 20, 1  # elements shown of a list, and of a list of dictionaries
+FILE, ROWS = 8, 4  # lines of the longest file that is shown whole, and lines shown of a longer one
 LINES = 5  # lines shown of a result, and of an expected value
-MOST_CHARACTERS = 300  # shown of a text
-MOST_PARTS = 10_000  # of a value that is shown
+MOST_CHARACTERS, MOST_PARTS = 300, 10_000  # shown of a text, and of a value
 
 FORMS = {list: "a list", tuple: "a tuple", dict: "a dictionary", str: "text", bool: "a bool", type(None): "None"}
 
@@ -60,14 +55,11 @@ class Call(NamedTuple):
         function = FUNCTIONS[self.function]
         if self.arguments is None:
             return [f"{self.function}({function.parameters})"]
-        words: list[str] = []
-        below = [f"{self.times} times in a row"] if self.times > 1 else []
+        words, below = [], [f"{self.times} times in a row"] if self.times > 1 else []
         for name, value in zip(function.parameters.split(", "), self.arguments, strict=False):
-            if value and isinstance(value, (PlainFile, dict, list)):
-                words.append(name)
-                below += value_lines(name, value, function.reads, index)
-            else:
-                words.append(f"{name}={shown(value)}")
+            is_long = value and isinstance(value, (PlainFile, dict, list))
+            words.append(name if is_long else f"{name}={shown(value)}")
+            below += value_lines(name, value, function.reads, index) if is_long else []
         return [*wrap(f"{self.function}({', '.join(words)})", COLUMNS - LABEL), *below]
 
 
@@ -86,19 +78,16 @@ def plain(value):
 
 
 def value_lines(name, value, keys, index=0) -> list[str]:
-    """Return lines about an argument that is too long for the call: a file, a pendulum, or a list of pendula.
-
-    keys are the keys of a pendulum that the lines show. index is that of a pendulum which is among those of a list.
-    """
+    """Return lines about a long argument: a file, a pendulum (these keys), or a list, with the pendulum at index."""
     if isinstance(value, PlainFile):
         rows = value.text.splitlines()
         if len(rows) > FILE:
             rows[ROWS - 1 :] = [f"... ({len(rows)} lines in all)"]
         return [f"{name} is the path of {Path(value.path).name}:", *(f"    {row}" for row in rows)]
     if isinstance(value, list):
-        some = [*range(min(PENDULA, len(value)))][: PENDULA - (index >= PENDULA)] + [index] * (index >= PENDULA)
+        some = [0, 1, max(2, index)][: len(value)]
         lines = [line for i in some for line in value_lines(f"{name}[{i}]", value[i], keys)]
-        return [*lines, *[f"... ({len(value)} in all)"] * (len(value) > PENDULA)]
+        return [*lines, *[f"... ({len(value)} in all)"] * (len(value) > len(some))]
     return [f"{name}: " + ", ".join(f"{key} {shown(value[key])}" for key in keys if key in value)]
 
 
@@ -141,9 +130,7 @@ def text_of(value, digits, parts) -> str:
     next(parts)
     if isinstance(value, Wanted):
         return value.words
-    if isinstance(value, bool) or value is None:
-        return str(value)
-    if isinstance(value, Real):
+    if isinstance(value, Real) and not isinstance(value, bool):
         return f"{value + 0:.{digits}g}"  # no -0
     if isinstance(value, vector):
         return f"vector({', '.join(text_of(number, digits, parts) for number in value.value)})"
@@ -153,9 +140,8 @@ def text_of(value, digits, parts) -> str:
         rows = [[text_of(each, digits, parts) for each in pair] for pair in islice(value.items(), MOST_ELEMENTS)]
         return "{" + joined([f"{key}: {part}" for key, part in rows], value, value.values()) + "}"
     if isinstance(value, (list, tuple)):
-        most = (
-            DICTIONARIES if isinstance(value, list) and any(isinstance(part, dict) for part in value) else MOST_ELEMENTS
-        )
+        has_dictionaries = isinstance(value, list) and any(isinstance(part, dict) for part in value)
+        most = DICTIONARIES if has_dictionaries else MOST_ELEMENTS
         text = joined([text_of(part, digits, parts) for part in value[:most]], value, value)
         return f"[{text}]" if isinstance(value, list) else f"({text}{',' * (len(value) == 1)})"
     text = repr(value)
@@ -177,8 +163,7 @@ def joined(parts, whole, elements) -> str:
 def about(what, value, digits=6) -> list[str]:
     """Return a value as lines, after the words in what: in one line if it is short."""
     lines = shown(value, digits).split("\n")
-    if len(lines) > LINES:
-        lines[LINES - 1 :] = [" ..."]
+    lines = lines if len(lines) <= LINES else [*lines[: LINES - 1], " ..."]
     if not what:
         return lines
     return [f"{what}: {lines[0]}"] if len(lines) == 1 and len(what + lines[0]) < WIDTH else [f"{what}:", *lines]
@@ -205,8 +190,6 @@ def end_of(raised) -> tuple[str, list[str]]:
     """Return, as (label, lines), how a call was stopped: by an error of its own, or by the grader at a limit."""
     if not raised.limit:
         return "it raised", error_lines(raised)
-    if not raised.kind:
-        return "came back", [f"nothing; it {raised.limit}."]
     end = f"nothing, within {limits.PATIENCE:g} s; it was" if raised.ends else f"nothing; it {raised.limit} and was"
     return "came back", [f"{end} stopped here:", *own_lines(raised.places)] if raised.places else [f"{end} stopped."]
 

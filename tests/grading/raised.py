@@ -1,9 +1,8 @@
-"""What stopped a student's code, as plain data: the code may run in another process than the grader."""
+"""What stopped a student's code."""
 
 import re
 import traceback
 from contextlib import suppress
-from dataclasses import dataclass
 from difflib import get_close_matches
 from linecache import getline, getlines
 from pathlib import Path
@@ -14,11 +13,12 @@ from grading.begin import ROOT
 from grading import limits
 from grading.evidence import of_error
 from grading.handout import FUNCTIONS
+from grading.messages import MOST_CHARACTERS
 from grading.values import values_at
 from support.start.preview import stubs_in
 
 ENDLESS, ENDING = "Does a loop in it ever end?", "This line ends the whole program. Remove it; return ends a function."
-MOST_TEXT, MOST_PLACES = 2000, 20  # characters and lines of an error that are kept: a recursion has hundreds
+MOST_PLACES = 20  # lines of an error that are kept: a recursion has hundreds
 
 
 class Place(NamedTuple):
@@ -30,48 +30,31 @@ class Place(NamedTuple):
     code: str
     values: str = ""  # of the names in it, in words
 
-
-@dataclass(frozen=True)
-class Raised:
-    """An error that a student's code raised, or the limit over which it went."""
-
-    kind: str = ""  # the name of the error's class
-    text: str | None = ""  # None if it has no text
-    places: tuple[Place, ...] = ()  # in the student's own files; the last call comes last
-    limit: str = ""  # how the code went over a limit
-    ends: bool = False  # it ends the whole program
-    stub: str | None = None  # the function that is not written yet
-    culprit: str | None = None  # the file of src/ that made an import fail
-    hint: str = ""  # the words for it, if it is known
-    before: str = ""  # why the function was not called: "import" if its file has failed, "missing" if it has none
-    meaning: str = ""  # what an error of this kind means
+    def __str__(self):
+        return f"{self.file}, line {self.line}"
 
 
 class StoppedError(Exception):
-    """A student's function, or the import of its file, did not come to its end."""
+    """An error that stopped a student's function, or the import of its file, or the limit over which it went."""
 
-    def __init__(self, raised):
-        super().__init__(raised.kind)
-        self.raised = raised
-
-
-def raised_by(error, function="") -> Raised:
-    """Return an error of a function as plain data."""
-    try:
-        text = (error.msg if isinstance(error, SyntaxError) else f"{error}{nearest_name(error)}")[:MOST_TEXT]
-    except Exception:
-        text = None
-    places, frames = own_places(error)
-    files = [each.file for each in places if each.function in ("", "<module>")]
-    stub, hint = stub_of(error)
-    limit, ends = limits.over_limit(error), isinstance(error, (SystemExit, KeyboardInterrupt))
-    words = meaning = ""
-    if not (limit or ends or stub):
-        with suppress(Exception):  # an error of the student's own, which says nothing of itself
-            words, meaning = of_error(error, frames, function)
-    words = hint or words or ends * (ENDLESS if limit else ENDING)
-    culprit = culprit_of(error, text or "", files)
-    return Raised(type(error).__name__, text, places, limit, ends, stub, culprit, words, meaning=meaning)
+    def __init__(self, error, function):
+        """function is "" if the error stopped the import."""
+        self.function, self.kind = function, type(error).__name__
+        try:
+            self.text = error.msg if isinstance(error, SyntaxError) else f"{error}{nearest_name(error)}"
+        except Exception:
+            self.text = None
+        self.places, frames = own_places(error)  # in the student's own files; the last call comes last
+        self.limit = limits.over_limit(error)
+        self.ends = isinstance(error, (SystemExit, KeyboardInterrupt))  # it ends the whole program
+        self.culprit = culprit_of(error, f"{self.text}", self.places)  # the file of src/ that made an import fail
+        self.stub, self.hint = stub_of(error)  # the function that is not written yet, and the words, if they are known
+        self.meaning = ""  # what an error of this kind means
+        if self.ends:
+            self.hint = ENDLESS if self.limit else ENDING
+        elif not self.limit and not self.stub:
+            with suppress(Exception):  # an error of the student's own, which says nothing of itself
+                self.hint, self.meaning = of_error(error, frames, function)
 
 
 def nearest_name(error) -> str:
@@ -99,7 +82,7 @@ def own_places(error) -> tuple[tuple[Place, ...], list]:
     found = []
     for file, place, at in own:
         values = values_at(at, place.line, isinstance(error, NameError)) if at else ""
-        found.append(place._replace(file=file.relative_to(ROOT).as_posix(), values=values))
+        found.append(place._replace(file=file.relative_to(ROOT).as_posix(), values=values[:MOST_CHARACTERS]))
     return tuple(found), [(at, place.line) for _, place, at in own if at]
 
 
@@ -115,8 +98,8 @@ def stub_of(error) -> tuple[str | None, str]:
     return name, f"Delete line {line}, raise NotImplementedError: it stops your function before its end." * has_code
 
 
-def culprit_of(error, text, files) -> str | None:
-    """Return the file of src/ that made an import fail, or None; files are those whose import the error stopped.
+def culprit_of(error, text, places) -> str | None:
+    """Return the file of src/ that made an import fail, or None. text and places are those of the error.
 
     It lacks a function, or is missing itself, or is the first one of a circle, or has the last line that ran.
     """
@@ -125,6 +108,7 @@ def culprit_of(error, text, files) -> str | None:
         return FUNCTIONS[missing[1]].file
     if isinstance(error, ModuleNotFoundError) and (error.name or "").startswith("src."):
         return error.name.replace(".", "/") + ".py"
+    files = [each.file for each in places if each.function in ("", "<module>")]
     if "circular import" in text:  # in the order of the handout, it is the first file that imports from a later one
         order = [*{function.file: None for function in FUNCTIONS.values()}]
         files = sorted(files, key=lambda file: -order.index(file) if file in order else -len(order))

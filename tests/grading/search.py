@@ -1,7 +1,6 @@
-"""Search for one change of a student's function with which all of its checks pass.
+"""Search, in a process of its own, for one change of a student's function with which all of its checks pass.
 
-A rule of rules.py says which code becomes which. Each change is made in the syntax tree, the smallest first, and the
-checks decide: what the words say is proved. A process of its own does this. It writes no file of the student's.
+A rule of rules.py says which code becomes which. A change is made in the syntax tree, in no file, the smallest first.
 """
 
 import ast
@@ -13,7 +12,7 @@ import subprocess
 import sys
 from collections import defaultdict
 from contextlib import suppress
-from copy import copy, deepcopy
+from copy import deepcopy
 from itertools import combinations, pairwise, permutations, product
 from numbers import Real
 from pathlib import Path
@@ -48,13 +47,9 @@ def one_change(check, line=0) -> list | None:
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         own = {**os.environ, "PYTHONPATH": tests, **dict.fromkeys(("TMPDIR", "TEMP", "TMP"), folder)}
         options = {"env": own, "cwd": tests, "stdin": subprocess.DEVNULL, "capture_output": True, "timeout": SECONDS}
-        try:
+        with suppress(OSError, ValueError, subprocess.TimeoutExpired):
             return json.loads(subprocess.run(command, check=False, **options).stdout)
-        except (OSError, ValueError, subprocess.TimeoutExpired):
-            return None
-
-
-# --- the process that searches ---------------------------------------------------------------------------------------
+    return None
 
 
 class Quick(OwnProcess):
@@ -85,15 +80,15 @@ def first_change(own, scope, first, line) -> tuple[int, str] | None:
     """Return the line and the words of the first change of a function (its tree own) with which all checks pass."""
     checks = sorted(grader.checks(function=own.name), key=lambda check: check.name != first)
     types = types_in(scope[own.name].__code__, checks[0])
-    idle = [(where, key) for node, where, key, *_ in places(own) if isinstance(node, ast.Expr) and is_idle(node)]
-    silent = [(where, key, ast.Pass()) for where, key in idle]
+    idle = [place for place in places(own) if isinstance(place[0], ast.Expr) and is_idle(place[0])]
+    silent = [(where, key, ast.Pass()) for _, where, key, *_ in idle]
 
     def is_right(edits):
         return made(own, edits, scope) and all(map(passes, checks))
 
     if is_right(silent):  # a print can fail, too, and its values can change a list
         words = "Without your prints, all checks pass: a print stops your function, or changes its result."
-        return (idle[0][0][idle[0][1]].lineno, words) if idle else None
+        return (idle[0][0].lineno, words) if idle else None
     for is_here in (True, False) if line else (False,):  # first in the line that has stopped
         for at, words, edits in changes(own, scope, types):
             if (at == line) == is_here and is_right(silent + edits):
@@ -141,7 +136,7 @@ def made(function, edits, scope) -> bool:
     except Exception:  # also a SystemError: the tree has a form that Python cannot take
         return False
     finally:
-        for (where, key, _), old in zip(edits[::-1], before[::-1], strict=True):
+        for (where, key, _), old in zip(edits, before, strict=True):
             where[key] = old
     return True
 
@@ -155,9 +150,6 @@ def passes(check) -> bool:
     except BaseException:
         return False
     return True
-
-
-# --- rules -----------------------------------------------------------------------------------------------------------
 
 
 def match(pattern, node, found) -> bool:
@@ -192,9 +184,8 @@ class Filled(ast.NodeTransformer):
             return ast.parse(self.letters["s"].value, mode="eval").body
         one = self.letters.get(node.id, node)
         if hasattr(one, "ctx") and type(one.ctx) is not type(node.ctx):
-            code = ast.unparse(one)
-            is_load = isinstance(node.ctx, ast.Load)
-            return ast.parse(code, mode="eval").body if is_load else ast.parse(f"{code} = 0").body[0].targets[0]
+            both = ast.parse(f"{ast.unparse(one)} = {ast.unparse(one)}").body[0]
+            return both.value if isinstance(node.ctx, ast.Load) else both.targets[0]
         return one
 
     def visit_Constant(self, node):
@@ -212,9 +203,7 @@ def can_be(node, letter, types) -> bool:
 
 
 def by_rules(rules, node, choices, types):
-    """Yield (kind, new, words) for each rule that fits a node: kind has the number of the rule, its names, texts and
-    numbers, and what it has put in.
-    """
+    """Yield (kind, new, words) for each rule that fits a node; kind: its number, names, texts, numbers, and choices."""
     for number, (before, after, free, words) in enumerate(rules):
         found: dict = {}
         if match(before, node, found) and all(can_be(one, letter, types) for letter, one in found.items()):
@@ -236,9 +225,6 @@ def text(node) -> str:
     """Return the code of a node in one line, shortened."""
     code = ast.unparse(node).partition("\n")[0]
     return code if len(code) <= SHORT else f"{code[: SHORT - 3]}..."
-
-
-# --- changes ---------------------------------------------------------------------------------------------------------
 
 
 def choices_in(function, scope, types) -> dict[str, list]:
@@ -298,9 +284,7 @@ def together(group) -> tuple[int, str, list]:
 
 
 def places(node, around=None, path="", is_printed=False):
-    """Yield each expression and each line in a node: itself, its place, the expression around it, its path in the
-    line, and whether it is only printed.
-    """
+    """Yield each expression and line in a node, its place, what is around it, its path, and whether it is printed."""
     for field, value in ast.iter_fields(node):
         pairs = [(value, i) for i in range(len(value))] if isinstance(value, list) else [(vars(node), field)]
         for where, key in pairs if field != "returns" else ():
@@ -310,44 +294,41 @@ def places(node, around=None, path="", is_printed=False):
                 outer = around if around and len(ast.unparse(around)) <= SHORT else one
                 below = "" if is_line else f"{path}.{field}{key if isinstance(where, list) else ''}"
                 is_text = isinstance(one, ast.Expr) and isinstance(one.value, ast.Constant)
-                if (
-                    is_line
-                    and not is_text
-                    and not (field == "orelse" and has_elif(node))
-                    or is_part
-                    and not isinstance(getattr(one, "ctx", None), ast.Store)
-                ):
+                is_target = isinstance(getattr(one, "ctx", None), ast.Store)
+                is_elif = field == "orelse" and has_elif(node)
+                if (is_line or is_part) and not (is_text or is_target or is_elif):
                     yield one, where, key, outer, below, is_printed
                 yield from places(one, outer if is_part else None, below, is_printed or is_idle(one))
 
 
 def has_elif(node) -> bool:
-    orelse = getattr(node, "orelse", None)
-    return isinstance(orelse, list) and [one.col_offset for one in orelse] == [node.col_offset]
+    return isinstance(node, ast.If) and [one.col_offset for one in node.orelse] == [node.col_offset]
 
 
 def of_row(rank, node, names):
     """Yield the changes of the values of a call or a tuple, as by_rules."""
     if not isinstance(node, (ast.Call, ast.Tuple, ast.List)):
         return
-    field, rows = "args" if isinstance(node, ast.Call) else "elts", []
+    field, rows, orders = "args" if isinstance(node, ast.Call) else "elts", [], []
     given, place = getattr(node, field), f"in the ( ) of {text(node.func)}" if field == "args" else f"in {text(node)}"
-    some, orders = range(len(given)), []
+    some, gaps = range(len(given)), range(len(given) + 1)
     if rank == 1:
         rows = [(given[:i] + given[i + 1 :], f"{text(one)} does not belong {place}") for i, one in enumerate(given)]
         orders = [[{i: j, j: i}.get(k, k) for k in some] for i, j in combinations(some, 2)]
-        parts = combinations(range(len(given) + 1), 3)
-        orders += [[*some[:i], *some[j:k], *some[i:j], *some[k:]] for i, j, k in parts]
+        orders += [[*some[:i], *some[j:k], *some[i:j], *some[k:]] for i, j, k in combinations(gaps, 3)]
     if rank == 2:
-        more = product(range(len(given) + 1), names)
-        rows = [([*given[:i], one, *given[i:]], f"one more value belongs {place}") for i, one in more]
+        rows = [([*given[:i], one, *given[i:]], f"one more value belongs {place}") for i, one in product(gaps, names)]
     if rank == 3 and len(given) < 6:
         orders = permutations(some)
     rows += [([given[k] for k in order], f"another order belongs {place}") for order in orders]
     for number, (values, words) in enumerate(rows):
-        new = copy(node)
-        setattr(new, field, values)
-        yield (field, place, number), new, words
+        yield (field, place, number), changed(node, field, values), words
+
+
+def changed(node, field, values):
+    """Return a node with other values in this field; a block is never empty."""
+    values = values or [ast.Pass()] * isinstance(node, ast.stmt)
+    return type(node)(**{**vars(node), field: values})
 
 
 def moved(lines, i):
@@ -367,24 +348,19 @@ def moved(lines, i):
             end = f"the {kind} of line {at.lineno}, not in it" if kind else f"line {at.end_lineno}"
             words = f"below {end}" if j > i else f"above line {at.lineno}"
             yield to([line], words, *((lines, k, one) for k, one in order))
-    fields = [field for field in ("body", "orelse") if type(line) in BLOCKS and getattr(line, field)]
-    fields = fields[: 1 if has_elif(line) else 2]
+    fields = ["body"] if has_elif(line) else ["body", "orelse"]
+    fields = [field for field in fields if type(line) in BLOCKS and getattr(line, field)]
     for field, k in product(fields, range(1, 1 + max(len(lines), len(getattr(line, "body", []))))):
         own, above, below = getattr(line, field), lines[max(i - k, 0) : i], after[:k]
         name = f"the {'else that belongs to the ' * (field == 'orelse')}{BLOCKS[type(line)]} of line {line.lineno}"
-
-        def changed(body, field=field):
-            new = copy(line)
-            setattr(new, field, body or [ast.Pass()])
-            return new
-
         if k <= len(own):
-            yield to(own[-k:], f"below {name}, not in it", (lines, i, block([changed(own[:-k]), *own[-k:]])))
-            yield to(own[:k], f"above {name}, not in it", (lines, i, block([*own[:k], changed(own[k:])])))
+            first, last = changed(line, field, own[:-k]), changed(line, field, own[k:])
+            yield to(own[-k:], f"below {name}, not in it", (lines, i, block([first, *own[-k:]])))
+            yield to(own[:k], f"above {name}, not in it", (lines, i, block([*own[:k], last])))
         for some, body, first in ((above, [*above, *own], i - k), (below, [*own, *below], i + 1)):
             if len(some) == k:
                 gone = [(lines, first + j, ast.Pass()) for j in range(k)]
-                yield to(some, f"in {name}", (lines, i, changed(body)), *gone)
+                yield to(some, f"in {name}", (lines, i, changed(line, field, body)), *gone)
 
 
 if __name__ == "__main__":

@@ -32,18 +32,6 @@ def in_words(value) -> str:
     return f"the text {text}" if isinstance(value, str) else text
 
 
-def all_in_words(values) -> str:
-    """Return (name, value) pairs in words, without functions and modules."""
-    text = ""
-    for name, value in values:
-        with suppress(Exception):  # a value that says nothing of itself
-            if not callable(value) and not isinstance(value, ModuleType):
-                text += f"{', ' * bool(text)}{name} is {in_words(value)}"
-        if len(text) > MOST_VALUES:
-            return f"{text}, ..."
-    return text
-
-
 def value_of(node, names):
     """Return the value of a name, an element or a part of an object; raise a LookupError if it is none of these."""
     if isinstance(node, ast.Name):
@@ -60,13 +48,19 @@ def value_of(node, names):
 
 def values_at(frame, line, only_names) -> str:
     """Return the values of the names and elements in this line of a frame, in words, or only all names of the frame."""
-    found, inner = {}, set()
+    if only_names:
+        return f"these names have a value: {', '.join(islice(frame.f_locals, 12))}"
+    found, inner, text = {}, set(), ""
     with suppress(Exception):  # a line of no file
-        if only_names:
-            return f"these names have a value: {', '.join(islice(frame.f_locals, 12))}"
         for node in nodes_of(frame, line):
             if isinstance(getattr(node, "ctx", None), ast.Load) and node not in inner:
                 with suppress(LookupError, TypeError, AttributeError):
                     found.setdefault(ast.unparse(node), value_of(node, frame.f_locals))
                     inner.update(ast.walk(node))
-    return all_in_words(sorted(found.items(), key=lambda pair: isinstance(pair[1], Real)))  # numbers last
+    for name, value in sorted(found.items(), key=lambda pair: isinstance(pair[1], Real)):  # numbers last
+        with suppress(Exception):  # a value that says nothing of itself
+            if not callable(value) and not isinstance(value, ModuleType):
+                text += f"{', ' * bool(text)}{name} is {in_words(value)}"
+        if len(text) > MOST_VALUES:
+            return f"{text}, ..."
+    return text

@@ -34,9 +34,6 @@ def values(player, key):
     return player.cradle.values(key)
 
 
-# --- options, reloads and release ------------------------------------------------------------------------------------
-
-
 @BOTH
 def test_collisions_are_those_of_the_options_can_be_changed_in_full_swing_and_survive_a_reload(swing, kind):
     for options, e in (({"elastic": True}, 1), ({"inelastic": True}, 0), ({"e": 0.25, "mass": 2.0}, 0.25)):
@@ -102,9 +99,6 @@ def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch, ki
     assert (values(player, "mass"), player.cradle.hand.held) == ([2, 2], None)
     player.read(FIVE_CSV)
     assert kind is DoubleCradle or values(player, "objects") == first
-
-
-# --- hits ------------------------------------------------------------------------------------------------------------
 
 
 @BOTH
@@ -230,17 +224,6 @@ def test_bobs_touch_at_the_angle_of_the_law_of_cosines(side, turns):
         assert touching_angle(pend, 0, other, R) == (angle and pytest.approx(0.5 + side * delta))
     other.pos = pend["objects"][0].pos  # on the axle, where it has no direction
     assert touching_angle(pend, 0, other, R) is None
-
-
-def test_a_bob_that_comes_round_over_the_top_pushes_the_others_from_their_other_side():
-    """A person drags the first bob up on the left, over its axle and down on the right: it meets the last bob first."""
-    pend_list = row(3)
-    for theta in (-2.0, -3.1, 2.2, 1.0, 0.5):
-        before = [pend["theta"] for pend in pend_list]
-        after = drag(pend_list, 0, theta)
-        assert all(gap > 1 for gap in distances(pend_list))
-        assert all(abs(new - old) < 1 for new, old in zip(after[1:], before[1:], strict=True))
-    assert after[1] < 0  # pushed on to the left
 
 
 def double_row(count, phi=0.0):

@@ -52,9 +52,6 @@ def follow(pend_list, samples, ticks):
     return gain, nearest, hits
 
 
-# --- its objects -----------------------------------------------------------------------------------------------------
-
-
 def test_make_double_newton_cradle(tmp_path):
     """The first pendulum starts at (theta_init, phi_init), the others hang; no shape of the single cradle is left."""
     file = tmp_path / "mixed.csv"
@@ -68,9 +65,6 @@ def test_make_double_newton_cradle(tmp_path):
         check_places(pend, (-0.1 + 0.4 / 4 * i, 0.4 / 5), 0.4)
         for bob in pend["objects"][1::2]:
             assert (bob.visible, bob.color, bob.texture) == (True, COLOR_MAP[row["color"]], TEXTURE_MAP[row["texture"]])
-
-
-# --- the laws of motion ----------------------------------------------------------------------------------------------
 
 
 def test_the_error_of_a_swing_is_of_the_fourth_order():
@@ -99,9 +93,6 @@ def test_a_tick_has_more_steps_only_if_a_cord_turns_far(monkeypatch):
 def test_a_pendulum_that_is_too_fast_is_named(rates):
     with pytest.raises(ValueError, match="^a pendulum with omega = .* and phi_omega = .* rad/s is too fast$"):
         double_swing_update(hang_double(0, 0, *rates), R_PARAM, DOUBLE_DT, G)
-
-
-# --- hits ------------------------------------------------------------------------------------------------------------
 
 
 def let_touch(pair, bob1, bob2, apart=0.99):
@@ -176,8 +167,6 @@ def test_any_two_bobs_of_two_pendula_touch():
         found |= {*touching_pairs(row, R_PARAM)}
     assert len(found) == 6
 
-
-# --- the cradle ------------------------------------------------------------------------------------------------------
 
 STARTS = [(THETA_INIT, PHI_INIT, 1), (THETA_INIT, PHI_INIT, 10), (-0.8, -0.8, 6), (-1.2, 0.5, 6)]
 

@@ -103,8 +103,6 @@ def test_bad_experiments_are_named_in_one_line_each_and_the_other_one_works(file
         assert "\n" not in mistake
 
 
-# --- the menu --------------------------------------------------------------------------------------------------------
-
 TWO, FROM_BOTH_SIDES, HEAVY = 1, 3, 4  # indices of experiments
 SAID_B = "You said: B, One bob, as far as the two."
 QUESTION = "Two bobs come in. What leaves on the other side?"
@@ -174,9 +172,6 @@ def test_a_main_that_reads_another_file_does_not_end_the_page(asking, monkeypatc
     choose(asking, HEAVY)
     asking.wait(0.1)
     assert (len(asking.thetas()), shown(asking)) == (2, [])
-
-
-# --- the question ----------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("answer", "happened"), [(2, THAT), (0, OTHER), (None, OTHER)])
@@ -328,9 +323,6 @@ def test_a_sheet_has_the_question_and_after_the_run_the_measured_figures(asking)
     assert first == page
     for text in (f"{THAT} Two bobs came in", "(m/s) 1.07 1.07 0.00 0.00 0.00", "swung to (degrees) 0 0 0 45 45"):
         assert text in second
-
-
-# --- what happens ----------------------------------------------------------------------------------------------------
 
 
 def run(kind, key, csv):

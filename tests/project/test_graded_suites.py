@@ -88,8 +88,6 @@ def first_message(function) -> str:
     return failures(function)[0].message
 
 
-# --- the tables ------------------------------------------------------------------------------------------------------
-
 # The form of a failure: a sentence, the call, the result, the expected result, and the place in the handout.
 FORM = re.compile(
     r"wrong       .+\.\ncalled      .+?\n(came back|it raised)   .+?\nexpected    .+?\nread        handout, .+",
@@ -153,25 +151,14 @@ def test_a_right_main_with_a_trap_has_a_note(solve, monkeypatch, name, value, no
 # --- hints -----------------------------------------------------------------------------------------------------------
 
 
-def all_rows() -> dict:
-    """Return the words of each row of hints.py by its table and name."""
-    rows = {("errors", name): words for name, (*_, words) in hints.ERRORS.items()}
-    rows |= {("meaning", kind.__name__): words for kind, words in hints.MEANING.items()}
-    rows |= {("forms", name): words for name, (_, words) in hints.FORMS.items()}
-    rows |= {("code", name): words for name, (_, words) in hints.CODE.items()}
-    return rows | {(check, name): row[1] for check, results in hints.RESULTS.items() for name, row in results.items()}
-
-
-def is_same(word, said) -> bool:
-    """Return whether a word of a row is this one in a hint; a place for a value is any word."""
-    return word == said or re.search(r"{.", word) is not None
-
-
 def test_each_row_has_a_mistake_in_the_table_and_each_check_of_the_rows_is_there():
+    """In the words of a row, a place for a value is any word."""
+    rows = [words for *_, words in (*hints.ERRORS.values(), *hints.FORMS.values(), *hints.CODE.values())]
+    rows += [*hints.MEANING.values(), *(row[1] for results in hints.RESULTS.values() for row in results.values())]
     begins = [words.split() for mistakes in HINTED.values() for words in mistakes]
-    for name, words in all_rows().items():
+    for words in rows:
         pairs = [zip(words.replace("{{ }}", "{ }").split(), begin, strict=False) for begin in begins]
-        assert any(all(is_same(*pair) for pair in each) for each in pairs), name
+        assert any(all(word == said or re.search("{.", word) for word, said in each) for each in pairs), words
     assert {*hints.RESULTS} <= {check.name for check in CHECKS}
     assert {*hints.STEPS} <= {*FUNCTIONS, *(check.name for check in CHECKS)}
 
@@ -229,25 +216,17 @@ def test_a_failure_says_it_all_in_order(solve):
 
 def test_a_message_shows_the_part_of_pendula_and_files_that_matters(solve):
     solve("full_swing_update", ("in pend_list", "in pend_list[:5]"))
-    assert first_message("full_swing_update").splitlines()[:6] == [
-        "wrong       theta of pend_list[5] is 0, not 4e-09.",
-        "called      full_swing_update(pend_list, r_param=0.5, dt=0.1, g=10)",
+    assert first_message("full_swing_update").splitlines()[2:6] == [
         "            pend_list[0]: theta 0.523599, omega 2",
         "            pend_list[1]: theta 1.5708, omega 0",
         "            pend_list[5]: theta 0, omega 4e-08",
         "            ... (10 in all)",
     ]
     solve("extract_and_convert", ("filepath)", "filepath).round(2)"))
-    lines = [line.strip() for line in first_message("extract_and_convert").splitlines()]
-    assert lines[2:] == [
-        *("relative_filepath is the path of seven.csv:", "mass,e,theta,omega,color,texture"),
-        *import_module("test_d").FILES["seven.csv"].splitlines()[1:],
-        *("came back   at index 0:", "{'mass': 12.62, 'e': 1, 'theta': 0.44, 'omega': 0,"),
-        "'color': 'white', 'texture': 'none'}",
-        *("expected    at index 0:", "{'mass': 12.625, 'e': 1, 'theta': 0.4375, 'omega': 0,"),
-        "'color': 'white', 'texture': 'none'}",
-        "read        handout, A CVS to pend_list converter (D Tests): extract_and_convert",
-    ]
+    words = " ".join(first_message("extract_and_convert").split())
+    file = " ".join(import_module("test_d").FILES["seven.csv"].split())
+    assert f" is the path of seven.csv: {file} came back at index 0: {{'mass': 12.62, 'e': 1," in words
+    assert " 'texture': 'none'} expected at index 0: {'mass': 12.625, 'e': 1," in words
 
 
 VALUES = {  # a mistake, and the values that the next step shows
@@ -309,7 +288,8 @@ MEMORY = (60.0, "; it took more than 20 MB of memory and was", "more than 20 MB 
     [
         ("while True: pass", *TIME),
         ("import time; time.sleep(100)", *TIME),
-        ("while True:\n try:\n  while True: pass\n except: break\nwhile True: pass", *TIME),
+        # Python 3.11 catches nothing in a loop right below try.
+        ("try:\n omega = 0\n while True: omega += 1\nexcept: pass\nwhile True: pass", *TIME),
         pytest.param("rows = [0] * 10**9", *MEMORY, marks=on_linux),
         pytest.param("rows = [omega]\nfor row in rows: rows.append(row)", *MEMORY, marks=on_linux),
     ],
@@ -324,15 +304,6 @@ def test_what_takes_too_much_is_stopped_and_not_called_again(solve, monkeypatch,
     assert f"angle_update took {words}." in first.message
     assert (second.message, capsys.readouterr().out) == ("waits for angle_update", "called\n")
     assert before == (limits.resource and limits.resource.getrlimit(limits.resource.RLIMIT_DATA))
-
-
-@on_linux
-def test_a_function_that_catches_its_memory_errors_is_stopped(solve, monkeypatch):
-    """By the time, or by an error that comes outside of the try."""
-    monkeypatch.setattr(limits, "PATIENCE", 1.0)
-    monkeypatch.setattr(limits, "MOST_MEMORY", 20)
-    solve("angle_update", "rows = []\nwhile True:\n try: rows.append([])\n except: pass")
-    assert " stopped" in failures("angle_update")[0].message
 
 
 def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
@@ -404,26 +375,17 @@ def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
     assert others[-1] == "ZeroDivisionError: division by zero"
 
 
-# --- functions that are not written yet ------------------------------------------------------------------------------
-
 STUB = 'raise NotImplementedError("{} is not written yet")'
 
 
 def test_a_function_that_is_not_written_waits(solve):
     """Functions that use it wait too, if they are written themselves."""
+    waits = dict.fromkeys(["newton_cradle_tick", "main"], "waits for angle_update, full_swing_update")
     for name in ("angle_update", "full_swing_update"):
         solve(name, STUB.format(name))
+        waits[name] = f"waits for you to write {name} in src/my_{name}.py, line 2"
     outcomes = {(check.function, *outcome[:2]) for check, outcome in outcomes_of("angle_update").items()}
-    assert outcomes == {
-        ("angle_update", WAITING, "waits for you to write angle_update in src/my_angle_update.py, line 2"),
-        (
-            "full_swing_update",
-            WAITING,
-            "waits for you to write full_swing_update in src/my_full_swing_update.py, line 2",
-        ),
-        ("newton_cradle_tick", WAITING, "waits for angle_update, full_swing_update"),
-        ("main", WAITING, "waits for angle_update, full_swing_update"),
-    }
+    assert outcomes == {(name, WAITING, words) for name, words in waits.items()}
 
 
 def test_a_function_waits_for_one_that_it_need_not_use(solve):

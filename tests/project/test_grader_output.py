@@ -9,7 +9,7 @@ from students import change, write
 from wrong_solutions import PLAIN
 
 from grading.grade import table
-from grading.grader import checks, FAILED, Outcome, PASSED
+from grading.grader import checks, FAILED, FAULT, Outcome, PASSED
 from grading.handout import FUNCTIONS, SUITES
 
 COLUMNS = 80
@@ -73,8 +73,10 @@ ERROR = WRONG._replace(wrong="E: f.", hint="Do.")
 
 
 @pytest.mark.parametrize(
-    ("tier", "outcome", "words"),
+    ("tiers", "outcome", "words"),  # of the checks of the last tier; those of the others are passed
     [
+        ("DB", Outcome(PASSED), ["Grade: D.", "Next:  run all checks of tier C."]),
+        ("DC", Outcome(FAULT), ["Grade: D.", "Next:  show your teacher the grader's fault in test_angle_update."]),
         ("C", Outcome(PASSED), ["Tier C is complete.", "Next:  run all checks of tier D."]),
         ("B", WRONG._replace(hint="Do."), ["Next:  handle_collision in a.py, line 7.", "       A is 5, not 6. Do."]),
         ("B", ERROR, ["       The steps: both omegas become linear velocities; the two formulas of the"]),
@@ -82,9 +84,10 @@ ERROR = WRONG._replace(wrong="E: f.", hint="Do.")
         ("C", WRONG, ["       A is 5, not 6. With omega = 3, theta = 2.61799, r_param = 0.4, dt = 0.1"]),
     ],
 )
-def test_the_grade_and_the_next_step(tier, outcome, words):
-    """test_starter.py has the grades of several tiers, and a fault."""
-    lines = [line for line, _ in table({check.name: outcome for check in checks(tier=tier)}, COLUMNS)]
+def test_the_grade_and_the_next_step(tiers, outcome, words):
+    outcomes = {check.name: Outcome(PASSED) for tier in tiers for check in checks(tier=tier)}
+    outcomes |= {check.name: outcome for check in checks(tier=tiers[-1])}
+    lines = [line for line, _ in table(outcomes, COLUMNS)]
     assert [line for line in lines if line in words] == words
 
 

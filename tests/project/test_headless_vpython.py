@@ -1,8 +1,7 @@
 """The stand-in and VPython itself: the same short programs give the same numbers and the same errors.
 
 VPython's vectors and shapes work without a browser if VPython believes that the page is open. Each side runs all
-programs in its own process, without a browser. test_page_again.py tests the picture, on VPython alone. The last test
-here is on VPython alone, too: many reloads of the CSV leave the number of its objects and its memory as they were.
+programs in its own process, without a browser. test_page_again.py tests the picture, on VPython alone.
 """
 
 import json
@@ -157,8 +156,6 @@ def test_nothing_waits():
     headless_vpython.scene.pause()
     assert headless_vpython.scene.mouse.pick is None
 
-
-# --- many reloads ----------------------------------------------------------------------------------------------------
 
 # Nobody fetches what is sent to the page: throw it away.
 RELOADS = """

@@ -26,9 +26,6 @@ pytestmark = programs.needs_vpython
 SECRET = "the secret"
 
 
-# --- requests --------------------------------------------------------------------------------------------------------
-
-
 def get(port, path, **headers):
     """Send a GET with exactly this path; return the connection, the answer, and its content."""
     connection = HTTPConnection("127.0.0.1", port, timeout=SECONDS)
@@ -55,13 +52,6 @@ def open_tab(page):
 # --- one program for most tests --------------------------------------------------------------------------------------
 
 
-def free_port():
-    """Return a port that is free, as is the next one."""
-    page, websocket = page_sockets(0)
-    with page, websocket:
-        return port_of(page)
-
-
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """A working folder with a secret, in a folder with a secret; both end as something that VPython serves."""
@@ -71,11 +61,9 @@ def folder(tmp_path_factory):
 @pytest.fixture(scope="module")
 def site(folder):
     """The address of a program that waits for a browser, and prints nothing more; its query is the key."""
-    program, port = copy_project(folder.parent, FIVE_CSV) / "src" / programs.PROGRAM.name, free_port()
-    with running(program, folder=folder, patience=60 * SECONDS, VPYTHON_HTTP_PORT=str(port)) as process:
-        address = first_lines(process)
-        assert address.startswith(f"http://127.0.0.1:{port}/?key=")
-        yield urlsplit(address)
+    program = copy_project(folder.parent, FIVE_CSV) / "src" / programs.PROGRAM.name
+    with running(program, folder=folder, patience=60 * SECONDS) as process:
+        yield urlsplit(first_lines(process))
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
 
@@ -136,9 +124,6 @@ def test_connections_and_requests_without_sense_change_nothing(site):
                 assert get(site.port, f"/?{site.query}")[1].status == 200
 
 
-# --- programs of their own -------------------------------------------------------------------------------------------
-
-
 def test_a_tab_whose_browser_crashes_ends_the_program():
     """In the middle of a message. Before that, a message that would fill the memory closes the tab."""
     with running() as process:
@@ -166,9 +151,6 @@ def test_the_program_opens_a_browser_unless_it_must_not(tmp_path, options, opene
         assert not opened or visited.read_text().strip() == address
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
-
-
-# --- ports -----------------------------------------------------------------------------------------------------------
 
 
 def test_ports_are_taken_from_the_start_and_free_at_the_end():
@@ -305,8 +287,6 @@ def test_only_possible_events_reach_vpython(connect):
     tab.ask(json.dumps([*IMPOSSIBLE, *POSSIBLE]).encode())
     assert json.loads(tab.got) == POSSIBLE
 
-
-# --- what a reload gets ----------------------------------------------------------------------------------------------
 
 SPHERE, TEXT, CANVAS = {"cmd": "sphere", "idx": 1}, {"append_to_caption": "a", "idx": 0}, {"cmd": "canvas", "idx": 0}
 

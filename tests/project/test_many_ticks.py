@@ -93,9 +93,6 @@ def same_contacts(make, **by):
     assert state(at_once) == state(one_by_one)
 
 
-# --- the same bits ---------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("approaching_only", [False, True])
 @pytest.mark.parametrize("seed", slow_but_for([5, 12, 16, 17, 18, 20, 22], range(30)))
 def test_random_cradles_end_in_the_same_bits_as_after_single_ticks(seed, approaching_only):
@@ -113,9 +110,6 @@ def test_bobs_that_touch_or_not_by_a_rounding_error_end_in_the_same_bits(count):
 def test_whole_numbers_and_zeros_of_both_signs_end_in_the_same_bits(theta, omega):
     for ticks, g in ((0, G), (1, 0), (100, -0.0), (3, 10)):
         same_contacts(lambda: [hang(theta, omega, 1, 1, (0, -0.0, -0.0)), hang(axle=(R / 4, 0, 0))], g=g, ticks=ticks)
-
-
-# --- not with other functions or pendula -----------------------------------------------------------------------------
 
 
 def is_taken() -> bool:
@@ -192,8 +186,6 @@ def test_the_fast_path_steps_back_from_strange_pendula(strange):
     assert (do_at_once(pend_list, ticks=1000), state(pend_list)) == (None, before)
     assert many_ticks(vars(RUN), row(2), 10, {"wind": 1}) is do_at_once(tuple(row(2))) is None
 
-
-# --- on VPython itself -----------------------------------------------------------------------------------------------
 
 PROGRAM = """
 import sys, vpython

@@ -83,9 +83,6 @@ def shared(started, file):
     return page
 
 
-# --- buttons and keys ------------------------------------------------------------------------------------------------
-
-
 def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
     shared.set_viewport_size({"width": 1000, "height": 300})  # so that the panel can scroll
     wait_until(lambda: shared.get_by_role("button", name="Step").is_disabled())
@@ -122,9 +119,6 @@ def test_keys_without_a_meaning_do_nothing(shared):
     shared.keyboard.press("Space")
     shared.get_by_role("button", name="Run").wait_for()
     assert values(shared)[programs.LIFTED] == "1 of 5"
-
-
-# --- graph and mouse ------------------------------------------------------------------------------------------------
 
 
 def test_the_graph_has_even_ticks_and_a_choice(shared):
@@ -239,8 +233,6 @@ def test_the_table_moves_and_takes_a_mass(shared, file):
     wait_until(lambda: cell(shared, "mass", 2).input_value() == "2.5")
     assert file.read_text() == FIVE_CSV
 
-
-# --- sound -----------------------------------------------------------------------------------------------------------
 
 # Let the page hear of a hit with this speed (m/s); return the largest sample that follows.
 HIT = """async speed => {
@@ -368,19 +360,13 @@ def test_light_dark_and_forced_colors_follow_the_system(at_rest):
     at_rest.emulate_media(forced_colors="none")
 
 
-@pytest.fixture
-def touch(at_rest):
-    """A function that touches the screen with a finger at each of these points (x, y); kind is Start, Move or End."""
-    finger = at_rest.context.new_cdp_session(at_rest)
+def test_one_finger_drags_a_bob_or_a_slider_or_turns_the_camera_and_two_zoom(at_rest):
+    fingers = at_rest.context.new_cdp_session(at_rest)
 
-    def touch(kind, *points):
+    def touch(kind, *points):  # kind is Start, Move or End, with a finger at each of the points (x, y)
         points = [{"x": x, "y": y} for x, y in points]
-        finger.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
+        fingers.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
 
-    return touch
-
-
-def test_one_finger_drags_a_bob_or_a_slider_or_turns_the_camera_and_two_zoom(at_rest, touch):
     view = "[glowObjs[0].forward.x, glowObjs[0].range]"
     before = at_rest.evaluate(view)
     x, y = pixel(at_rest, 4, 0)

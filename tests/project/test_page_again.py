@@ -5,7 +5,6 @@ import signal
 import subprocess
 import time
 from collections import Counter, deque
-from math import hypot
 
 import programs
 import pytest
@@ -23,20 +22,14 @@ def started(page, program):
         yield process
 
 
-# --- a page in each browser ------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
 def test_the_cradle_swings_until_the_tab_is_closed(page, started):
     """It has a frame, the picture changes, and a bob can be dragged."""
     kinds = Counter(page.evaluate("() => glowObjs.filter(o => o).map(o => o.constructor.name)"))
     assert (kinds["box"], kinds["cylinder"], kinds["sphere"]) == (5 + 1, 5 + 6, 5)
-    rest = [-0.1 + R_PARAM / 4 * i for i in range(5)]
-    page.wait_for_function(f"() => ({programs.BOBS})()[4][0] > {rest[4] + R_PARAM / 4}")  # the last bob has been hit
-    bobs, picture = page.evaluate(programs.BOBS), picture_of(page)
-    page.wait_for_function(f"() => ({programs.BOBS})()[0][0] < {rest[0] - R_PARAM / 4}")  # and then the first one again
-    for (x, y), axle in zip(bobs, rest, strict=True):
-        assert hypot(x - axle, y - R_PARAM / 5) == pytest.approx(R_PARAM, abs=1e-9)  # all are on their cords
+    page.wait_for_function(f"() => ({programs.BOBS})()[4][0] > {-0.1 + 5 / 4 * R_PARAM}")  # the last bob has been hit
+    picture = picture_of(page)
+    page.wait_for_function(f"() => ({programs.BOBS})()[0][0] < {-0.1 - R_PARAM / 4}")  # and then the first one again
     assert picture_of(page) != picture
 
     pause(page)
@@ -97,8 +90,6 @@ def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, page, pr
         assert "t = 0.10 s" in done.stdout
         open_cradle(page, address)
 
-
-# --- reloads and tabs ------------------------------------------------------------------------------------------------
 
 WIDGETS = """[$(".ui-slider").toArray().map(slider => $(slider).slider("value")),
               $("select").toArray().map(menu => menu.value),
@@ -169,8 +160,6 @@ def test_the_tab_that_was_loaded_last_shows_the_cradle(page, started):
         page.close()
         assert programs.end(started) == programs.QUIETLY
 
-
-# --- the clock -------------------------------------------------------------------------------------------------------
 
 # The time on the wall (s) minus the simulated one, at each change of the readout in a second; and when it was read.
 LATENESS = """async () => {

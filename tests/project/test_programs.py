@@ -26,8 +26,6 @@ from support.pendulum import to_lift
 from support.start.early import import_later, import_now, stop_on_signals
 from support.start.output import complain, say, while_it_is_read
 
-# --- the start -------------------------------------------------------------------------------------------------------
-
 
 @pytest.mark.parametrize(
     "program",
@@ -92,9 +90,6 @@ def test_a_slow_module_is_imported_once_when_it_is_used_or_wanted(now, tmp_path,
     assert "no_such_module" not in sys.modules
 
 
-# --- the output ------------------------------------------------------------------------------------------------------
-
-
 def test_an_unread_output_on_windows_ends_a_program_quietly_and_a_full_file_with_its_name(monkeypatch, capsys):
     @while_it_is_read()
     def main(*filename):
@@ -156,9 +151,6 @@ def test_each_signal_ends_a_program_once_with_its_status_unless_it_is_ignored(mo
         with pytest.raises(KeyboardInterrupt, match=f"^{status}$"):
             handlers[number](number, None)
         assert {*handlers.values()} == {"ignored"}  # nothing interrupts the clean-up
-
-
-# --- main ------------------------------------------------------------------------------------------------------------
 
 
 def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):

@@ -114,9 +114,6 @@ def test_the_frame_carries_the_axles():
     assert base.pos.y + base.height / 2 < min(bob.pos.y - bob.radius for bob in bobs)
 
 
-# --- numbers ---------------------------------------------------------------------------------------------------------
-
-
 def numbers(scenery):
     """Return the visible texts above the axles, from left to right."""
     return [label.text for label in scenery.labels if label.visible]

@@ -44,9 +44,6 @@ def main(monkeypatch, capsys):
     return main
 
 
-# --- without a terminal ----------------------------------------------------------------------------------------------
-
-
 def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     """On a clock on which only sleeping takes time."""
     seconds, slept = 0.7 + PERIOD / 2, []  # after the hits have run through the row and back
@@ -226,9 +223,6 @@ def test_bobs_have_numbers_while_there_is_room_and_hang_under_their_cords(count,
     cords = [match.start() for match in re.finditer(r"\|", above)]
     assert all(abs(middle - cord) <= 1 for middle, cord in zip(middles, cords, strict=True))
     assert len({right - left for left, right in pairwise(cords)}) <= 1  # unequal gaps look like groups of bobs
-
-
-# --- data ------------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
