@@ -452,7 +452,8 @@ def contents(folder):
 def without_bubblewrap(folder):
     """Make a folder with all programs but bwrap; return it."""
     folder.mkdir()
-    for program in (each for where in os.environ["PATH"].split(os.pathsep) for each in Path(where).glob("*")):
+    paths = [Path(where) for where in os.environ["PATH"].split(os.pathsep) if os.access(where, os.R_OK)]
+    for program in (each for path in paths for each in path.glob("*")):
         if program.name != "bwrap" and not (folder / program.name).exists():
             (folder / program.name).symlink_to(program)
     return str(folder)

@@ -27,7 +27,7 @@ READ = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # with other methods, a few byt
 LEFT_OUT = "allowed is no link, no password, no path outside, only a deflated file of at most 20 MB"
 FLAT = re.compile(r"(?P<student>.+?)(_LATE)?_(?P<number>\d+)_(\d+|assignsubmission_file)_(?P<file>.+)")
 # A file that is handed in or downloaded again: swinging-1.py, "swinging (1).py".
-AGAIN = re.compile(r"(?: ?\(|-)(\d{1,9})\)?(?=[-() \d]*\.py$)")
+AGAIN = re.compile(r"(?: ?\(|-)(\d{1,9})(?!\d)\)?(?=[-() \d]*\.py$)")
 
 
 def submissions_in(folder) -> tuple[dict[str, dict[str, Path]], list[str]]:
