@@ -30,7 +30,7 @@ IN_PREFIX = "bin", "lib", "lib32", "lib64", "libx32", "libexec", "share", "pyven
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 USERS = (60_600 + number % 500 for number in count(os.getpid()))  # that systems give to nobody
 REMOVE = ["cmd", "/c", "rd", "/s", "/q"] if os.name == "nt" else ["sh", "-c", 'chmod -R u+rwx "$0"; rm -rf "$0"']
-OPEN = "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
+LEFT_OPEN = "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
 
 # What the kernel refuses (docs.kernel.org/userspace-api/seccomp_filter.html): memory that outlives a process (shmget,
 # semget, msgget, memfd_create), keys (add_key, request_key, keyctl), namespaces (unshare, clone3, clone), processes of
@@ -73,14 +73,10 @@ def bubblewrap(work) -> list[str]:
     alone = [f"--unshare-{name}" for name in ("ipc", "pid", "net", "uts", "cgroup-try", *["user"] * (not IS_ROOT))]
     rules = [seccomp_filter(*row) for machine, row in CALLS.items() if machine == platform.machine()]
     (work / "filter").write_bytes(b"".join(rules))
-    command = [
-        "sh",
-        "-c",
-        'echo 1000 2>&- >/proc/self/oom_score_adj; exec bwrap "$@" 9<"$0"',
-        str(work / "filter"),
-        *["--seccomp", "9"] * len(rules),
-    ]
-    return [*command, "--die-with-parent", *alone, *mounts]
+    # If the memory of the machine is short, the kernel ends solutions first.
+    start = 'echo 1000 2>&- >/proc/self/oom_score_adj; exec bwrap "$@" 9<"$0"'
+    command = ["sh", "-c", start, str(work / "filter"), *["--seccomp", "9"] * len(rules), "--die-with-parent", *alone]
+    return [*command, *mounts]
 
 
 async def run(starter, work, before, drops_root, files) -> tuple[int | str, bytes]:
@@ -149,6 +145,6 @@ async def open_sandbox(starter, work) -> tuple:
         with suppress(ValueError):
             empty = json.loads(output)
             if command is None:
-                complain(OPEN + (" It does not work here." if has_bwrap else " On Linux: apt install bubblewrap."))
+                complain(LEFT_OPEN + (" It does not work here." if has_bwrap else " On Linux: apt install bubblewrap."))
             return run_one, empty
     raise OSError(0, f"pytest does not grade it: {output.decode(errors='replace').strip() or status}", str(starter))
