@@ -26,10 +26,8 @@ def main() -> None:
             make_starter(folder)
             shutil.copy(ROOT / "tests" / "grade_class.py", folder / "tests")
             shutil.copytree(ROOT / "tests" / "teacher", folder / "tests" / "teacher")
-            for name in (
-                "setup.sh",
-                "run_autograder",
-            ):  # https://gradescope-autograders.readthedocs.io/en/latest/specs/
+            # https://gradescope-autograders.readthedocs.io/en/latest/specs/
+            for name in ("setup.sh", "run_autograder"):
                 (folder / name).write_bytes((ROOT / "tests" / "teacher" / name).read_bytes().replace(b"\r", b""))
                 (folder / name).chmod(0o755)
             shutil.copy(shutil.make_archive(f"{folder}", "zip", folder), file)

@@ -2,11 +2,10 @@
 
 import re
 from collections import Counter
-from itertools import takewhile
 from textwrap import wrap
 
 from grading.grader import checks, FAILED, FAULT, PASSED, WAITING
-from grading.handout import FUNCTIONS, SUITES
+from grading.handout import FUNCTIONS, highest, SUITES
 from grading.hints import PYTHON, STEPS
 from support.start.output import in_one_line
 
@@ -28,9 +27,9 @@ def grade(outcomes) -> dict:
         if states:
             counts = {"passed": states[PASSED], "waiting": states[WAITING], "failed": states[FAILED] + states[FAULT]}
             tiers[tier] = {**counts, "points": states[PASSED], "of": len(checks(tier=tier))}
-    complete = takewhile(lambda tier: tier in tiers and tiers[tier]["points"] == tiers[tier]["of"], SUITES)
+    points, most = ({tier: counts[key] for tier, counts in tiers.items()} for key in ("points", "of"))
     step, more = next_step(outcomes)
-    return {"tiers": tiers, "grade": [None, *complete][-1], "next": step, "more": more}
+    return {"tiers": tiers, "grade": highest(points, most), "next": step, "more": more}
 
 
 def made_checks(outcomes) -> list:

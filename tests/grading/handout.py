@@ -1,9 +1,15 @@
 """The functions of the handout: their files, their places in the handout, and the functions that they use."""
 
+from itertools import takewhile
 from typing import NamedTuple
 
 HONOR = "Honor roll"
 SUITES = {"D": "test_d", "C": "test_c", "B": "test_b", "A": "test_a", HONOR: "test_honor_roll"}  # by tier, in order
+
+
+def highest(points, most) -> str | None:
+    """Return the highest complete tier, with all tiers below it complete, or None; both are numbers by tier."""
+    return [None, *takewhile(lambda tier: tier in points and points[tier] == most[tier], SUITES)][-1]
 
 
 class Function(NamedTuple):

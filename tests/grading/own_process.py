@@ -68,7 +68,7 @@ class OwnProcess:
             self.put_back()
 
     def repeated(self, solution, function, arguments, times) -> Any:
-        """Call a solution so many times, and return the last result. A result begins the next call's arguments."""
+        """Call a solution this number of times; return the last result. Each one begins the next call's arguments."""
         for _ in range(times):
             result = solution(*arguments)
             if FUNCTIONS[function].returns and isinstance(result, tuple):

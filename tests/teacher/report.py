@@ -6,9 +6,8 @@ import json
 import re
 from collections import Counter
 from contextlib import suppress
-from itertools import takewhile
 
-from grading.handout import SUITES
+from grading.handout import highest, SUITES
 from support.files.data_file import whole_file
 from support.start.output import in_one_line
 from teacher import one_run
@@ -30,8 +29,8 @@ def read_grade(empty, status, output, problems) -> dict:
             checks[name] = check | {key: safe(read["checks"][name][key]) for key in SEEN}
         points = Counter(check["tier"] for check in checks.values() if check["state"] == "passed")
         if len(read["checks"]) == len(checks) and status == int(points.total() < len(checks)):
-            complete = takewhile(lambda tier: points[tier] == empty["tiers"][tier]["of"], SUITES)
-            grade = {"grade": [None, *complete][-1], "points": {tier: points[tier] for tier in SUITES}}
+            most = {tier: counts["of"] for tier, counts in empty["tiers"].items()}
+            grade = {"grade": highest(points, most), "points": {tier: points[tier] for tier in SUITES}}
             return {**grade, **told, "checks": checks, "problems": problems}
     late, ended = f"pytest took longer than {one_run.WHOLE} s", f"pytest ended with status {status}"
     how = status if isinstance(status, str) else late if status == one_run.LATE else ended

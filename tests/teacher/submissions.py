@@ -22,7 +22,8 @@ HANDOUTS = sorted({PurePosixPath(function.file).name for function in FUNCTIONS.v
 SKIPPED = {"__MACOSX", "__pycache__", "node_modules", "site-packages", "support", "tests", "venv"}
 ARCHIVES = (".zip", ".7z", ".bz2", ".gz", ".rar", ".tar", ".tgz", ".xz")
 MOST_FILES, MOST_BYTES = 200, 1_000_000  # of the Python files of a submission
-MOST_ZIPS, MOST_ZIP, MOST_PROBLEMS, MOST_LETTERS = 4, 20_000_000, 8, 200  # bytes of a part; problems, letters of each
+MOST_ZIPS, MOST_ZIP = 4, 20_000_000  # .zips in another one or in a folder, and bytes of a file in a .zip
+MOST_PROBLEMS, MOST_LETTERS = 8, 200  # of a submission, and of a problem
 READ = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # with other methods, a few bytes can take all memory
 LEFT_OUT = "allowed is no link, no password, no path outside, only a deflated file of at most 20 MB"
 FLAT = re.compile(r"(?P<student>.+?)(_LATE)?_(?P<number>\d+)_(\d+|assignsubmission_file)_(?P<file>.+)")
@@ -45,9 +46,8 @@ def submissions_in(folder) -> tuple[dict[str, dict[str, Path]], list[str]]:
     taken = {*found}
     for path, match in flat.items():
         student, number = match["student"], match["number"]
-        if student in taken or any(
-            (each["student"], each["number"] != number) == (student, True) for each in flat.values()
-        ):
+        others = [each for each in flat.values() if each["student"] == student and each["number"] != number]
+        if student in taken or others:
             student += f"_{number}"
         found[in_one_line(student)][match["file"]] = path
     is_project = any((path / file).is_file() for path in (Path(folder), Path(folder) / "src") for file in HANDOUTS)
