@@ -25,33 +25,28 @@ def main() -> None:
     except ValueError as error:
         refuse(error)
     with clean_copy(csv) as relative_filepath:
-        show_steps(relative_filepath)
+        df = pd.read_csv(relative_filepath)
+        print("df: the CSV as a pandas dataframe, a table with a row for each pendulum.")
+        print(df)
 
+        bad_rep = df.to_dict(orient="index")
+        print("\nbad_rep: a dictionary of dictionaries. Its keys are only row numbers; a list needs no keys.")
+        for row, pendulum in bad_rep.items():
+            print(f"  {row}: {pendulum}")
 
-def show_steps(relative_filepath) -> None:
-    """Print df, bad_rep and pend_list of the CSV in this file."""
-    df = pd.read_csv(relative_filepath)
-    print("df: the CSV as a pandas dataframe, a table with a row for each pendulum.")
-    print(df)
-
-    bad_rep = df.to_dict(orient="index")
-    print("\nbad_rep: a dictionary of dictionaries. Its keys are only row numbers; a list needs no keys.")
-    for row, pendulum in bad_rep.items():
-        print(f"  {row}: {pendulum}")
-
-    try:
-        pend_list = extract_and_convert(relative_filepath)
-    except NotImplementedError as error:
-        print(f"\npend_list: missing, because {error}. Its place is in src/pds_helper.py.")
-        return
-    except KeyboardInterrupt as stopped:
-        tell_endless(stopped)
-        return
-    print("\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum.")
-    for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
-        print(f"  {pendulum}")
-    if not (isinstance(pend_list, list) and all(isinstance(pendulum, dict) for pendulum in pend_list)):
-        print("But this is no list of dictionaries. Type pytest: it says what is wrong.")
+        try:
+            pend_list = extract_and_convert(relative_filepath)
+        except NotImplementedError as error:
+            print(f"\npend_list: missing, because {error}. Its place is in src/pds_helper.py.")
+            return
+        except KeyboardInterrupt as stopped:
+            tell_endless(stopped)
+            return
+        print("\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum.")
+        for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
+            print(f"  {pendulum}")
+        if not (isinstance(pend_list, list) and all(isinstance(pendulum, dict) for pendulum in pend_list)):
+            print("But this is no list of dictionaries. Type pytest: it says what is wrong.")
 
 
 if __name__ == "__main__":

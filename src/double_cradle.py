@@ -73,9 +73,6 @@ def make_double_newton_cradle(relative_filepath, r_param, theta_init, phi_init) 
     return pend_list
 
 
-# --- swing -----------------------------------------------------------------------------------------------------------
-
-
 def double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu) -> tuple[float, float]:
     """Return alpha'' and beta'' (rad/s^2), from the two equations above.
 

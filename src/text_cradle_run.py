@@ -19,7 +19,8 @@ from support.start.mistake import own_frames, tell_endless, tell_mistake
 from support.start.options import check_lift, read_text_options
 from support.start.output import complain, is_unread, refuse, while_it_is_read
 from support.start.preview import what_there_is
-from support.terminal.players import has_terminal, Lines, Pictures, record, show_pictures
+from support.terminal.players import has_terminal, Lines, Pictures, record
+from support.terminal.screen import own_screen
 
 
 @while_it_is_read()
@@ -46,13 +47,14 @@ def main() -> None:
         if options.record is not None:
             record(loop, cradle, csv, options, remark)
         elif has_terminal():
-            show_pictures(loop, Pictures(cradle, csv, options, remark))
+            pictures = Pictures(cradle, csv, options, remark)
+            with own_screen(lambda: pictures.seen):
+                run(loop, pictures)
         else:
             print(remark, end="\n" if remark else "", flush=True)
             run(loop, Lines(cradle, csv, options))
     except KeyboardInterrupt as stopped:
-        if getattr(stopped, "is_late", False):
-            tell_endless(stopped)
+        tell_endless(stopped)
         if options.record is None:
             sys.exit(*stopped.args)
         complain(f"The recording ended too early. {options.record} is not written.")

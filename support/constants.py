@@ -3,7 +3,7 @@
 from math import pi
 from pathlib import Path
 
-from vpython import color, textures
+from vpython import color, textures, vector
 
 # The cradle's file. The path is absolute, so that you can start a program in any folder.
 NC_FP = str(Path(__file__).resolve().parents[1] / "newton_cradle_pends.csv")
@@ -31,12 +31,7 @@ PHI_INIT = -pi / 9
 DOUBLE_DT = 0.00025
 
 # The names allowed in the CSV's color column: all colors of VPython, as VPython's vectors of red, green and blue.
-COLORS = ("black", "white", "red", "green", "blue", "yellow", "cyan", "magenta", "orange", "purple")
-COLOR_MAP = {name: getattr(color, name) for name in COLORS}
+COLOR_MAP = {name: value for name, value in vars(color).items() if isinstance(value, vector)}
 
 # The names allowed in the CSV's texture column: all textures of VPython, and "none" for a plain bob.
-TEXTURES = (
-    *("flower", "granite", "gravel", "earth", "metal", "rock"),
-    *("rough", "rug", "stones", "stucco", "wood", "wood_old"),
-)
-TEXTURE_MAP = {"none": None, **{name: getattr(textures, name) for name in TEXTURES}}
+TEXTURE_MAP = {"none": None, **{name: value for name, value in vars(textures).items() if not name.startswith("_")}}

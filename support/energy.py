@@ -26,10 +26,7 @@ def kinetic_energy(pend_list, r_param) -> float:
 
 
 def potential_energy(pend_list, r_param, g) -> float:
-    """Return the sum of m g h (J) over the bobs, with the height h above hanging at rest.
-
-    r_param (m) is the length of each cord, g (m/s^2) the gravitational acceleration.
-    """
+    """Return the sum of m g h (J) over the bobs; h is above hanging at rest, g (m/s^2) gravity's acceleration."""
     return sum(pend["mass"] * g * height for pend in pend_list for height, _, _ in bob_motions(pend, r_param))
 
 

@@ -22,9 +22,6 @@ def _nothing(*_, **__):
     """Do nothing: a function or method of VPython that waits, or only changes the picture."""
 
 
-# --- vectors ---------------------------------------------------------------------------------------------------------
-
-
 def _number(value) -> float:
     """Return value as a float; raise a TypeError if it is no number, or is text."""
     if isinstance(value, str):
@@ -182,9 +179,6 @@ class textures:
     stucco, wood, wood_old = ":stucco_texture.jpg", ":wood_texture.jpg", ":wood_old_texture.jpg"
 
 
-# --- shapes ----------------------------------------------------------------------------------------------------------
-
-
 def _own_vector(name):
     """Return a property: a vector of a shape. Setting it copies a vector; reading it returns the shape's own vector."""
 
@@ -274,21 +268,12 @@ class cylinder(_Round):
     _default_size = (1, 2, 2)
 
 
-# --- everything else is only for show --------------------------------------------------------------------------------
-
-# The values that some attributes have before a program sets them: each a function that makes the value.
-_FIRST: dict = {
-    **{"pos": lambda: vector(0, 0, 0), "axis": lambda: vector(1, 0, 0), "up": lambda: vector(0, 1, 0)},
-    **{"size": lambda: vector(1, 1, 1), "color": lambda: vector(1, 1, 1)},
-    **{"text": str, "title": str, "caption": str, "disabled": bool, "checked": bool, "visible": lambda: True},
-    **{"choices": list, "selected": lambda: None, "data": list, "lights": list},
-}
+# Everything else is only for show. The vectors that some of these things have before a program sets them:
+_FIRST = {"pos": (0, 0, 0), "axis": (1, 0, 0), "up": (0, 1, 0), "size": (1, 1, 1), "color": (1, 1, 1)}
 
 
 class baseObj:
     """A thing that is only for show: it stores its attributes, and all calls of it and its methods do nothing."""
-
-    sent = True  # to a page, without which nothing waits
 
     def __init__(self, *_, **attributes):
         for name, value in attributes.items():
@@ -298,16 +283,11 @@ class baseObj:
         """Copy a vector: arrow(pos=bob.pos) must not share the bob's own pos."""
         super().__setattr__(name, vector(value) if isinstance(value, vector) else value)
 
-    @staticmethod
-    def empty():
-        """Return whether the page has fetched all changes: there are none."""
-        return True
-
     def __getattr__(self, name):
-        """Return an attribute that nobody has set: its first value, or something that does nothing."""
+        """Return an attribute that nobody has set: its first vector, or something that does nothing."""
         if name.startswith("_"):
             raise AttributeError(name)
-        setattr(self, name, _FIRST.get(name, baseObj)())
+        setattr(self, name, vector(*_FIRST[name]) if name in _FIRST else baseObj())
         return getattr(self, name)
 
     def __call__(self, *_, **__):
@@ -320,16 +300,6 @@ class baseObj:
         return type(self) is not baseObj  # what nobody has set is as good as None
 
 
-class menu(baseObj):
-    @property
-    def index(self):
-        return None if self.selected is None else self.choices.index(self.selected)
-
-    @index.setter
-    def index(self, value):
-        self.selected = self.choices[value]
-
-
 class canvas(baseObj):
     width, height, range, fov = 640, 400, 1, pi / 3
 
@@ -337,7 +307,6 @@ class canvas(baseObj):
         self.center, self.forward, self.background = vector(0, 0, 0), vector(0, 0, -1), vector(0, 0, 0)
         self.mouse = baseObj(ray=vector(0, 0, -1), pick=None)
         self.camera = baseObj(pos=vector(0, 0, sqrt(3)), axis=vector(0, 0, -sqrt(3)))
-        self.bound: dict = {}  # event -> function; a test calls it
         self._made: list = []  # all shapes, also those that a program has hidden or lost
         super().__init__(**attributes)
 
@@ -346,9 +315,6 @@ class canvas(baseObj):
         """The visible shapes, in the order in which they were made."""
         return [shape for shape in self._made if shape.visible]
 
-    def bind(self, events, function):
-        self.bound.update(dict.fromkeys(events.split(), function))
-
 
 scene = canvas()
 rate = sleep = set_browser = _nothing  # nothing is shown, so there is nothing to wait for
@@ -356,8 +322,7 @@ version, GSversion = ["7.6.5", "jupyter"], ["3.2", "glowscript"]
 
 
 def arange(*limits, **options):
-    """Return the same as numpy's arange. numpy comes with pandas; its import is slow, so it waits until here."""
-    from numpy import arange
+    from numpy import arange  # not earlier: its import is slow
 
     return arange(*limits, **options)
 
@@ -366,13 +331,11 @@ def sign(x):
     return 1 if x > 0 else -1 if x < 0 else 0
 
 
-# --- VPython's names -------------------------------------------------------------------------------------------------
-
 _FOR_SHOW = """
 Camera GlowWidget Mouse RackOutline ToothOutline addpos adjust_axis adjust_up arrow attach_arrow attach_light
 attach_trail bumpmaps button checkbox compound cone controls convert curve curveMethods distant_light ellipsoid
 event_return extrusion faces frame gcurve gdots ghbars gobj graph gs_version gvbars helix keysdown label local_light
-meta_canvas object_rotate path_object paths points pyramid quad radio rate_control ring rotatecp roundc scalecp
+menu meta_canvas object_rotate path_object paths points pyramid quad radio rate_control ring rotatecp roundc scalecp
 shape_object shapes shapespaths simple_sphere slider text triangle vertex winput wtext
 """
 _OBJECTS = "bumpmaps", "gs_version", "paths", "rate_control", "shapes", "shapespaths"  # those that are no classes

@@ -95,10 +95,7 @@ def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere
 
 
 def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cylinder]:
-    """Return a bob and its cord, which hangs from place (a vector, m) at theta (rad from straight down).
-
-    r_param is the cord length (m), color a VPython color (a vector), and texture a VPython texture or None.
-    """
+    """Return a bob and its cord, which hangs from place (a vector, m); the other parameters are as in make_pendulum."""
     # Axles are r_param/4 apart. With this radius, bobs at rest are a little further apart than their contact_distance.
     # Otherwise, every tick would exchange their velocities.
     radius = 0.9995 * r_param / 8 / BUFFER
@@ -110,11 +107,10 @@ def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cy
     return bob, cord
 
 
-# --- reuse shapes: VPython keeps every shape for ever, so a new cradle takes the shapes of the old one ----------------
-
 # VPython's default values. make_shape gives them to a used shape first.
 PLAIN = {"color": color.white, "texture": None, "shininess": 0.6, "visible": True}
 
+# VPython keeps every shape for ever, so a new cradle takes the shapes of the old one.
 discarded: defaultdict[type, list] = defaultdict(list)  # kind -> shapes
 
 

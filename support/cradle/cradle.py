@@ -12,7 +12,7 @@ from support.cradle.dragging import Hand, move
 from support.cradle.impacts import Hits
 from support.energy import kinetic_energy, momentum, potential_energy
 from support.pendulum import cord_angles, discard
-from support.start.mistake import check_made, check_moved
+from support.start.mistake import check_made, check_numbers, MistakeError
 
 
 class Names(NamedTuple):
@@ -26,7 +26,7 @@ class Names(NamedTuple):
 
 
 class Cradle:
-    """A cradle of single pendula with the project's constants."""
+    """A cradle of single pendula with the project's constants; its lists go from left to right."""
 
     title = "Newton's cradle"
     kind = "single"  # the name of the folder with its experiments
@@ -43,25 +43,22 @@ class Cradle:
         options has elastic, inelastic, e and mass from support/start/options.py. special_cradles is the handout's
         module. many_ticks is the fast path, or None.
         """
-        self.scope, self.many_ticks, self.mass, self.e = scope, many_ticks, options.mass, options.e
-        self.special_cradles = special_cradles
+        self.scope, self.many_ticks, self.special_cradles, self.mass = scope, many_ticks, special_cradles, options.mass
         self.collisions: dict[str, Any] = {  # name -> function that returns pendula with the e of this kind
             "as in the CSV": None,  # each pendulum keeps its own e
             "elastic, e = 1": special_cradles.elastic_newton_cradle,
             "perfectly inelastic, e = 0": special_cradles.inelastic_newton_cradle,
         }
         self.collision = list(self.collisions)[1 if options.elastic else 2 if options.inelastic else 0]
-        if self.e is not None:
-            self.collision = f"e = {self.e:g}"
-            self.collisions[self.collision] = partial(special_cradles.uniform_e_newton_cradle, e_val=self.e)
+        if options.e is not None:
+            self.collision = f"e = {options.e:g}"
+            self.collisions[self.collision] = partial(special_cradles.uniform_e_newton_cradle, e_val=options.e)
         self.pend_list: list = []
         self.numbers: dict[int, int] = {}  # id of a pendulum -> its index
         self.hand, self.hits = Hand(self), Hits(self)
         self.tick = scope[self.names.tick]
         ticking = self.tick, self.collision_scope().get(self.names.collide)
         self.takes_rule = all("approaching_only" in signature(function).parameters for function in ticking if function)
-
-    # --- make and release --------------------------------------------------------------------------------------------
 
     def give_back(self) -> None:
         """Hide the objects of the present pendula; the next pendula reuse them."""
@@ -87,8 +84,10 @@ class Cradle:
 
     def check(self) -> None:
         """Raise a MistakeError if a tick has changed the number of pendula, or set a coordinate to no finite number."""
-        keys = (*self.angle_keys, *self.rate_keys)
-        check_moved(self.tick, self.pend_list, len(self.numbers), keys)
+        now, before = len(self.pend_list), len(self.numbers)
+        if now != before:
+            raise MistakeError(self.tick, f"made {now} pendula from {before}; it must keep their number.")
+        check_numbers(self.tick, self.pend_list, (*self.angle_keys, *self.rate_keys))
 
     def note_lifts(self) -> None:
         """Take the present angles of the pendula as those with which the cradle was made."""
@@ -132,8 +131,6 @@ class Cradle:
     def push_aside(self, lifted) -> None:
         """Push pendula out of the way of the lifted ones; single pendula are never in each other's way."""
 
-    # --- move --------------------------------------------------------------------------------------------------------
-
     def collision_scope(self) -> dict[str, Any]:
         """Return the globals in which the tick finds the function that lets two pendula collide.
 
@@ -151,22 +148,20 @@ class Cradle:
         """Return the speed (m/s) at which the bobs of two pendula approach each other."""
         return (self.velocity(left) - self.velocity(right)) * R_PARAM
 
-    # --- measure -----------------------------------------------------------------------------------------------------
-
     def axles(self) -> list:
-        """Return the axles, from left to right."""
         return [pend["objects"][0] for pend in self.pend_list]
 
     def bobs(self) -> list:
-        """Return the bobs, from left to right."""
         return [bob for pend in self.pend_list for bob in pend["objects"][1::2]]
 
+    def colors(self) -> list:
+        return [pend["objects"][1].color for pend in self.pend_list]
+
     def cords(self) -> list:
-        """Return the cords, from left to right."""
         return [cord for pend in self.pend_list for cord in pend["objects"][2::2]]
 
     def values(self, key) -> list:
-        """Return pend[key] of each pendulum, from left to right."""
+        """Return pend[key] of each pendulum."""
         return [pend[key] for pend in self.pend_list]
 
     def coordinates(self) -> dict[str, float]:

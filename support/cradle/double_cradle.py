@@ -1,7 +1,5 @@
 """The double cradle of the programs."""
 
-from itertools import product
-
 from vpython import dot, mag, vector
 
 from support.constants import DOUBLE_DT, R_PARAM
@@ -39,13 +37,10 @@ class DoubleCradle(Cradle):
 
     def approach(self, left, right) -> float:
         """Return the speed (m/s) at which the nearest two bobs of two pendula approach each other."""
-        pairs = product(moving_bobs(left), moving_bobs(right))
-        moves = [(bob2.pos - bob1.pos, v1 - v2) for (bob1, v1), (bob2, v2) in pairs]
+        moves = [
+            (bob2.pos - bob1.pos, vector(vx1 - vx2, vy1 - vy2, 0))
+            for bob1, (_, vx1, vy1) in zip(left["objects"][1::2], bob_motions(left, R_PARAM), strict=True)
+            for bob2, (_, vx2, vy2) in zip(right["objects"][1::2], bob_motions(right, R_PARAM), strict=True)
+        ]
         apart, closer = min(moves, key=lambda move: mag(move[0]))
         return dot(closer, apart) / (mag(apart) or 1.0)  # 0, if one is in the other's place
-
-
-def moving_bobs(pend) -> list:
-    """Return (bob, its velocity in m/s as a vector) for the upper and the lower bob of a pendulum."""
-    velocities = [vector(vx, vy, 0) for _, vx, vy in bob_motions(pend, R_PARAM)]
-    return list(zip(pend["objects"][1::2], velocities, strict=True))

@@ -13,7 +13,7 @@ from support.pendulum import contact_distance, cord_angles, show_double_pendulum
 
 STRAIGHT = 0.1  # rad: two cords with a smaller bend between them count as straight
 STEP = 0.02  # rad: the largest turn of a cord in one step; in a larger one, its bob could jump over its neighbour
-FINGER = 1.5  # radii from a bob's centre at which a finger, or the mouse, still grabs it; panel.js knows it, too
+FINGER = 1.5  # radii from a bob's centre at which a finger, or the mouse, still grabs it; canvas.js knows it, too
 HEAVY = 1e9  # kg: the mass of a held bob; others bounce off it as off a wall
 
 
@@ -21,7 +21,6 @@ class Hand:
     """Holds one bob of a cradle, or none."""
 
     def __init__(self, cradle):
-        """Hold no bob of this cradle yet."""
         self.cradle = cradle
         self.held: int | None = None  # the index of the held bob in cradle.bobs()
         self.kept: tuple | None = None  # the held pendulum's mass and angles, while the cradle ticks
@@ -31,7 +30,6 @@ class Hand:
         return divmod(self.held or 0, len(self.cradle.angles))  # each cord has one release angle and one bob
 
     def pend(self) -> dict:
-        """Return the held pendulum."""
         return self.cradle.pend_list[self.place()[0]]
 
     def hold(self, bob) -> None:
@@ -162,22 +160,14 @@ def move(pend, angles, r_param) -> None:
         show_double_pendulum(pend, r_param)
 
 
-# --- the mouse -------------------------------------------------------------------------------------------------------
-
-
 def bob_at(bobs, place, direction) -> int | None:
-    """Return the index of the foremost bob that this ray meets, or of the nearest one within FINGER radii.
-
-    place is a point on the ray. Return None if no bob is near.
-    """
-    hits, near = [], []
+    """Return the index of the foremost bob on the ray through place, or of the nearest within FINGER radii, or None."""
+    found = []
     for number, bob in enumerate(bobs):
         radii = mag(cross(bob.pos - place, direction)) / mag(direction) / bob.radius
-        if radii <= 1:
-            hits.append((dot(bob.pos - place, direction), number))
-        elif radii <= FINGER:
-            near.append((radii, number))
-    return min(hits or near)[1] if hits or near else None
+        if radii <= FINGER:  # a bob that the ray meets comes before one beside it
+            found.append((radii > 1, dot(bob.pos - place, direction) if radii <= 1 else radii, number))
+    return min(found)[2] if found else None
 
 
 def point_in_plane(place, direction):

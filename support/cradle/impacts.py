@@ -5,6 +5,8 @@ two paths: 2-3-4-5  1-2-3-4.
 """
 
 from collections import Counter, deque
+from contextlib import ExitStack
+from functools import partial
 from inspect import signature
 from typing import NamedTuple
 
@@ -15,8 +17,6 @@ MOST_PATHS = 12  # in a train
 TOGETHER = 20  # two bobs with more hits than this in one train stay together
 STRIP_WIDTH = 44  # characters
 LONGEST_PATH = 9  # bobs: of a longer path, only the ends are shown
-
-
 UNASKED = 100_000  # ticks that a loop may do without asking whether the cradle runs: more than one does on purpose
 
 
@@ -35,13 +35,12 @@ class Hits:
     """Notes hits, and calls of the function that lets two pendula collide: it stands in its place, and calls it."""
 
     def __init__(self, cradle):
-        """Listen to nothing yet."""
         self.cradle = cradle
         self.new = list[Hit]()  # hits that are not yet in the list of impacts
         self.kept = list[Hit]()  # all hits since the last call of listen
         self.calls: list[str] = []  # of the collision function, as text
         self.unasked = 0  # ticks of the loop since it was last told to do one
-        self.replaced: list[tuple[dict, str, object]] = []
+        self.replaced = ExitStack()  # puts the functions back
 
     def listen(self, calls=False) -> None:
         """Note the hits from now on, until stop, but not of a held bob; with calls, also those of names.shown.
@@ -52,75 +51,61 @@ class Hits:
         self.kept.clear()
         scope = self.cradle.collision_scope()
         if calls:
-            self.replace(scope, self.cradle.names.shown, self.noting_calls)
+            self.replace(scope, self.cradle.names.shown, self.note_call)
         if self.cradle.hand.held is None:
-            self.replace(scope, self.cradle.names.collide, self.noting_hits)
+            self.replace(scope, self.cradle.names.collide, self.note_hit)
 
     def count_ticks(self, loop) -> None:
         """Only count the ticks of the loop from now on, until stop; raise a MistakeError after UNASKED."""
-
-        def counting(tick):
-            def counted(*given, **named):
-                self.unasked += 1
-                if self.unasked > UNASKED:
-                    words = f"called {tick.__name__} {UNASKED} times, and page.is_running() was not True in between."
-                    raise MistakeError(loop, words)
-                return tick(*given, **named)
-
-            return counted
-
         self.stop()
-        self.replace(self.cradle.scope, self.cradle.names.tick, counting)
+        self.replace(self.cradle.scope, self.cradle.names.tick, partial(self.count_tick, loop))
 
     def stop(self) -> None:
         """Put the functions back."""
-        while self.replaced:
-            scope, name, function = self.replaced.pop()
-            scope[name] = function
+        self.replaced.close()
 
-    def replace(self, scope, name, noting) -> None:
-        """Put noting(function) into the place of the function with this name in scope, if there is one."""
+    def replace(self, scope, name, stand_in) -> None:
+        """Let stand_in, which gets the function with this name in scope first, take its place, if there is one."""
         if name in scope:
-            self.replaced.append((scope, name, scope[name]))
-            scope[name] = noting(scope[name])
+            self.replaced.callback(scope.__setitem__, name, scope[name])
+            scope[name] = partial(stand_in, scope[name])
 
-    def noting_hits(self, collide):
-        """Return a function that calls collide, and adds a hit to new."""
+    def count_tick(self, loop, tick, /, *given, **named):
+        """Call tick, or raise the error of count_ticks."""
+        self.unasked += 1
+        if self.unasked > UNASKED:
+            words = f"called {tick.__name__} {UNASKED} times, and page.is_running() was not True in between."
+            raise MistakeError(loop, words)
+        return tick(*given, **named)
+
+    def note_hit(self, collide, /, *given, **named):
+        """Call collide, and add a hit of two pendula to new and to kept."""
 
         def rates(pends):
             return [pend.get(key) for pend in pends for key in self.cradle.rate_keys]
 
-        def noted(*given, **named):
-            two = [pend for pend in (*given, *named.values()) if id(pend) in self.cradle.numbers]
-            before = [dict(pend) for pend in two]
-            result = collide(*given, **named)
-            if len(two) == 2 and rates(two) != rates(before):
-                self.add(two, before)
-            return result
+        cradle, numbers = self.cradle, self.cradle.numbers
+        pends = [pend for pend in (*given, *named.values()) if id(pend) in numbers]
+        pends.sort(key=lambda pend: numbers[id(pend)])  # the left one comes first
+        before = [dict(pend) for pend in pends]
+        result = collide(*given, **named)
+        if len(pends) == 2 and rates(pends) != rates(before):
+            left, right = before
+            i, j = (numbers[id(pend)] for pend in pends)
+            rightwards = cradle.velocity(left) + cradle.velocity(right) > 0
+            after = dict(pends[0]), dict(pends[1])
+            hit = Hit(i, j, rightwards, cradle.approach(left, right), (left, right), after)
+            self.new.append(hit)
+            self.kept.append(hit)
+        return result
 
-        return noted
-
-    def noting_calls(self, collide):
-        """Return a function that calls collide, and adds the call to calls."""
-
-        def noted(*given, **named):
-            result = collide(*given, **named)
-            arguments = signature(collide).bind(*given, **named).arguments
-            texts = [f"{name}={self.in_short(value)}" for name, value in arguments.items()]
-            self.calls.append(f"{self.cradle.names.shown}({', '.join(texts)}) returned {self.in_short(result)}")
-            return result
-
-        return noted
-
-    def add(self, two, before) -> None:
-        """Add the hit of two pendula; before has them as they were before it."""
-        numbers = [self.cradle.numbers[id(pend)] for pend in two]
-        turn = 1 if numbers[0] < numbers[1] else -1  # the left one comes first
-        (left, right), (left_after, right_after) = before[::turn], map(dict, two[::turn])
-        rightwards = self.cradle.velocity(left) + self.cradle.velocity(right) > 0
-        found = min(numbers), max(numbers), rightwards, self.cradle.approach(left, right)
-        for hits in (self.new, self.kept):
-            hits.append(Hit(*found, (left, right), (left_after, right_after)))
+    def note_call(self, collide, /, *given, **named):
+        """Call collide, and add the call to calls."""
+        result = collide(*given, **named)
+        arguments = signature(collide).bind(*given, **named).arguments
+        texts = [f"{name}={self.in_short(value)}" for name, value in arguments.items()]
+        self.calls.append(f"{self.cradle.names.shown}({', '.join(texts)}) returned {self.in_short(result)}")
+        return result
 
     def in_short(self, value) -> str:
         """Return a value as short text; a pendulum is pend_list[...]."""
@@ -135,20 +120,15 @@ class ImpactTrains:
     """The last trains, without single hits of bobs that hardly move; bobs that stay together have a line of words."""
 
     def __init__(self, count):
-        """Remember up to count trains."""
         self.trains: deque[Train] = deque(maxlen=count)
         self.clear()
 
     def clear(self) -> None:
-        """Forget all trains."""
         self.trains.clear()
         self.has_path = False  # whether a hit has gone on to a third bob; with two pendula, all hits are single
 
     def add(self, time, left, right, rightwards) -> None:
-        """Add the hit, at time (s), of the pendula with these indices (from 0).
-
-        rightwards is True if the two moved to the right before the hit.
-        """
+        """Add the hit, at time (s), of these pendula (indices); rightwards: whether they moved to the right before."""
         if not self.trains or time - self.trains[-1].end > GAP:
             if self.trains and self.is_noise(self.trains[-1]):  # not earlier: a hit that was single could go on
                 self.trains.pop()
@@ -166,8 +146,7 @@ class ImpactTrains:
 
     def lines(self, longest=STRIP_WIDTH) -> list[str]:
         """Return a line for each train, the latest first, with at most `longest` characters: t = 0.71 s  1-2-3-4-5."""
-        trains = [train for train in reversed(self.trains) if not self.is_noise(train)]
-        lines = [f"t = {train.begin:.2f} s  {train}" for train in trains]
+        lines = [f"t = {train.begin:.2f} s  {train}" for train in reversed(self.trains) if not self.is_noise(train)]
         return [line if len(line) <= longest else line[: longest - 3] + "..." for line in lines]
 
 
@@ -175,7 +154,6 @@ class Train:
     """One train, or several that have become one; as text, its paths, or words."""
 
     def __init__(self, begin):
-        """Begin at the time of the first hit (s)."""
         self.begin = self.end = begin  # the times of its first and its last hit (s)
         self.paths: list[list[int]] = []
         self.hits: Counter[tuple[int, int]] = Counter()  # of each two bobs
@@ -219,7 +197,8 @@ class Train:
         if self.together:
             groups = [f"{a} {'and' if b == a + 1 else 'to'} {b}" for a, b in first_and_last(self.together)]
             return ", ".join(groups) + " stay together"
-        return "  ".join(map(path_text, self.paths))
+        paths = [[str(number) for number in path] for path in self.paths]
+        return "  ".join("-".join(p if len(p) <= LONGEST_PATH else [*p[:3], "...", p[-1]]) for p in paths)
 
 
 def first_and_last(pairs) -> list[list[int]]:
@@ -231,9 +210,3 @@ def first_and_last(pairs) -> list[list[int]]:
         else:
             groups.append([left, right])
     return groups
-
-
-def path_text(path) -> str:
-    """Return a path as text; of a long one, only its ends."""
-    numbers = list(map(str, path))
-    return "-".join(numbers if len(path) <= LONGEST_PATH else [*numbers[:3], "...", numbers[-1]])

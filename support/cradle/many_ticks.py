@@ -23,8 +23,6 @@ FARTHEST = 1e5  # cord lengths from the origin; farther away, the rounding error
 
 
 class Constants(NamedTuple):
-    """The constants with which main ticks."""
-
     r_param: float  # m
     dt: float  # s
     g: float  # m/s^2
@@ -53,12 +51,10 @@ def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool,
     return run.contacts
 
 
-# --- is the same result certain? -------------------------------------------------------------------------------------
-
 # The files of the motion, and a digest of their text. If you change one of them, the programs do single ticks. If you
 # change it for good, change the fast path as well, and put the new digest here.
 FILES = "support/pendulum.py", "src/swinging.py", "src/visualize_cradle_run.py"
-DIGEST = "a526b2a5ca52e2fb"
+DIGEST = "52cdf79ce98fa835"
 # What their functions use, beside each other.
 BESIDE = {"BUFFER": BUFFER, "cos": cos, "mag": mag, "pairwise": pairwise, "sin": sin, "vector": vector}
 
@@ -105,9 +101,6 @@ def are_plain(pend_list, constants) -> bool:
         and all(cord.up.value == [0, 0, 1] for *_, cord in parts)  # VPython turns any other up in each tick
         and len({id(shape) for _, *moved in parts for shape in moved}) == 2 * len(parts)  # or one moves twice
     )
-
-
-# --- the fast path ---------------------------------------------------------------------------------------------------
 
 
 class Run:

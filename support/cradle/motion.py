@@ -30,18 +30,10 @@ class Motion:
         """Return the simulated time since the start (s)."""
         return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004
 
-    def note_hits(self) -> None:
-        """Add the new hits of the cradle to the trains, with the present time."""
-        for hit in self.cradle.hits.new:
-            self.trains.add(self.ticks * self.cradle.dt, hit.left, hit.right, hit.rightwards)
-            self.fastest = max(self.fastest, hit.speed)
-        self.cradle.hits.new.clear()
-
-    def note_contacts(self, contacts) -> None:
-        """Add contacts, the results of many_ticks from this moment on, to the trains."""
-        for tick, left, right, rightwards, speed in contacts:
-            self.trains.add((self.ticks + tick + 1) * self.cradle.dt, left, right, rightwards)
-            self.fastest = max(self.fastest, speed)
+    def note_hit(self, ticks, left, right, rightwards, speed) -> None:
+        """Add a hit, so many ticks after the start, to the trains; for the rest, see Hit."""
+        self.trains.add(ticks * self.cradle.dt, left, right, rightwards)
+        self.fastest = max(self.fastest, speed)
 
     def pop_fastest(self) -> float:
         """Return the speed (m/s) of the fastest hit since the last call, or 0."""
@@ -51,8 +43,7 @@ class Motion:
     def reading(self) -> str:
         """Return the time and the energy as text of constant width."""
         total, kinetic, potential = map(in_words, self.percents().values())
-        parts = f"kinetic {kinetic}, potential {potential}"
-        return f"t = {self.time():.2f} s".ljust(16) + f"energy {total} ({parts})"
+        return f"t = {self.time():.2f} s".ljust(16) + f"energy {total} (kinetic {kinetic}, potential {potential})"
 
     def percents(self) -> dict[str, float]:
         """Return the energy, and its kinetic and potential parts, in percent of the energy at the start."""

@@ -13,7 +13,7 @@ from math import inf
 
 from support.cradle.cradle import Cradle
 from support.cradle.motion import Motion
-from support.cradle.real_time import RealTime
+from support.cradle.real_time import BUSY, RealTime
 from support.files.cradle_csv import clean_copy
 from support.start.mistake import MistakeError
 
@@ -64,7 +64,13 @@ class Player:
     def note(self) -> None:
         """Show or record this moment; a subclass may define this."""
 
-    # --- what the loop asks ------------------------------------------------------------------------------------------
+    def begin(self) -> None:
+        """Get ready for the loop to make and show a cradle."""
+        self.cradle.give_back()
+        self.path = self.copy.enter_context(clean_copy(self.snapshot))
+        self.is_wanted = self.is_shown = False
+        self.cradle.hits.unasked = self.refused = 0
+        self.cradle.hits.count_ticks(self.loop)
 
     @property
     def csv(self) -> str:
@@ -91,8 +97,9 @@ class Player:
         """
         if not self.is_shown:
             raise MistakeError(self.loop, "asked page.is_running() before page.show(pend_list).")
-        if self.cradle.hits.new:
-            self.motion.note_hits()
+        for hit in self.cradle.hits.new:
+            self.motion.note_hit(self.motion.ticks, *hit[:4])
+        self.cradle.hits.new.clear()
         if not self.is_in_part:
             self.cradle.hits.stop()
         if self.due and self.pace.clock() >= self.deadline:
@@ -103,9 +110,8 @@ class Player:
             elif self.is_over or self.is_wanted:
                 self.refused += 1
                 if self.refused > MOST_REFUSED:
-                    raise MistakeError(
-                        self.loop, "went on after page.is_running() was False. It must leave its loop then."
-                    )
+                    words = "went on after page.is_running() was False. It must leave its loop then."
+                    raise MistakeError(self.loop, words)
                 self.cradle.hits.count_ticks(self.loop)
                 return False
             elif self.planned and self.pace.clock() < self.deadline:
@@ -124,8 +130,6 @@ class Player:
         """The keyword for the tick, if the tick takes it: whether only approaching bobs collide."""
         return {"approaching_only": not self.separating} if self.cradle.takes_rule else {}
 
-    # --- what a frame asks for ---------------------------------------------------------------------------------------
-
     def want_cradle(self) -> None:
         """Let the loop end, and make a new cradle: show then releases it, and begins at time 0."""
         self.is_wanted, self.planned = True, 0
@@ -139,14 +143,12 @@ class Player:
 
     def keep_time(self, most=inf) -> None:
         """Plan the ticks that are due by the clock, but at most `most`; a slow machine does a part of them."""
-        self.plan(self.pace.due(most), self.pace.deadline())
+        self.plan(self.pace.due(most), self.pace.frame_start + BUSY)
 
     def collide(self, collision) -> None:
         """Set how bobs collide from now on (a key of the cradle's collisions)."""
         with clean_copy(self.snapshot) as csv:
             self.cradle.collide(collision, csv)
-
-    # --- parts -------------------------------------------------------------------------------------------------------
 
     def begin_part(self) -> None:
         """Do the next part of the planned ticks in one call, or let the loop do it."""
@@ -166,8 +168,8 @@ class Player:
         contacts = cradle.many_ticks and cradle.many_ticks(cradle.scope, cradle.pend_list, ticks, self.rule)
         if contacts is None:
             return False
-        if cradle.hand.held is None:
-            self.motion.note_contacts(contacts)
+        for tick, *contact in contacts if cradle.hand.held is None else ():
+            self.motion.note_hit(self.motion.ticks + tick + 1, *contact)
         self.motion.ticks += ticks
         return True
 
@@ -179,16 +181,6 @@ class Player:
         self.cradle.check()
         if self.motion.ticks % self.step == 0:
             self.note()
-
-    # --- the loop ----------------------------------------------------------------------------------------------------
-
-    def begin(self) -> None:
-        """Get ready for the loop to make and show a cradle."""
-        self.cradle.give_back()
-        self.path = self.copy.enter_context(clean_copy(self.snapshot))
-        self.is_wanted = self.is_shown = False
-        self.cradle.hits.unasked = self.refused = 0
-        self.cradle.hits.count_ticks(self.loop)
 
 
 def run(loop, player) -> None:

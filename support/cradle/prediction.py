@@ -1,6 +1,5 @@
 """Measure an experiment, and compare it with the answers to its question."""
 
-import re
 from math import degrees, inf
 
 from support.constants import R_PARAM
@@ -13,7 +12,6 @@ class Measurement:
     """What the bobs of an experiment do from their release to the time of the measurement."""
 
     def __init__(self, experiment: Experiment):
-        """Begin at the release."""
         self.experiment = experiment
         count = len(experiment.angles)
         self.swings, self.speeds, self.befores = ([0.0] * count for _ in range(3))  # degrees, m/s, m/s
@@ -44,20 +42,15 @@ class Measurement:
 
     def outcome(self) -> int | None:
         """Return the index of the answer that comes nearest to what the bobs did; None if none is near, or none hit."""
-
-        def error(answer):
-            return max(abs(a - b) for a, b in zip(answer.swings, self.swings, strict=True))
-
-        answers = self.experiment.answers
-        nearest = min(range(len(answers)), key=lambda index: error(answers[index]))
-        return nearest if self.has_hit and error(answers[nearest]) <= NEAR else None
+        predicted = [answer.swings for answer in self.experiment.answers]
+        errors = [max(abs(a - b) for a, b in zip(swings, self.swings, strict=True)) for swings in predicted]
+        return errors.index(min(errors)) if self.has_hit and min(errors) <= NEAR else None
 
     def explanation(self) -> str:
         """Return why that happened, or, if something else happened than the experiment explains, that it did."""
         experiment, outcome = self.experiment, self.outcome()
         if outcome == experiment.explained:
-            numbers = self.numbers()
-            return re.sub(r"\{(\w+)\}", lambda match: numbers[match[1]], experiment.why)
+            return experiment.why.format(**self.numbers())
         if not self.has_hit:
             return "No two bobs hit each other."
         swings = ", ".join(f"{swing:.0f}" for swing in self.swings)

@@ -44,10 +44,6 @@ class RealTime:
         self.span_done += ticks
         return ticks
 
-    def deadline(self) -> float:
-        """Return the time on the clock at which the last tick of this frame may begin."""
-        return self.frame_start + BUSY
-
     def give_back(self, ticks) -> None:
         """Keep these ticks, which were not done in this frame, for the next one."""
         self.owed += ticks

@@ -219,13 +219,8 @@ def check_cradle(filepath, cords=1) -> None:
                 found = f"found {in_short(repr(text))}" if text else "found nothing"
                 short = f"; this line has {len(cells)} cells, not {len(header)}" * (len(cells) < len(header))
                 raise ValueError(f"{snapshot}, line {line}, column {column}: {found}, allowed is {allowed}{short}")
-    if cords == 2:
-        check_range(snapshot, [(cells[header.index("mass")], line) for line, cells in rows])
-
-
-def check_range(filepath, masses) -> None:
-    """Raise the ValueError of check_cradle if masses are not in range; masses has (text, line) of each."""
+    masses = [(cells[header.index("mass")], line) for line, cells in rows]
     (least, least_line), (most, line) = (pick(masses, key=lambda mass: to_number(mass[0])) for pick in (min, max))
-    if not are_in_range([to_number(least), to_number(most)]):
+    if cords == 2 and not are_in_range([to_number(least), to_number(most)]):
         found = f"found {most!r}, and {least!r} in line {least_line}"
-        raise ValueError(f"{filepath}, line {line}, column mass: {found}, allowed is {IN_RANGE}")
+        raise ValueError(f"{snapshot}, line {line}, column mass: {found}, allowed is {IN_RANGE}")

@@ -15,19 +15,14 @@ EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 LONGEST_RUN = 60.0  # s from the release to the measurement
 MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
 YOUR_CSV = "My cradle (CSV)"  # the name in the menu that no experiment can have
-NAME = re.compile(rf"(?!{re.escape(YOUR_CSV)}$)[^&<>]+")  # VPython's menu would change the letters & < >
 
 
 class Answer(NamedTuple):
-    """An answer to the question of an experiment."""
-
     text: str
     swings: list[float]  # that it predicts: the angles (degrees) of the bobs, farthest from straight down
 
 
 class Experiment(NamedTuple):
-    """An experiment, ready to run."""
-
     key: str  # the name of its files
     csv: Snapshot
     name: str
@@ -40,10 +35,7 @@ class Experiment(NamedTuple):
 
 
 def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
-    """Return the experiments in this folder, sorted by the names of their files, and a line for each bad one.
-
-    cords is the number of cords of a pendulum: 1, or 2 for the double cradle.
-    """
+    """Return this folder's experiments (for pendula with 1 or 2 cords), by file name, and a line for each bad one."""
     experiments: list[Experiment] = []
     mistakes = []
     files = [file for ending in ("csv", "txt") for file in Path(folder).glob(f"*.{ending}")]
@@ -82,7 +74,7 @@ def read_experiment(path, cords) -> Experiment:
     return Experiment(
         key=path.stem,
         csv=csv,
-        name=lines.text("name", NAME.fullmatch, f"a text without & < >, but not {YOUR_CSV!r}"),
+        name=lines.text("name", lambda text: text != YOUR_CSV, f"a text, but not {YOUR_CSV!r}"),
         question=lines.text("question"),
         answers=answers,
         explained=explained[0],
@@ -96,7 +88,6 @@ class ExperimentText:
     """The lines of an experiment's text file; the methods raise a ValueError with a one-line message."""
 
     def __init__(self, file):
-        """Read the file."""
         self.file, self.parser = file, ConfigParser(delimiters=("=",), comment_prefixes=("#",), interpolation=None)
         self.parser.add_section("answers")  # empty, if the file has none
         self.parser.optionxform = str  # type: ignore[assignment, method-assign]  # capitals stay

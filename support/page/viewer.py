@@ -1,87 +1,67 @@
-"""The viewer: plays a cradle in step with the clock, and carries out your commands on the page."""
+"""The viewer: plays a cradle in step with the clock, carries out the commands of the page, and says what it shows."""
 
-import time
 from collections.abc import Callable
+from functools import partial
 from math import inf
 from queue import SimpleQueue
 
-from vpython import baseObj, scene
+from vpython import vector
 
 from support.cradle.cradle import Cradle
 from support.cradle.dragging import bob_at, point_in_plane
 from support.cradle.player import Player
 from support.cradle.real_time import FRAME
 from support.files.data_file import EVERY
-from support.page.marks import Marks
-from support.page.motion_graph import MotionGraph
-from support.page.panel import change, Panel, TRAINS
-from support.page.questions import LETTERS
-from support.page.scenery import Scenery
-from support.page.slow_hits import SlowHits
-from support.page.source import Source
+from support.page.chooser import Chooser, Settings
+from support.page.graph import Graph, SPANS
+from support.page.questions import Questions
+from support.page.scene.marks import Marks
+from support.page.scene.scenery import Scenery
+from support.page.scene.slow_hits import SlowHits
+from support.pendulum import from_lift, to_lift
 
-REFRESH = 0.1  # s between two changes of the numbers and the graph
+REFRESH = 0.1  # s between two changes of the state
 QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
-SLOWLY = 0.1  # times real time: the speed of an experiment that is repeated slowly
+SPEEDS, SLOWLY = (0.1, 2.0), 0.1  # times real time: the ends of the slider, and of an experiment repeated slowly
+TRAINS = 5  # of impacts, a line for each
 HIT_LINES = 5  # of text, above the cradle
 REST = 3.0  # s that the picture rests when an experiment has been measured
-GOODBYE = 10.0  # s that the page has to fetch the last message
-
-# The commands of the keys, with their values; the names of the keys are VPython's.
-COMMANDS_OF_KEYS = {
-    " ": ("pause", None),
-    "right": ("step", None),
-    "r": ("restart", None),
-    "v": ("view", None),
-    "n": ("next", None),
-    "h": ("slow hits", None),
-    **{letter.lower(): ("say", number) for number, letter in enumerate(LETTERS)},
-    **{str(count): ("lift", count) for count in range(1, 10)},
-}
 
 
 class Viewer(Player):
     """The page with a cradle, its panel and its graph: the argument page of main."""
 
-    def __init__(self, cradle: Cradle, file, angles, lifted, remark=""):
-        """Build the page for the cradle of this file (a LiveFile), with the remark, if there is one.
-
-        angles (rad) are the release angles, lifted is the number of bobs to lift. None keeps the value with which main
-        makes the cradle.
-        """
+    def __init__(self, cradle: Cradle, file, angles, lifted, tabs, **texts):
+        """Play the cradle of this file (a LiveFile) as a Player does; tabs (a Tabs) show it, and texts in the state."""
         super().__init__(cradle, file.current, angles, lifted, TRAINS, EVERY)
-        self.commands: SimpleQueue = SimpleQueue()
-        self.running = True
-        self.is_new_page = True  # whether the page has nothing of the cradle yet
-        self.next_refresh = -inf
-        self.sound = False
+        self.file, self.tabs, self.texts = file, tabs, texts
+        self.commands: SimpleQueue = SimpleQueue()  # of tabs, for the next frame; any thread can put one into it
+        self.running = self.is_first = True  # is_first: no tab has a picture yet
         self.speed = 1.0  # that you have set, times real time
-        self.rest_end = -inf  # the time on the pace's clock until which the picture rests
-        self.one_tick: dict[str, float] | None = None  # the coordinates before it, while One tick is carried out
+        self.next_refresh = self.rest_end = -inf  # on the pace's clock; until rest_end, the picture rests
+        self.before: dict[str, float] | None = None  # the coordinates before One tick, while it is carried out
+        self.tick_lines: list[str] = []  # what One tick has done
+        self.sounds = 0, 0.0  # the number of pictures with a hit to hear, and the speed (m/s) of the last one's fastest
+        self.error = ""  # the mistake in your CSV
 
-        self.source = Source(self, file)
-        self.table, self.questions = self.source.table, self.source.questions
-        self.actions = self.make_actions()
+        settings = Settings(file.current, list(angles), lifted, cradle.collision, cradle.mass)
+        self.chooser, self.questions = Chooser(settings, cradle), Questions()
         self.scenery, self.marks, self.slow_hits = Scenery(), Marks(), SlowHits(cradle)
-        self.panel = Panel(self.give, cradle, self.questions, self.table, remark)
-        self.panel.separating.checked = self.separating
-        self.graph = MotionGraph(cradle.angle_keys, cradle.rate_keys)
-        self.listen_to_you()
-
-    # --- frames ------------------------------------------------------------------------------------------------------
+        self.graph = Graph(cradle.angle_keys, cradle.rate_keys)
+        self.kinds, self.actions = self.make_kinds(), self.make_actions()
+        tabs.give = lambda command, *values: self.commands.put((command, values))
 
     def frame(self) -> None:
         """Do the work of one frame: show the last ticks, rest, carry out commands, and plan the next ticks."""
         self.show_frame()
         self.pace.rest()
         while not (self.commands.empty() or self.is_wanted or self.planned):
-            action, value = self.commands.get()
-            action(value)
-            if not self.is_wanted:
-                self.show_settings()
-        if not self.is_wanted and self.source.file.changed():
-            self.source.reload()
-        if self.hold_if_due() or not self.running:
+            self.carry_out(*self.commands.get())
+        if not self.is_wanted and self.file.changed():
+            self.reload()
+        if self.tabs.are_gone:
+            self.is_over, self.planned = True, 0
+        elif self.hold_if_due() or not self.running:
             self.pace.restart()
         elif not (self.is_wanted or self.planned):
             self.keep_time()
@@ -91,45 +71,46 @@ class Viewer(Player):
         now = self.pace.clock()
         if self.questions.slowly and -inf < self.rest_end <= now:
             self.questions.slowly, self.pace.speed = False, self.speed
-            self.show_settings()
         return now < self.rest_end or self.slow_hits.go_on(now if self.running else -inf)
 
     def show_frame(self) -> None:
-        """Show the result of the last ticks: view, marks, sound, numbers and graph."""
+        """Show the result of the last ticks: ten times a second all of it, else what must be in step with the bobs."""
         if self.cradle.hand.held is not None:
             self.motion.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
-        change(self.panel.view, disabled=not self.scenery.bring_camera_back())  # panel.css hides it then
+        fastest = self.motion.pop_fastest()
+        if fastest > QUIET:
+            self.sounds = self.sounds[0] + 1, round(fastest, 4)
+        if not self.tabs.have_room():
+            return
         shown = self.slow_hits.shown
         self.marks.show_arrows(shown.pendula if shown else self.cradle.pend_list)
         self.marks.show_halos((shown.hit.left, shown.hit.right) if shown else ())
         self.marks.show_ghosts(self.questions.predicted(self.motion.time()))
-        change(self.panel.hit_words, text=self.slow_hits.words())
-        fastest = self.motion.pop_fastest()
-        if self.sound and fastest > QUIET:
-            self.panel.hit.text = f'<i class="hit" data-speed="{fastest:.4f}"></i>'
+        state = {"sound": self.sounds, "view": {**self.scenery.view(), "words": self.marks.words}}
         if self.pace.clock() >= self.next_refresh:
             self.next_refresh = self.pace.clock() + REFRESH
-            self.show_motion()
+            state |= self.state()
+        self.tabs.show(state)
 
     def show_new_cradle(self) -> None:
-        """Show a new cradle. On a new page, it starts when the page has it, so that you see the release."""
+        """Show a new cradle. The first one starts when a tab has drawn it, so that you see the release."""
         self.rest_end = -inf
-        self.source.pose()
+        self.pose()
         self.slow_hits.clear()
         self.pace.speed = SLOWLY if self.questions.slowly else self.speed
-        masses = self.cradle.values("mass")
-        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, masses)
-        self.marks.surround(self.cradle, self.scenery.bottom())
-        self.graph.begin([pend["objects"][1].color for pend in self.cradle.pend_list])
+        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, self.cradle.values("mass"))
+        self.marks.surround(self.cradle, self.scenery.space.bottom)
+        self.graph.begin(self.cradle.colors())
         self.note()
-        change(self.table.before_and_after, text="")
-        self.source.show_rows()
-        self.show_settings()
-        if self.is_new_page:
-            self.is_new_page = False
-            self.wait_for_page()
+        self.tick_lines, self.next_refresh = [], -inf
+        while self.is_first and not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
+            self.show_frame()
+            self.tabs.is_seen.wait(FRAME)
+            self.next_refresh = -inf
+        if self.is_first:
             self.pace.restart()
+        self.is_first = False
 
     def note(self) -> None:
         """Add this moment to the graph, and to the measurement of an experiment."""
@@ -144,93 +125,124 @@ class Viewer(Player):
         if self.looks_at_hits:
             self.slow_hits.add(self.cradle.hits.kept, self.motion.time())
             self.planned *= not self.slow_hits.waiting
-        if self.one_tick is not None:
+        if self.before is not None:
             calls = self.cradle.hits.calls or [f"{self.cradle.names.shown} was not called."]
-            self.table.show_tick(self.cradle.dt, self.one_tick, self.cradle.coordinates(), calls)
-            self.one_tick = None
+            self.tick_lines = [*self.changes(self.before, self.cradle.coordinates()), *calls]
+            self.before = None
 
-    def wait_for_page(self, patience=inf) -> None:
-        """Wait until the page has all changes (VPython empties its list, then sends), but at most patience (s)."""
-        begin = time.monotonic()
-        while not (baseObj.empty() and baseObj.sent) and time.monotonic() - begin < patience:
-            time.sleep(FRAME)
-
-    def end(self, words) -> None:
-        """Show on the page that the program has ended, and why; wait a moment until the page has the message."""
-        self.panel.show_end(words)
-        self.wait_for_page(GOODBYE)
-
-    # --- commands ----------------------------------------------------------------------------------------------------
-
-    # VPython calls the function of a widget, a key or the mouse in a thread of its own, in the middle of a tick.
-
-    def give(self, command, value=None) -> None:
-        """Put a command, one of make_actions, into the queue for the next frame; any thread can call this."""
-        self.commands.put((self.actions[command], value))
-
-    def listen_to_you(self) -> None:
-        """Turn the keys and the mouse into commands."""
-
-        def press(event):
-            if event.key.lower() in COMMANDS_OF_KEYS and not (event.ctrl or event.alt):
-                self.give(*COMMANDS_OF_KEYS[event.key.lower()])
-
-        def ray(event):  # of the mouse: a point on it, and its direction
-            return event.pos, scene.mouse.ray
-
-        scene.bind("keydown", press)
-        scene.bind("mousedown", lambda event: self.give("grab", ray(event)))
-        scene.bind("mousemove", lambda event: self.give("drag", ray(event)))
-        scene.bind("mouseup", lambda: self.give("let go"))
-        scene.bind("resize", lambda: self.give("resize"))
-
-    def make_actions(self) -> dict[str, Callable]:
-        """Return all commands: for each one, the function that carries it out with the command's value."""
+    def state(self) -> dict:
+        """Return what the page shows beside VPython's canvas, by name, all texts plain; page.html has the controls."""
+        cradle, chooser, count = self.cradle, self.chooser, len(self.cradle.pend_list)
+        made_angles, made_lifted = cradle.as_made
+        angles = [made if angle is None else angle for angle, made in zip(self.angles, made_angles, strict=True)]
+        lifted = made_lifted if self.lifted is None else min(self.lifted, count)
         return {
-            "pause": self.pause,
-            "step": self.do_step,
-            "tick": self.do_one_tick,
-            "restart": lambda _: self.want_cradle(),
-            "speed": self.set_speed,
-            "arrows": self.show_arrows,
-            "slow hits": self.slow_down_hits,
-            "sound": lambda sound: setattr(self, "sound", sound),
-            "graph": lambda choice: self.graph.show(choice),
-            "span": lambda span: setattr(self.graph, "span", span),
-            "resize": lambda _: self.scenery.point_camera(),
-            "view": lambda _: self.scenery.reset_view(),
-            "show again": self.show_again,
-            "grab": self.grab,
-            "drag": self.drag,
-            "let go": self.let_go,
-            "angle": self.source.set_angle,
-            "lift": self.source.set_lifted,
-            "collisions": self.source.set_collision,
-            "separating": self.source.set_separating,
-            "experiment": self.source.choose,
-            "ask first": self.source.ask_first,
-            "answer": self.source.answer,
-            "say": lambda number: self.source.answer((self.questions.key(), number)),
-            "vote": lambda vote: self.questions.vote(*vote),
-            "again": self.source.repeat,
-            "next": lambda _: self.source.choose_next(),
-            "table": self.source.open_table,
-            "edit": self.source.edit,
+            **{"title": cradle.title, "constants": cradle.constants(), **self.texts},
+            **{"error": self.error, "mistakes": chooser.mistakes, "ended": None},
+            **{"running": self.running, "speed": round(self.pace.speed, 2), "lifted": [lifted, count]},
+            "angles": [(name, *ends) for name, ends in cradle.angles.items()],
+            "lifts": [to_lift(angle) for angle in angles],  # degrees
+            **{"collisions": [*cradle.collisions], "collision": cradle.collision},
+            **{"has rule": cradle.takes_rule, "separating": self.separating},
+            **{"experiments": chooser.names(), "experiment": chooser.name()},
+            **{"ask first": self.questions.ask_first, "question": self.questions.state()},
+            **{"arrows": self.marks.has_arrows, "slow hits": self.looks_at_hits, "hit": self.slow_hits.words()},
+            **{"motion": self.readout(), "impacts": self.motion.trains.lines()},
+            **{"graphs": [*self.graph.choices], "graph": self.graph.choice},
+            **{"spans": [*SPANS], "span": self.graph.span, "curves": self.graph.state(self.motion.start_energy)},
+            **{"keys": [*cradle.angle_keys, *cradle.rate_keys], "refused": dict(chooser.refused)},
+            **{"mass": cradle.values("mass"), "e": cradle.values("e"), "tick": self.tick_lines},
+            "now": {name: f"{number:.6f}" for name, number in cradle.coordinates().items()},
         }
 
-    def pause(self, _) -> None:
+    def readout(self) -> dict[str, str]:
+        """Return the time, the energy and the momentum in words."""
+        energy, momentum = self.motion.percents()["energy"], self.cradle.momentum()
+        moving = f"{round(momentum, 3) + 0.0:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
+        arrow = "" if abs(momentum) < 0.0005 else " →" if momentum > 0 else " ←"
+        return {
+            "t": f"{self.motion.time():.2f} s {self.pace.remark()}".strip(),
+            "energy": "> 999 %" if energy >= 1000 else f"{energy:.2f} %",
+            "momentum": f"{moving} kg m/s{arrow}",
+        }
+
+    def changes(self, before, after) -> list[str]:
+        """Return what one tick has done with the coordinates, in a line for each pendulum."""
+        lines = [f"One tick, {self.cradle.dt:g} s: before -> after"]
+        for i in range(len(self.cradle.pend_list)):
+            names = [(key, f"{key}_{i + 1}") for key in (*self.cradle.angle_keys, *self.cradle.rate_keys)]
+            parts = [f"{key} {before[name]:.6g} -> {after[name]:.6g}".ljust(29) for key, name in names]
+            lines.append(f"[{i}] {' '.join(parts)}".rstrip())
+        return lines
+
+    def carry_out(self, command, values) -> None:
+        """Do what a command says; do nothing if no action has its name, or if it does not take these values."""
+        do, *kinds = self.actions.get(command if isinstance(command, str) else "", (None,))
+        if do and len(values) == len(kinds) and all(map(lambda kind, value: self.kinds[kind](value), kinds, values)):
+            do(*values)
+            self.next_refresh = -inf
+
+    def make_kinds(self) -> dict[str, Callable]:
+        """Return a test for each kind of value: the page sends JSON."""
+        kinds: dict[str, Callable] = {
+            "switch": lambda value: type(value) is bool,
+            "text": lambda value: type(value) is str and len(value) < 1000,
+            "count": lambda value: type(value) is int and value >= 0,
+            "number": lambda value: type(value) in (int, float) and abs(value) < 1e9,
+            "point": lambda value: type(value) is list and len(value) == 3 and all(map(kinds["number"], value)),
+            "direction": lambda value: kinds["point"](value) and max(map(abs, value)) > 1e-3,
+            "degrees": lambda value: kinds["number"](value) and abs(value) <= 180,
+            "speed": lambda value: kinds["number"](value) and SPEEDS[0] <= value <= SPEEDS[1],
+            "bobs": lambda value: kinds["count"](value) and value <= len(self.cradle.pend_list),
+            "cord": lambda value: kinds["count"](value) and value < len(self.angles),
+            "answer": lambda value: value is None or kinds["count"](value),
+            "collision": lambda value: value in [*self.cradle.collisions],
+            "graph": lambda value: value in [*self.graph.choices],
+            "span": lambda value: value in [*SPANS],
+            "experiment": lambda value: value in self.chooser.names(),
+            "column": lambda value: value in ("mass", "e"),
+        }
+        return kinds
+
+    def make_actions(self) -> dict[str, tuple]:
+        """Return, for the name of each command, what it does, and the kinds of its values."""
+        return {
+            **{"pause": (self.pause,), "step": (self.do_step,), "tick": (self.do_one_tick,)},
+            "speed": (self.set_speed, "speed"),
+            **{"lifted": (self.set_lifted, "bobs"), "lift": (self.set_lift, "cord", "degrees")},
+            "collision": (self.set_collision, "collision"),
+            "separating": (self.set_separating, "switch"),
+            **{"arrows": (self.show_arrows, "switch"), "slow hits": (self.slow_down_hits, "switch")},
+            **{"graph": (self.graph.show, "graph"), "span": (partial(setattr, self.graph, "span"), "span")},
+            "experiment": (self.choose, "experiment"),
+            **{"restart": (self.restart,), "next": (lambda: self.choose(self.chooser.next_name()),)},
+            **{"ask first": (self.ask_first, "switch"), "again": (self.repeat, "switch")},
+            **{"answer": (self.answer, "text", "answer"), "vote": (self.questions.vote, "text", "count")},
+            "edit": (self.edit, "count", "column", "text"),
+            **{"grab": (self.grab, "point", "direction"), "drag": (self.drag, "point", "direction")},
+            "let go": (self.let_go,),
+        }
+
+    def pause(self) -> None:
         """Stop the time, or let it go on; an open question then has no answer."""
         self.running, self.rest_end = not self.running, -inf
-        self.questions.skip()
+        self.questions.is_asking = False
 
-    def do_step(self, _) -> None:
+    def do_step(self) -> None:
         """Do the ticks of one frame, while paused, or show the next one of slow hits."""
         if not self.running and (self.slow_hits.shown or self.slow_hits.waiting):
             self.slow_hits.until = -inf
             self.slow_hits.go_on(self.pace.clock())
         elif not self.running:
-            self.questions.skip()
+            self.questions.is_asking = False
             self.plan(round(FRAME * self.pace.speed / self.cradle.dt))
+
+    def do_one_tick(self) -> None:
+        """Do one tick, while paused, and show its effect on each pendulum, and the collisions in it."""
+        if not self.running:
+            self.questions.is_asking = False
+            self.before = self.cradle.coordinates()
+            self.plan(1, with_calls=True)
 
     def set_speed(self, speed) -> None:
         """Let the time go on at this speed, times real time."""
@@ -240,71 +252,132 @@ class Viewer(Player):
         """Show arrows and bars, or not."""
         self.marks.has_arrows = shown
         self.marks.place_arrows()
-        self.leave_space()
-
-    def leave_space(self) -> None:
-        """Let the view leave space for the bars, and for the words about a hit."""
-        self.scenery.leave_space(self.marks.depth(), HIT_LINES * self.looks_at_hits)
+        self.scenery.below = self.marks.depth()
 
     def slow_down_hits(self, slow) -> None:
-        """Show the hits slowly, or not; None stands for the other way than now."""
-        self.looks_at_hits = not self.looks_at_hits if slow is None else slow
-        self.panel.slow_hits.checked = self.looks_at_hits
+        """Show the hits slowly, or not."""
+        self.looks_at_hits = slow
         self.slow_hits.clear()
-        self.leave_space()
+        self.scenery.lines = HIT_LINES * slow
 
-    def do_one_tick(self, _) -> None:
-        """Do one tick, while paused, and show its effect on each pendulum, and the collisions in it."""
-        if not self.running:
-            self.questions.skip()
-            self.one_tick = self.cradle.coordinates()
-            self.plan(1, with_calls=True)
+    # --- which cradle ------------------------------------------------------------------------------------------------
 
-    def show_again(self, _) -> None:
-        """Send a page that was loaded again all that it needs, and restart the cradle."""
-        self.panel.send_again()
-        self.table.open(False)
-        self.scenery.reset_view()
-        self.is_new_page = True
+    def restart(self) -> None:
+        """Let main make the cradle that is chosen."""
+        now = self.chooser.now
+        self.snapshot, self.angles, self.lifted, self.cradle.collision, self.cradle.mass = now
         self.want_cradle()
 
-    def grab(self, ray) -> None:
-        """Hold the bob under the mouse, if there is one; ray is the mouse's: a point on it, and its direction."""
-        bob = bob_at(self.cradle.bobs(), *ray)
+    def set_lift(self, number, lift) -> None:
+        """Release the bobs with this lift (degrees); number is the index of the slider."""
+        self.leave_poses()
+        angles = self.chooser.now.angles
+        self.chooser.set(angles=[*angles[:number], from_lift(lift), *angles[number + 1 :]])
+        self.restart()
+
+    def set_lifted(self, lifted) -> None:
+        """Lift this number of bobs."""
+        self.leave_poses()
+        self.chooser.set(lifted=lifted)
+        self.restart()
+
+    def set_collision(self, collision) -> None:
+        """Let bobs collide in this way (a key of the cradle's collisions) from now on."""
+        self.leave_experiment()
+        self.chooser.set(collision=collision)
+        self.collide(collision)
+
+    def set_separating(self, separating) -> None:
+        """Let separating bobs collide, too, or not; only if the functions take this rule."""
+        self.leave_experiment()
+        self.separating = separating or not self.cradle.takes_rule
+
+    def edit(self, row, column, text) -> None:
+        """Let main make the cradle with this number in a row and a column of the table, or show why it is refused."""
+        self.leave_experiment()
+        if self.chooser.edit(row, column, text, {name: self.cradle.values(name) for name in ("mass", "e")}):
+            self.restart()
+
+    def reload(self) -> None:
+        """Let main make the cradle of the saved CSV, or show the mistake in it; the old cradle then swings on."""
+        self.error, self.next_refresh = "", -inf
+        try:
+            self.chooser.take(self.file.current)
+        except ValueError as error:
+            self.error = str(error)
+        else:
+            self.running = self.running or self.questions.is_asking
+            self.restart()
+
+    def choose(self, name) -> None:
+        """Let main make the cradle with this name in the menu: an experiment, or your CSV with its settings."""
+        self.chooser.choose(name)
+        self.running = self.running or self.questions.is_asking or self.chooser.experiment is not None
+        self.restart()
+
+    def ask_first(self, asks) -> None:
+        """Ask the question of an experiment before its release, or not; restart an experiment."""
+        self.questions.ask_first = asks
+        if self.chooser.poses and not self.chooser.is_changed:
+            self.running = True
+            self.restart()
+
+    def answer(self, key, number) -> None:
+        """Take an answer (its index, or None) to the question with this key; the cradle then runs."""
+        self.running = self.questions.answer(key, number) or self.running
+
+    def repeat(self, slowly) -> None:
+        """Run the experiment again with the same answer, maybe slowly."""
+        if self.questions.measurement:
+            self.questions.again = self.questions.said, self.questions.votes, slowly
+            self.running = True
+            self.restart()
+
+    def pose(self) -> None:
+        """Lift the bobs as the present experiment says, and ask its question, if Predict first is ticked."""
+        chooser, poses = self.chooser, self.chooser.poses
+        is_posed = poses is not None and len(poses) == len(self.cradle.pend_list)  # main may read another file
+        if is_posed:
+            self.cradle.pose(poses)
+            self.motion.set_start()
+        self.questions.begin(chooser.experiment if is_posed and not chooser.is_changed else None)
+        self.running = self.running and not self.questions.is_asking
+
+    def leave_poses(self) -> None:
+        """Lift the bobs as the sliders say, no more as an experiment says."""
+        if self.chooser.poses:
+            angles, lifted = self.cradle.as_made
+            self.chooser.poses = None
+            self.chooser.set(angles=list(angles), lifted=lifted)
+        self.leave_experiment()
+
+    def leave_experiment(self) -> None:
+        """Measure nothing any more: the cradle is no longer that of the experiment. If it was waiting, it runs."""
+        self.running, self.rest_end = self.running or self.questions.is_asking, -inf
+        self.slow_hits.clear()
+        self.set_speed(self.speed)  # also if an experiment was repeated slowly
+        self.chooser.leave()
+        self.questions.drop()
+
+    # --- the mouse: a ray is a point on it, and its direction ---------------------------------------------------------
+
+    def grab(self, place, direction) -> None:
+        """Hold the bob under the mouse, if there is one."""
+        bob = bob_at(self.cradle.bobs(), vector(*place), vector(*direction))
         if bob is not None:
             self.cradle.hand.hold(bob)
-            self.source.leave_experiment()
+            self.leave_experiment()
 
-    def drag(self, ray) -> None:
+    def drag(self, place, direction) -> None:
         """Drag the held bob, if there is one, to the mouse's ray."""
-        point = point_in_plane(*ray)
+        point = point_in_plane(vector(*place), vector(*direction))
         if self.cradle.hand.held is not None and point is not None:
             self.cradle.hand.drag(point.x, point.y)
 
-    def let_go(self, _) -> None:
+    def let_go(self) -> None:
         """Let the held bob, if there is one, swing on."""
         if self.cradle.hand.held is not None:
             self.cradle.hand.held = None
             self.motion.set_start()
-            self.marks.surround(self.cradle, self.scenery.bottom())
+            self.marks.surround(self.cradle, self.scenery.space.bottom)
             self.slow_hits.clear()
-
-    # --- texts and numbers -------------------------------------------------------------------------------------------
-
-    def show_settings(self) -> None:
-        """Show the present settings."""
-        made_angles, made_lifted = self.cradle.as_made
-        angles = [made if angle is None else angle for angle, made in zip(self.angles, made_angles, strict=True)]
-        count = len(self.cradle.pend_list)
-        lifted = made_lifted if self.lifted is None else min(self.lifted, count)
-        self.panel.show_settings(self.running, self.pace.speed, angles, lifted, count, self.cradle.collision)
-        self.panel.show_graphs(self.graph.choices, self.graph.choice)
-
-    def show_motion(self) -> None:
-        """Show time, energy, momentum, impacts and graph."""
-        energy = self.motion.percents()["energy"]
-        self.panel.show_motion(self.motion.time(), energy, self.cradle.momentum(), self.pace.remark())
-        self.panel.show_impacts(self.motion.trains.lines())
-        self.graph.draw(self.motion.start_energy)
-        if self.table.is_open:
-            self.table.show_now(self.cradle.coordinates())

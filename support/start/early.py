@@ -3,18 +3,18 @@
 import os
 import signal
 import sys
-import threading
 from importlib import import_module
 from importlib.machinery import PathFinder
 from types import ModuleType
 
 
-def end_on_interrupt(status=0) -> None:
-    """Let Ctrl+C end the process immediately, with this status and no traceback.
+def end_on_interrupt(status=0, first=lambda: None) -> None:
+    """Let Ctrl+C call first, and end the process immediately, with this status and no traceback.
 
-    VPython's own handler waits for its servers, which may be waiting for a browser.
+    In a session (IPython, python -i), the prompt comes back, as usual.
     """
-    signal.signal(signal.SIGINT, lambda *_: os._exit(status))
+    if not (hasattr(sys, "ps1") or sys.flags.interactive):
+        signal.signal(signal.SIGINT, lambda *_: (first(), os._exit(status)))
 
 
 def stop_on_signals() -> None:
@@ -36,30 +36,19 @@ def stop_on_signals() -> None:
         signal.signal(number, stop)
 
 
-# --- import a slow module later than its import statement, while the program waits for the browser --------------------
-
-lock = threading.Lock()
-
-
 class Later(ModuleType):
     """Stands in for a module, and imports it when the program first uses one of its names."""
 
     def __getattr__(self, name):
-        return getattr(import_now(self.__name__), name)
+        if sys.modules.get(self.__name__) is self:
+            del sys.modules[self.__name__]
+        return getattr(import_module(self.__name__), name)
 
 
 def import_later(name) -> None:
-    """Let the statement `import name` import this module when it is first used, or when import_now asks for it.
+    """Let the statement `import name` import this module when it is first used.
 
     A module that is not installed stays as it is: the statement then raises its usual error.
     """
     if name not in sys.modules and PathFinder.find_spec(name):
         sys.modules[name] = Later(name)
-
-
-def import_now(name) -> ModuleType:
-    """Import the module now, and return it; two threads may call this at the same time."""
-    with lock:
-        if isinstance(sys.modules.get(name), Later):
-            del sys.modules[name]
-    return import_module(name)

@@ -1,6 +1,5 @@
 """Find a mistake in one of the handout's functions, and report it."""
 
-import linecache
 import sys
 import traceback
 from math import isfinite
@@ -21,22 +20,16 @@ class MistakeError(Exception):
         self.code = function.__code__
 
 
-def is_own(frame) -> bool:
-    """Return whether a frame of a traceback is in one of the handout's files, which are directly in src/."""
-    path = Path(frame.filename).resolve()
-    return path.parent == ROOT / "src" and path.name != "text_cradle_run.py"
-
-
 def own_frames(error) -> list[traceback.FrameSummary]:
     """Return the frames of an error that are in the handout's files: none if the error did not arise in these.
 
     Return none as well if main called the player and the player failed.
     """
     if isinstance(error, MistakeError):
-        file, line = error.code.co_filename, error.code.co_firstlineno
-        return [traceback.FrameSummary(file, line, error.code.co_name, line=linecache.getline(file, line).strip())]
+        return [traceback.FrameSummary(error.code.co_filename, error.code.co_firstlineno, error.code.co_name)]
     frames = traceback.extract_tb(error.__traceback__)
-    own = [number for number, frame in enumerate(frames) if is_own(frame)]
+    files = {*(ROOT / "src").glob("*.py")} - {ROOT / "src" / "text_cradle_run.py"}
+    own = [number for number, frame in enumerate(frames) if Path(frame.filename).resolve() in files]
     callee = frames[own[-1] + 1] if own and own[-1] + 1 < len(frames) else None
     if callee and Path(callee.filename).name == "player.py":
         return []
@@ -63,12 +56,9 @@ def tell_mistake(error) -> str:
 
 
 def tell_endless(error) -> None:
-    """Say where Ctrl+C (a KeyboardInterrupt) has stopped a function that did not come to its end."""
-    for frame in own_frames(error)[-1:]:
+    """Say where Ctrl+C (a KeyboardInterrupt of run) has stopped a function that did not come to its end, if it has."""
+    for frame in own_frames(error)[-1:] if getattr(error, "is_late", False) else ():
         say(f"{Path(frame.filename).name}, line {frame.lineno}: does a loop in {frame.name} never end?", sys.stderr)
-
-
-# --- pendula that are no pendula --------------------------------------------------------------------------------------
 
 
 def check_made(make, pend_list, keys, parts) -> None:
@@ -87,13 +77,6 @@ def check_made(make, pend_list, keys, parts) -> None:
         if not isinstance(objects, tuple) or len(objects) != parts:
             found = f"a {type(objects).__name__}" if "objects" in pend else "nothing"
             raise MistakeError(make, f"set objects of pendulum {number} to {found}; it must be a tuple of parts.")
-
-
-def check_moved(tick, pend_list, count, keys) -> None:
-    """Raise a MistakeError if the function tick has changed the number of pendula, count, or made a number unusable."""
-    if len(pend_list) != count:
-        raise MistakeError(tick, f"made {len(pend_list)} pendula from {count}; it must keep their number.")
-    check_numbers(tick, pend_list, keys)
 
 
 def check_numbers(function, pend_list, keys) -> None:

@@ -16,8 +16,8 @@ from support.start.output import refuse
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# VPython's environment variable for the port of the page; --port overrides it.
-PORT_VARIABLE = "VPYTHON_HTTP_PORT"
+# VPython's environment variables; --port and --no-browser override them.
+PORT_VARIABLE, CLOSED_VARIABLE = "VPYTHON_HTTP_PORT", "VPYTHON_NO_LAUNCH_BROWSER"
 
 
 class OneLineParser(argparse.ArgumentParser):
@@ -38,15 +38,15 @@ def allowed(kind, is_allowed, words):
     return convert
 
 
-def text_to_angle(text) -> float:
-    """Return the angle (rad) of a cord with a lift outwards of text (degrees)."""
-    return from_lift(float(text))
+def angle_from(least):
+    """Return a type for argparse: the angle (rad) of a cord with a lift outwards from least to 180 (degrees)."""
+    words = f"a number from {least} to 180 (degrees)"
+    return allowed(lambda text: from_lift(float(text)), lambda text: least <= to_number(text) <= 180, words)
 
 
 def cradle_options(description) -> OneLineParser:
     """Return a parser with the options of a cradle; each program adds its own options."""
     e, mass = (allowed(float, *RULES[column]) for column in ("e", "mass"))
-    angle = allowed(text_to_angle, lambda text: 0 <= to_number(text) <= 180, "a number from 0 to 180 (degrees)")
     lift = allowed(int, str.isdecimal, "a whole number, 0 or more")
 
     parser = OneLineParser(description=description, allow_abbrev=False)
@@ -58,28 +58,31 @@ def cradle_options(description) -> OneLineParser:
     kinds.add_argument("--e", type=e, metavar="E", help="one e, from 0 to 1, for all pendula (default: the CSV's)")
     add("--mass", type=mass, metavar="KG", help="one mass, in kg, for all pendula (default: the CSV's)")
     text = f"release angle of the lifted bobs, from 0 to 180 degrees (default: {to_lift(THETA_INIT):g})"
-    add("--angle", type=angle, metavar="DEGREES", help=text)
+    add("--angle", type=angle_from(0), metavar="DEGREES", help=text)
     add("--lift", type=lift, metavar="K", help="number of lifted bobs, from the left (default: 1)")
     return parser
 
 
 def page_options(description) -> OneLineParser:
     """Return a parser with the options of a cradle and of its page."""
-    port = allowed(int, lambda text: text.isdecimal() and int(text) <= 65534, "a whole number from 0 to 65534")
+    port = allowed(int, lambda text: text.isdecimal() and int(text) <= 65535, "a whole number from 0 to 65535")
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
-    text = "port of the page on this machine; the page also uses N + 1 (default: any two free ports)"
-    add("--port", type=port, metavar="N", default=os.environ.get(PORT_VARIABLE, "0"), help=text)
+    text = "port of the page (default: any free one)"
+    add("--port", type=port, metavar="N", default=os.environ.get(PORT_VARIABLE) or "0", help=text)
+    text = "address at which the page is, for a container 0.0.0.0 (default: 127.0.0.1, for this machine alone)"
+    add("--host", metavar="ADDRESS", default="127.0.0.1", help=text)
     text = "open no browser, only print the address of the page"
-    add("--no-browser", action="store_false", dest="browser", help=text)
+    opens = os.environ.get(CLOSED_VARIABLE, "") in ("", "0")
+    add("--no-browser", action="store_false", dest="browser", default=opens, help=text)
     return parser
 
 
 def read_page_options(arguments=None) -> argparse.Namespace:
     """Return the options of the page, from the command line or from arguments.
 
-    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port and browser. None for e or mass keeps the values
-    of the CSV. None for angle or lift keeps the values with which main makes the cradle.
+    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host and browser. None for e or mass keeps the
+    values of the CSV. None for angle or lift keeps the values with which main makes the cradle.
     """
     return page_options("Newton's cradle in the browser, to play with.").parse_args(arguments)
 
@@ -87,17 +90,14 @@ def read_page_options(arguments=None) -> argparse.Namespace:
 def read_double_page_options(arguments=None) -> argparse.Namespace:
     """Return the options of the double cradle's page: those of read_page_options, and phi (rad, or None like angle)."""
     parser = page_options("The double Newton's cradle in the browser, to play with.")
-    phi = allowed(text_to_angle, lambda text: -180 <= to_number(text) <= 180, "a number from -180 to 180 (degrees)")
     text = "angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees"
-    parser.add_argument("--phi", type=phi, metavar="DEGREES", help=f"{text} (default: {to_lift(PHI_INIT):g})")
+    text = f"{text} (default: {to_lift(PHI_INIT):g})"
+    parser.add_argument("--phi", type=angle_from(-180), metavar="DEGREES", help=text)
     return parser.parse_args(arguments)
 
 
 def command_line(program, folder, arguments=()) -> str:
-    """Return the command that starts a program of the project from this folder, with the running Python and arguments.
-
-    program is the path of its file in the project's folder.
-    """
+    """Return the command that starts a program (its path in the project) from this folder, with the running Python."""
     paths = Path(sys.executable), ROOT / program
     words = [str(path.relative_to(folder) if path.is_relative_to(folder) else path) for path in paths]
     join = subprocess.list2cmdline if sys.platform == "win32" else shlex.join

@@ -13,8 +13,12 @@ def while_it_is_read():
     If the reader of the output stops, as in `| head`, end the program quietly. If an OSError reaches this place, for
     instance because the output is full, name its cause in one line, and exit with status 2.
     """
-    replace_closed()
-    spell_out_letters()
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:  # closed, as after `>&-`: now nobody reads the output, and the input is empty
+            file = open(os.devnull, mode, encoding="utf-8", errors="backslashreplace")  # noqa: SIM115  it stays open
+            setattr(sys, name, file)
+    if hasattr(sys.stdout, "reconfigure"):  # not in IDLE's shell, which has all letters; a pipe on Windows lacks some
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
         yield
         sys.stdout.flush()  # here: at the end of Python, an error would be a traceback
@@ -33,20 +37,6 @@ def is_unread(error) -> bool:
     """Return whether an error says that the reader of the output has stopped."""
     is_said_by_windows = sys.platform == "win32" and isinstance(error, OSError) and error.errno == errno.EINVAL
     return (isinstance(error, BrokenPipeError) or is_said_by_windows) and error.filename is None
-
-
-def replace_closed() -> None:
-    """Let an output that is closed, as after `>&-`, be one that nobody reads, and a closed input be empty."""
-    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
-        if getattr(sys, name) is None:
-            file = open(os.devnull, mode, encoding="utf-8", errors="backslashreplace")  # noqa: SIM115  it stays open
-            setattr(sys, name, file)
-
-
-def spell_out_letters() -> None:
-    """Print letters that the output does not have as numbers, like \\u03c9: a pipe on Windows lacks some."""
-    if hasattr(sys.stdout, "reconfigure"):  # not in IDLE's shell, which has all letters
-        sys.stdout.reconfigure(errors="backslashreplace")
 
 
 def in_one_line(text) -> str:

@@ -1,7 +1,6 @@
 """Find the functions that a student has not written yet, and show the cradle without them."""
 
 import ast
-import inspect
 from contextlib import suppress
 from pathlib import Path
 
@@ -9,14 +8,12 @@ from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import discard
 from support.start.output import refuse
 
-SWING = "full_swing_update"
 SRC = Path(__file__).resolve().parents[2] / "src"
 # The first lines of the statements that the handout provides beside a raise, as ast.unparse writes them.
 GIVEN = {
     *("df = pd.read_csv(relative_filepath)", "bad_rep = df.to_dict(orient='index')"),
     *("page.show(pend_list)", "while page.is_running():"),
 }
-CONSTANTS = {"r_param": R_PARAM, "theta_init": THETA_INIT, "dt": DT, "g": G}
 
 
 def stubs_in(source) -> dict[str, tuple[int, bool]]:
@@ -64,38 +61,29 @@ def what_there_is(main) -> tuple:
     swings, collides = missing_in("swinging"), missing_in("visualize_cradle_run")
     if swings:
         return preview(main.__globals__), f"Write next: {swings}. Then the pendula swing."
-    if collides and "handle_" in collides:
-        words = "Then the bobs collide. If no pendulum swings, type pytest."
-        return preview(main.__globals__, SWING), f"Write next: {collides}. {words}"
     if collides:
         words = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
-        return preview(main.__globals__, SWING, "handle_two_bobs"), f"Write next: {collides}. {words}"
+        if "handle_" in collides:
+            words = "Then the bobs collide. If no pendulum swings, type pytest."
+        return preview(main.__globals__, True, "handle_" not in collides), f"Write next: {collides}. {words}"
     return main, ""
 
 
-def preview(scope, swing="", collision=""):
+def preview(scope, swings=False, collides=False):
     """Return a loop that makes and moves a cradle with the functions in scope, as far as they are written.
 
-    swing is the name of a function that moves all pendula, collision of one for two pendula: then there are only two.
+    swings says whether full_swing_update is written, collides whether handle_two_bobs is: then there are two pendula.
     """
 
-    made_by = "make_newton_cradle"
-    # Now: while the loop runs, another function may stand in for one of them, to note its calls.
-    parameters = {name: [*inspect.signature(scope[name]).parameters] for name in (made_by, swing, collision) if name}
-
-    def call(name, *first):
-        """Call a function of the scope with first, and with the constants that have its other parameters' names."""
-        return scope[name](*first, *(CONSTANTS[other] for other in parameters[name][len(first) :]))
-
     def loop(page):
-        cradle = call(made_by, page.csv)
-        while collision and len(cradle) > 2:
+        cradle = scope["make_newton_cradle"](page.csv, R_PARAM, THETA_INIT)
+        while collides and len(cradle) > 2:
             discard(cradle.pop()["objects"])
         page.show(cradle)
         while page.is_running():
-            if swing:
-                call(swing, cradle)
-            if collision and len(cradle) == 2:
-                call(collision, *cradle)
+            if swings:
+                scope["full_swing_update"](cradle, R_PARAM, DT, G)
+            if collides and len(cradle) == 2:
+                scope["handle_two_bobs"](*cradle, R_PARAM)
 
     return loop

@@ -9,10 +9,8 @@ from support.cradle.motion import in_words
 from support.cradle.player import Player, run
 from support.files.data_file import whole_file
 from support.start.output import in_one_line
-from support.terminal.screen import own_screen, progress_bar, screen, TextPicture, TRAINS, WIDTH
+from support.terminal.screen import progress_bar, screen, TextPicture, TRAINS, WIDTH
 
-PICTURE = 1 / 20  # s from picture to picture
-LINE = 0.5  # s from line to line
 PART = 1000  # ticks from one report of a recording's progress to the next
 
 
@@ -32,7 +30,6 @@ class TextPlayer(Player):
         self.last = options.seconds if options.seconds == inf else round(options.seconds / cradle.dt)  # tick
 
     def show_new_cradle(self) -> None:
-        """Show the cradle at its start."""
         self.note()
         self.pace.restart()
 
@@ -46,45 +43,30 @@ class TextPlayer(Player):
             self.note()
 
 
-# --- on a terminal ---------------------------------------------------------------------------------------------------
-
-
 class Pictures(TextPlayer):
     """Shows the cradle as a moving picture."""
 
-    step_seconds = PICTURE
+    step_seconds = 1 / 20
 
     def __init__(self, cradle, csv, options, remark=""):
         """Show the remark, if there is one, above the picture; for the other arguments, see TextPlayer."""
         super().__init__(cradle, csv, options)
         self.picture, self.remark = TextPicture(), remark
-        self.seen: list[str] = []
+        self.seen: list[str] = []  # the lines of the last picture
 
     def note(self) -> None:
-        """Show a picture."""
-        # Go to the top left corner; clear each line, and at the end all lines below.
-        lines = screen(self.motion, self.picture, self.pace.remark(), self.remark)
-        text = "\n".join("\x1b[K" + line for line in lines)
-        self.seen = lines  # before print: Ctrl+C often comes during it
+        """Show a picture: go to the top left corner; clear each line, and at the end all lines below."""
+        self.seen = screen(self.motion, self.picture, self.pace.remark(), self.remark)
+        text = "\n".join("\x1b[K" + line for line in self.seen)
         print(f"\x1b[H{text}\x1b[J", end="", flush=True)
-
-
-def show_pictures(loop, player) -> None:
-    """Run the loop with player (Pictures), and leave the last picture on the screen."""
-    with own_screen(lambda: player.seen):
-        run(loop, player)
-
-
-# --- without a terminal ----------------------------------------------------------------------------------------------
 
 
 class Lines(TextPlayer):
     """Prints a line every half second."""
 
-    step_seconds = LINE
+    step_seconds = 0.5
 
     def note(self) -> None:
-        """Print a line."""
         print(summary(self.motion), flush=True)
         self.motion.trains.clear()
 
@@ -101,9 +83,6 @@ def summary(motion) -> str:
     return line + (impacts if len(line + impacts) <= WIDTH else ", many hits")
 
 
-# --- to a file, as fast as the machine can ----------------------------------------------------------------------------
-
-
 class Recorder(Player):
     """Writes a row of data for every options.every seconds of simulated time, as fast as the machine can."""
 
@@ -118,8 +97,7 @@ class Recorder(Player):
         self.writer, self.progress = writer, progress
 
     def show_new_cradle(self) -> None:
-        """Write the first row, before any tick."""
-        self.writer.writerow(self.motion.sample())
+        self.writer.writerow(self.motion.sample())  # its names
         self.note()
 
     def frame(self) -> None:
@@ -130,7 +108,6 @@ class Recorder(Player):
         self.plan(min(PART, self.last - self.motion.ticks))
 
     def note(self) -> None:
-        """Write a row."""
         self.writer.writerow(self.motion.sample().values())
 
 
@@ -140,5 +117,4 @@ def record(loop, cradle, csv, options, remark="") -> None:
         recorder = Recorder(cradle, csv, options, writer(file, lineterminator="\n"), progress)
         run(loop, recorder)
     print(remark, end="\n" if remark else "")
-    line = f"{recorder.count} rows, from t = 0 to {recorder.motion.time():g} s, are in {options.record}"
-    print(in_one_line(line))
+    print(in_one_line(f"{recorder.count} rows, from t = 0 to {recorder.motion.time():g} s, are in {options.record}"))

@@ -104,8 +104,7 @@ QUIETLY = (0, "", "")
 
 # --- pages -----------------------------------------------------------------------------------------------------------
 
-SPEED, LIFTED, ANGLE = range(3)  # the sliders of a single cradle, in their order
-SEPARATING = "Separating bobs collide too"  # a checkbox below the title For programmers
+THUMB = 16  # pixels: the width of a slider's handle, whose middle never leaves the slider by half of it
 
 # Before the page's own scripts: make the canvas small, because no graphics card draws it.
 SMALL = """addEventListener("DOMContentLoaded", () => document.head.insertAdjacentHTML("beforeend",
@@ -121,26 +120,14 @@ MOVES = f"""async () => {{
     return where() !== before;
 }}"""
 
-# Wait until the program has pointed the camera at a canvas of another size: it does so before it shows three new times.
-CAMERA_FOLLOWS = """async () => {
-    const says = () => document.querySelector(".readout").innerText;
-    const hasEnded = () => document.querySelector(".notice, .ended");
-    const runs = () => document.querySelector("button").innerText === "Pause" && !hasEnded();
-    for (let before = says(), changes = 0; changes < 3 && runs();) {
-        await new Promise(requestAnimationFrame);
-        if (says() !== before) changes++, before = says();
-    }
-}"""
-
 # Where a point of the plane of swing is seen: pixels in the window.
 PIXEL = """([x, y]) => {
     const scene = glowObjs[0], forward = scene.forward.norm();
     const sideways = forward.cross(scene.up).norm(), upwards = sideways.cross(forward);
     const arm = vec(x, y, 0).sub(scene.center), distance = scene.range / Math.tan(scene.fov / 2);
-    const pixels = Math.min(scene.width, scene.height) / 2 / scene.range * distance / (distance + arm.dot(forward));
-    const canvas = document.querySelector("canvas").getBoundingClientRect();
-    return [canvas.x + scene.width / 2 + pixels * arm.dot(sideways),
-            canvas.y + scene.height / 2 - pixels * arm.dot(upwards)];
+    const canvas = document.querySelector(".canvas").getBoundingClientRect(), { width, height } = canvas;
+    const pixels = Math.min(width, height) / 2 / scene.range * distance / (distance + arm.dot(forward));
+    return [canvas.x + width / 2 + pixels * arm.dot(sideways), canvas.y + height / 2 - pixels * arm.dot(upwards)];
 }"""
 
 
@@ -164,19 +151,13 @@ def wait_for_cradle(page, bobs=5, drawn=False):
     """Wait for the bobs, their numbers, and a camera that fits the canvas. Only a test of the picture has it drawn."""
     page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === {bobs}")
     draw(page, drawn)
-    page.wait_for_function("() => $('.readout').length && glowObjs[0].width === $('.canvas').width()")
-    page.evaluate(CAMERA_FOLLOWS)
+    page.wait_for_function("() => home && glowObjs[0].width === $('.canvas').width() * devicePixelRatio")
 
 
 def draw(page, drawn):
     """Have the browser draw the canvas, or not: without a graphics card it takes most of the time."""
-    page.evaluate(
-        """async drawn => {
-            glowObjs[0].visible = drawn;
-            for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
-        }""",
-        drawn,
-    )
+    frames = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    page.evaluate(f"drawn => {{ glowObjs[0].visible = drawn; return {frames}; }}", drawn)
 
 
 def readout(page, name):
@@ -185,8 +166,8 @@ def readout(page, name):
 
 
 def values(page):
-    """Return the texts behind the sliders."""
-    return page.locator(".value").all_inner_texts()
+    """Return the texts behind the sliders: speed, lifted bobs, release angle."""
+    return page.locator("output").all_inner_texts()
 
 
 def lifts(page):
@@ -237,12 +218,19 @@ def menu(page, name):
     return page.get_by_role("combobox", name=name, exact=True)
 
 
-def unfold(page, title):
-    """Open the part of the panel that is folded away below this title."""
-    page.locator("summary", has_text=title).evaluate("summary => summary.parentElement.open = true")
+def slide(page, name, value):
+    """Click into a slider, where it has this value."""
+    slider = page.get_by_role("slider", name=name, exact=True)
+    least, most, width, height = slider.evaluate("e => [+e.min, +e.max, e.offsetWidth, e.offsetHeight]")
+    x = THUMB / 2 + (value - least) / (most - least) * (width - THUMB)
+    slider.click(position={"x": x, "y": height / 2})
 
 
-def slide(page, slider, part):
-    """Click into a slider, this part of its length from the left."""
-    box = page.locator(".ui-slider").nth(slider).bounding_box()
-    page.mouse.click(box["x"] + part * box["width"], box["y"] + box["height"] / 2)
+def violations(page):
+    """Return what axe finds on the page, on a pale and on a dark one: the broken rules, and by which elements."""
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
+    found = []
+    for scheme in ("dark", "light"):
+        page.emulate_media(color_scheme=scheme)
+        found += axe.run(page).response["violations"]
+    return {rule["id"]: [element["html"] for element in rule["nodes"]] for rule in found}

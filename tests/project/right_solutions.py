@@ -11,20 +11,11 @@ RIGHT = {
         "the values of bad_rep": ("return pend_list", "return list(bad_rep.values())"),
         "records": "return pd.read_csv(relative_filepath).to_dict(orient='records')",
         "row by row": "return [dict(row) for _, row in pd.read_csv(relative_filepath).iterrows()]",
-        "the module csv": """\
-            import csv
-            def number(text):
-                try:
-                    return float(text)
-                except ValueError:
-                    return text
-            with open(relative_filepath) as file:
-                return [{key: number(cell) for key, cell in row.items()} for row in csv.DictReader(file)]""",
+        "the module csv": "import csv, pathlib; rows = csv.DictReader(pathlib.Path(relative_filepath).read_text().splitlines()); return [{key: float(cell) if cell[-1].isdigit() else cell for key, cell in row.items()} for row in rows]",
     },
     "uniform_mass_newton_cradle": {
         "new dictionaries": "return [{**pend, 'mass': mass} for pend in extract_and_convert(relative_filepath)]",
         "the order of the keys changed": "return [{'mass': mass} | {k: v for k, v in p.items() if k != 'mass'} for p in extract_and_convert(relative_filepath)]",
-        "a float": ("pend['mass'] = mass", "pend.update(mass=float(mass))"),
     },
     "uniform_e_newton_cradle": {"with pandas": "import pandas as pd; return pd.read_csv(relative_filepath).assign(e=e_val).to_dict('records')"},
     "elastic_newton_cradle": {
@@ -33,38 +24,23 @@ RIGHT = {
     },
     "inelastic_newton_cradle": {"by itself": "return [{**pend, 'e': 0} for pend in extract_and_convert(relative_filepath)]"},
     "make_newton_cradle": {
-        "new dictionaries": """\
-            def made(i, row):
-                theta = 0 if i else theta_init
-                looks = COLOR_MAP[row["color"]], TEXTURE_MAP[row["texture"]]
-                objects = make_pendulum(vector(-0.1 + i * r_param * 0.25, 0.2 * r_param, 0), r_param, theta, *looks)
-                return {**row, "theta": theta, "omega": 0, "objects": objects}
-            return [made(i, row) for i, row in enumerate(extract_and_convert(relative_filepath))]""",
+        "new dictionaries": ("return pend_list", "return [dict(pend) for pend in pend_list]"),
         "with a frame and a name": ("return pend_list", "__import__('vpython').box(pos=vector(0, -1, 0), size=vector(2, 0.1, 1)); __import__('vpython').cylinder(axis=vector(1, 0, 0), radius=r_param / 20); __import__('vpython').label(text='cradle')\n        return pend_list"),
         "made twice, and the first ones hidden": ("pend['objects'] = make", "for old in make_pendulum(axle_pos, r_param, 0, color, texture): old.visible = False\n            pend['objects'] = make"),
-        "floats": ("pend['theta'] = 0", "pend['theta'] = 0.0"),
         "each axle from the one before": ("-0.1 + r_param/4 * i", "pend_list[i - 1]['objects'][0].pos.x + r_param/4 if i else -0.1"),
         "theta_init times a truth": ("= theta_init", "= theta_init * (i == 0)"),
         "keys of its own": ("pend['omega'] = 0", "pend['omega'] = 0; pend['number'] = i + 1"),
     },
     "angle_update": {
         "the old names changed": "omega += -g * sin(theta) / r_param * dt; theta += omega * dt; return omega, theta",
-        "VPython's sin": ("sin(", "__import__('vpython').sin("),
         "numpy's sin": ("sin(", "__import__('numpy').sin("),
         "the formulas put together": ("omega_new * dt", "dt * omega - dt * dt * g * sin(theta) / r_param"),
-        "numpy's numbers": ("return (", "from numpy import float64; theta_new = float64(theta_new); return ("),
         "a named tuple": ("return (", "return __import__('collections').namedtuple('Angles', 'omega theta')("),
     },
     "full_swing_update": {
         "by names": "for pend in pend_list: swing_update(pend_dict=pend, r_param=r_param, dt=dt, g=g)",
         "from the right": ("in pend_list", "in reversed(pend_list)"),
         "returns the list, too": ("dt, g)", "dt, g)\n        return pend_list"),
-        "without swing_update": """\
-            for pend in pend_list:
-                pend["omega"], pend["theta"] = angle_update(pend["omega"], pend["theta"], r_param, dt, g)
-                axle, bob, cord = pend["objects"]
-                bob.pos = axle.pos + vector(sin(pend["theta"]), -cos(pend["theta"]), 0) * r_param
-                cord.axis = bob.pos - axle.pos""",
         "the shapes turned": """\
             for pend in pend_list:
                 omega, theta = angle_update(pend["omega"], pend["theta"], r_param, dt, g)
@@ -83,9 +59,6 @@ RIGHT = {
     },
     "handle_two_bobs": {
         "returns the dictionaries, too": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2\n        return pend1, pend2"),
-        "the vector's own magnitude": ("mag(bob1.pos - bob2.pos)", "(bob1.pos - bob2.pos).mag"),
-        "the distance in the plane of swing": ("mag(bob1.pos - bob2.pos)", "((bob1.pos.x - bob2.pos.x)**2 + (bob1.pos.y - bob2.pos.y)**2)**0.5"),
-        "places from the angles": ("mag(bob1.pos - bob2.pos)", "mag(pend1['objects'][0].pos - pend2['objects'][0].pos + r_param * vector(sin(pend1['theta']) - sin(pend2['theta']), cos(pend2['theta']) - cos(pend1['theta']), 0))"),
         "places from the angles, axles r_param/4 apart": ("mag(bob1.pos - bob2.pos)", "__import__('math').hypot(r_param / 4 + r_param * (sin(pend2['theta']) - sin(pend1['theta'])), r_param * (cos(pend2['theta']) - cos(pend1['theta'])))"),
         "the ends of the cords": ("mag(bob1.pos - bob2.pos)", "mag(pend1['objects'][2].pos + pend1['objects'][2].axis - pend2['objects'][2].pos - pend2['objects'][2].axis)"),
         "squares compared": ("mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)", "(bob1.pos - bob2.pos).mag2 <= (1.05 * (bob1.radius + bob2.radius))**2"),
@@ -111,41 +84,19 @@ RIGHT = {
             for x in arange(0, 1, 0.5):
                 arrow(pos=vector(x, 0, 0), axis=vector(0, -G, 0), color=color.red)
             name = label(pos=scene.center, text="cradle")
-            for pend in cradle:
-                pend["objects"][1].make_trail = True
             page.show(cradle)
             while page.is_running():
                 rate(1 / DT)
                 newton_cradle_tick(cradle, R_PARAM, DT, G)
                 name.text = f'cradle, from {mag(scene.camera.pos):.1f} m'""",
-        "a CSV of its own first": """\
-            from src.pds_helper import write_to_csv
-            rows = [{'mass': m, 'e': 1, 'theta': 0, 'omega': 0, 'color': 'red', 'texture': 'none'} for m in (1.0, 2.0)]
-            write_to_csv(rows)
-            pend_list = make_newton_cradle(__import__('support.constants').constants.NC_FP, R_PARAM, THETA_INIT)
-            page.show(pend_list)
-            while page.is_running():
-                newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
+        "a CSV of its own first": ("pend_list = make_newton_cradle(page.csv", "from src.pds_helper import write_to_csv\n        write_to_csv([{'mass': m, 'e': 1, 'theta': 0, 'omega': 0, 'color': 'red', 'texture': 'none'} for m in (1.0, 2.0)])\n        pend_list = make_newton_cradle(__import__('support.constants').constants.NC_FP"),
         "a list that stays": ("pend_list = make", "pend_list = vars(page).setdefault('list', []); pend_list[:] = make"),
     },
     "make_double_pendulum": {
         "the lower one from a pendulum, its axle hidden": ("bob2, cord2 = make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture)", "hidden, bob2, cord2 = make_pendulum(bob1.pos, r_param, theta + phi, color, texture)\n        hidden.visible = False"),
-        "by hand": """\
-            axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
-            arm = vector(r_param * sin(theta + phi), -r_param * cos(theta + phi), 0)
-            bob2 = sphere(pos=bob1.pos + arm, radius=bob1.radius, color=color, texture=texture)
-            cord2 = cylinder(pos=bob2.pos, axis=-arm, radius=cord1.radius)
-            return axle, bob1, cord1, bob2, cord2""",
+        "the lower cord drawn from its bob": ("return (", "cord2.pos, cord2.axis = bob2.pos, -cord2.axis; return ("),
     },
     "double_angle_update": {
         "explicit Euler": ("u = u + du * dt\n        v = v + dv * dt\n        a = a + u * dt\n        b = b + v * dt", "a, b, u, v = a + u * dt, b + v * dt, u + du * dt, v + dv * dt"),
-        "the midpoint": """\
-            def rates(state):
-                u, v, a, b = state
-                return *double_accelerations(a, b, u, v, g / r_param, m2 / (m1 + m2)), u, v
-            state = omega_theta, omega_theta + omega_phi, theta, theta + phi
-            middle = [value + dt / 2 * rate for value, rate in zip(state, rates(state))]
-            u, v, a, b = (value + dt * rate for value, rate in zip(state, rates(middle)))
-            return u, v - u, a, b - a""",
     },
 }

@@ -2,8 +2,6 @@
 
 import json
 import shutil
-import sys
-from contextlib import contextmanager
 from textwrap import dedent, indent
 
 import pytest
@@ -46,21 +44,6 @@ def files_of(folder) -> dict[str, bytes]:
     return {name: (folder / "src" / name).read_bytes() for name in names}
 
 
-@contextmanager
-def imported_again():
-    """Let the body of the with statement import the modules of src/ again."""
-
-    def taken():
-        return {name: sys.modules.pop(name) for name in [*sys.modules] if name.partition(".")[0] == "src"}
-
-    kept = taken()
-    try:
-        yield
-    finally:
-        taken()
-        sys.modules.update(kept)
-
-
 def graded_in(starter) -> dict:
     """Return what pytest writes for a gradebook in this starter."""
     words = "-m", "pytest", "-p", "no:cacheprovider", "--grade-json", "grade.json"
@@ -98,7 +81,6 @@ def write_tiers(starter, tiers) -> None:
 
 
 def change(file, before, after) -> None:
-    """Replace a text in a file."""
     text = file.read_text(encoding="utf-8")
     assert before in text
     file.write_text(text.replace(before, after), encoding="utf-8")

@@ -91,27 +91,31 @@ def test_the_grade_and_the_next_step(tiers, outcome, words):
     assert [line for line in lines if line in words] == words
 
 
+CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
 MAIN = 'if __name__ == "__main__":\n    from'
-BROKEN = {  # a file and what is put into it, and the lines that pytest prints about it, and no others
+BROKEN = {  # a file and what is put into it, and the words that pytest prints about it, and no others
     "a bracket": (
         *("special_cradles", "    return pend_list", "    x = (1"),
-        ["src/special_cradles.py, line {}:", "    x = (1", "SyntaxError: '(' was never closed"],
+        "src/special_cradles.py, line {}: x = (1 SyntaxError: '(' was never closed",
+    ),
+    "a circle": (
+        *("swinging", "from support", f"{CIRCLE}\nfrom support"),
+        f"src/swinging.py, line {{}}: {CIRCLE} ImportError: cannot import name 'full_swing_update' from partially "
+        "initialized module 'src.swinging' (most likely due to a circular import) ({}) "
+        "Your files import each other in a circle. Remove the import in this file.",
     ),
     "a call of main": (
         *("visualize_cradle_run", MAIN, f"main(5)\n{MAIN}"),
-        [
-            *("src/visualize_cradle_run.py, line {}:", "    main(5)"),
-            "AttributeError: 'int' object has no attribute 'csv'",
-            "This line stands outside of all functions, so it runs when Python reads the file. Remove it.",
-        ],
+        "src/visualize_cradle_run.py, line {}: main(5) AttributeError: 'int' object has no attribute 'csv' "
+        "This line stands outside of all functions, so it runs when Python reads the file. Remove it.",
     ),
 }
 
 
-@pytest.mark.parametrize("name", slow_but_for(["a bracket"], BROKEN))
+@pytest.mark.parametrize("name", slow_but_for(["a bracket", "a circle"], BROKEN))
 def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter, name):
     """One check fails, and no function is named. Also if a thread of the solution does not end."""
-    file, before, after, lines = BROKEN[name]
+    file, before, after, words = BROKEN[name]
     write(starter, *FUNCTIONS)
     with (starter / "src/pds_helper.py").open("a") as source:
         source.write("import threading\n\nthreading.Thread(target=threading.Event().wait).start()\n")
@@ -123,17 +127,21 @@ def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter,
     number = text[0].count("\n") + 1
     _, title, *found, last = rows
     assert title.strip("= ") == "Python cannot read a file"
-    assert "".join("".join(found).split()) == "".join("".join(lines).format(number).split())  # wrapped at 80 columns
+    assert "".join("".join(found).split()) == "".join(words.format(number, source).split())  # wrapped at 80 columns
     assert last.startswith("1 failed, ")
 
 
 def hides(name):
-    """Return a function that makes this file in a folder."""
     return lambda folder: (folder / name).parent.mkdir(exist_ok=True) or (folder / name).touch()
 
 
 SAID = {  # what a student does to the folder, a command of Python, and a line that it prints
-    "a file hides a module": (hides("json.py"), PYTEST, "json.py hides the module json from Python and its packages."),
+    "json.py": (hides("json.py"), PYTEST, "json.py hides the module json from Python and its packages."),
+    "no pandas": (str, ("-S", "pds_tester.py"), " has no pandas. Install it as README.md says, or start the Python"),
+    "no assert": (str, ("-O", *PYTEST), "Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out"),
+    "no folder": (str, (*PYTEST, "--grade-json", "no/a.json"), "--grade-json: found 'no/a.json', allowed is a file in"),
+    "its folder": (str, (*PYTEST, "--grade-json", "src"), "--grade-json: found 'src', allowed is a file in a folder"),
+    "no checks": (str, (*PYTEST, "src"), "The checks are not here. Type: cd {} && pytest"),
     "a test hides a module": (hides("tests/statistics.py"), PYTEST, "tests/statistics.py hides the module statistics"),
     "a folder hides a module": (hides("pandas/__init__.py"), PYTEST, "pandas hides the module pandas from Python"),
     "support is moved": (
@@ -141,14 +149,12 @@ SAID = {  # what a student does to the folder, a command of Python, and a line t
         PYTEST,
         "The folder support is not beside src and tests. Put it back.",
     ),
-    "no packages": (str, ("-S", "pds_tester.py"), " has no pandas. Install it as README.md says, or start the Python"),
     "a file without a program": (str, ("src/swinging.py",), "This file has only functions. Type pytest to check them,"),
-    "no checks": (str, (*PYTEST, "src"), "The checks are not here. Type: cd {} && pytest"),
     "no tier": (str, (*PYTEST, "--tier", "E"), "argument --tier: found 'E', allowed is D, C, B, A or honor"),
 }
 
 
-@pytest.mark.parametrize("name", slow_but_for(["a file hides a module", "no checks", "no packages"], SAID))
+@pytest.mark.parametrize("name", slow_but_for([*SAID][:6], SAID))
 def test_a_slip_around_the_functions_gets_a_line(starter, name):
     does, command, line = SAID[name]
     does(starter)

@@ -2,12 +2,11 @@
 
 import random
 import re
-from math import cos, radians, sqrt
 from unittest.mock import patch
 
 import pytest
 from vpython import cylinder, mag2
-from whole_cradles import FIVE_CSV, make_live, make_swing, PERIOD, velocities
+from whole_cradles import make_live, make_swing, velocities
 
 from grading.cradles import MIXED_CSV
 from src import visualize_cradle_run
@@ -42,23 +41,6 @@ def test_a_sample_has_all_figures_of_the_moment_by_their_names(tmp_path, kind):
     assert list(sample) == ["t", *coordinates, *figures]
 
 
-def test_impacts_and_their_speeds_are_those_of_single_ticks(tmp_path):
-    """A bob that is let go at 30 degrees is as fast below as its height allows; the hit back is as fast."""
-    found = []
-    for _ in range(2):
-        player = make_swing(tmp_path, impacts=99)
-        player.cradle.many_ticks = player.cradle.many_ticks if not found else None
-        speeds = []
-        for part in (0.2, 0.2, 0.5, 0.4, 0):
-            player.swing(round(part * PERIOD / DT))
-            speeds.append(player.motion.pop_fastest())
-        found.append((player.motion.trains.lines(), speeds))
-    assert found[0] == found[1]
-    assert {"1-2-3-4-5", "5-4-3-2-1"} <= {*map(str, player.motion.trains.trains)}
-    fastest = sqrt(2 * G * R_PARAM * (1 - cos(radians(30))))
-    assert speeds == [0, pytest.approx(fastest, rel=1e-3), *[pytest.approx(fastest, rel=0.01)] * 2, 0]
-
-
 # --- impacts ----------------------------------------------------------------------------------------------------------
 
 LIE = [0, 1] * 100  # three bobs that lie on each other
@@ -89,7 +71,6 @@ def test_a_long_pause_ends_a_train():
         # A train has its bobs in the order of the hits.
         ([[1, 0, 2, 1, 3, 2]], ["0.00 s  2-3-4-5  1-2-3-4"]),  # two bobs come in from the left, two go out
         ([[2, 1, 3, 0, 2, 1]], ["0.00 s  3-4-5  2-3-4  1-2-3"]),
-        ([[0, 3]], ["0.00 s  1-2  4-5"]),
         ([[0, (4, 3), (3, 2), 1, 0, 2, 3]], ["0.00 s  1-2-3-4-5  5-4-3-2-1"]),  # the first and the last bob come in
         ([[(0, 2), 2, (2, 4)]], ["0.00 s  1-3-4  3-5"]),  # in a double cradle, a hit goes past a neighbour
         ([[0, 0, 0, 0]], ["0.00 s  1-2"]),  # two bobs that touch for a moment
@@ -97,7 +78,6 @@ def test_a_long_pause_ends_a_train():
         ([[0, 1, 2, 3] * 15], ["0.00 s  1-2-3-4-5  1-2-3-4-5  1-2-3-4..."]),
         # Half of a hundred bobs are lifted: the two in the middle hit fifty times.
         ([[i + hit for i in reversed(range(50)) for hit in range(50)]], ["0.00 s  50-51-52-...-100  49-50-51-....."]),
-        ([[0] * 1000], ["0.00 s  1 and 2 stay together"]),
         ([[0, 3, 1] * 1000], ["0.00 s  1 to 3, 4 and 5 stay together"]),
         # Beside a train, single hits have no line.
         ([[0], [0, 1], [2], [1], [0, 3], [0, 1, 2], [1]], ["0.50 s  1-2-3-4", "0.10 s  1-2-3"]),
@@ -128,10 +108,9 @@ def test_bobs_that_touch_for_ever_take_no_more_memory():
 class Timed(Player):
     """Plays five pendula on a clock of the test until its time `until`: only ticks, calls and sleeps take time."""
 
-    def __init__(self, folder, until, tick=0.0, call=0.0, speed=1.0, hiccup=0.0):
+    def __init__(self, csv, until, tick=0.0, call=0.0, speed=1.0, hiccup=0.0):
         """tick is the cost of a tick (s), call that of a call of the fast path (s); hiccup (s) delays frame 60."""
-        (folder / "cradle.csv").write_text(FIVE_CSV)
-        super().__init__(make_live(), Snapshot(folder / "cradle.csv"), [None], None, 4, 100 * DT)
+        super().__init__(make_live(), Snapshot(csv), [None], None, 4, 100 * DT)
         self.now, self.until, self.tick, self.call = 0.0, until, tick, call
         self.hiccup, self.slept, self.frames = hiccup, 0.0, 0
         self.pace = RealTime(DT, lambda: self.now, self.sleep)
@@ -165,8 +144,8 @@ class Timed(Player):
 
 
 @pytest.mark.parametrize(("cost", "speed"), [(0, 1), (10e-6, 0.1), (30e-6, 2)])
-def test_a_simulated_second_lasts_a_second_at_speed_1(tmp_path, cost, speed):
-    timed = Timed(tmp_path, until=10, tick=cost, speed=speed)
+def test_a_simulated_second_lasts_a_second_at_speed_1(csv, cost, speed):
+    timed = Timed(csv, until=10, tick=cost, speed=speed)
     assert timed.run() == pytest.approx(10 * speed, abs=2 * FRAME * speed)
     assert timed.pace.kept_up == pytest.approx(1, abs=0.02)
     assert timed.frames == pytest.approx(10 / FRAME, rel=0.01)
@@ -174,9 +153,9 @@ def test_a_simulated_second_lasts_a_second_at_speed_1(tmp_path, cost, speed):
 
 
 @pytest.mark.parametrize("cost", [200e-6, 1e-3, 5e-3])
-def test_a_slow_machine_shows_slow_motion(tmp_path, cost):
+def test_a_slow_machine_shows_slow_motion(csv, cost):
     """Pictures keep coming, the simulation moves on steadily, and the threads of the page get time too."""
-    timed = Timed(tmp_path, until=20, tick=cost)
+    timed = Timed(csv, until=20, tick=cost)
     assert timed.run() == pytest.approx(0.75 * 20 / cost * DT, rel=0.35)
     assert timed.frames == pytest.approx(20 / FRAME, rel=0.2)
     assert timed.slept > 20 / 6
@@ -185,9 +164,9 @@ def test_a_slow_machine_shows_slow_motion(tmp_path, cost):
 
 
 @pytest.mark.parametrize(("tick", "call", "part"), [(0.1, 0.0, 1), (1e-6, 0.1, 100)])
-def test_a_tick_or_a_call_longer_than_a_frame_ends_in_no_spiral(tmp_path, tick, call, part):
+def test_a_tick_or_a_call_longer_than_a_frame_ends_in_no_spiral(csv, tick, call, part):
     """Each frame does one tick, or one whole part in a call."""
-    timed = Timed(tmp_path, until=20, tick=tick, call=call)
+    timed = Timed(csv, until=20, tick=tick, call=call)
     timed.run()
     assert timed.frames == pytest.approx(20 / (0.1 + FRAME / 4), abs=3)  # the threads of the page get time, too
     assert timed.motion.ticks == pytest.approx(part * timed.frames, rel=0.02)
@@ -195,13 +174,13 @@ def test_a_tick_or_a_call_longer_than_a_frame_ends_in_no_spiral(tmp_path, tick, 
 
 @pytest.mark.parametrize(("hiccup", "made_up"), [(0.2, 0.2), (5, MAX_BEHIND), (8 * 3600.0, MAX_BEHIND)])
 @pytest.mark.parametrize("speed", [0.1, 2])
-def test_a_short_delay_is_made_up_for_and_a_long_one_is_not(tmp_path, speed, hiccup, made_up):
-    timed = Timed(tmp_path, until=10 + hiccup, tick=1e-6, speed=speed, hiccup=hiccup)
+def test_a_short_delay_is_made_up_for_and_a_long_one_is_not(csv, speed, hiccup, made_up):
+    timed = Timed(csv, until=10 + hiccup, tick=1e-6, speed=speed, hiccup=hiccup)
     assert timed.run() == pytest.approx((10 + made_up) * speed, abs=3 * FRAME * speed)
 
 
-def test_after_a_pause_or_a_change_of_the_speed_slow_motion_is_forgotten(tmp_path):
-    timed = Timed(tmp_path, until=5, tick=1e-3)
+def test_after_a_pause_or_a_change_of_the_speed_slow_motion_is_forgotten(csv):
+    timed = Timed(csv, until=5, tick=1e-3)
     timed.run()
     assert timed.pace.kept_up < 0.5
     timed.now += 100
@@ -231,9 +210,9 @@ MISTAKES = {  # the lines of main, and what is said about it
 
 
 @pytest.mark.parametrize("name", MISTAKES)
-def test_a_main_that_is_no_loop_of_ticks_is_named_with_its_mistake(tmp_path, name):
+def test_a_main_that_is_no_loop_of_ticks_is_named_with_its_mistake(csv, name):
     lines, words = MISTAKES[name]
-    timed, scope = Timed(tmp_path, until=1), dict(vars(visualize_cradle_run))
+    timed, scope = Timed(csv, until=1), dict(vars(visualize_cradle_run))
     timed.cradle.scope = scope
     exec("\n".join(["def newton_cradle_tick(*_): pass", "def main(page):", *(f"  {line}" for line in lines)]), scope)
     with pytest.raises(MistakeError, match=re.escape(f"main {words}")):
@@ -241,8 +220,8 @@ def test_a_main_that_is_no_loop_of_ticks_is_named_with_its_mistake(tmp_path, nam
     assert scope["newton_cradle_tick"].__name__ == "newton_cradle_tick"  # it is in its place again
 
 
-def test_a_main_may_do_shorter_ticks_and_some_before_the_first_picture(tmp_path):
-    timed, done = Timed(tmp_path, until=0.1), []
+def test_a_main_may_do_shorter_ticks_and_some_before_the_first_picture(csv):
+    timed, done = Timed(csv, until=0.1), []
 
     def tick(times):
         done.extend(visualize_cradle_run.newton_cradle_tick([], R_PARAM, DT / 10, G) for _ in range(times))

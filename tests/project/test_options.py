@@ -10,7 +10,7 @@ from support.pendulum import from_lift
 from support.start import options
 
 CRADLE = {"csv": NC_FP, "elastic": False, "inelastic": False, "e": None, "mass": None, "angle": None, "lift": None}
-PAGE = {**CRADLE, "port": 0, "browser": True}
+PAGE = {**CRADLE, "port": 0, "host": "127.0.0.1", "browser": True}
 PROGRAMS = {
     "page": (options.read_page_options, PAGE),
     "double": (options.read_double_page_options, {**PAGE, "phi": None}),
@@ -26,7 +26,7 @@ PROGRAMS = {
         ("page", "--elastic --mass 1e-05 --lift 3", {"elastic": True, "mass": 1e-5, "lift": 3}),
         ("page", "--e 0 --lift 0 --angle 180", {"e": 0.0, "lift": 0, "angle": from_lift(180)}),
         ("page", "--e 0.30000000000000004 --angle 33.3", {"e": 0.1 + 0.2, "angle": from_lift(33.3)}),
-        ("page", "--port 8000 --no-browser", {"port": 8000, "browser": False}),
+        ("page", "--port 65535 --host :: --no-browser", {"port": 65535, "host": "::", "browser": False}),
         ("double", "--phi=-180", {"phi": from_lift(-180)}),
         ("double", "--angle 77 --phi=-1e-05", {"angle": from_lift(77), "phi": from_lift(-1e-5)}),
         ("text", "--seconds 1e6 --mass 2 my.csv", {"seconds": 1e6, "mass": 2.0, "csv": "my.csv"}),
@@ -39,8 +39,9 @@ def test_options_are_read_with_their_units(program, line, changed):
 
 
 def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
-    monkeypatch.setenv(options.PORT_VARIABLE, "8000")
-    assert options.read_page_options([]).port == 8000
+    for text, port in {"": 0, "8000": 8000}.items():
+        monkeypatch.setenv(options.PORT_VARIABLE, text)
+        assert options.read_page_options([]).port == port
     assert options.read_page_options(["--port", "9000"]).port == 9000
     monkeypatch.setenv(options.PORT_VARIABLE, "web")
     assert "--port: found 'web'" in refusal("page", [], capsys)
@@ -70,7 +71,7 @@ BAD = [  # a program, an option, its bad values, and what is allowed
     ("page", "--mass", ["0", "inf", "1kg"], "a number from 1e-300 to 1e6, without its unit, kg"),
     ("page", "--angle", ["-30", "181"], "a number from 0 to 180 (degrees)"),
     ("page", "--lift", ["-1", "1.5", "²"], "a whole number, 0 or more"),
-    ("page", "--port", ["65535", "web"], "a whole number from 0 to 65534"),
+    ("page", "--port", ["65536", "web"], "a whole number from 0 to 65535"),
     ("double", "--phi", ["181", "-180.5", "nan", "right"], "a number from -180 to 180 (degrees)"),
     ("text", "--seconds", ["0", "inf"], "a number above 0 and up to 1e6 (s)"),
     ("text", "--record", [""], "the name of a file"),

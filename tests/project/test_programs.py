@@ -23,7 +23,7 @@ from src import special_cradles, visualize_cradle_run, visualize_double_cradle_r
 from support.constants import THETA_INIT
 from support.page.page import show_cradle, show_double_cradle
 from support.pendulum import to_lift
-from support.start.early import import_later, import_now, stop_on_signals
+from support.start.early import end_on_interrupt, import_later, stop_on_signals
 from support.start.output import complain, say, while_it_is_read
 
 
@@ -73,8 +73,7 @@ def test_a_file_that_hides_a_module_is_named(tmp_path):
     assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
 
 
-@pytest.mark.parametrize("now", [True, False])
-def test_a_slow_module_is_imported_once_when_it_is_used_or_wanted(now, tmp_path, monkeypatch):
+def test_a_slow_module_is_imported_once_when_it_is_used(tmp_path, monkeypatch):
     (tmp_path / "slow_module.py").write_text("import sys\nsys.slow_imports.append(1)\nvalue = 7\n")
     monkeypatch.syspath_prepend(tmp_path)
     monkeypatch.setattr(sys, "slow_imports", imports := [], raising=False)
@@ -82,9 +81,6 @@ def test_a_slow_module_is_imported_once_when_it_is_used_or_wanted(now, tmp_path,
     import_later("slow_module")
     early = import_module("slow_module")
     assert imports == []
-    if now:
-        import_now("slow_module")
-        assert imports == [1]
     assert (early.value, early.value, imports) == (7, 7, [1])
     import_later("no_such_module")
     assert "no_such_module" not in sys.modules
@@ -153,6 +149,17 @@ def test_each_signal_ends_a_program_once_with_its_status_unless_it_is_ignored(mo
         assert {*handlers.values()} == {"ignored"}  # nothing interrupts the clean-up
 
 
+def test_ctrl_c_ends_a_page_at_once_and_in_a_session_it_is_left_alone(monkeypatch):
+    handlers, done = {}, []
+    monkeypatch.setattr("support.start.early.signal", SimpleNamespace(SIGINT=2, signal=handlers.__setitem__))
+    monkeypatch.setattr("os._exit", done.append)
+    end_on_interrupt(3, first=lambda: done.append("first"))
+    handlers.pop(2)(2, None)
+    monkeypatch.setattr(sys, "ps1", ">>> ", raising=False)  # as in IPython and python -i
+    end_on_interrupt(3)
+    assert (done, handlers) == (["first", 3], {})
+
+
 def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
     csv.write_text(MIXED_CSV)
     monkeypatch.setattr(pds_tester, "NC_FP", str(csv))
@@ -165,41 +172,44 @@ def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
 
 @pytest.fixture
 def start(monkeypatch, csv):
-    """A function that starts a program for three unequal pendula; it returns what its page and its main were given."""
+    """A function that starts a program for three unequal pendula; it returns what its server and its main got."""
     csv.write_text(MIXED_CSV)
-    shown = []
-    monkeypatch.setattr("support.page.page.open_page", lambda *given: shown.append(given[:3]))
-    monkeypatch.setattr("support.page.page.page_sockets", lambda port: port)
+    shown, server = [], Mock(**{"listener.getsockname.return_value": ["127.0.0.1"]})
+    stand_in = SimpleNamespace(listen=lambda *given: given, Server=lambda *given: shown.append(given) or server)
+    monkeypatch.setitem(sys.modules, "support.page.server", stand_in)
     monkeypatch.setattr("support.page.page.run", lambda main, viewer: shown.append(viewer))
-    monkeypatch.setattr("os._exit", lambda status: None)
+    monkeypatch.setattr("support.page.page.end_on_interrupt", Mock())
+    monkeypatch.setattr("support.page.page.what_there_is", lambda main: (main, REMARK))
 
     def start(*arguments, is_double=False):
         monkeypatch.setattr(sys, "argv", ["program.py", str(csv), *arguments])
         program = visualize_double_cradle_run if is_double else visualize_cradle_run
         (show_double_cradle if is_double else show_cradle)(program.main, special_cradles)
-        page, viewer = shown
+        (listener, _), viewer = shown
         viewer.want_cradle()
         go_on(viewer)
-        return page, viewer
+        return (*listener, server.open_browser.called, server.close.called), viewer
 
     return start
 
 
 SOME = "--inelastic --mass 3 --angle 20 --lift 3 --port 8000 --no-browser"
-DOUBLED = "--mass 3 --angle 25 --phi=-12.5 --lift 2"
+DOUBLED = "--mass 3 --angle 25 --phi=-12.5 --lift 2 --host 0.0.0.0"
+HERE, ALL, REMARK = "127.0.0.1", "0.0.0.0", "Write next: <main>."
 
 
 @pytest.mark.parametrize(
     ("program", "line", "given", "pendula"),  # a pendulum has e, mass (kg), and each angle (degrees)
     [
-        ("Newton's cradle", "", (0, True), [(0.9, 1.5, to_lift(THETA_INIT)), (0.8, 2.5, 0), (0.7, 0.5, 0)]),
-        ("Newton's cradle", SOME, (8000, False), [(0, 3, 20)] * 3),
-        ("Newton's double cradle", DOUBLED, (0, True), [(0.9, 3, 25, -12.5), (0.8, 3, 25, -12.5), (0.7, 3, 0, 0)]),
+        ("Newton's cradle", "", (HERE, 0, True), [(0.9, 1.5, to_lift(THETA_INIT)), (0.8, 2.5, 0), (0.7, 0.5, 0)]),
+        ("Newton's cradle", SOME, (HERE, 8000, False), [(0, 3, 20)] * 3),
+        ("Newton's double cradle", DOUBLED, (ALL, 0, True), [(0.9, 3, 25, -12.5), (0.8, 3, 25, -12.5), (0.7, 3, 0, 0)]),
     ],
 )
 def test_main_does_as_the_options_say(start, program, line, given, pendula):
-    (port, title, browser), viewer = start(*line.split(), is_double="double" in program)
-    assert (title, port, browser) == (program, *given)
+    used, viewer = start(*line.split(), is_double="double" in program)
+    state, remark = viewer.state(), "" if "double" in program else REMARK
+    assert (state["title"], state["remark"], state["ended"], *used) == (program, remark, None, *given, True)
     for pend, (e, mass, *lifts) in zip(viewer.cradle.pend_list, pendula, strict=True):
         assert (pend["e"], pend["mass"]) == (e, mass)
         assert [to_lift(pend[key]) for key in viewer.cradle.angle_keys] == pytest.approx(lifts)

@@ -15,25 +15,18 @@ LISTED = dict(re.findall(r"^([\w-]+)(.*)$", (ROOT / "support" / "requirements.tx
 
 # The private names of VPython that support/page uses, each as VPython's file has it.
 PRIVATE = {
-    "no_notebook.py": [
-        *("glowcomm = ", "def glowcomm_with_socket_port(port)", "glowcomm.encode(", "mimes = {", "def do_GET(self)"),
-        *("HTTPServer((", ".create_server(", "asyncio.new_event_loop()", "signal.signal(", "import webbrowser"),
-        *("def onConnect(self, request)", "def onOpen(self)", "async def onMessage(self, data, isBinary)"),
-        *("def onClose(self, ", "self.sendMessage(", "baseObj.object_registry[", "VPYTHON_HTTP_PORT"),
-        "VPYTHON_NO_LAUNCH_BROWSER",
-    ],
     "vpython.py": [
-        *("object_registry = ", "def empty(cls)", "sent = True"),
-        *("'append_to_caption'", "'append_to_title'", "'resize':["),
+        *("_view_constructed = ", "object_registry = ", "updates = {", "attrs = set()", "'append_to_caption'"),
+        *("def handle_attach(cls)", "def initialize(cls)", "def package(cls, objdata)", "'append_to_title'"),
     ],
     "vpython_libraries/glowcomm.html": [
-        *("<head>", "var glowObjs", "var lastsliders", "in lastsliders", "var sliders", "var events", "'winput'"),
-        *(".objName", "'update_canvas'", "'trigger'", '<script type="text/javascript" src="plotly.min.js"></script>'),
+        *("window.__GSlang =", "var glowObjs", "function decode(data)", "function handler(data)"),
     ],
     "vpython_libraries/glow.min.js": [
-        *("$.plot=", ".color.parse=", "__update:", "__canvas_element=", "__overlay_element="),
-        *("glowscript-canvas-wrapper", "glowscript-graph", 'trigger("draw_complete"', "userspin:", "userzoom:"),
-        'cvs.waitfor_textures=false;cvs.trigger("textures"',
+        *("$.plot=", ".color.parse=", "__update:function(ev)", "__canvas_element=", "__overlay_element="),
+        *("window.__context", "window.Jupyter_VPython", "glowscript-canvas-wrapper", "userspin:", ".resizable("),
+        *('trigger("draw_complete"', 'cvs.waitfor_textures=false;cvs.trigger("textures"', "userzoom:"),
+        *("tickLabel", "legendColorBox"),
     ],
 }
 

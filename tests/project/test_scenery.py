@@ -1,13 +1,17 @@
-"""The frame and the camera; the tests compute the view point by point."""
+"""The frame, and the points that each tab's camera must show; the tests compute the cradle point by point."""
 
-from itertools import pairwise, product
+from itertools import product
 from math import cos, pi, sin, tan
 
 import pytest
-from vpython import box, cross, cylinder, dot, mag, norm, scene, vector
+from vpython import box, cross, cylinder, dot, mag, scene, vector
 
 from grading.cradles import hang, R
-from support.page.scenery import FARTHEST, NEAREST, Scenery, TEXT
+from support.page.scene.scenery import Scenery, TEXT
+
+FORWARD, MARGIN = vector(-0.25, -0.18, -1).norm(), 1.04  # of the camera in canvas.js
+SIDEWAYS = cross(FORWARD, vector(0, 1, 0)).norm()
+UPWARDS = cross(SIDEWAYS, FORWARD)
 
 
 def pendula(count):
@@ -16,21 +20,31 @@ def pendula(count):
     return tuple([pend["objects"][i] for pend in pend_list] for i in (0, 1))
 
 
-def surround(count, masses=None, scenery=None, size=(1000, 400)):
-    """Return a Scenery, a new one if there is none, around count pendula on a canvas of this size (pixels)."""
+def surround(count, masses=None, scenery=None):
+    """Return a Scenery, a new one if there is none, around count pendula."""
     scenery = scenery or Scenery()
-    scene.width, scene.height = size
     scenery.surround(*pendula(count), R, masses or [1.0] * count)
     return scenery
 
 
-def seen_at(point):
-    """Return the position of a point on the canvas: 0 is the middle, +-1 are the edges, to the right and upwards."""
-    forward, sideways = norm(scene.forward), norm(cross(scene.forward, scene.up))
-    camera = scene.center - forward * (scene.range / tan(scene.fov / 2))
-    arm = point - camera
-    scale = min(scene.width, scene.height) / (dot(arm, forward) * tan(scene.fov / 2))
-    return scale * dot(arm, sideways) / scene.width, scale * dot(arm, cross(sideways, forward)) / scene.height
+def largest(places, scenery, size=(1000, 400)):
+    """Return how near these places come to the edges, at 1, of a canvas of this size that shows the scenery's points.
+
+    canvas.js says what the range of a camera is, and how a point appears; its camera looks at the middle of the points.
+    """
+    points, center = [vector(*point) for point in scenery.view()["points"]], vector(0, 0, 0)
+    for direction in (FORWARD, SIDEWAYS, UPWARDS):
+        parts = [dot(point, direction) for point in points]
+        center += direction * (max(parts) + min(parts)) / 2
+
+    def least_range(shown):
+        return max(
+            abs(dot(place - center, direction)) * min(size) / side - dot(place - center, FORWARD) * tan(scene.fov / 2)
+            for place in shown
+            for direction, side in zip((SIDEWAYS, UPWARDS), size, strict=True)
+        )
+
+    return least_range(places) / (MARGIN * least_range(points))
 
 
 def outline(count, lowest, highest):
@@ -41,67 +55,35 @@ def outline(count, lowest, highest):
     return [end + vector(cos(a), sin(a), 0) * bobs[0].radius for end in ends for a in (0, pi / 2, pi, 3 * pi / 2)]
 
 
-def largest(points):
-    """Return the largest distance of these points from the middle of the canvas; below 1, all are in view."""
-    return max(abs(part) for point in points for part in seen_at(point))
-
-
 @pytest.mark.parametrize("count", [1, 5, 50])
 @pytest.mark.parametrize("size", [(1000, 400), (300, 600), (1900, 300)])
 def test_every_swing_up_to_the_horizontal_is_in_view(count, size):
-    frame = surround(count, size=size).frame
-    (base,) = (shape for shape in frame if type(shape) is box)
+    scenery = surround(count)
+    (base,) = (shape for shape in scenery.frame if type(shape) is box)
     corners = [base.pos + vector(*half) for half in product(*((-part / 2, part / 2) for part in base.size.value))]
-    ends = [end for bar in frame if type(bar) is cylinder for end in (bar.pos, bar.pos + bar.axis)]
-    assert 0.85 < largest(outline(count, 0, pi / 2) + corners + ends) <= 1  # and not smaller than necessary
+    ends = [end for bar in scenery.frame if type(bar) is cylinder for end in (bar.pos, bar.pos + bar.axis)]
+    assert 0.85 < largest(outline(count, 0, pi / 2) + corners + ends, scenery, size) <= 1  # as large as possible
 
 
 @pytest.mark.parametrize("count", [1, 5, 50])
 def test_a_bob_above_the_frame_widens_the_view_until_the_cradle_restarts(count):
-    """Once: you may zoom in after that."""
+    """A camera that you have turned or moved stays so while the view is the same."""
     scenery, (axles, bobs) = surround(count), pendula(count)
-    near = scene.range
+    near = scenery.view()
     scenery.keep_in_view(bobs)
-    assert scene.range == near
+    assert scenery.view() == near
     bobs[0].pos.y = axles[0].pos.y + 0.9 * R
-    scenery.keep_in_view(bobs)
-    assert largest(outline(count, 0, pi)) <= 1
-    scene.range = 0.1 * R
-    scenery.keep_in_view(bobs)
-    assert scene.range == 0.1 * R
-    surround(count, scenery=scenery)
-    assert scene.range == near
-
-
-def test_a_turned_and_zoomed_view_is_kept_while_the_cradle_has_the_same_size():
-    scenery = surround(5)
-    scene.range, scene.forward = 7, vector(0, 0, -1)
-    surround(5, scenery=scenery)
-    assert scene.range == 7
-    surround(6, scenery=scenery)
-    assert scene.range < 7
-    assert scene.forward == vector(0, 0, -1)
-
-
-@pytest.mark.parametrize(
-    ("zoomed", "zoom", "moved", "way"),
-    [(0.01, NEAREST, 0.5, 0.5), (0.5, 0.5, 9.0, 1.0), (2.0, 2.0, 0.0, 0.0), (50.0, FARTHEST, 0.5, 0.5)],
-)
-def test_the_view_stays_at_the_cradle_neither_too_near_nor_too_far(zoomed, zoom, moved, way):
-    scenery = surround(5)
-    near, center = scene.range, vector(scene.center)
-    scene.range, scene.center = zoomed * near, center + moved * near * vector(0, 1, 0)
-    scenery.bring_camera_back()
-    assert scene.range == pytest.approx(zoom * near)
-    assert (scene.center - center).value == pytest.approx([0, way * near, 0])
+    for bob in (bobs[0], axles[0]):  # also when the bob comes down
+        scenery.keep_in_view([bob])
+        assert largest(outline(count, 0, pi), scenery) <= 1
+    assert surround(count, scenery=scenery).view() == near
 
 
 def test_the_frame_carries_the_axles():
     """The rails run along the ends of the axles, and beyond the first and the last axle; posts stand on the base."""
     scenery, (axles, bobs) = surround(5), pendula(5)
     bars = [shape for shape in scenery.frame if type(shape) is cylinder]
-    rails = [bar for bar in bars if bar.axis.y == 0]
-    posts = [bar for bar in bars if bar.axis.y != 0]
+    rails, posts = ([bar for bar in bars if bool(bar.axis.y) == stands] for stands in (False, True))
     (base,) = (shape for shape in scenery.frame if type(shape) is box)
     assert len(posts) == 4
     assert sorted(rail.pos.z for rail in rails) == pytest.approx([-axles[0].width / 2, axles[0].width / 2])
@@ -114,42 +96,25 @@ def test_the_frame_carries_the_axles():
     assert base.pos.y + base.height / 2 < min(bob.pos.y - bob.radius for bob in bobs)
 
 
-def numbers(scenery):
-    """Return the visible texts above the axles, from left to right."""
-    return [label.text for label in scenery.labels if label.visible]
+def test_a_frame_of_another_size_takes_the_place_of_the_old_one_and_a_new_start_hides_all():
+    """As in a session, which has the shapes of an earlier run."""
+    scenery = surround(5)
+    before, short = len(scene.objects), scenery.frame[0].axis.x
+    surround(9, scenery=scenery)
+    assert (len(scene.objects) - before, scenery.frame[0].axis.x - short) == (9 * 3, pytest.approx(4 * R / 4))
+    Scenery()
+    assert scene.objects == []
 
 
-def test_the_axles_carry_their_numbers_and_masses_that_differ():
-    scenery = surround(3, [2.5] * 3)
-    assert numbers(scenery) == ["1", "2", "3"]
-    for label, axle in zip(scenery.labels, pendula(3)[0], strict=True):
-        assert (label.pos.x, label.pos.z) == (axle.pos.x, 0)
-        assert label.pos.y > axle.pos.y + axle.height / 2
-    near = scene.range
-    assert numbers(surround(3, [1.0, 2.5, 1.0], scenery)) == ["1\n1", "2\n2.5", "3\n1", " \nkg"]
-    assert scene.range > near  # the masses get room
-
-
-@pytest.mark.parametrize("masses", [None, [1, 2.25]])
-@pytest.mark.parametrize("count", [1, 5, 20, 50, 500])
-def test_the_numbers_do_not_overlap_and_are_in_view(count, masses):
-    labels = [label for label in surround(count, masses and (masses * count)[:count]).labels if label.visible]
-    spots = {label.text: seen_at(label.pos) for label in labels}
-    widths = sorted((x * 1000 / 2, max(map(len, text.split("\n")))) for text, (x, _) in spots.items())
-    for (x1, letters1), (x2, letters2) in pairwise(widths):
-        assert x2 - x1 > 0.5 * TEXT * 400 * (letters1 + letters2) / 2
-    lines = max(text.count("\n") for text in spots) + 1
-    assert all(abs(x) < 1 and y + 2 * TEXT * (1.3 * lines + 0.4) < 1 for x, y in spots.values())
-
-
-def test_with_many_pendula_or_a_narrow_canvas_every_fifth_or_tenth_has_a_number():
-    """The numbers follow the size of the canvas."""
-    assert numbers(surround(50)) == ["1", *(str(number) for number in range(5, 51, 5))]
-    assert numbers(surround(200)) == ["1", *(str(number) for number in range(10, 201, 10))]
-    scenery = surround(20)
-    assert numbers(scenery) == [str(number) for number in range(1, 21)]
-    small = scenery.labels[0].height
-    surround(20, scenery=scenery, size=(2000, 800)).point_camera()
-    assert {label.height for label in scenery.labels} == {2 * small}
-    surround(20, scenery=scenery, size=(300, 800)).point_camera()
-    assert len(numbers(scenery)) < 20
+@pytest.mark.parametrize(("masses", "texts"), [([2.5] * 3, ["1", "2", "3"]), ([1, 2.5, 1], ["1\n1", "2\n2.5", "3\n1"])])
+def test_the_axles_carry_their_numbers_and_masses_that_differ(masses, texts):
+    """Above the axles; the view has space for them, and for more lines."""
+    scenery, (axles, _) = surround(3, masses), pendula(3)
+    view = scenery.view()
+    assert view["numbers"] == [(axle.pos.x, text) for axle, text in zip(axles, texts, strict=True)]
+    assert view["top"] > axles[0].pos.y + axles[0].height / 2
+    lines = 1 + texts[0].count("\n")
+    for more in (0, 5):
+        scenery.lines = more
+        heights = [y for _, y, _ in scenery.view()["points"]]
+        assert max(heights) - view["top"] > (lines + more) * TEXT * (max(heights) - min(heights))

@@ -7,17 +7,14 @@ import runpy
 import shutil
 import sys
 from math import degrees
-from pathlib import Path
-from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pandas as pd
 import pytest
 from make_starter import make_starter
 from programs import call, python, ROOT
-from students import change, COUNTS, graded_in, imported_again, write, write_tiers
+from students import change, COUNTS, graded_in, write, write_tiers
 
-from grading import pytest_grader
 from grading.handout import FUNCTIONS, SUITES
 
 HANDOUTS = {function.file for function in FUNCTIONS.values()}
@@ -175,49 +172,27 @@ def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(
     assert "SyntaxError: expected ':'" in "\n".join(check["message"] for check in result["checks"].values())
 
 
-def test_an_import_in_a_circle_is_named(starter):
-    write(starter, *FUNCTIONS)
-    circle = "from src.visualize_cradle_run import handle_two_bobs\n"
-    change(starter / "src/swinging.py", "from support", f"{circle}from support")
-    text = " ".join(" ".join(graded_in(starter)["text"]).split())
-    assert "src/swinging.py, line 8: from src.visualize_cradle_run import handle_two_bobs" in text
-    assert "ImportError: cannot import name 'full_swing_update' from partially initialized module" in text
-    assert text.endswith("Your files import each other in a circle. Remove the import in this file.")
-
-
-def test_without_assert_there_is_no_grade():
-    """With -O and -OO, Python leaves out assert."""
-    source = Path(pytest_grader.__file__).read_text()
-    scope = dict.fromkeys(("__name__", "__file__"), pytest_grader.__file__)
-    exec(compile(source, pytest_grader.__file__, "exec", optimize=1), scope)
-    with pytest.raises(pytest.UsageError, match="^Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python"):
-        scope["pytest_configure"](None)
-
-
-@pytest.mark.parametrize("file", ["nowhere/grade.json", "src"])
-def test_a_grade_that_cannot_be_written_is_refused_at_the_start(monkeypatch, file):
-    monkeypatch.chdir(ROOT)
-    option, manager = SimpleNamespace(grade_json=file, no_search=True), SimpleNamespace(register=lambda plugin: None)
-    with pytest.raises(pytest.UsageError, match=f"^--grade-json: found '{file}', allowed is a file in a folder that"):
-        pytest_grader.pytest_configure(SimpleNamespace(option=option, pluginmanager=manager, args=[]))
-
-
 @pytest.fixture
 def run(monkeypatch, capsys):
     """A function that runs a program of a starter in this process; it returns the status, stdout and stderr."""
     for name in ("end_on_interrupt", "stop_on_signals", "import_later"):
         monkeypatch.setattr(f"support.start.early.{name}", lambda *_, **__: None)
-    monkeypatch.delitem(sys.modules, "begin", raising=False)
+
+    def taken():
+        names = [name for name in sys.modules if name.partition(".")[0] in ("begin", "src")]
+        return {name: sys.modules.pop(name) for name in names}
 
     def run(starter, program, *arguments):
         monkeypatch.chdir(starter)
         monkeypatch.setattr("support.start.preview.SRC", starter / "src")
         monkeypatch.setattr(sys, "path", [str(starter / "src"), str(starter), *sys.path])
         monkeypatch.setattr(sys, "argv", [str(starter / program), *arguments])
-        with imported_again():
-            return call(lambda: runpy.run_path(str(starter / program), run_name="__main__"), capsys)
+        return call(lambda: runpy.run_path(str(starter / program), run_name="__main__"), capsys)
 
-    return run
+    kept = taken()
+    yield run
+    taken()
+    sys.modules.update(kept)
 
 
 TERMINAL, DOUBLE = "src/text_cradle_run.py", "src/visualize_double_cradle_run.py"

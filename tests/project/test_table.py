@@ -1,8 +1,6 @@
-"""The table of the pendula on the stand-in: masses and e to change, live numbers, and one tick."""
+"""The table of the pendula on the stand-in: masses and e to change, live numbers, one tick; and refused commands."""
 
-import json
-import re
-from html import unescape
+from math import inf, nan
 
 import pytest
 from wall import Wall
@@ -12,151 +10,133 @@ from src import visualize_cradle_run
 from support.constants import DT, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
-from support.page.table import give_command
 
 
-@pytest.fixture
-def opened(wall):
-    """A viewer with an open table."""
-    command(wall, "table", True)
-    return wall
-
-
-def command(wall, name, value):
-    """Give a command as the page's script does."""
-    give_command(wall.viewer.give, json.dumps([name, value]))
-    wall.wait()
-
-
-def data(wtext):
-    """Return the data that a text carries for the page's script."""
-    return json.loads(unescape(re.search('data-value="(.*?)"', wtext.text)[1]))
-
-
-def mistakes(wall):
-    return data(wall.viewer.table.rows)["mistakes"]
-
-
-def column(wall, name):
-    """Return the texts of a column of the table."""
-    return [row[name] for row in data(wall.viewer.table.rows)["rows"]]
-
-
-def text(wtext):
-    return unescape(re.sub("<.*?>", "", wtext.text))
-
-
-def test_nothing_of_a_folded_table_is_sent(wall):
-    """A page that was loaded again has folded it."""
-    for fold in (wall.wait, lambda: command(wall, "table", False), lambda: wall.give("show again")):
-        fold()
-        wall.wait(0.3)
-        assert (wall.viewer.table.rows.text, wall.viewer.table.now.text) == ("", "")
-        command(wall, "table", True)
-        assert (column(wall, "mass"), len(data(wall.viewer.table.now))) == (["1.0"] * 5, 10)
-
-
-def test_the_table_shows_pend_list_as_it_is_now(opened):
-    opened.use(opened.panel.lifted.slider, value=0.4)
-    opened.wait(0.3)
-    now = data(opened.viewer.table.now)
+def test_the_table_shows_pend_list_as_it_is_now(wall):
+    wall.give("lifted", 2)
+    wall.wait(0.3)
+    now = wall.state["now"]
     assert list(now) == [f"{key}_{i}" for key in ("theta", "omega") for i in range(1, 6)]
-    assert [*map(float, now.values())] == pytest.approx(opened.values("theta") + opened.values("omega"), abs=5e-7)
-    assert any(opened.values("omega"))
-    assert [column(opened, name) for name in ("mass", "e")] == [["1.0"] * 5, ["1.0"] * 5]
+    assert [*map(float, now.values())] == pytest.approx(wall.values("theta") + wall.values("omega"), abs=5e-7)
+    assert any(wall.values("omega"))
+    assert [wall.state[name] for name in ("keys", "mass", "e")] == [["theta", "omega"], [1] * 5, [1] * 5]
 
 
-def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_shown(opened, csv):
+def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_shown(wall, csv):
     """They came from --mass and from the menu: nothing else may change with the edit."""
-    opened.viewer.cradle.mass = 3.0
-    opened.press("r")
-    opened.use(opened.panel.collisions, selected="perfectly inelastic, e = 0")
-    assert [float(e) for e in column(opened, "e")] == [0] * 5
-    opened.wait(0.3)
-    command(opened, "edit", [1, "mass", "2.50"])
-    assert column(opened, "mass") == ["3.0", "2.5", "3.0", "3.0", "3.0"]
-    assert (opened.time(), opened.lifts(), opened.values("e")) == (0, [30, 0, 0, 0, 0], [0] * 5)
-    assert opened.panel.collisions.selected == "as in the CSV"
-    command(opened, "edit", [4, "e", "0.5"])
-    assert (opened.values("mass"), opened.values("e")) == ([3, 2.5, 3, 3, 3], [0, 0, 0, 0, 0.5])
+    wall.viewer.chooser.set(mass=3.0)
+    wall.give("restart")
+    wall.give("collision", "perfectly inelastic, e = 0")
+    assert (wall.state["mass"], wall.state["e"]) == ([3] * 5, [0] * 5)
+    wall.wait(0.3)
+    wall.give("edit", 1, "mass", "2.50")
+    assert (wall.time(), wall.lifts(), wall.values("e")) == (0, [30, 0, 0, 0, 0], [0] * 5)
+    assert (wall.state["mass"], wall.state["collision"]) == ([3, 2.5, 3, 3, 3], "as in the CSV")
+    wall.give("edit", 4, "e", "0.5")
+    for _ in range(2):
+        assert (wall.values("mass"), wall.values("e")) == ([3, 2.5, 3, 3, 3], [0, 0, 0, 0, 0.5])
+        wall.give("restart")
     assert csv.read_text() == FIVE_CSV
 
 
-def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(opened):
-    opened.wait(0.3)
-    command(opened, "edit", [3, "mass", "<b>"])
+def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(wall):
+    wall.wait(0.3)
+    wall.give("edit", 3, "mass", "<b>")
     mistake = {"3,mass": ["<b>", "mass: allowed is a number from 1e-300 to 1e6, without its unit, kg"]}
-    assert (mistakes(opened), opened.time() > 0.2) == (mistake, True)
-    command(opened, "edit", [0, "e", "0.25"])  # another cell does not hide the mistake
-    assert mistakes(opened) == mistake
-    command(opened, "edit", [3, "mass", " 0.5 "])
-    assert (mistakes(opened), opened.values("mass")[3], opened.values("e")[0]) == ({}, 0.5, 0.25)
-    command(opened, "edit", [1, "e", "2"])
-    opened.save(HEADER + GOOD * 3)  # a saved file replaces it all
-    command(opened, "edit", [3, "mass", "2"])  # of a row that is no longer there
-    assert (opened.values("mass"), mistakes(opened)) == ([1, 1, 1], {})
+    assert (wall.state["refused"], wall.time() > 0.2) == (mistake, True)
+    wall.give("edit", 0, "e", "0.25")  # another cell does not hide the mistake
+    assert wall.state["refused"] == mistake
+    wall.give("edit", 3, "mass", " 0.5 ")
+    assert (wall.state["refused"], wall.values("mass")[3], wall.values("e")[0]) == ({}, 0.5, 0.25)
+    wall.give("edit", 1, "e", "2")
+    wall.save(HEADER + GOOD * 3)  # a saved file replaces it all
+    wall.give("edit", 3, "mass", "2")  # of a row that is no longer there
+    assert (wall.values("mass"), wall.values("e"), wall.state["refused"]) == ([1] * 3, [1] * 3, {})
 
 
-def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(opened, csv):
+def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(wall, csv):
     """In the table, and in a saved file: the old cradle stays."""
-    command(opened, "edit", [3, "mass", "1e-7"])
-    assert opened.values("mass")[3] == 1e-7
+    wall.give("edit", 3, "mass", "1e-7")
+    assert wall.values("mass")[3] == 1e-7
     double = Wall(csv, 30, 10, kind=DoubleCradle)
-    double.click(double.panel.pause)  # it then needs no ticks
-    command(double, "table", True)
-    assert data(double.viewer.table.rows)["keys"] == ["theta", "phi", "omega", "phi_omega"]
-    command(double, "edit", [3, "mass", "9e-7 "])
+    double.give("pause")  # it then needs no ticks
+    double.give("edit", 3, "mass", "9e-7 ")
     words = "mass: allowed is at most 1e6 times the smallest mass, in a double cradle"
-    assert mistakes(double) == {"3,mass": ["9e-7 ", words]}
-    command(double, "edit", [3, "mass", "1e-6"])
+    assert double.state["refused"] == {"3,mass": ["9e-7 ", words]}
+    double.give("edit", 3, "mass", "1e-6")
     double.save(HEADER + "".join(GOOD.replace("1.0", mass, 1) for mass in ("0.5", "500000", "3", ".4")))
     assert double.values("mass") == [1, 1, 1, 1e-6, 1]
-    assert "line 3, column mass: found '500000', and '.4' in line 5, allowed is at most 1e6" in text(double.panel.error)
+    words = "line 3, column mass: found '500000', and '.4' in line 5, allowed is at most 1e6"
+    assert words in double.state["error"]
 
 
-def test_an_edited_experiment_keeps_its_bobs_lifted(opened):
-    opened.give("experiment", 4)
-    command(opened, "edit", [2, "mass", "2"])
-    assert opened.lifts() == [45, 0, 0, 0, 45]
+# --- commands that are none ------------------------------------------------------------------------------------------
+
+HUGE, AHEAD = 10**400, [0, 0, -1]
+BESIDE = [R_PARAM / 20, -0.8 * R_PARAM, 0]  # the third bob's middle: a ray from here grabs it, and drags it a little
+NO_TEXTS = [None, True, 1, nan, ["Angles theta"], {"Energies": 1}, "", "nobody", "__class__", "x" * 10**6]
+NO_COUNTS = [None, True, -1, 1.0, 1e400, nan, "1", [1], {}, HUGE]
+NO_NUMBERS = [None, True, "1", [1], {}, nan, inf, -inf, HUGE, -HUGE, 1e300]
+NO_POINTS = [*NO_NUMBERS, [], [0, 0], [0, 0, 0, 0], {"x": 0}, [[[[]]]] * 3, *([0, 0, value] for value in NO_NUMBERS)]
+NO_RAYS = [[], [BESIDE], [BESIDE, AHEAD, AHEAD], [BESIDE, [0, 0, 0]], [BESIDE, [1e-9] * 3]]
+NO_RAYS += [ray for point in NO_POINTS for ray in ([point, AHEAD], [BESIDE, point])]
+REFUSED = {  # lists of values, for each command that an honest page gives with others
+    **{name: [["x"], [1], [[]], [False, 1]] for name in ("pause", "step", "tick", "restart", "next", "let go")},
+    **{name: [["x"], [1], [0], [None], [[True]], [], [True, True]] for name in ("arrows", "slow hits", "ask first")},
+    "separating": [[1], [], ["true"], [True, True]],
+    "again": [[1], [], [None], [True], [False]],  # there is no run to repeat
+    "speed": [[0], [0.09], [2.01], [-1], [], [1, 1], *([value] for value in NO_NUMBERS)],
+    "lifted": [[6], [], [1, 1], *([value] for value in NO_COUNTS)],
+    "lift": [[0], [1, 30], [0, 180.5], *([0, n] for n in NO_NUMBERS), *([n, 30] for n in NO_COUNTS)],
+    **{name: [[], *([value] for value in NO_TEXTS)] for name in ("collision", "graph", "span", "experiment")},
+    "edit": [[0, "color", ""], [0, "e", 0], [0, "e", "0" * 1000], [0, ["e"], "0"], *([n, "e", "0"] for n in NO_COUNTS)],
+    "answer": [["2_two_bobs", 0], ["2_two_bobs"], [[], 0], ["", None], *(["", n] for n in NO_COUNTS)],
+    "vote": [["2_two_bobs", 0], ["", 0], ["2_two_bobs", None]],
+    **dict.fromkeys(("grab", "drag"), NO_RAYS),
+    **{name: [[1]] for name in ("", "nobody", "__init__", "make_actions", "reload", "frame")},
+}
 
 
-NOT_GIVEN = [
-    *("", "{", "7", "[]", "null", '["next"]', '["save", null]', '["next", null, 1]', '["next", 1]', "[" * 100_000),
-    *('["table", 1]', '["write", null]', '["answer", "a"]', '["answer", ["a", "0"]]'),
-    *('["edit", null]', '["edit", [0, "mass"]]', '["edit", [0, "mass", 2]]', '["edit", [0, "color", "red"]]'),
-]
+@pytest.mark.parametrize("command", REFUSED)
+def test_a_command_with_other_values_does_nothing(wall, command):
+    """Anyone with the key can send anything that is JSON. None of it may end the program."""
+    wall.give("pause")
+    if command == "drag":
+        wall.give("grab", BESIDE, AHEAD)
+    before = wall.viewer.state(), wall.viewer.cradle.hand.held
+    for values in REFUSED[command]:
+        wall.give(command, *values)
+        assert (wall.viewer.state(), wall.viewer.cradle.hand.held) == before, values
+    for name in (None, 1, nan, [command], {command: 1}, True):
+        wall.give(name, *REFUSED[command][0])
+    assert wall.viewer.state() == before[0]
+    wall.give("grab", BESIDE, AHEAD)
+    wall.give("drag", BESIDE, AHEAD)
+    assert (wall.viewer.cradle.hand.held, wall.lifts()[2]) == (2, 3)  # atan(1 / 20)
 
 
-def test_the_page_gives_only_the_commands_of_its_script():
-    given, answers = [], [["1_one_bob", 0], ["1_one_bob", None]]
-    for message in [*NOT_GIVEN, *(json.dumps(["answer", answer]) for answer in answers)]:
-        give_command(lambda *pair: given.append(pair), message)
-    assert given == [("answer", answer) for answer in answers]
-
-
-def shown_tick(wall):
-    return text(wall.viewer.table.before_and_after).splitlines()
+# --- one tick --------------------------------------------------------------------------------------------------------
 
 
 def test_one_tick_shows_each_pendulum_before_and_after_while_paused(wall, monkeypatch):
     """Also before handle_collision is written."""
-    wall.click(wall.viewer.table.tick)
-    assert (wall.viewer.table.tick.disabled, shown_tick(wall)) == (True, [])
-    wall.click(wall.panel.pause)
+    wall.give("tick")
+    assert wall.state["tick"] == []
+    wall.give("pause")
     theta = wall.values("theta")[0]
-    wall.click(wall.viewer.table.tick)
-    assert (wall.viewer.motion.ticks, wall.viewer.table.tick.disabled) == (1, False)
-    first, *pendula, last = shown_tick(wall)
+    wall.give("tick")
+    assert wall.viewer.motion.ticks == 1
+    first, *pendula, last = wall.state["tick"]
     angle = f"[0] theta {theta:.6g} -> {wall.values('theta')[0]:.6g}"
     assert first == f"One tick, {DT:g} s: before -> after"
     assert pendula[0] == angle.ljust(34) + f"omega 0 -> {wall.values('omega')[0]:.6g}"
     assert [line[:9] for line in pendula] == [f"[{i}] theta" for i in range(5)]
     assert last == "handle_collision was not called."
-    wall.click(wall.panel.restart)
-    assert shown_tick(wall) == []
+    wall.give("restart")
+    assert wall.state["tick"] == []
     monkeypatch.delattr(visualize_cradle_run, "handle_collision")
-    wall.click(wall.viewer.table.tick)
-    assert shown_tick(wall)[-1] == last
+    wall.give("tick")
+    assert wall.state["tick"][-1] == last
 
 
 CALLS = {
@@ -171,11 +151,11 @@ def test_one_tick_shows_each_call_of_the_collision_function(csv, kind):
     """Two pendula hang so that they touch, and the first one moves towards the second one."""
     csv.write_text(HEADER + GOOD * 2)
     wall = Wall(csv, *[0] * len(kind.angle_keys), kind=kind)
-    wall.click(wall.panel.pause)
+    wall.give("pause")
     first = wall.viewer.cradle.pend_list[0]
     first["objects"][1].radius *= 1.5
     first["omega"] = 2.0
-    wall.click(wall.viewer.table.tick)
-    _, *pendula, call = shown_tick(wall)[:4]
+    wall.give("tick")
+    _, *pendula, call = wall.state["tick"][:4]
     assert call == CALLS[kind]
     assert [line.count("->") for line in pendula] == [2 * len(kind.angle_keys)] * 2

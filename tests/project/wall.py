@@ -1,10 +1,11 @@
-"""A viewer on the stand-in, with a wall clock that a test moves."""
+"""A viewer on the stand-in, with a wall clock that a test moves, and the state as a tab has it."""
 
-import re
+import json
 from math import pi
+from threading import Event
 from types import SimpleNamespace
 
-from vpython import scene, vector
+from vpython import vector
 from whole_cradles import go_on, make_live, thetas
 
 from support.cradle.cradle import Cradle
@@ -14,29 +15,35 @@ from support.page.viewer import Viewer
 
 
 class Wall:
-    """The wall clock, and the viewer that uses it."""
+    """The wall clock, the viewer that uses it, and its only tab, which has drawn a picture and always has room."""
 
-    def __init__(self, csv, *angles, kind=Cradle, remark="", lifted: int | None = 1):
-        self.now = 100.0
-        self.file = csv
-        self.viewer = Viewer(make_live(kind), LiveFile(csv, self.clock), thetas(angles or [30]), lifted, remark)
+    def __init__(self, csv, *angles, kind=Cradle, lifted: int | None = 1, **texts):
+        self.now, self.file, self.state = 100.0, csv, {}
+        self.tabs = SimpleNamespace(have_room=lambda: True, show=self.take, is_seen=Event(), are_gone=False)
+        self.tabs.is_seen.set()
+        file = LiveFile(csv, self.clock)
+        self.viewer = Viewer(make_live(kind), file, thetas(angles or [30]), lifted, self.tabs, **texts)
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=lambda seconds: None)
-        self.panel = self.viewer.panel
         self.viewer.want_cradle()
         go_on(self.viewer)
+        self.wait()
 
     def clock(self):
         return self.now
 
+    def take(self, state):
+        """Take a part of the state, or all, as JSON has it, which a browser reads without nan."""
+        self.state |= json.loads(json.dumps(state, allow_nan=False))
+
     def wait(self, seconds=0.0):
-        """Let this time (s) pass, frame by frame."""
+        """Let this time (s) pass, frame by frame; the state is then that of this moment."""
         for _ in range(max(1, round(seconds / FRAME))):
             self.now += seconds and FRAME
             self.do_frame()
             while not self.viewer.commands.empty():
                 self.do_frame()
-            self.viewer.next_refresh = 0
-            self.viewer.show_frame()
+        self.viewer.next_refresh = 0
+        self.viewer.show_frame()
 
     def do_frame(self):
         """Do a frame, and all that it asks of the loop."""
@@ -55,31 +62,11 @@ class Wall:
         return [round(abs(theta) * 180 / pi) for theta in self.thetas()]
 
     def time(self):
-        return float(self.readout()["t"].split()[0])
+        return float(self.state["motion"]["t"].split()[0])
 
-    def readout(self):
-        """Return the texts of the readout, by their names."""
-        rows = re.findall(r'<th scope="row">(\w+)</th><td>(.*?)</td>', self.panel.readout.text)
-        return {name: text.strip() for name, text in rows}
-
-    def press(self, key, **modifiers):
-        scene.bound["keydown"](SimpleNamespace(**{"key": key, "ctrl": False, "alt": False, **modifiers}))
-        self.wait()
-
-    def click(self, button):
-        button.bind()
-        self.wait()
-
-    def use(self, widget, **values):
-        """Use a menu, checkbox or slider as a person does: VPython sets its values, and calls the bound function."""
-        for name, value in values.items():
-            setattr(widget, name, value)
-        widget.bind(widget)
-        self.wait()
-
-    def give(self, command, value=None):
-        """Give a command as the page's script does."""
-        self.viewer.give(command, value)
+    def give(self, command, *values):
+        """Give a command as a tab does, and wait until it is carried out."""
+        self.tabs.give(command, *values)
         self.wait()
 
     def save(self, text):
@@ -87,9 +74,6 @@ class Wall:
         self.file.write_text(text)
         self.wait(3 * POLL)
 
-    def mouse(self, kind, point, ray=(0, 0, -1)):
-        """Move the mouse to this point, seen in the direction of the ray, and send this event."""
-        scene.mouse.ray = vector(*ray)
-        function = scene.bound[kind]
-        function() if kind == "mouseup" else function(SimpleNamespace(pos=point - 0.5 * scene.mouse.ray))
-        self.wait()
+    def mouse(self, command, point, direction=(0, 0, -1)):
+        """Give a command with the ray through this point in this direction."""
+        self.give(command, (point - 0.5 * vector(*direction)).value, [*direction])

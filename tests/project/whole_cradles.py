@@ -16,14 +16,11 @@ from src import special_cradles, visualize_cradle_run, visualize_double_cradle_r
 from src.double_cradle import make_double_pendulum
 from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
-from support.cradle.double_cradle import DoubleCradle
 from support.cradle.many_ticks import many_ticks
 from support.cradle.player import Player
 from support.energy import kinetic_energy, potential_energy
 from support.files.cradle_csv import Snapshot
 from support.pendulum import BUFFER, from_lift
-
-MAINS = {Cradle: visualize_cradle_run.main, DoubleCradle: visualize_double_cradle_run.main}
 
 # s, for small swings; it uses the constants, so the tests wait long enough if someone edits them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
@@ -82,9 +79,9 @@ def distances(pend_list) -> list[float]:
 
 def make_live(kind=Cradle, **options) -> Cradle:
     """Return a cradle with these options, without pendula."""
-    main, none = MAINS[kind], {"elastic": False, "inelastic": False, "e": None, "mass": None}
-    many = many_ticks if kind is Cradle else None
-    return kind(main.__globals__, SimpleNamespace(**{**none, **options}), special_cradles, many)
+    program, many = (visualize_cradle_run, many_ticks) if kind is Cradle else (visualize_double_cradle_run, None)
+    none = {"elastic": False, "inelastic": False, "e": None, "mass": None}
+    return kind(vars(program), SimpleNamespace(**{**none, **options}), special_cradles, many)
 
 
 class FrameError(Exception):
@@ -115,7 +112,6 @@ class Swing(Player):
     """A player with the number of ticks that a test sets."""
 
     def swing(self, ticks):
-        """Do `ticks` ticks."""
         self.plan(ticks)
         go_on(self)
 

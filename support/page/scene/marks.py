@@ -2,11 +2,10 @@
 
 from math import hypot
 
-from vpython import arrow, box, cylinder, label, sphere, vector
+from vpython import arrow, box, cylinder, sphere, vector
 
 from support.constants import R_PARAM
 from support.energy import bob_motions, momentum
-from support.page.scenery import INK
 from support.pendulum import arm
 
 ARROW_TIME = 0.1  # s: an arrow is as long as its bob's way in this time
@@ -14,6 +13,7 @@ GREEN, YELLOW = vector(0.0, 0.62, 0.45), vector(1.0, 0.75, 0.0)  # of the arrows
 BAR, BELOW = 0.2, 0.17  # the height of the largest bar, and its distance from the base, in reaches of the cradle
 STILL = 0.05  # m/s: a slower bob has no arrow
 FLAT = 0.01  # the least part of that height: no shape can have the size 0
+SUM = vector(0.5, 0.5, 0.53)  # the color of the bar of the sum
 PALE, OWN = vector(0.55, 0.55, 0.55), 0.35  # of a ghost: its color, and the part of its bob's color in it
 
 
@@ -22,7 +22,7 @@ class Marks:
 
     def __init__(self):
         """Show nothing yet."""
-        self.has_arrows = False
+        self.has_arrows, self.words = False, []  # and the words beside the bars, each with its place (x, y, in m)
         self.shapes: dict[str, list] = {}
 
     def surround(self, cradle, bottom) -> None:
@@ -46,8 +46,6 @@ class Marks:
         """Return how far the bars reach below the base (m)."""
         return self.has_arrows * (BELOW + 2 * BAR) * self.cradle.reach
 
-    # --- arrows and bars ---------------------------------------------------------------------------------------------
-
     def place_arrows(self) -> None:
         """Make the arrows, and below each axle a bar in the color of its bob, and one for the sum; or hide them all."""
         shown, bobs, reach = self.has_arrows, self.cradle.bobs(), self.cradle.reach
@@ -55,14 +53,10 @@ class Marks:
         self.xs[-1] += reach / 3  # of the sum
         self.arrows = self.enough("arrows", shown * len(bobs), arrow, color=GREEN, shaftwidth=bobs[0].radius / 3)
         self.bars = self.enough("bars", shown * len(self.xs), box)
-        for bar, color in zip(
-            self.bars, (*(pend["objects"][1].color for pend in self.cradle.pend_list), INK), strict=False
-        ):
+        for bar, color in zip(self.bars, (*self.cradle.colors(), SUM), strict=False):
             bar.color = color
-        words = self.enough("words", shown * 2, label, box=False, line=False, opacity=0, color=INK, height=14)
-        texts = {first - reach / 2: "momentum\n(up = right)", last + 0.6 * reach: "sum"}
-        for word, (x, text) in zip(words, texts.items(), strict=False):
-            word.pos, word.text = vector(x, self.level, 0), text
+        texts = {"momentum\n(up = right)": first - reach / 2, "sum": last + 0.6 * reach}
+        self.words = [(x, self.level, text) for text, x in texts.items()] if shown else []
 
     def show_arrows(self, pend_list) -> None:
         """Show the velocities and momenta of these pendula; a bar points up if the momentum is to the right."""
@@ -81,8 +75,6 @@ class Marks:
             height = self.height * p / self.largest
             bar.size = vector(R_PARAM / 8, max(abs(height), FLAT * self.height), R_PARAM / 40)
             bar.pos = vector(x, self.level + height / 2, 0)
-
-    # --- ghosts and halos --------------------------------------------------------------------------------------------
 
     def show_ghosts(self, thetas) -> None:
         """Show a pale upper bob and cord at each of these angles (rad), or none for an empty list."""

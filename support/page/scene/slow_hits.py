@@ -54,19 +54,18 @@ class SlowHits:
             self.shown, self.until = (self.waiting.popleft(), now + EACH) if self.waiting else (None, -inf)
         return bool(self.shown)
 
-    def words(self) -> str:
-        """Return what is shown now, as HTML."""
+    def words(self) -> dict | None:
+        """Return what is shown now, in words: a title, lines and a note; or None."""
         if not self.shown:
-            return ""
+            return None
         hit, number, _ = self.shown
         one, two = ("bob", "bobs") if len(self.cradle.angles) == 1 else ("pendulum", "pendula")
-        words = f"<strong>Hit {number}: {two} {hit.left + 1} and {hit.right + 1}</strong>"
-        for bob, before, after in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
-            words += f"<span>{one} {bob + 1}: {self.velocity(before)} &rarr; {self.velocity(after)} m/s</span>"
-        words += (
-            f"<small>This order is the model's: {self.cradle.names.collide} takes one pair after the other.</small>"
-        )
-        return f'<div class="hit-words" role="status">{words}</div>'
+        moves = zip((hit.left, hit.right), hit.before, hit.after, strict=True)
+        return {
+            "title": f"Hit {number}: {two} {hit.left + 1} and {hit.right + 1}",
+            "lines": [f"{one} {i + 1}: {self.velocity(old)} → {self.velocity(new)} m/s" for i, old, new in moves],
+            "note": f"This order is the model's: {self.cradle.names.collide} takes one pair after the other.",
+        }
 
     def velocity(self, pend) -> str:
         """Return the (mean) velocity of a pendulum's bobs to the right (m/s)."""

@@ -1,0 +1,218 @@
+"""The server of the page: one port for HTTP and for the websocket, a key, and the page's own files.
+
+- The page asks for everything relative to its own address, and the server looks only at the last part of a path. So it
+  works below any path, behind any name and any port: an SSH tunnel, a hosted editor's proxy, a container.
+- The key decides who gets the page and the websocket; a program has a new one at each start. The websocket also needs
+  an Origin, which a browser always sends. Files that everybody can download (VPython's and the page's) need no key.
+- It listens at 127.0.0.1 alone, unless --host says otherwise, and prints nothing that a client sends.
+- When the last tab is closed, and none begins to load within RETURN seconds, the program ends.
+"""
+
+import asyncio
+import logging
+import secrets
+import socket
+import tempfile
+import threading
+import time
+import webbrowser
+from _thread import interrupt_main
+from contextlib import suppress
+from importlib.util import find_spec
+from pathlib import Path
+
+import txaio
+from autobahn.asyncio.websocket import WebSocketServerFactory, WebSocketServerProtocol
+from autobahn.exception import Disconnected
+from autobahn.websocket.types import ConnectionDeny
+
+from support.page.tabs import Tabs
+
+RETURN, LOADING = 3.0, 30.0  # s that a closed tab has to come back, and a page from its request to its websocket
+LEAVE = 1.0  # s that main has to end without a tab; then Ctrl+C ends it: it may be in a loop that never ends
+LARGEST_MESSAGE = 2**16  # bytes; closes the websocket of a tab that sends more: the program would keep it in memory
+NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key.\n"
+TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".jpg": "image/jpeg", "": "text/plain"}
+VPYTHON_SCRIPT = "window.__GSlang ="  # where glowcomm.html has its fonts and its own websocket behind it
+TEXT_BROWSERS = {"www-browser", "links", "links2", "elinks", "lynx", "w3m"}  # they have no canvas
+# Ports that browsers refuse (https://fetch.spec.whatwg.org/#port-blocking).
+REFUSED = """
+1 7 9 11 13 15 17 19 20 21 22 23 25 37 42 43 53 69 77 79 87 95 101 102 103 104 109 110 111 113 115 117 119 123 135 137
+139 143 161 179 389 427 465 512 513 514 515 526 530 531 532 540 548 554 556 563 587 601 636 989 990 993 995 1719 1720
+1723 2049 3659 4045 4190 5060 5061 6000 6566 6665 6666 6667 6668 6669 6679 6697 10080
+"""
+
+
+def listen(host, port) -> socket.socket:
+    """Return a socket that listens at this address and port; port 0 finds a free one.
+
+    Raises a ValueError with a one-line message if it is not available, or if browsers refuse the port.
+    """
+    try:
+        if str(port) in REFUSED.split():
+            raise OSError(0, "browsers refuse it")
+        family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
+        listener = socket.socket(family, kind)
+        # With SO_REUSEADDR, the port of a program that has just ended is free. On Windows, SO_REUSEADDR would share a
+        # port in use; SO_EXCLUSIVEADDRUSE prevents this.
+        listener.setsockopt(socket.SOL_SOCKET, getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR), 1)
+        listener.bind(address)
+        listener.listen()
+    except (socket.gaierror, UnicodeError) as error:
+        raise ValueError(f"--host: found {host!r}, allowed is an address of this machine") from error
+    except OSError as error:
+        choice = "choose another --port, or 0 for any free one"
+        raise ValueError(f"port {port} of {host} is not available: {error.strerror}; {choice}") from error
+    return listener if str(listener.getsockname()[1]) not in REFUSED.split() else listen(host, port)  # of port 0
+
+
+def own_files() -> dict[str, bytes | Path]:
+    """Return the files that need no key, by name: the content or the path."""
+    [vpython] = find_spec("vpython").submodule_search_locations  # type: ignore[union-attr, misc]
+    libraries, web = Path(vpython, "vpython_libraries"), Path(__file__).with_name("web")
+    paths = [path for folder in (libraries, Path(vpython, "vpython_data"), web) for path in folder.iterdir()]
+    files: dict[str, bytes | Path] = {path.name: path for path in paths if path.suffix in (".js", ".css", ".jpg")}
+    _, begin, script = (libraries / "glowcomm.html").read_text(encoding="utf-8").partition(VPYTHON_SCRIPT)
+    files["vpython.js"] = (begin + script).partition("</script>")[0].encode()
+    return files
+
+
+class Server:
+    """Serves the page in a thread of its own, from the moment when it is made until close or the program's end."""
+
+    def __init__(self, listener, tabs: Tabs):
+        """Serve at this socket, made by listen."""
+        self.listener, self.tabs = listener, tabs
+        self.key = secrets.token_hex(12)  # short, and without signs that end an address in some terminals
+        self.until = 0.0  # on the clock of time.monotonic: a tab is expected until then
+        self.files, self.page = own_files(), Path(__file__).with_name("web") / "page.html"
+        self.way: Path | None = None  # the file that leads a browser to the page
+        ready = threading.Event()
+        threading.Thread(target=self.serve, args=(ready,), daemon=True).start()
+        ready.wait()
+
+    def serve(self, ready) -> None:
+        """Set ready, and answer requests until the loop is stopped."""
+        logging.getLogger("autobahn").setLevel(logging.CRITICAL)  # it quotes refused clients
+        # On Windows, the usual loop stops listening if a connection ends before it is accepted.
+        self.loop = txaio.config.loop = asyncio.SelectorEventLoop()  # type: ignore[attr-defined]
+        self.loop.set_exception_handler(lambda *_: None)  # of autobahn, at requests without sense
+        asyncio.set_event_loop(self.loop)
+        factory = WebSocketServerFactory(loop=self.loop)
+        factory.protocol = type("Protocol", (Protocol,), {"site": self})
+        factory.setProtocolOptions(maxFramePayloadSize=LARGEST_MESSAGE, maxMessagePayloadSize=LARGEST_MESSAGE)
+        self.loop.run_until_complete(self.loop.create_server(factory, sock=self.listener))
+        self.tabs.in_server = self.loop.call_soon_threadsafe
+        self.loop.call_soon(ready.set)
+        self.loop.run_forever()
+
+    def address(self) -> str:
+        """Return the address of the page, with the key."""
+        host, port, *_ = self.listener.getsockname()
+        host = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(host, host)
+        return f"http://{f'[{host}]' if ':' in host else host}:{port}/?key={self.key}"
+
+    def open_browser(self) -> None:
+        """Open the page in the usual browser, if it is one with pictures.
+
+        All users of a machine can read the command of a browser. So the browser gets a file that only you can read, and
+        that leads on to the address with the key; Jupyter does the same. The file is in the working folder, if it can
+        be: a browser from a snap cannot read the folder for temporary files.
+        """
+        with suppress(webbrowser.Error, OSError):
+            browser = webbrowser.get()
+            if Path(getattr(browser, "name", "")).name in TEXT_BROWSERS:
+                return
+            try:
+                number, name = tempfile.mkstemp(".html", "open-cradle-", Path.cwd())  # with mode 600
+            except OSError:
+                number, name = tempfile.mkstemp(".html", "open-cradle-")
+            self.way = Path(name)
+            with open(number, "w", encoding="utf-8") as file:
+                file.write(f'<meta http-equiv="refresh" content="0; url={self.address()}">')
+            threading.Thread(target=browser.open, args=(self.way.as_uri(),), daemon=True).start()
+
+    def forget_way(self) -> None:
+        """Delete the file that leads a browser to the page."""
+        if self.way:
+            self.way.unlink(missing_ok=True)
+
+    def close(self, patience=0.0) -> None:
+        """Close all tabs, wait so long (s) until they have their last messages, and stop."""
+        self.loop.call_soon_threadsafe(lambda: [tab.sendClose() for tab in [*self.tabs.tabs]])
+        end = time.monotonic() + patience
+        while self.tabs.tabs and time.monotonic() < end:
+            time.sleep(0.02)
+        self.forget_way()
+        self.loop.call_soon_threadsafe(self.loop.stop)
+        self.listener.close()
+
+    def has_key(self, parameters) -> bool:
+        """Return whether a request with these parameters, a list of texts for each name, has the key."""
+        given = parameters.get("key", [""])[0]
+        return secrets.compare_digest(given.encode(), self.key.encode())  # takes equally long for every wrong key
+
+    def wait_for_tab(self, seconds) -> None:
+        """Wait so long from now on, at least: a tab was closed, or a tab loads."""
+        self.until = max(self.until, time.monotonic() + seconds)
+
+    def end_without_tab(self) -> None:
+        """End the program when the time is over, if no tab is there by then."""
+        rest = self.until - time.monotonic()
+        if not self.tabs.tabs and rest > 0:
+            self.loop.call_later(rest, self.end_without_tab)
+        elif not self.tabs.tabs:
+            self.tabs.are_gone = True
+            self.loop.call_later(LEAVE, interrupt_main)
+
+
+class Protocol(WebSocketServerProtocol):
+    """A connection: a request for a file or for the page, or a tab's websocket. Autobahn calls these methods."""
+
+    site: Server
+
+    def sendServerStatus(self, *_) -> None:  # noqa: N802  the answer to a request that asks for no websocket
+        site, name = self.site, self.http_request_path.rpartition("/")[2]
+        if name in site.files:
+            content = site.files[name]
+            self.answer("200 OK", Path(name).suffix, content if isinstance(content, bytes) else content.read_bytes())
+        elif name not in ("", "alive"):
+            self.answer("404 Not Found", "", b"")
+        elif not site.has_key(self.http_request_params):
+            self.answer("403 Forbidden", "", NO_KEY.encode())
+        elif name == "alive":
+            self.answer("200 OK", "", b"alive")
+        else:
+            site.wait_for_tab(LOADING)
+            self.answer("200 OK", ".html", site.page.read_bytes())
+
+    sendRedirect = sendServerStatus  # noqa: N815  for a request with ?redirect=
+
+    def answer(self, status, kind, content) -> None:
+        head = [f"HTTP/1.1 {status}", f"Content-Type: {TYPES[kind]}; charset=utf-8", f"Content-Length: {len(content)}"]
+        # No site that the page leads to hears of the key.
+        head += ["Connection: close", "Cache-Control: no-cache", "Referrer-Policy: no-referrer", "", ""]
+        self.sendData("\r\n".join(head).encode() + content)
+
+    def onConnect(self, request) -> None:  # noqa: N802
+        if request.origin in (None, "", "null") or not self.site.has_key(request.params):
+            raise ConnectionDeny(ConnectionDeny.FORBIDDEN)
+
+    def onOpen(self) -> None:  # noqa: N802
+        self.site.until = 0.0  # it is loaded
+        self.site.forget_way()
+        self.site.tabs.open(self, self.tell)
+
+    def tell(self, message) -> None:
+        with suppress(Disconnected):  # the tab was just closed
+            self.sendMessage(message)
+
+    def onMessage(self, data, is_binary) -> None:  # noqa: N802
+        if self in self.site.tabs.tabs:
+            self.site.tabs.receive(self, data)
+
+    def onClose(self, *_) -> None:  # noqa: N802  also of a connection that was refused
+        if self in self.site.tabs.tabs:
+            self.site.tabs.close(self)
+            self.site.wait_for_tab(RETURN)
+            self.site.end_without_tab()

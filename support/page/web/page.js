@@ -1,0 +1,164 @@
+// The page: its websocket, the state that the program sends, and the commands that it gets.
+// The other scripts add to `shows`: for the name of a value in the state, what shows this value.
+const state = {}, shows = {};
+const find = selector => [...document.querySelectorAll(selector)];
+const one = selector => document.querySelector(selector);
+const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const make = (kind, attributes = {}, ...parts) => { // an element; texts in parts are never HTML
+  const element = Object.assign(document.createElement(kind), attributes);
+  element.append(...parts);
+  return element;
+};
+
+const canDraw = !!document.createElement("canvas").getContext("webgl2");
+const address = new URL(`ws${location.search}`, location.href); // relative to the page, whatever stands before it
+address.protocol = address.protocol.replace("http", "ws");
+let socket, unseen = 0, openSince = Infinity, isLeft = false;
+const wanted = new Map(); // the last command of each slider that you move
+
+const isOpen = () => socket?.readyState === WebSocket.OPEN;
+const tell = (...command) => isOpen() && socket.send(JSON.stringify(command));
+
+addEventListener("DOMContentLoaded", () => { // all scripts are there
+  socket = new WebSocket(address);
+  Object.assign(socket, { onopen: () => openSince = performance.now(), onmessage: take, onclose: explain });
+  setTimeout(() => socket.readyState === WebSocket.CONNECTING && socket.close(), 10000); // a proxy may never answer
+  requestAnimationFrame(countPictures);
+});
+
+function take(event) {
+  const { state: changes, ...drawing } = JSON.parse(event.data);
+  if (canDraw) handler(decode(drawing)); // VPython's
+  Object.assign(state, changes);
+  for (const name in changes) {
+    shows[name]?.(state[name]);
+    show(name);
+  }
+  unseen++;
+}
+
+// For each picture that the browser has drawn, the program may send one message more.
+function countPictures() {
+  if (unseen && isOpen()) {
+    unseen--;
+    socket.send("seen");
+  }
+  for (const command of wanted.values()) tell(...command);
+  wanted.clear();
+  requestAnimationFrame(countPictures);
+}
+
+async function explain() { // why the websocket has closed
+  if (isLeft) return;
+  const lives = !state.ended && await fetch(`alive${location.search}`).then(answer => answer.text(), () => "") === "alive";
+  if (!lives) notice("over").classList.add("ended");
+  else if (performance.now() - openSince > 3000) location.reload(); // the line was cut
+  else notice("no-websocket");
+}
+
+// A browser that keeps the page for Back would keep the websocket open.
+addEventListener("pagehide", () => {
+  isLeft = true;
+  socket?.close();
+});
+addEventListener("pageshow", event => event.persisted && location.reload());
+
+function notice(id) {
+  const place = one(".notice");
+  place.replaceChildren(one(`#${id}`).content.cloneNode(true));
+  for (const part of find(".canvas, .graph, .panel > :not(.messages)")) part.inert = true;
+  for (const name in state) show(name);
+  return place;
+}
+if (!canDraw) notice("no-webgl");
+
+function show(name) {
+  for (const element of find(`[data-text="${name}"]`)) element.textContent = [state[name] ?? ""].flat().join("\n");
+  for (const box of find(`[type=checkbox][name="${name}"]`)) box.checked = state[name];
+  for (const menu of find("select")) {
+    const isNew = name === `${menu.name}s`; // experiments has the choices of experiment
+    if (isNew) menu.replaceChildren(...state[name].map(choice => new Option(choice, choice)));
+    if (isNew || name === menu.name && !menu.matches(":active")) menu.value = state[menu.name] ?? "";
+  }
+}
+
+// A slider shows its value with a unit; value is a number, or [number, the largest one].
+function showSlider(slider, value, text) {
+  const [number, most] = [value].flat();
+  slider.max = most ?? slider.max;
+  if (!slider.matches(":active")) slider.value = number;
+  slider.nextElementSibling.value = text;
+  slider.setAttribute("aria-valuetext", text);
+}
+
+shows.title = title => document.title = title;
+shows.running = running => {
+  one("[data-do=pause]").textContent = running ? "Pause" : "Run";
+  for (const button of find("[data-do=step], [data-do=tick]")) button.disabled = running;
+};
+shows.speed = speed => showSlider(one("#speed"), speed, `${speed.toFixed(1)}x`);
+shows.lifted = lifted => showSlider(one("#lifted"), lifted, `${lifted[0]} of ${lifted[1]}`);
+shows.angles = angles => {
+  for (const old of find(".lift")) old.remove();
+  angles.forEach(([name, min, max], number) => one(".after-lifts").before(
+    make("label", { className: "lift", htmlFor: `lift-${number}` }, name),
+    make("input", { className: "lift", type: "range", id: `lift-${number}`, min, max }),
+    make("output", { className: "lift" })));
+};
+shows.lifts = lifts => lifts.forEach((lift, number) => showSlider(one(`#lift-${number}`), lift, `${Number(lift.toPrecision(4))}°`));
+shows.mistakes = mistakes => one("ul.failed").replaceChildren(...mistakes.map(mistake => make("li", {}, mistake)));
+shows.motion = motion => one(".readout").replaceChildren(...Object.entries(motion).map(([name, text]) =>
+  make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, text))));
+shows["has rule"] = has => {
+  one("[name=separating]").disabled = !has;
+  one(".no-rule").hidden = has;
+};
+shows.hit = hit => one(".hit-part").replaceChildren(...hit ? [make("strong", {}, hit.title),
+  ...hit.lines.map(line => make("span", {}, line)), make("small", {}, hit.note)] : []);
+
+addEventListener("click", event => {
+  const button = event.target.closest?.("button");
+  if (button?.dataset.do) tell(button.dataset.do);
+  if (button?.matches(".present")) present();
+});
+addEventListener("input", ({ target }) => {
+  const command = target.name ? [target.name] : ["lift", +target.id.slice(5)];
+  if (target.type === "range") wanted.set(target.id, [...command, +target.value]);
+});
+addEventListener("change", ({ target }) => {
+  if (target.name && target.type !== "range") tell(target.name, target.type === "checkbox" ? target.checked : target.value);
+});
+one(".fold").addEventListener("toggle", event => event.target.open && event.target.scrollIntoView({ block: "nearest" }));
+
+function present() {
+  if (document.documentElement.classList.toggle("presenting")) document.documentElement.requestFullscreen?.().catch(() => {});
+  else if (document.fullscreenElement) document.exitFullscreen();
+}
+addEventListener("fullscreenchange", () => document.documentElement.classList.toggle("presenting", !!document.fullscreenElement));
+
+// What you type counts; on an alphabet that has no such letter, the key's place does.
+const keys = {
+  " ": () => tell("pause"), ArrowRight: () => tell("step"), r: () => tell("restart"), n: () => tell("next"), f: present,
+  v: () => resetView(), h: () => tell("slow hits", !state["slow hits"]), "?": () => one("#keys").togglePopover(),
+};
+addEventListener("keydown", event => {
+  if (event.key === "Escape" && document.documentElement.classList.contains("presenting")) return present(); // without full screen
+  const isForUs = event.target === document.body && !event.metaKey && !event.ctrlKey && !event.altKey;
+  if (!isForUs || event.repeat && event.key !== "ArrowRight") return;
+  const key = event.key.length === 1 && event.key > "~" ? event.code.replace(/^(Key|Digit)/, "").toLowerCase() : event.key;
+  const letter = key.length === 1 ? key.toLowerCase() : key, answer = "abcde".indexOf(letter);
+  if (letter in keys) keys[letter]();
+  else if (/^[1-9]$/.test(letter)) tell("lifted", Math.min(+letter, state.lifted[1]));
+  else if (answer >= 0 && state.question) tell("answer", state.question.key, answer);
+  else return;
+  event.preventDefault(); // no key scrolls the page
+});
+
+// A control that you reach with the Tab key keeps the keys; one that you use with the mouse does not.
+let byMouse = false;
+addEventListener("pointerdown", () => byMouse = true, true);
+addEventListener("keydown", () => byMouse = false, true);
+for (const [type, isSelect] of [["click", false], ["change", true]]) // a click on a menu only opens it
+  addEventListener(type, ({ target }) => {
+    if (byMouse && (target.tagName === "SELECT") === isSelect && !target.matches("[data-place]")) document.activeElement.blur();
+  });

@@ -1,0 +1,26 @@
+// The sound of the hits: a click for the fastest hit of each picture. Off until you tick the box Sound, in this tab.
+{
+  const LOUDEST = 2; // m/s: a faster hit is not louder
+  const box = one("#sound");
+  let audio, click; // they come when you tick the box
+
+  function open() {
+    audio = new AudioContext();
+    const rate = audio.sampleRate, wave = t => Math.sin(2 * Math.PI * 3700 * t) * Math.exp(-t / 0.006); // as short as steel's
+    click = audio.createBuffer(1, 0.04 * rate, rate);
+    click.copyToChannel(click.getChannelData(0).map((_, i) => wave(i / rate)), 0);
+  }
+
+  box.addEventListener("change", () => { // a browser allows sound only after a click or a key
+    if (!audio) open();
+    audio[box.checked ? "resume" : "suspend"]();
+  });
+
+  shows.sound = ([, speed]) => {
+    if (audio?.state !== "running" || !speed) return;
+    const source = new AudioBufferSourceNode(audio, { buffer: click });
+    const gain = 0.5 * Math.sqrt(Math.min(1, speed / LOUDEST)); // the root: the ear hears slow hits, too, beside fast ones
+    source.connect(new GainNode(audio, { gain })).connect(audio.destination);
+    source.start();
+  };
+}

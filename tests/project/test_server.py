@@ -1,0 +1,294 @@
+"""The server of the page: what it does for a tab and for everyone else, at one port; and when the program ends."""
+
+import json
+import random
+import re
+import signal
+import socket
+import sys
+from contextlib import ExitStack, suppress
+from http.client import HTTPConnection
+from importlib.machinery import PathFinder
+from pathlib import Path
+from types import SimpleNamespace
+from urllib.parse import urlsplit
+
+import programs
+import pytest
+from programs import copy_project, end, first_lines, QUIETLY, ROOT, running, SECONDS
+from students import put_files
+from whole_cradles import FIVE_CSV
+
+from support.page.tabs import Changes, Tabs
+
+server = pytest.importorskip("support.page.server")  # it needs autobahn, which comes with VPython
+pytestmark = programs.needs_vpython
+
+WEB, BELOW = ROOT / "support" / "page" / "web", "/user/ann/proxy/8000/"
+
+
+def ask(page, path, query="{key}", host="127.0.0.1", **headers):
+    """Send a GET with exactly this path and query, by default with the key; return the connection and the answer."""
+    connection = HTTPConnection(host, page.port, timeout=SECONDS)
+    headers = {name.replace("_", "-"): text for name, text in headers.items() if text is not None}
+    connection.request("GET", f"{path}?{query.format(key=page.query)}", headers=headers)
+    return connection, connection.getresponse()
+
+
+def get(*request, **headers):
+    """Return the status and the headers of the answer to a GET, and its content."""
+    answer = ask(*request, **headers)[1]
+    return answer.status, answer.headers, answer.read()
+
+
+class Tab(ExitStack):
+    """A tab without a browser: a websocket, if the status of the answer is 101."""
+
+    def __init__(self, page, path="/ws", query="{key}", origin="http://127.0.0.1"):
+        super().__init__()
+        headers = {"Sec_WebSocket_Version": "13", "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==", "Origin": origin}
+        self.connection, self.answer = ask(page, path, query, Upgrade="websocket", Connection="Upgrade", **headers)
+        self.callback(self.connection.close)
+        self.callback(self.answer.close)
+
+    def tell(self, message, kind=1):
+        """Send a message; of kind 1 it is a text, of kind 2 it is bytes."""
+        size = [len(message) | 0x80] if len(message) < 126 else [126 | 0x80, *len(message).to_bytes(2, "big")]
+        self.connection.sock.sendall(bytes([0x80 | kind, *size, *bytes(4)]) + message)
+
+    def hear(self):
+        """Return the next message of the program, and answer that the picture is drawn."""
+        read, size = self.answer.fp.read, self.answer.fp.read(2)[1]
+        message = json.loads(read(int.from_bytes(read({126: 2, 127: 8}[size]), "big") if size > 125 else size))
+        self.tell(b"seen")
+        return message
+
+    def state(self, *names):
+        """Return the next state that has these names."""
+        return next(state for state in iter(lambda: self.hear()["state"], None) if state.keys() >= {*names})
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A working folder with a secret, in a folder with a secret; both end as something that the server has."""
+    files = dict.fromkeys(["secret.js", "working/secret.js"], "secret")
+    return put_files(tmp_path_factory.mktemp("outside"), files) / "working"
+
+
+@pytest.fixture(scope="module")
+def site(folder):
+    """The address of a program that has a tab from beginning to end, and prints nothing more; its query is the key."""
+    program = copy_project(folder.parent, FIVE_CSV) / "src" / programs.PROGRAM.name
+    with running(program, folder=folder, patience=60 * SECONDS) as process, Tab(page := urlsplit(first_lines(process))):
+        yield page
+        process.send_signal(signal.SIGINT)
+        assert end(process) == QUIETLY
+
+
+def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the_program_says_so(site):
+    other_address = "127.0.0.2"  # of this machine
+    with pytest.raises(OSError):
+        socket.create_connection((other_address, site.port), timeout=SECONDS)
+    with running(None, "--host", "0.0.0.0") as process:
+        page, warning = urlsplit(process.stdout.readline().split()[-1]), process.stdout.readline()
+        assert "machine" in warning and "0.0.0.0" in warning
+        for host in (page.hostname, other_address):
+            assert [get(page, "/", query, host)[0] for query in ("", "{key}")] == [403, 200]
+
+
+def test_only_files_that_everybody_can_download_come_without_the_key(site, folder):
+    """They come whole. vpython.js is a part of VPython's page, without the websocket there, which goes to localhost."""
+    for name in ("secret.js", "../secret.js", "%2e%2e%2fsecret.js", f"{'../' * 40}{folder}/secret.js", "page.html"):
+        status, _, content = get(site, f"/{name}")
+        assert (name, status, content) == (name, 404, b"")
+    vpython = Path(PathFinder.find_spec("vpython").origin).parent
+    libraries, pictures = vpython / "vpython_libraries", vpython / "vpython_data"
+    for file in (WEB / "page.js", libraries / "glow.min.js", pictures / "wood_texture.jpg"):
+        assert get(site, BELOW + file.name, "")[::2] == (200, file.read_bytes())
+    script = get(site, "/vpython.js", "")[2]
+    assert b"function decode(" in script and script in (libraries / "glowcomm.html").read_bytes()
+    assert b"WebSocket" not in script
+
+
+@pytest.mark.parametrize("query", ["", "key=", "key=wrong", "{key}0", "key=%ff%00", "redirect=http://evil.example"])
+@pytest.mark.parametrize("path", ["/", BELOW])
+def test_without_the_key_the_page_is_a_sentence_and_the_websocket_is_refused(site, path, query):
+    """A request can have all headers of a browser: another program on this machine can send it."""
+    for name in ("", "alive"):
+        status, headers, content = get(site, path + name, query, Origin="http://a", Sec_Fetch_Site="same-origin")
+        assert (status, content.decode()) == (403, server.NO_KEY) and site.query[4:] not in str(headers)
+    with Tab(site, f"{path}ws", query) as tab:
+        assert tab.answer.status in (400, 403)
+
+
+@pytest.mark.parametrize("query", ["{key}", "{key}&redirect=http://evil.example"])
+@pytest.mark.parametrize("path", ["/", BELOW])
+def test_with_the_key_a_browser_gets_all_below_any_path_from_any_address(site, path, query):
+    """The page sends its address to no other site, and leads to none.
+
+    Without an Origin it is no browser; the Origin null is that of a file, or of a frame that a page has shut in.
+    """
+    for name, expected in (("", (WEB / "page.html").read_bytes()), ("alive", b"alive")):
+        status, headers, content = get(site, path + name, query)
+        assert (status, content, headers["Location"]) == (200, expected, None)
+        assert headers["Referrer-Policy"] == "no-referrer"
+    for origin in ("http://127.0.0.1:19000", "https://a-cradle.example.org", None, "", "null"):
+        with Tab(site, f"{path}ws", query, origin) as tab:
+            assert tab.answer.status in ([101] if origin and "://" in origin else [400, 403])
+
+
+NAMES = [
+    *("speed", "lifted", "lift", "collision", "separating", "arrows", "slow hits", "graph", "span", "experiment"),
+    *("ask first", "answer", "vote", "again", "edit", "grab", "drag"),
+    *("pause", "step", "tick", "restart", "next", "let go"),  # these six take no values
+    *("no command", "make_actions", "", None, 1, [], {}),
+]
+VALUES = [None, -1, 1e300, 10**400, "no", "<b>", "x" * 2000, [], [1], {}, {"a": []}, float("nan"), [[1, 2], [3]]]
+TEXTS = [b"", b"[", b"{}", b"[]", b"seen ", b'"pause"', b"\0", b"[" * 60_000, b'["speed",' + b"9" * 5000 + b"]"]
+KEPT = "title", "running", "lifted", "lifts", "collision", "experiment", "arrows", "slow hits", "mass", "e"
+
+
+def test_rubbish_changes_nothing_and_prints_nothing(site):
+    """2,000 messages of a tab; and connections that a browser has opened in advance, or that somebody tries out."""
+    chance = random.Random(45)
+    with Tab(site) as tab:
+        before = tab.state(*KEPT)
+        for _ in range(2000):
+            command = json.dumps([chance.choice(NAMES), *chance.choices(VALUES, k=chance.randrange(1, 4))])
+            tab.tell(*chance.choice([(command.encode(),), (chance.choice(TEXTS),), (chance.randbytes(99), 2)]))
+        tab.tell(b'["speed", 0.5]')  # when this has been done, so has all before it
+        while tab.state("speed")["speed"] != 0.5:
+            pass
+        assert tab.state("motion") != tab.state("motion")  # it swings on
+    for request in (b"", b"GET /../secret.js HTTP/1.1\r\n\r\n", b"\x16\x03\r\n\r\n", *map(chance.randbytes, range(99))):
+        with suppress(ConnectionError), socket.create_connection(("127.0.0.1", site.port), SECONDS) as idle:
+            idle.sendall(request)
+            assert get(site, "/")[0] == 200
+    with Tab(site) as tab:
+        after = tab.state(*KEPT)
+        assert {name: after[name] for name in KEPT} == {name: before[name] for name in KEPT}
+
+
+def test_a_tab_whose_browser_crashes_ends_the_program():
+    """In the middle of a message. Before that, a message that would fill the memory closes the tab."""
+    with running() as process:
+        page = urlsplit(first_lines(process))
+        with Tab(page) as tab, suppress(ConnectionResetError):
+            tab.connection.sock.sendall(b"\x81\xff" + (server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4))
+            tab.answer.fp.read()  # until the end
+        with Tab(page) as tab:
+            tab.connection.sock.sendall(b"\x81\xff")
+        assert end(process) == QUIETLY
+
+
+# A browser: it writes down who can read the file that it gets, where that leads to, and what the page answers at once.
+BROWSER = """#!{python}
+import os, re, sys, urllib.request as web
+address = re.search('url=([^"]*)', web.urlopen(sys.argv[1]).read().decode())[1]
+mode = oct(os.stat(*os.listdir()).st_mode)[-3:]
+print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{visited}", "w"))
+"""
+
+
+@pytest.mark.parametrize(("name", "until"), [("browser", "a tab"), ("browser", "Ctrl+C"), ("w3m", "")])
+def test_a_browser_with_pictures_gets_a_file_that_leads_on(tmp_path, name, until):
+    """All users of a machine can read a command; only you the file. It is gone with the first tab, or with Ctrl+C."""
+    folder, visited, browser = (tmp_path / path for path in ("100% ü #1", "visited", name))
+    folder.mkdir()
+    browser.write_text(BROWSER.format(python=sys.executable, visited=visited))
+    browser.chmod(0o755)
+    with running(folder=folder, BROWSER=str(browser), VPYTHON_NO_LAUNCH_BROWSER="") as process:
+        address = first_lines(process)
+        if until:
+            programs.wait_until(lambda: visited.exists() and visited.read_text().endswith("\n"))
+            *seen, given = visited.read_text().split()
+            assert seen == ["600", address, "200"]
+            assert given.startswith("file://") and address.partition("key=")[2] not in given
+        if until == "Ctrl+C":
+            process.send_signal(signal.SIGINT)
+        else:
+            with Tab(urlsplit(address)) as tab:
+                tab.state("motion")  # the program would have started a browser before it swings
+                assert not [*folder.iterdir()]
+        assert end(process) == QUIETLY
+    assert (visited.exists(), [*folder.iterdir()]) == (bool(until), [])
+
+
+SESSION = """exec "{python}" -i <<'END'
+import runpy, sys
+sys.argv, sys.path[0] = ["{program.name}", "{csv}", "--no-browser"], "{program.parent}"
+_ = runpy.run_path("{program}", run_name="__main__"); print("the prompt")
+_ = runpy.run_path("{program}", run_name="__main__"); print("the prompt")
+END"""
+
+
+def test_in_a_session_a_closed_tab_gives_the_prompt_back_and_a_second_run_works(csv):
+    """As in IPython. VPython keeps the objects of the first run; they are hidden."""
+    commands = SESSION.format(python=sys.executable, program=programs.PROGRAM, csv=csv)
+    with running("-c", commands, python="sh") as session:
+        for _ in range(2):
+            spheres, visible, message = [], {}, {"state": {}}
+            with Tab(urlsplit(first_lines(session))) as tab:
+                while "motion" not in message["state"]:  # until it swings
+                    message = tab.hear()
+                    spheres += [str(cmd["idx"]) for cmd in message["cmds"] if cmd.get("cmd") == "sphere"]
+                    visible |= dict(re.findall(r'"a(\d+)t(\d)"', json.dumps(message["attrs"])))
+                assert sum(visible.get(number) != "0" for number in spheres) == 5
+            assert session.stdout.readline() == "the prompt\n"
+        assert end(session)[:2] == (0, "")
+
+
+def test_an_address_that_the_page_cannot_have_is_refused_in_one_line_and_a_port_is_free_at_the_end():
+    """192.0.2.1 is no address of this machine; browsers refuse 6000."""
+    with server.listen("127.0.0.1", 0) as listener:
+        port = listener.getsockname()[1]
+        none = [("127.0.0.1", port, port), ("127.0.0.1", 6000, "6000.* browsers"), ("192.0.2.1", 0, "192.0.2.1")]
+        for host, number, words in (*none, ("no such host", 0, "host: found 'no such host")):
+            with pytest.raises(ValueError, match=rf"^[^\n]*\b{words}\b[^\n]+$"):
+                server.listen(host, number)
+        with socket.create_connection(("127.0.0.1", port)):
+            listener.accept()[0].close()  # the side that closes first keeps the connection's port busy for a while
+    server.listen("127.0.0.1", port).close()
+
+
+def test_the_program_ends_when_the_time_to_come_back_is_over(monkeypatch):
+    """A tab that loads has longer: a slow machine loads the page for seconds before it opens the websocket.
+
+    Before the first tab, the program waits for ever. A request without the key wins no time. Here is no network, and
+    time passes only in wait.
+    """
+    now, timers, stops = [100.0], [], []
+    loop = SimpleNamespace(call_later=lambda delay, function: timers.append((now[0] + delay, function)))
+    monkeypatch.setattr("time.monotonic", lambda: now[0])
+    monkeypatch.setattr(server, "interrupt_main", lambda: stops.append(now[0]))
+    monkeypatch.setattr(server, "own_files", dict)
+    monkeypatch.setattr(server.Server, "serve", lambda site, ready: setattr(site, "loop", loop) or ready.set())
+    monkeypatch.setattr(Tabs, "all", Changes())
+    site = server.Server(None, tabs := Tabs())
+
+    def connection(**parameters):
+        request = {"http_request_path": "/", "http_request_params": parameters}
+        return type("Connection", (server.Protocol,), {"site": site, "sendData": lambda *_: None, **request})()
+
+    def wait(seconds, event=lambda: None):
+        now[0] += seconds
+        for timer in [timer for timer in timers if timer[0] <= now[0]]:
+            timers.remove(timer)
+            timer[1]()
+        event()
+
+    tab, other, stranger = connection(key=[site.key]), connection(), connection()
+    for event in (stranger.onClose, tab.onOpen, other.onOpen, other.onClose, tab.onClose):
+        wait(100, event)
+    wait(0.8 * server.RETURN, tab.sendServerStatus)
+    wait(0.9 * server.LOADING, tab.sendServerStatus)
+    assert not tabs.are_gone
+    wait(1, tab.onOpen)
+    wait(1, tab.onClose)
+    wait(server.RETURN - 0.1, stranger.sendServerStatus)
+    assert not tabs.are_gone
+    wait(0.1)
+    assert (tabs.are_gone, stops) == (True, [])  # main can end by itself
+    wait(server.LEAVE)
+    assert {*stops} == {*now}
+    assert site.key != server.Server(None, Tabs()).key  # each start has its own
