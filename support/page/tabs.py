@@ -5,7 +5,7 @@ has not got yet. The last value of an attribute counts, so a slow tab gets less 
 all that there is.
 
     to a tab    {"cmds": [...], "attrs": [...], "state": {...}}
-    from a tab  "seen", when it has drawn a picture after a message, or [command, value, ...]
+    from a tab  "seen" for each picture that it has drawn after a message, or [command, value, ...]
 
 cmds and attrs are VPython's (package in vpython.py, decode in glowcomm.html):
 
@@ -103,9 +103,9 @@ class Tab:
             self.send(message)
             self.measure()
 
-    def seen(self) -> None:
-        """Note that the tab has drawn a picture: the oldest message is no longer under way."""
-        if self.under_way:
+    def seen(self, count) -> None:
+        """Note that the tab has drawn so many pictures: the oldest messages are no longer under way."""
+        for _ in range(min(count, len(self.under_way))):
             self.under_way.popleft()
         self.measure()
         self.take(Changes())
@@ -164,9 +164,9 @@ class Tabs:
 
     def receive(self, socket, data) -> None:
         """Take a message of a tab; forget one that is no command. While one tab has the mouse down, others cannot."""
-        if data == b"seen":
+        if data.startswith(b"seen"):
             self.is_seen.set()
-            self.tabs[socket].seen()
+            self.tabs[socket].seen(data.count(b"seen"))
             return
         try:
             command, *values = json.loads(data)

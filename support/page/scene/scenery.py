@@ -29,6 +29,7 @@ class Scenery:
         """Set soft light and a distant camera, and hide what an earlier run in this Python has left."""
         for shape in scene.objects:
             shape.visible = False
+        scene.autoscale = False
         scene.fov = 0.25  # rad: a distant camera; a near one distorts shapes off the centre
         scene.lights = []
         scene.ambient = vector(0.45, 0.45, 0.45)

@@ -39,7 +39,6 @@ function begin() {
     const { left, top } = $(scene().__canvas_element).offset(), { pageX, pageY } = event;
     update.call(this, { ...event, type: event.type, pageX: left + (pageX - left) * devicePixelRatio, pageY: top + (pageY - top) * devicePixelRatio });
   };
-  scene().autoscale = false;
   scene().forward = vec(...FORWARD);
   scene().bind("mousedown", event => tell("grab", ...ray(event)));
   scene().bind("mousemove", event => tell("drag", ...ray(event)));
