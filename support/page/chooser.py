@@ -69,10 +69,6 @@ class Chooser:
         self.choose(YOUR_CSV)
         self.set(csv=snapshot)
 
-    def leave(self) -> None:
-        """Note that the cradle is no longer that of the experiment."""
-        self.is_changed = self.experiment is not None
-
     def edit(self, row, column, text, numbers) -> bool:
         """Take this number (a text) for a row of the table, or refuse it; return whether it is taken.
 

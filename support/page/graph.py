@@ -8,7 +8,6 @@ from math import isfinite
 from support.files.data_file import EVERY
 
 SPANS = {"last 2 s": (2.0, 0.01), "last 10 s": (10.0, 0.03)}  # the times on the axis, and from row to row (s)
-LONGEST_SPAN = max(seconds for seconds, _ in SPANS.values())
 PHASE_SPAN = 3.0, EVERY  # of the phase picture
 MOST_DRAWN = 20  # pendula in the graph: more curves could not be told apart
 
@@ -24,7 +23,7 @@ class Graph:
         """Begin without samples; angle_keys and rate_keys are those of a pendulum."""
         self.angle_keys, self.rate_keys = angle_keys, rate_keys
         self.names: list[str] = []  # of the numbers in a row
-        self.rows: deque[array] = deque(maxlen=round(LONGEST_SPAN / EVERY))
+        self.rows: deque[array] = deque(maxlen=round(max(seconds for seconds, _ in SPANS.values()) / EVERY))
         self.choice, self.span = ENERGY, next(iter(SPANS))  # a key of choices, and one of SPANS
         self.begin([])
 

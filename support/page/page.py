@@ -88,7 +88,7 @@ def open_page(options):
     baseObj._view_constructed = True  # VPython's own server does not start: it believes that its page is there
     say(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:
-        say(f"Every machine that reaches {options.host} can open it, with the whole address.")
+        say("Every machine that reaches this one can open it, at this one's name, with the same port and key.")
     say("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.")
     end_on_interrupt(first=server.forget_way)
     if options.browser:

@@ -134,8 +134,9 @@ class Server:
 
     def forget_way(self) -> None:
         """Delete the file that leads a browser to the page."""
-        if self.way:
-            self.way.unlink(missing_ok=True)
+        with suppress(OSError):
+            if self.way:
+                self.way.unlink(missing_ok=True)
 
     def close(self, patience=0.0) -> None:
         """Close all tabs, wait so long (s) until they have their last messages, and stop."""
@@ -148,9 +149,8 @@ class Server:
         self.listener.close()
 
     def has_key(self, parameters) -> bool:
-        """Return whether a request with these parameters, a list of texts for each name, has the key."""
-        given = parameters.get("key", [""])[0]
-        return secrets.compare_digest(given.encode(), self.key.encode())  # takes equally long for every wrong key
+        """Return whether a request with these parameters, lists by name, has the key; as quickly for each wrong key."""
+        return secrets.compare_digest(parameters.get("key", [""])[0].encode(), self.key.encode())
 
     def wait_for_tab(self, seconds) -> None:
         """Wait so long from now on, at least: a tab was closed, or a tab loads."""
@@ -200,8 +200,8 @@ class Protocol(WebSocketServerProtocol):
 
     def onOpen(self) -> None:  # noqa: N802
         self.site.until = 0.0  # it is loaded
-        self.site.forget_way()
         self.site.tabs.open(self, self.tell)
+        self.site.forget_way()
 
     def tell(self, message) -> None:
         with suppress(Disconnected):  # the tab was just closed

@@ -10,7 +10,7 @@ all that there is.
 cmds and attrs are VPython's (package in vpython.py, decode in glowcomm.html):
 
     cmds    {"cmd": kind, "idx": number, ...}   makes the object with this number
-            {"idx": number, name: value}        sets an attribute of the canvas, or adds to its caption
+            {"idx": number, name: value}        sets an attribute of the canvas
     attrs   "a12Jvalue", "b12ovalue"            sets the attribute J or o of object 12
             "m12Gvalue"                         calls the method G of object 12, for instance clear_trail
 
@@ -20,14 +20,12 @@ state has what the page shows beside the canvas, by name (Viewer.state): only wh
 import json
 import re
 from collections import deque
-from itertools import count
 from threading import Event
 from typing import Any
 
 from vpython import baseObj, vector
 
 MOST, LARGEST = 24, 2**18  # messages under way to a tab, and bytes: a far tab needs several, a slow line not too many
-ADDING, numbers = ("append_to_caption", "append_to_title"), count(1)  # of the texts that are added: all are kept
 
 
 class Changes:
@@ -45,14 +43,14 @@ class Changes:
         """Add the changes in a message of VPython's, and in the state."""
         for cmd in message.get("cmds", []):
             names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
-            self.put((cmd["idx"], *names, next(numbers) if names[0] in ADDING else 0), cmd)
+            self.put((cmd["idx"], *names), cmd)
         for text in message.get("attrs", []):
             self.put(text if text[0] == "m" else re.match(r"\w\d+.", text)[0], text)  # type: ignore[index]
         self.state |= state
 
     def put(self, key, change) -> None:
         """Put a change of VPython's last: an attribute can change another one, as axis and size do."""
-        maker = (key[0], "cmd", 0)
+        maker = (key[0], "cmd")
         # A shape is made with its last texture: glow.min.js mixes up two that it loads.
         if key[1] == "texture" and maker in self.drawing:
             self.drawing[maker] = {**self.drawing[maker], **change}
@@ -70,7 +68,8 @@ class Changes:
         """Return them as one message."""
         cmds = [change for change in self.drawing.values() if isinstance(change, dict)]
         attrs = [change for change in self.drawing.values() if isinstance(change, str)]
-        return json.dumps({"cmds": cmds, "attrs": attrs, "state": self.state}, separators=(",", ":")).encode()
+        parts = {"cmds": cmds, "attrs": attrs, "state": self.state}
+        return json.dumps(parts, separators=(",", ":"), default=float).encode()  # a student's number can be numpy's
 
 
 def vpython_changes() -> dict:
@@ -95,9 +94,9 @@ class Tab:
         self.has_room = True  # for one message more
 
     def take(self, changes) -> None:
-        """Send these changes, with those that wait, as soon as there is room."""
+        """Send these changes, with those that wait, as soon as there is room; at once, why the program has ended."""
         self.pending.add(changes)
-        if self.pending and self.has_room:
+        if self.pending and (self.has_room or self.pending.state.get("ended")):
             message, self.pending = self.pending.message(), Changes()
             self.under_way.append(len(message))
             self.send(message)
@@ -128,7 +127,7 @@ class Tabs:
         self.last: dict = {}  # the state that the tabs have, or will have
         self.in_server = lambda function, *arguments: function(*arguments)
         self.give = lambda command, *values: None  # the viewer sets it; takes a command of a tab
-        self.holder: Any = None  # the tab that has grabbed a bob, and not let go
+        self.holder: Any = None  # the tab with the mouse down
         self.is_seen = Event()  # whether a tab has drawn the first picture
         self.are_gone = False  # whether the last tab was closed for good
 

@@ -294,8 +294,8 @@ class Viewer(Player):
 
     def edit(self, row, column, text) -> None:
         """Let main make the cradle with this number in a row and a column of the table, or show why it is refused."""
-        self.leave_experiment()
         if self.chooser.edit(row, column, text, {name: self.cradle.values(name) for name in ("mass", "e")}):
+            self.leave_experiment()
             self.restart()
 
     def reload(self) -> None:
@@ -328,7 +328,7 @@ class Viewer(Player):
 
     def repeat(self, slowly) -> None:
         """Run the experiment again with the same answer, maybe slowly."""
-        if self.questions.measurement:
+        if self.questions.measurement and self.questions.measurement.is_over:
             self.questions.again = self.questions.said, self.questions.votes, slowly
             self.running = True
             self.restart()
@@ -356,7 +356,7 @@ class Viewer(Player):
         self.running, self.rest_end = self.running or self.questions.is_asking, -inf
         self.slow_hits.clear()
         self.set_speed(self.speed)  # also if an experiment was repeated slowly
-        self.chooser.leave()
+        self.chooser.is_changed = self.chooser.experiment is not None
         self.questions.drop()
 
     # --- the mouse: a ray is a point on it, and its direction ---------------------------------------------------------

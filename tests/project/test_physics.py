@@ -4,17 +4,14 @@ The fast path does the long swings; test_many_ticks.py compares it with newton_c
 """
 
 import random
-from collections import defaultdict
 from functools import partial
 from math import cos, degrees, pi, radians, sin, sqrt
 
 import pytest
 from programs import slow_but_for
-from vpython import color, sphere, textures
 from whole_cradles import advance, apart, energy, ExactCradle, make_row, outer_angles, SAMPLE, thetas_after
 
 from src.visualize_cradle_run import handle_two_bobs
-from support import pendulum
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
 
@@ -43,16 +40,6 @@ def test_the_period_of_one_pendulum_over_twenty_swings(amplitude):
             crossings.append((sample + before / (before - after)) * SAMPLE)
     assert len(crossings) == 21
     assert (crossings[-1] - crossings[0]) / 20 == pytest.approx(expected, rel=0.0005)
-
-
-def test_a_discarded_shape_is_hidden_and_used_again(monkeypatch):
-    """With its new looks, and none of the old ones; test_cradle.py has the reload of a cradle."""
-    monkeypatch.setattr(pendulum, "discarded", defaultdict(list))
-    ball = pendulum.make_shape(sphere, color=color.red, texture=textures.wood, shininess=1)
-    pendulum.discard([ball])
-    assert pendulum.make_shape(sphere, radius=3) is ball
-    looks = (ball.visible, ball.radius, ball.color, ball.texture, ball.shininess)
-    assert looks == (True, 3, color.white, None, sphere().shininess)
 
 
 @pytest.mark.parametrize(

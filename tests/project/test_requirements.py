@@ -16,8 +16,8 @@ LISTED = dict(re.findall(r"^([\w-]+)(.*)$", (ROOT / "support" / "requirements.tx
 # The private names of VPython that support/page uses, each as VPython's file has it.
 PRIVATE = {
     "vpython.py": [
-        *("_view_constructed = ", "object_registry = ", "updates = {", "attrs = set()", "'append_to_caption'"),
-        *("def handle_attach(cls)", "def initialize(cls)", "def package(cls, objdata)", "'append_to_title'"),
+        *("_view_constructed = ", "object_registry = ", "updates = {", "attrs = set()"),
+        *("def handle_attach(cls)", "def initialize(cls)", "def package(cls, objdata)"),
     ],
     "vpython_libraries/glowcomm.html": [
         *("window.__GSlang =", "var glowObjs", "function decode(data)", "function handler(data)"),

@@ -2,20 +2,21 @@
 
 import json
 import random
+from fractions import Fraction
 
 import pytest
 
 from support.page.tabs import Changes, MOST, Tabs
 
-SPHERE, TEXT, CANVAS = {"cmd": "sphere", "idx": 1}, {"append_to_caption": "a", "idx": 0}, {"cmd": "canvas", "idx": 0}
+SPHERE, CANVAS = {"cmd": "sphere", "idx": 1}, {"cmd": "canvas", "idx": 0}
 WOOD = {"idx": 1, "texture": {"file": "wood_texture.jpg"}}
 
 
 @pytest.mark.parametrize(
     ("messages", "cmds", "attrs"),
     [
-        # Objects are made in their order, and texts are all kept.
-        ([{"cmds": [CANVAS, TEXT]}, {"cmds": [SPHERE, TEXT]}], [CANVAS, TEXT, SPHERE, TEXT], []),
+        # Objects are made in their order.
+        ([{"cmds": [CANVAS]}, {"cmds": [SPHERE]}], [CANVAS, SPHERE], []),
         # A shape is made with its last texture: glow.min.js mixes up two that it loads.
         ([{"cmds": [SPHERE, CANVAS]}, {"cmds": [WOOD]}], [{**SPHERE, **WOOD}, CANVAS], []),
         # The last value of a setting of the canvas.
@@ -36,6 +37,14 @@ def test_changes_merge_into_one_message_with_the_result_of_all(messages, cmds, a
         changes.add(later)
     state = {'a "name"': ["<b>"], "t": len(messages) - 1}
     assert json.loads(changes.message()) == {"cmds": cmds, "attrs": attrs, "state": state}
+
+
+def test_a_full_tab_gets_the_words_of_the_end_at_once_and_any_number_can_be_in_the_state(tabs):
+    sent = open_tab(tabs, 1)
+    for number in range(MOST):
+        tabs.show({"mass": [Fraction(1, 2)], "t": number})
+    tabs.show({"ended": "NameError"})
+    assert (sent[0]["state"]["mass"], sent[-1]["state"]) == ([0.5], {"ended": "NameError"})
 
 
 @pytest.fixture
@@ -93,23 +102,22 @@ def picture_of(messages):
 
     Shapes are here like VPython's: f sets the length and the direction of one, g its length and its width.
     """
-    picture, texts = {}, []
+    picture = {}
     for message in messages:
         for cmd in message["cmds"]:
-            texts.append(cmd.get("append_to_caption"))
-            picture |= {(cmd["idx"], name): value for name, value in cmd.items() if name != "append_to_caption"}
+            picture |= {(cmd["idx"], name): value for name, value in cmd.items()}
         for text in message["attrs"]:
             length, other = text[3:].split(",")
             picture |= {(text[1], "length"): length, (text[1], text[2]): other}
         picture |= message["state"]
-    return picture, [text for text in texts if text]
+    return picture
 
 
 @pytest.mark.parametrize("seed", range(20))
 def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(tabs, seed):
     chance, shown, got = random.Random(seed), [], {}
     for number in range(400):
-        cmds = {"idx": 0, chance.choice(["range", "fov"]): number}, {"idx": 0, "append_to_caption": str(number)}
+        cmds = {"idx": 0, "range": number}, {"idx": 0, "fov": number}
         attrs = [f"a{i}{chance.choice('fg')}{number},{chance.random()}" for i in range(4) if chance.random() < 0.4]
         tabs.changes = {"cmds": [cmd for cmd in cmds if chance.random() < 0.2] if number else [SPHERE], "attrs": attrs}
         tabs.show(state := {name: chance.randrange(3) for name in "abc" if chance.random() < 0.5})

@@ -146,6 +146,9 @@ addEventListener("pointermove", event => {
     event.target.style.cursor = !isOnBob(event.pageX, event.pageY) ? "" : held ? "grabbing" : "grab";
 }, true);
 
+// VPython does not hear of each end of a drag: not of one with two buttons, nor of one that the system ends.
+for (const type of ["pointerup", "pointercancel"]) addEventListener(type, () => tell("let go"), true);
+
 // One finger on a bob drags it at once: VPython would wait whether the finger turns the camera.
 addEventListener("touchstart", event => {
   if (!isCanvas(event) || event.touches.length > 1) return;
@@ -154,7 +157,6 @@ addEventListener("touchstart", event => {
 }, { capture: true, passive: true });
 for (const type of ["touchend", "touchcancel"])
   addEventListener(type, event => {
-    if (type === "touchcancel") tell("let go"); // VPython does not hear of it
     if (home && !event.touches.length) setTimeout(() => Object.assign(scene(), { userspin: true, userzoom: true }));
   }, { passive: true });
 
@@ -177,4 +179,4 @@ function keepPicture() {
   } else if (question && question !== asked)
     [asked, background, scene().background] = [question, scene().background, vec(1, 1, 1)];
 }
-addEventListener("beforeprint", () => find(".sheet img").forEach(image => image.src = picture));
+addEventListener("beforeprint", () => picture && find(".sheet img").forEach(image => image.src = picture));

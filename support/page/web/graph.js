@@ -22,12 +22,11 @@ function drawGraph() {
   const most = column => 1.05 * Math.max(0.01, ...rows.map(row => Math.abs(row[column])));
   const [along, up] = from === undefined ? [1, 2].map(number => ({ min: -most(number - 1), max: most(number - 1) })) // a phase picture
     : [{ min: from, max: to }, y === "%" ? { min: 0, max: most(curves.length) } : {}]; // the total is the last one
-  const tickFormatter = value => Number(value.toPrecision(6)); // flot rounds 2.5 to 3
   $.plot(place, data, {
     series: { shadowSize: 0 },
     // The name of the axis takes the place of its last number.
-    xaxis: { ...along, tickFormatter: (value, { min, max }) => (max - value) / (max - min) * place.width() < 80 ? "" : tickFormatter(value) },
-    yaxis: { ...up, tickFormatter, labelWidth: 44 },
+    xaxis: { ...along, tickFormatter: (value, { min, max }) => (max - value) / (max - min) * place.width() < 80 ? "" : Number(value.toPrecision(6)) },
+    yaxis: { ...up, labelWidth: 44 },
     legend: { show: curves.length < 9 && from !== undefined, noColumns: 8, position: "ne", margin: [0, -24], backgroundOpacity: 0 },
     grid: { offsets: { left: 0, right: 0, top: 0, bottom: 0 }, color: css("--pale"), borderColor: css("--line"), tickColor: css("--line"), backgroundColor: "transparent", borderWidth: 1 },
   });

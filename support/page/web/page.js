@@ -27,6 +27,7 @@ addEventListener("DOMContentLoaded", () => { // all scripts are there
 });
 
 function take(event) {
+  unseen++;
   const { state: changes, ...drawing } = JSON.parse(event.data);
   if (canDraw) handler(decode(drawing)); // VPython's
   Object.assign(state, changes);
@@ -34,18 +35,17 @@ function take(event) {
     shows[name]?.(state[name]);
     show(name);
   }
-  unseen++;
 }
 
 // For each picture that the browser has drawn, the program may send one message more. Few words are quicker than many.
 function countPictures(now) {
   if (unseen > seen) seen++;
-  if (isOpen() && (seen > 2 || seen && now > nextWord)) {
+  if (isOpen() && (seen > 2 || (seen || wanted.size) && now > nextWord)) {
     socket.send("seen ".repeat(seen));
+    for (const command of wanted.values()) tell(...command); // each one restarts the cradle
+    wanted.clear();
     [unseen, seen, nextWord] = [unseen - seen, 0, now + 45];
   }
-  for (const command of wanted.values()) tell(...command);
-  wanted.clear();
   requestAnimationFrame(countPictures);
 }
 
@@ -147,8 +147,9 @@ addEventListener("keydown", event => {
   if (!isForUs || event.repeat && event.key !== "ArrowRight") return;
   const key = event.key.length === 1 && event.key > "~" ? event.code.replace(/^(Key|Digit)/, "").toLowerCase() : event.key;
   const letter = key.length === 1 ? key.toLowerCase() : key, answer = "abcde".indexOf(letter);
+  const digit = /^[1-9]$/.test(letter) ? letter : event.code.match(/^Digit([1-9])$/)?.[1];
   if (letter in keys) keys[letter]();
-  else if (/^[1-9]$/.test(letter)) tell("lifted", Math.min(+letter, state.lifted[1]));
+  else if (digit) tell("lifted", Math.min(+digit, state.lifted[1]));
   else if (answer >= 0 && state.question) tell("answer", state.question.key, answer);
   else return;
   event.preventDefault(); // no key scrolls the page
@@ -160,5 +161,5 @@ addEventListener("pointerdown", () => byMouse = true, true);
 addEventListener("keydown", () => byMouse = false, true);
 for (const [type, isSelect] of [["click", false], ["change", true]]) // a click on a menu only opens it
   addEventListener(type, ({ target }) => {
-    if (byMouse && (target.tagName === "SELECT") === isSelect && !target.matches("[data-place]")) document.activeElement.blur();
+    if (byMouse && (target.tagName === "SELECT") === isSelect && target.type !== "text") document.activeElement.blur();
   });
