@@ -30,7 +30,7 @@ from support.page.tabs import Tabs
 
 RETURN, LOADING = 3.0, 30.0  # s that a closed tab has to come back, and a page from its request to its websocket
 LEAVE = 1.0  # s that main has to end without a tab; then Ctrl+C ends it: it may be in a loop that never ends
-LARGEST_MESSAGE = 2**16  # bytes; closes the websocket of a tab that sends more: the program would keep it in memory
+LARGEST_MESSAGE = 2**26  # bytes, either way; closes the websocket of a tab that sends more: it would stay in memory
 NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key.\n"
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".jpg": "image/jpeg", "": "text/plain"}
 VPYTHON_SCRIPT = "window.__GSlang ="  # where glowcomm.html has its fonts and its own websocket behind it

@@ -17,7 +17,7 @@ import programs
 import pytest
 from programs import copy_project, end, first_lines, QUIETLY, ROOT, running, SECONDS
 from students import put_files
-from whole_cradles import FIVE_CSV
+from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from support.page.tabs import Changes, Tabs
 
@@ -169,10 +169,13 @@ def test_rubbish_changes_nothing_and_prints_nothing(site):
         assert {name: after[name] for name in KEPT} == {name: before[name] for name in KEPT}
 
 
-def test_a_tab_whose_browser_crashes_ends_the_program():
-    """In the middle of a message. Before that, a message that would fill the memory closes the tab."""
-    with running() as process:
+def test_a_tab_whose_browser_crashes_ends_the_program(csv):
+    """In the middle of a message. Before that: a tab gets the largest cradle; one that would fill the memory ends."""
+    csv.write_text(HEADER + GOOD * 1000)
+    with running(None, str(csv)) as process:
         page = urlsplit(first_lines(process))
+        with Tab(page) as tab:
+            assert len(tab.hear()["cmds"]) > 3000
         with Tab(page) as tab, suppress(ConnectionResetError):
             tab.connection.sock.sendall(b"\x81\xff" + (server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4))
             tab.answer.fp.read()  # until the end
