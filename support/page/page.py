@@ -78,7 +78,7 @@ def open_page(options):
 
     Raises a ValueError with a one-line message if --host or --port is wrong.
     """
-    # These imports need VPython, and what comes with it.
+    # Not earlier: the stand-in for VPython has no server.
     from vpython import baseObj
 
     from support.page.server import listen, Server

@@ -103,7 +103,7 @@ class Tab:
             self.measure()
 
     def seen(self, count) -> None:
-        """Note that the tab has drawn so many pictures: the oldest messages are no longer under way."""
+        """Count pictures that the tab has drawn: as many messages, the oldest ones, are no longer under way."""
         for _ in range(min(count, len(self.under_way))):
             self.under_way.popleft()
         self.measure()

@@ -56,8 +56,8 @@ def tell_mistake(error) -> str:
 
 
 def tell_endless(error) -> None:
-    """Say where Ctrl+C (a KeyboardInterrupt of run) has stopped a function that did not come to its end, if it has."""
-    for frame in own_frames(error)[-1:] if getattr(error, "is_late", False) else ():
+    """Say where Ctrl+C (a KeyboardInterrupt) has stopped a function without end; run marks one that is not late."""
+    for frame in own_frames(error)[-1:] if getattr(error, "is_late", True) else ():
         say(f"{Path(frame.filename).name}, line {frame.lineno}: does a loop in {frame.name} never end?", sys.stderr)
 
 

@@ -168,6 +168,8 @@ def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
     assert (df[0].partition(":")[0], len(df)) == ("df", 1 + 1 + 3)  # the name df, a header, three pendula
     assert bad_rep[1:] == [f"  {row}: {pend}" for row, pend in enumerate(MIXED)]
     assert pend_list[1:] == [f"  {pend}" for pend in MIXED]
+    monkeypatch.setattr("src.pds_helper.pd", Mock(**{"read_csv.side_effect": KeyboardInterrupt}))
+    assert "does a loop in extract_and_convert never end?" in call(pds_tester.main, capsys)[2]
 
 
 @pytest.fixture

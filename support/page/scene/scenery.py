@@ -39,7 +39,7 @@ class Scenery:
         self.space = Space(0, 0, 0, 0, 0, 0, 0)
         self.whole_circles = False  # whether the view has space for bobs that swing above the frame
         self.below, self.lines = 0.0, 0  # in view, too: m below the base, and lines of text above the cradle
-        self.numbers: list[tuple[float, str]] = []  # the place of each axle (x, in m), and what stands above it
+        self.numbers: list[tuple[float, str]] = []  # for each axle: its x (m), and the text above it
 
     def surround(self, axles, bobs, reach, masses) -> None:
         """Put a frame around the cradle with these axles and bobs, from left to right; reach (m) is that of a Space."""
