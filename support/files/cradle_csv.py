@@ -4,6 +4,8 @@ import csv
 import errno
 import io
 import os
+import re
+import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -20,6 +22,14 @@ LARGEST = 10_000_000  # bytes of a file
 MOST_PENDULA = 1000  # of a cradle
 POLL = 0.2  # s between two looks at a file while you edit it
 LONGEST_FOUND = 300  # letters of a file in a message
+WORKBOOKS = b"PK\3\4", b"\xd0\xcf\x11\xe0"  # the first bytes of .xlsx, .ods and .numbers, and of .xls
+SEPARATOR = re.compile("sep=.?", re.IGNORECASE)  # the line above the names that tells Excel the separator
+# What separates the cells in place of commas, or a comma inside them, and what to do.
+HINTS = {
+    ";": "separate cells with commas, not semicolons",
+    "\t": "separate cells with commas, not tabs",
+    ",": "take away the quotes around each line",
+}
 
 
 def read_file(filepath) -> bytes:
@@ -27,15 +37,28 @@ def read_file(filepath) -> bytes:
 
     It raises one for a pipe, which may have no writer, and for a device, which may have no end, and never waits.
     """
+    if Path(filepath).is_dir():  # Windows would only say that the permission is denied
+        raise OSError(errno.EISDIR, "found a folder, allowed is a file")
     at_once = getattr(os, "O_NONBLOCK", 0)  # without it, which Windows does not have, a pipe would wait for its writer
     path = Path(filepath)  # it takes no number, which would be an open file
-    with open(path, "rb", opener=lambda path, flags: os.open(path, flags | at_once)) as file:
+    with named_lock(), open(path, "rb", opener=lambda path, flags: os.open(path, flags | at_once)) as file:
         if not S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(errno.EINVAL, "found a pipe or a device, allowed is a file")
         data = file.read(LARGEST + 1)
     if len(data) > LARGEST:
         raise OSError(errno.EFBIG, f"found more than {LARGEST // 10**6} MB, allowed are at most {LARGEST // 10**6} MB")
     return data
+
+
+@contextmanager
+def named_lock():
+    """On Windows, add the usual reason to a PermissionError of the body: Excel keeps others from a file."""
+    try:
+        yield
+    except PermissionError as error:
+        if sys.platform != "win32":
+            raise
+        raise PermissionError(error.errno, f"{error.strerror}; another program may have it open") from None
 
 
 class Snapshot:
@@ -63,11 +86,12 @@ class Snapshot:
         if not rows:
             raise ValueError(f"{self}: is empty, the first line must name the columns")
         width = len(rows[0][1])
-        comma_hint = "; a comma starts a new cell, also inside a number"
+        named = max(number for number, name in enumerate(rows[0][1], start=1) if name)
         for line, cells in rows:
-            if len(cells) > width:
+            if any(cells[width:]):
                 found = f"found {len(cells)} cells, allowed are at most {width}, as in line {rows[0][0]}"
-                raise ValueError(f"{self}, line {line}: {found}{separator_hint(rows) or comma_hint}")
+                raise ValueError(f"{self}, line {line}: {found}; a comma starts a new cell, also inside a number")
+            del cells[named:]
         return rows
 
     def each_row(self) -> Iterator[tuple[int, list[str]]]:
@@ -77,7 +101,8 @@ class Snapshot:
         try:
             for cells in reader:
                 cells = [cell.strip() for cell in cells]
-                if cells not in ([], [""]):
+                values = [*filter(None, cells)]
+                if values and not (line == 1 and len(values) == 1 and SEPARATOR.fullmatch(values[0])):
                     yield line, cells
                 line = reader.line_num + 1
         except csv.Error as error:
@@ -87,6 +112,8 @@ class Snapshot:
         """Return the text, without byte-order marks: pandas leaves out only one."""
         if self.error:
             raise ValueError(f"{self}: cannot be read as a CSV file: {self.error.strerror}") from self.error
+        if self.data.startswith(WORKBOOKS):
+            raise ValueError(f"{self}: is a workbook; open it in its program, and save or download it as CSV")
         place, found = self.data.find(b"\0"), "a zero byte"
         try:
             text = self.data.decode("utf-8")
@@ -125,8 +152,9 @@ class LiveFile:
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV, the header first, each row as (line number in the file, cells as text).
 
-    Blank lines, spaces around a cell and byte-order marks are left out. Raises a ValueError that names the mistake and
-    its place if the file cannot be read, is not UTF-8 text, is empty, or has a row with more cells than the header.
+    Left out are rows without a value, last columns without a name, spaces around a cell, byte-order marks, and `sep=,`
+    in line 1. Raises a ValueError that names the mistake and its place if the file cannot be read, is not UTF-8 text,
+    is empty, or has a row with more cells than the header.
     """
     return snapshot_of(filepath).rows
 
@@ -150,10 +178,12 @@ def clean_copy(filepath):
         yield str(copy)
 
 
-def separator_hint(rows) -> str:
-    """Return a hint if semicolons or tabs separate the names in the first of these rows of read_cells."""
-    used = "semicolons" if ";" in rows[0][1][0] else "tabs" if "\t" in rows[0][1][0] else ""
-    return f"; separate cells with commas, not {used}" if used else ""
+def header_hint(header) -> str:
+    """Return a hint if the first cell of a header has several names of columns."""
+    for separator, hint in HINTS.items():
+        if len(RULES.keys() & {name.strip() for name in header[0].split(separator)}) > 1:
+            return f"; {hint}"
+    return ""
 
 
 def in_short(text) -> str:
@@ -202,13 +232,14 @@ def check_cradle(filepath, cords=1) -> None:
     if line:
         allowed = f"allowed are at most {MOST_PENDULA}, which already move in slow motion on the page"
         raise ValueError(f"{snapshot}, line {line}: found pendulum {MOST_PENDULA + 1}, {allowed}")
-    (header_line, header), *rows = snapshot.rows
-    for column in RULES:
-        if header.count(column) != 1:
-            found = f"found {in_short(', '.join(map(repr, header)))}"
-            allowed = f"a cradle needs one column of each of {', '.join(RULES)}"
-            hint = separator_hint(snapshot.rows)
-            raise ValueError(f"{snapshot}, line {header_line}, column {column}: {found}; {allowed}{hint}")
+    for line, header in islice(snapshot.each_row(), 1):  # first: a title above the names is shorter than the rows
+        wrong = [column for column in RULES if header.count(column) != 1]
+        if wrong:
+            place = f", column {wrong[0]}" if RULES.keys() & {*header} else " must name the columns"
+            found = f"found {in_short(', '.join(map(repr, filter(None, header))))}"
+            allowed = f"a cradle needs one column of each of {', '.join(RULES)}{header_hint(header)}"
+            raise ValueError(f"{snapshot}, line {line}{place}: {found}; {allowed}")
+    (_, header), *rows = snapshot.rows
     if not rows:
         raise ValueError(f"{snapshot}: names columns but has no pendulum, a cradle needs at least one row below them")
     for line, cells in rows:

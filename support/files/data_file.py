@@ -8,7 +8,7 @@ from pathlib import Path
 from secrets import token_hex
 from stat import S_ISREG
 
-from support.files.cradle_csv import LARGEST
+from support.files.cradle_csv import LARGEST, named_lock
 
 EVERY = 0.01  # s from sample to sample
 
@@ -31,7 +31,8 @@ def whole_file(filepath):
             os.fsync(file.fileno())
         if target.exists():
             shutil.copymode(target, unfinished)
-        os.replace(unfinished, target)
+        with named_lock():
+            os.replace(unfinished, target)
     except OSError as error:
         raise OSError(error.errno, f"cannot be written: {error.strerror}", str(filepath)) from error
     finally:
@@ -44,7 +45,7 @@ def check_record(filepath) -> None:
     try:
         if not S_ISREG(Path(filepath).stat().st_mode):
             return  # whole_file will raise the error
-        with open(filepath, "r+b") as file:  # opened to write, too: another program may have it open
+        with named_lock(), open(filepath, "r+b") as file:  # opened to write, too: another program may have it open
             columns = file.readline(LARGEST).strip()
     except FileNotFoundError:
         return  # a new file; if its folder is missing, whole_file will raise the error

@@ -36,19 +36,25 @@ REFUSED = {
     "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte, allowed is text only, saved as UTF-8"),
     "latin-1": (b"mass\n1\nros\xe9\n", ", line 3: found byte 0xe9, allowed is text only, saved as UTF-8"),
     "too many cells": (
-        "mass,e\n1,1\n1,1,7\n",
-        ", line 3: found 3 cells, allowed are at most 2, as in line 1; a comma starts a new cell, also inside a number",
-    ),
-    "semicolons and decimal commas": (
-        "mass;e\n1,0;1,0\n",
-        ", line 2: found 3 cells, allowed are at most 1, as in line 1; separate cells with commas, not semicolons",
+        HEADER + GOOD.replace("\n", ",,7"),
+        ", line 2: found 8 cells, allowed are at most 6, as in line 1; a comma starts a new cell, also inside a number",
     ),
     "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit (131072)"),
     "large": (" " * (LARGEST + 1), ": cannot be read as a CSV file: found more than 10 MB, allowed are at most 10 MB"),
     "header only": (HEADER, ": names columns but has no pendulum, a cradle needs at least one row below them"),
-    "tabs": ("mass\te\n", f", line 1, column mass: found 'mass\\te'; {NEEDS}; separate cells with commas, not tabs"),
     "two columns mass": ("mass,mass\n", f", line 1, column mass: found 'mass', 'mass'; {NEEDS}"),
-    "a long line": ("x" * 1000 + "\n", f", line 1, column mass: found '{'x' * 299}...; {NEEDS}"),
+    **{  # the line, what is found in it, and a hint
+        kind: (content, f", line {line} must name the columns: found {found}; {NEEDS}{hint}")
+        for kind, (content, line, found, hint) in {
+            "tabs": ("mass\te\n", 1, "'mass\\te'", "; separate cells with commas, not tabs"),
+            "a decimal comma": ("sep=;\ne;mass\n1;1,0", 2, "'e;mass'", "; separate cells with commas, not semicolons"),
+            "quotes": ('"mass, e"\n"1,1"\n', 1, "'mass, e'", "; take away the quotes around each line"),
+            "a title": (f"Cradle; of e, 1,,,\n{HEADER}{GOOD}", 1, "'Cradle; of e', '1'", ""),
+            "a long line": ("x" * 1000 + "\n", 1, f"'{'x' * 299}...", ""),
+        }.items()
+    },
+    "a workbook": (b"PK\3\4\xff", ": is a workbook; open it in its program, and save or download it as CSV"),
+    "an old workbook": (b"\xd0\xcf\x11\xe0", ": is a workbook; open it in its program, and save or download it as CSV"),
     "row too short": (
         HEADER + "1,1,0,0,red\n",
         f", line 2, column texture: found nothing, {ALLOWED['texture']}; this line has 5 cells, not 6",
@@ -97,8 +103,19 @@ def test_a_missing_file_a_folder_a_pipe_and_a_device_are_refused_at_once(tmp_pat
     """A pipe may have no writer, and /dev/zero never ends."""
     os.mkfifo(pipe := tmp_path / "pipe.csv")
     found = "found a pipe or a device, allowed is a file"
-    reasons = {tmp_path / "missing.csv": "No such file or directory", tmp_path: "Is a directory", pipe: found}
+    reasons = {tmp_path / "missing.csv": "No such file or directory", pipe: found}
     for file, reason in {**reasons, Path("/dev/zero"): found}.items():
+        with pytest.raises(ValueError, match=f"^{re.escape(str(file))}: cannot be read as a CSV file: {reason}$"):
+            read_cells(file)
+
+
+@pytest.mark.parametrize("system", ["win32", "linux"])
+def test_windows_denies_the_permission_for_a_folder_and_for_a_file_that_excel_holds_open(system, csv, monkeypatch):
+    """It says the same of both."""
+    monkeypatch.setattr("sys.platform", system)
+    monkeypatch.setattr("os.open", Mock(side_effect=PermissionError(errno.EACCES, "Permission denied")))
+    held = "Permission denied" + "; another program may have it open" * (system == "win32")
+    for file, reason in {csv: held, csv.parent: "found a folder, allowed is a file"}.items():
         with pytest.raises(ValueError, match=f"^{re.escape(str(file))}: cannot be read as a CSV file: {reason}$"):
             read_cells(file)
 
@@ -109,6 +126,7 @@ READABLE = {
     "spaces": "\n".join("  " + line.replace(",", " ,\t ") + "  " for line in MIXED_CSV.splitlines()),
     "order": "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.splitlines()),
     "quotes": MIXED_CSV.replace("red", ' "red" '),
+    "a spreadsheet": "Sep=,\n" + MIXED_CSV.replace("\n", ",,\n,,,,,,,,\n"),
     "hard spaces": MIXED_CSV.replace(",", "\u00a0,\u00a0") + '""\n\u00a0\n',
 }
 
