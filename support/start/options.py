@@ -8,6 +8,7 @@ import sys
 from math import inf
 from pathlib import Path
 
+from support import constants
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.cradle_csv import read_cells, RULES, to_number
 from support.files.data_file import EVERY
@@ -18,6 +19,16 @@ ROOT = Path(__file__).resolve().parents[2]
 
 # VPython's environment variables; --port and --no-browser override them.
 PORT_VARIABLE, CLOSED_VARIABLE = "VPYTHON_HTTP_PORT", "VPYTHON_NO_LAUNCH_BROWSER"
+
+# The least and the greatest value of a constant, and its unit. In all of this range, a tick is a small part of a swing.
+CONSTANTS = {
+    "R_PARAM": (0.05, 100, "m"),
+    "G": (0.1, 30, "m/s^2"),
+    "DT": (1e-6, 1e-3, "s"),
+    "DOUBLE_DT": (1e-6, 1e-3, "s"),
+    "THETA_INIT": (-3.1416, 3.1416, "rad"),
+    "PHI_INIT": (-3.1416, 3.1416, "rad"),
+}
 
 
 class OneLineParser(argparse.ArgumentParser):
@@ -44,8 +55,26 @@ def angle_from(least):
     return allowed(lambda text: from_lift(float(text)), lambda text: least <= to_number(text) <= 180, words)
 
 
+def check_constants() -> None:
+    """Exit with status 2 and one line if somebody has set a constant to a number with which no cradle works."""
+    for name, (least, most, unit) in CONSTANTS.items():
+        found = getattr(constants, name)
+        if not (isinstance(found, (int, float)) and least <= found <= most):
+            words = f"allowed is a number from {least:g} to {most:g} ({unit})"
+            refuse(f"support/constants.py, {name}: found {found!r}, {words}")
+
+
+def to_port(text) -> int:
+    """Return the number of a port, for argparse; an empty text stands for VPython's variable, or without it for 0."""
+    text, place = (text, "") if text else (os.environ.get(PORT_VARIABLE) or "0", f" in {PORT_VARIABLE}")
+    if not (text.isdecimal() and int(text) <= 65535):
+        raise argparse.ArgumentTypeError(f"found {text!r}{place}, allowed is a whole number from 0 to 65535")
+    return int(text)
+
+
 def cradle_options(description) -> OneLineParser:
     """Return a parser with the options of a cradle; each program adds its own options."""
+    check_constants()
     e, mass = (allowed(float, *RULES[column]) for column in ("e", "mass"))
     lift = allowed(int, str.isdecimal, "a whole number, 0 or more")
 
@@ -65,11 +94,10 @@ def cradle_options(description) -> OneLineParser:
 
 def page_options(description) -> OneLineParser:
     """Return a parser with the options of a cradle and of its page."""
-    port = allowed(int, lambda text: text.isdecimal() and int(text) <= 65535, "a whole number from 0 to 65535")
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
     text = "port of the page (default: any free one)"
-    add("--port", type=port, metavar="N", default=os.environ.get(PORT_VARIABLE) or "0", help=text)
+    add("--port", type=to_port, metavar="N", default="", help=text)
     text = "address at which the page is, for a container 0.0.0.0 (default: 127.0.0.1, for this machine alone)"
     add("--host", metavar="ADDRESS", default="127.0.0.1", help=text)
     text = "open no browser, only print the address of the page"
@@ -108,9 +136,9 @@ def read_text_options(arguments=None) -> argparse.Namespace:
     """Return the options of the cradle in the terminal: those of the cradle, seconds (inf if missing), record (a
     path, or None) and every (s).
     """
+    parser = cradle_options("Newton's cradle as moving text, in real time; or, with --record, its data in a file.")
     seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
     every = allowed(float, is_in_ticks, f"a multiple of {DT:g} (s), one tick, up to 1e6")
-    parser = cradle_options("Newton's cradle as moving text, in real time; or, with --record, its data in a file.")
     add = parser.add_argument
     add("--seconds", type=seconds, metavar="S", default=inf, help="end after S seconds (default: until Ctrl+C)")
     text = "write the data of S seconds (--seconds S) to FILE, a CSV, as fast as the machine can; show nothing"

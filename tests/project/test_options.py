@@ -5,6 +5,7 @@ from math import degrees, inf
 import pytest
 from programs import call
 
+from support import constants
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.pendulum import from_lift
 from support.start import options
@@ -44,7 +45,27 @@ def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
         assert options.read_page_options([]).port == port
     assert options.read_page_options(["--port", "9000"]).port == 9000
     monkeypatch.setenv(options.PORT_VARIABLE, "web")
-    assert "--port: found 'web'" in refusal("page", [], capsys)
+    assert options.read_page_options(["--port", "9000"]).port == 9000
+    assert "found 'web' in VPYTHON_HTTP_PORT, allowed is a whole number from 0 to 65535" in refusal("page", [], capsys)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "allowed"),
+    [
+        *(("DT", value, "from 1e-06 to 0.001 (s)") for value in (0, 1, "0.0001", float("nan"))),
+        *(("R_PARAM", value, "from 0.05 to 100 (m)") for value in (0, -0.2)),
+        ("DOUBLE_DT", 0, "from 1e-06 to 0.001 (s)"),
+        ("G", -9.81, "from 0.1 to 30 (m/s^2)"),
+        ("THETA_INIT", -45, "from -3.1416 to 3.1416 (rad)"),
+        ("PHI_INIT", None, "from -3.1416 to 3.1416 (rad)"),
+    ],
+)
+def test_a_constant_with_which_no_cradle_works_is_refused_in_one_line(name, value, allowed, monkeypatch, capsys):
+    for module in (constants, options):  # options has some of them, too
+        monkeypatch.setattr(module, name, value, raising=False)
+    line = f"support/constants.py, {name}: found {value!r}, allowed is a number {allowed}\n"
+    for read_options, _ in PROGRAMS.values():
+        assert call(lambda read=read_options: read([]), capsys) == (2, "", line)
 
 
 def test_help_has_each_option_with_its_unit_and_default(capsys):
