@@ -3,11 +3,14 @@
 import errno
 import io
 import os
+import re
 import shlex
 import subprocess
 import sys
+import textwrap
 from functools import partial
 from importlib import import_module
+from math import hypot
 from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import Mock
@@ -20,7 +23,7 @@ from whole_cradles import FIVE_CSV, go_on
 import pds_tester
 from grading.cradles import MIXED, MIXED_CSV
 from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
-from support.constants import THETA_INIT
+from support.constants import R_PARAM, THETA_INIT
 from support.page.page import show_cradle, show_double_cradle
 from support.pendulum import to_lift
 from support.start.early import end_on_interrupt, import_later, stop_on_signals
@@ -51,6 +54,16 @@ def test_a_program_of_the_tests_finds_its_own_project_and_has_help(program):
     done = python(ROOT / "tests" / f"{program}.py", "--help", folder=os.sep)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith(f"usage: {program}.py ")
+
+
+def test_the_example_of_the_readme_has_thrown_the_last_bob_out():
+    [lines] = re.findall(r"^    import support.*?(?=\n\n#)", (ROOT / "README.md").read_text(), re.DOTALL | re.MULTILINE)
+    done = python("-c", textwrap.dedent(lines))
+    bobs = [tuple(map(float, found)) for found in re.findall(r"x = (.*) m, y = (.*) m\n", done.stdout)]
+    *hanging, (x, y) = bobs
+    height = hanging[0][1] + R_PARAM  # of the axles
+    assert hanging == [pytest.approx((-0.1 + i * R_PARAM / 4, height - R_PARAM), abs=0.002) for i in range(4)]
+    assert x > 0.2 and hypot(x - (R_PARAM - 0.1), y - height) == pytest.approx(R_PARAM, abs=0.002)
 
 
 def test_an_older_python_is_named_before_it_stumbles():

@@ -11,7 +11,10 @@ from programs import BOBS, end, first_lines, open_cradle, QUIETLY, ROOT, running
 
 from support.constants import R_PARAM
 
-LISTED = dict(re.findall(r"^([\w-]+)(.*)$", (ROOT / "support" / "requirements.txt").read_text(), re.MULTILINE))
+LISTED, OF_TESTS = (
+    dict(re.findall(r"^([\w-]+)([^ \n]*)", (ROOT / folder / "requirements.txt").read_text(), re.MULTILINE))
+    for folder in ("support", "tests")
+)
 
 # The private names of VPython that support/page uses, each as VPython's file has it.
 PRIVATE = {
@@ -39,12 +42,21 @@ def test_vpython_has_its_private_names_that_the_page_uses(file):
     assert [name for name in PRIVATE[file] if name not in text] == []
 
 
-def test_the_short_list_has_what_pyproject_names_and_each_package_has_an_upper_bound():
+def test_the_short_list_has_what_pyproject_names_and_each_package_has_both_bounds():
     named = dict(re.findall(r'^    "([\w-]+)([<>=][^"]+)",', (ROOT / "pyproject.toml").read_text(), re.MULTILINE))
     assert named.keys() == {"vpython", "pandas", "setuptools", "autobahn"}
-    for name, bounds in named.items():
-        assert {*bounds.split(",")} <= {*LISTED[name].split(",")}
-    assert all("<" in bounds for bounds in LISTED.values())
+    assert named.items() <= LISTED.items()
+    for bounds in [*LISTED.values(), *OF_TESTS.values()]:
+        assert re.fullmatch(r"==[\d.]+|>=[\d.]+,<[\d.]+", bounds)
+
+
+def test_the_workflow_has_the_lines_of_the_readme():
+    """The README has a command for Linux and macOS, and lines for Windows."""
+    workflow, readme = ((ROOT / file).read_text() for file in (".github/workflows/test.yml", "README.md"))
+    pattern = re.search(r"sed -n 's/(.*)/\\1/p' README.md", workflow)[1].replace(r"\(", "(").replace(r"\)", ")")
+    assert len(re.findall(pattern, readme, re.MULTILINE)) == 1
+    installs = re.findall(r"^    (\.venv\\Scripts\\p(?:ip|ytest).*)$", readme, re.MULTILINE)
+    assert re.findall(r"^ +(\.venv\\.*)$", workflow, re.MULTILINE) == installs
 
 
 @pytest.mark.parametrize(("name", "bobs"), [("visualize_cradle_run.py", 5), ("visualize_double_cradle_run.py", 10)])
