@@ -1,18 +1,20 @@
-"""Read experiments: each is a CSV and a text with the same name; the README in support/experiments has its lines."""
+"""Read experiments: each is a text file; the README in support/experiments has its lines."""
 
-import io
 import re
-from configparser import ConfigParser, Error
-from itertools import accumulate
+from itertools import accumulate, cycle
 from math import radians
 from pathlib import Path
 from typing import NamedTuple
 
-from support.files.cradle_csv import check_cradle, read_cells, read_file, Snapshot, to_number
+from support.files.cradle_csv import are_in_range, IN_RANGE, in_short, MOST_PENDULA, RULES, Snapshot, to_number
 
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
-LONGEST_RUN = 60.0  # s from the release to the measurement
+NAMES = "name", "theta", "phi", "mass", "e", "seconds", "question", "why"  # of lines; the others have answers
+ANGLE = lambda text: -180 <= to_number(text) <= 180, "an angle from -180 to 180 (degrees)"
+SECONDS = lambda text: 0 < to_number(text) <= 60, "a number above 0 and up to 60"  # from release to measurement
+TURNS = "0.47", "0.6"  # s until bobs from 45 degrees turn back on the other side: with 1 cord, and with 2
+COLORS = "red", "yellow", "cyan", "blue", "purple"  # of the pendula, in turn
 MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
 YOUR_CSV = "My cradle (CSV)"  # the name in the menu that no experiment can have
 
@@ -23,7 +25,7 @@ class Answer(NamedTuple):
 
 
 class Experiment(NamedTuple):
-    key: str  # the name of its files
+    key: str  # the name of its file
     csv: Snapshot
     name: str
     question: str
@@ -38,12 +40,10 @@ def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
     """Return this folder's experiments (for pendula with 1 or 2 cords), by file name, and a line for each bad one."""
     experiments: list[Experiment] = []
     mistakes = []
-    files = [file for ending in ("csv", "txt") for file in Path(folder).glob(f"*.{ending}")]
-    for path in sorted({file.with_suffix(".csv") for file in files}):
+    for file in sorted(Path(folder).glob("*.txt")):
         try:
-            experiment = read_experiment(path, cords)
+            experiment = read_experiment(file, cords)
             if experiment.name in [other.name for other in experiments]:
-                file = path.with_suffix(".txt")
                 raise ValueError(f"{file}, name: {experiment.name!r} is the name of another experiment")
             experiments.append(experiment)
         except ValueError as error:
@@ -51,36 +51,36 @@ def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
     return experiments, mistakes
 
 
-def read_experiment(path, cords) -> Experiment:
-    """Return the experiment with this CSV; raises a ValueError with a one-line message if it has a mistake."""
-    csv = Snapshot(path)
-    check_cradle(csv, cords)
-    count = len(read_cells(csv)) - 1  # without the header
-    file = path.with_suffix(".txt")
+def read_experiment(file, cords) -> Experiment:
+    """Return the experiment of this text file (a Path); raises a ValueError with a one-line message for a mistake."""
     lines = ExperimentText(file)
-    if cords == 1 and lines.parser.has_option("experiment", "phi"):
+    if cords == 1 and "phi" in lines.texts:
         raise ValueError(f"{file}, phi: is allowed only for the double cradle")
-    angles = [map(radians, lines.angles(name, count)) for name in ("theta", "phi")[:cords]]
-    texts = lines.parser.options("answers")  # with their asterisks
-    answers = [Answer(text.lstrip("* "), lines.angles(text, count, "answers")) for text in texts]
-    explained = [number for number, text in enumerate(texts) if text.startswith("*")]
+    count = min(len(lines.text("theta").split()), MOST_PENDULA)
+    lines.texts = {"mass": ["1"] * count, "e": ["1"] * count, "seconds": [TURNS[cords - 1]]} | lines.texts
+    angles = [map(radians, lines.numbers(name, count, *ANGLE)) for name in ("theta", "phi")[:cords]]
+    masses, es = (lines.numbers(name, count, *RULES[name]) for name in ("mass", "e"))
+    if cords == 2 and not are_in_range(masses):
+        raise ValueError(f"{file}, mass: found {lines.text('mass')!r}, allowed is {IN_RANGE}")
+    rows = [f"{mass},{e},0.0,0.0,{color},metal\n" for mass, e, color in zip(masses, es, cycle(COLORS), strict=False)]
+    names = [name for name in lines.texts if name not in NAMES]
+    answers = [Answer(name[1:].strip(), lines.numbers(name, count, *ANGLE)) for name in names]
+    explained = [number for number, name in enumerate(names) if name.startswith("*")]
     if len({answer.text for answer in answers}) < len(answers):
-        raise ValueError(f"{file}, [answers]: found an answer twice")
+        raise ValueError(f"{file}, answers: found an answer twice")
     if not (2 <= len(answers) <= 5 and len(explained) == 1):
         found = f"found {len(answers)} answers, {len(explained)} of them with an asterisk"
-        raise ValueError(f"{file}, [answers]: {found}, allowed are 2 to 5, one of them with an asterisk")
-    allowed = f"a number above 0 and up to {LONGEST_RUN:g}"
-    seconds = lines.text("seconds", lambda text: 0 < to_number(text) <= LONGEST_RUN, allowed)
+        raise ValueError(f"{file}, answers: {found}, allowed are 2 to 5, one of them with an asterisk")
     return Experiment(
-        key=path.stem,
-        csv=csv,
+        key=file.stem,
+        csv=Snapshot(file.with_suffix(".csv"), "".join(["mass,e,theta,omega,color,texture\n", *rows]).encode()),
         name=lines.text("name", lambda text: text != YOUR_CSV, f"a text, but not {YOUR_CSV!r}"),
         question=lines.text("question"),
         answers=answers,
         explained=explained[0],
         why=lines.measured("why", count),
         angles=[[*accumulate(of_pendulum)] for of_pendulum in zip(*angles, strict=True)],
-        seconds=to_number(seconds),
+        seconds=to_number(lines.text("seconds", *SECONDS)),
     )
 
 
@@ -88,34 +88,33 @@ class ExperimentText:
     """The lines of an experiment's text file; the methods raise a ValueError with a one-line message."""
 
     def __init__(self, file):
-        self.file, self.parser = file, ConfigParser(delimiters=("=",), comment_prefixes=("#",), interpolation=None)
-        self.parser.add_section("answers")  # empty, if the file has none
-        self.parser.optionxform = str  # type: ignore[assignment, method-assign]  # capitals stay
-        try:
-            with io.TextIOWrapper(io.BytesIO(read_file(file)), encoding="utf-8-sig") as text:
-                self.parser.read_file(text, file.name)
-        except OSError as error:
-            raise ValueError(f"{file}: cannot be read: {error.strerror}") from error
-        except UnicodeDecodeError as error:
-            raise ValueError(f"{file}: is no text, saved as UTF-8") from error
-        except Error as error:
-            raise ValueError(f"{file}: {' '.join(error.message.split())}") from error
+        self.file, snapshot, name = file, Snapshot(file), ""
+        self.texts: dict[str, list[str]] = {}  # the parts of each text, by what stands before the =
+        if snapshot.error:
+            raise ValueError(f"{file}: cannot be read: {snapshot.error.strerror}") from snapshot.error
+        for number, line in enumerate(snapshot.text().splitlines(), start=1):
+            if name and line[:1].isspace():  # it goes on with the line above
+                self.texts[name].append(line)
+            elif line.strip() and not line.startswith("#"):
+                name, equals, text = (part.strip() for part in line.partition("="))
+                if not equals or name in self.texts or not (name in NAMES or re.match("[-*].", name)):
+                    allowed = f"allowed before a = are, each once, {', '.join(NAMES)}, and answers after - or *"
+                    raise ValueError(f"{file}, line {number}: found {in_short(repr(line.strip()))}, {allowed}")
+                self.texts[name] = [text]
 
-    def text(self, name, is_allowed=bool, allowed="a text", section="experiment") -> str:
+    def text(self, name, is_allowed=bool, allowed="a text") -> str:
         """Return the text of a line, for which is_allowed(text) must be true; allowed names the allowed texts."""
-        text = " ".join(self.parser.get(section, name, fallback="").split())
+        text = " ".join(" ".join(self.texts.get(name, [])).split())
         if not (text and is_allowed(text)):
-            raise ValueError(f"{self.file}, {name}: found {repr(text) if text else 'nothing'}, allowed is {allowed}")
+            found = in_short(repr(text)) if text else "nothing"
+            raise ValueError(f"{self.file}, {name}: found {found}, allowed is {allowed}")
         return text
 
-    def angles(self, name, count, section="experiment") -> list[float]:
-        """Return the angles (degrees) of a line, one for each of count pendula."""
-        text = self.text(name, section=section)
-        angles = [to_number(word) for word in text.split()]
-        if len(angles) != count or not all(-180 <= angle <= 180 for angle in angles):
-            allowed = f"{count} angles from -180 to 180 (degrees), one for each pendulum"
-            raise ValueError(f"{self.file}, {name}: found {text!r}, allowed are {allowed}")
-        return angles
+    def numbers(self, name, count, is_allowed, allowed) -> list[float]:
+        """Return the numbers of a line, an allowed one for each of count pendula."""
+        words = f"{allowed}, for each of {count} pendula"
+        text = self.text(name, lambda text: [*map(is_allowed, text.split())] == [True] * count, words)
+        return [*map(to_number, text.split())]
 
     def measured(self, name, count) -> str:
         """Return the text of a line that can have measured numbers of count pendula in braces."""

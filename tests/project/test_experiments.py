@@ -6,7 +6,7 @@ from math import atan2, degrees, radians
 import pytest
 from students import put_files
 from wall import Wall
-from whole_cradles import FIVE_CSV, GOOD, HEADER
+from whole_cradles import GOOD, HEADER
 
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
@@ -15,96 +15,91 @@ from support.files.experiments import EXPERIMENTS, read_experiment, read_experim
 from support.page.questions import what_happened
 
 KINDS = Cradle, DoubleCradle
-SHIPPED = [(kind, path.stem) for kind in KINDS for path in sorted((EXPERIMENTS / kind.kind).glob("*.csv"))]
+SHIPPED = [(kind, path.stem) for kind in KINDS for path in sorted((EXPERIMENTS / kind.kind).glob("*.txt"))]
 
 TEXT = """\
-[experiment]
 name = Two bobs
 theta = -45 -45 0 0 0
 seconds = 0.5
 question = What leaves
     on the other side?
 why = {speed_5} m/s after {before_1} m/s, {swing_5} degrees, {energy} %
-
-[answers]
-One = 0 0 0 0 100
+- One = 0 0 0 0 100
 * Two = 0 0 0 45 45
 """
 
 
-@pytest.fixture
-def files(tmp_path):
-    """A folder with one experiment."""
-    return put_files(tmp_path, {"two.csv": FIVE_CSV, "two.txt": TEXT})
+def read(folder, text=TEXT, cords=1):
+    """Return the experiment with this text."""
+    return read_experiment(put_files(folder, {"two.txt": text}) / "two.txt", cords)
 
 
-def test_an_experiment_is_read(files):
-    """Also with lines that end as on Windows. phi is measured from the upper cord."""
-    experiment = read_experiment(files / "two.csv", 1)
-    assert (experiment.key, experiment.name, experiment.seconds) == ("two", "Two bobs", 0.5)
+def test_an_experiment_is_read(tmp_path):
+    """Also with lines that end as on Windows, or with a sixth pendulum. phi is measured from the upper cord."""
+    experiment = read(tmp_path)
+    assert (experiment.key, experiment.name, experiment.seconds, experiment.explained) == ("two", "Two bobs", 0.5, 1)
     assert experiment.question == "What leaves on the other side?"
-    assert [answer.text for answer in experiment.answers] == ["One", "Two"]
-    assert experiment.answers[experiment.explained].swings == [0, 0, 0, 45, 45]
-    assert [experiment.angles[0], experiment.angles[4]] == [[radians(-45)], [0]]
-    (files / "two.txt").write_bytes(("\ufeff" + TEXT.replace("\n", "\r\n")).encode())
-    assert read_experiment(files / "two.csv", 1) == experiment
-    with pytest.raises(ValueError, match="phi: found nothing, allowed is a text$"):
-        read_experiment(files / "two.csv", 2)
-    (files / "two.txt").write_text(TEXT.replace("seconds", "phi = -20 10 0 0 0\nseconds"))
-    angles = read_experiment(files / "two.csv", 2).angles
+    assert experiment.answers == [("One", [0, 0, 0, 0, 100]), ("Two", [0, 0, 0, 45, 45])]
+    assert read(tmp_path, ("\ufeff" + TEXT.replace("\n", "\r\n")).encode()) == experiment
+    six = TEXT.replace(" 0 0 0", " 0 0 0 0").replace("seconds = 0.5", "e = 0 0.5 1 1 1 1\n#\nmass = 5 1 1 1 1 1e-7")
+    csv, numbers = read(tmp_path, six).csv, ["5.0,0.0", "1.0,0.5", "1.0,1.0", "1.0,1.0", "1.0,1.0", "1e-07,1.0"]
+    rows = map("{},0.0,0.0,{},metal\n".format, numbers, ["red", "yellow", "cyan", "blue", "purple", "red"])
+    assert (csv.filepath.name, csv.data.decode()) == ("two.csv", HEADER + "".join(rows))
+    with pytest.raises(ValueError, match="phi: found nothing, allowed is an angle"):
+        read(tmp_path, cords=2)
+    angles = read(tmp_path, TEXT.replace("seconds", "phi = -20 10 0 0 0\nseconds"), cords=2).angles
     assert angles[:2] == [pytest.approx([radians(-45), radians(phi)]) for phi in (-65, -35)]
-    (files / "two.csv").write_text(FIVE_CSV.replace("1.0", "1e-7", 1))
-    with pytest.raises(ValueError, match="at most 1e6 times the smallest mass, in a double cradle$"):
-        read_experiment(files / "two.csv", 2)
+    with pytest.raises(ValueError, match="mass: found '1 1 1e-7 1 1', allowed is at most 1e6 times the smallest mass"):
+        read(tmp_path, TEXT.replace("seconds", "phi = 0 0 0 0 0\nmass = 1 1 1e-7 1 1\nseconds"), cords=2)
 
 
-ANGLES = "allowed are 5 angles from -180 to 180 (degrees), one for each pendulum"
+ANGLES = "allowed is an angle from -180 to 180 (degrees), for each of"
+LINES = "allowed before a = are, each once, name, theta, phi, mass, e, seconds, question, why, and answers after - or *"
 BRACES = "allowed is {energy}, or swing_, speed_ or before_ with the number of a bob, 1 to 5, in braces"
-NAMES = "allowed is a text, but not 'My cradle (CSV)'"
 TO_FIVE = "allowed are 2 to 5, one of them with an asterisk"
 BAD = [
-    ("theta = -45", "theta = -181", f"theta: found '-181 -45 0 0 0', {ANGLES}"),
+    ("theta = -45", "theta = -181", f"theta: found '-181 -45 0 0 0', {ANGLES} 5 pendula"),
     ("seconds = 0.5", "seconds = 0", "seconds: found '0', allowed is a number above 0 and up to 60"),
-    ("name = Two bobs\n", "", "name: found nothing, allowed is a text"),
-    ("name = Two bobs", "name = My cradle (CSV)", f"name: found 'My cradle (CSV)', {NAMES}"),
-    ("* Two", "Two", f"[answers]: found 2 answers, 0 of them with an asterisk, {TO_FIVE}"),
-    ("One = 0 0 0 0 100\n", "", f"[answers]: found 1 answers, 1 of them with an asterisk, {TO_FIVE}"),
-    ("* Two", "* One", "[answers]: found an answer twice"),
-    ("0 0 0 45 45", "45 45", f"* Two: found '45 45', {ANGLES}"),
+    ("name = Two bobs", "name = My cradle (CSV)", "name: found 'My cradle (CSV)', allowed is a text, but not "),
+    ("* Two", "- Two", f"answers: found 2 answers, 0 of them with an asterisk, {TO_FIVE}"),
+    ("- One = 0 0 0 0 100\n", "", f"answers: found 1 answers, 1 of them with an asterisk, {TO_FIVE}"),
+    ("- One", "- a = 0 0 0 0 0\n- b = 0 0 0 0 0\n- c = 0 0 0 0 0\n- d = 0 0 0 0 0\n- One", "answers: found 6 "),
+    ("* Two", "* One", "answers: found an answer twice"),
+    ("0 0 0 45 45", "45 45", f"* Two: found '45 45', {ANGLES} 5 pendula"),
     ("{speed_5}", "{speed_6}", f"why: found {{speed_6}}, {BRACES}"),
     ("{speed_5}", "{speed_5", f"why: found {{, {BRACES}"),
     ("seconds", "phi = 0 0 0 0 0\nseconds", "phi: is allowed only for the double cradle"),
-    ("[answers]", "answers", "txt' [line 9]"),
+    ("seconds", "e = 1 1 1 1\nseconds", "e: found '1 1 1 1', allowed is a number from 0 to 1, for each of 5 pendula"),
+    ("seconds", "mass = 1 1 1 1 0\nseconds", "mass: found '1 1 1 1 0', allowed is a number from 1e-300 to 1e6, "),
+    ("seconds", "mas = 1 1 1 1 5\nseconds", f"line 3: found 'mas = 1 1 1 1 5', {LINES}"),
+    ("seconds", "theta = 0 0 0 0 0\nseconds", f"line 3: found 'theta = 0 0 0 0 0', {LINES}"),
+    ("- One = 0", "- = 0", f"line 7: found '- = 0 0 0 0 100', {LINES}"),
+    ("* Two =", "* Two", f"line 8: found '* Two 0 0 0 45 45', {LINES}"),
+    ("leaves", "l\xe9aves", "line 4: found byte 0xe9, allowed is text only, saved as UTF-8"),
+    ("seconds", "seconds", "name: 'Two bobs' is the name of another experiment"),
+    ("-45 -45", "0 " * 1000, f"theta: found '{'0 ' * 149}0..., {ANGLES} 1000 pendula"),
 ]
 
 
-def test_bad_experiments_are_named_in_one_line_each_and_the_other_one_works(files):
-    for number, (old, new, _) in enumerate(BAD):
+def test_bad_experiments_are_named_in_one_line_each_and_the_other_one_works(tmp_path):
+    put_files(tmp_path, {"two.txt": TEXT, "wrong.txt/file": ""})
+    expected = [f"{tmp_path / 'wrong.txt'}: cannot be read: "]
+    for number, (old, new, words) in enumerate(BAD):
         assert old in TEXT
-        text = TEXT.replace(old, new).replace("Two bobs", "Three bobs")
-        put_files(files, {f"bad_{number:02}.csv": FIVE_CSV, f"bad_{number:02}.txt": text})
-    csvs = {"broken.csv": FIVE_CSV.replace("red", "rouge"), **dict.fromkeys(["latin.csv", "silent.csv"], FIVE_CSV)}
-    put_files(files, {**csvs, "latin.txt": b"\xe9", "alone.txt": TEXT, "two_more.csv": FIVE_CSV, "two_more.txt": TEXT})
-    expected = [
-        ("alone.csv", ": cannot be read as a CSV file: No such file or directory"),
-        *((f"bad_{number:02}.txt", words) for number, (*_, words) in enumerate(BAD)),
-        ("broken.csv", ", line 2, column color: found 'rouge', "),
-        ("latin.txt", ": is no text, saved as UTF-8"),
-        ("silent.txt", ": cannot be read: No such file or directory"),
-        ("two_more.txt", ", name: 'Two bobs' is the name of another experiment"),
-    ]
-    experiments, mistakes = read_experiments(files, 1)
+        file = tmp_path / f"wrong_{number:02}.txt"
+        file.write_bytes(TEXT.replace(old, new).encode("latin-1"))
+        expected.append(f"{file}, {words}")
+    experiments, mistakes = read_experiments(tmp_path, 1)
     assert [experiment.key for experiment in experiments] == ["two"]
-    for mistake, (name, words) in zip(mistakes, expected, strict=True):
-        assert mistake.startswith(str(files / name))
-        assert words in mistake
+    for mistake, beginning in zip(mistakes, expected, strict=True):
+        assert mistake[: len(beginning)] == beginning
         assert "\n" not in mistake
 
 
 CSV, TWO, FROM_BOTH_SIDES, HEAVY = "My cradle (CSV)", "Two bobs", "From both sides", "A heavy one hits light ones"
 KEY, INELASTIC, AS_FAR = "2_two_bobs", "perfectly inelastic, e = 0", "as far as the two"
 ANSWERS = ["One bob, twice as fast", f"One bob, {AS_FAR}", f"Two bobs, {AS_FAR}", "Three bobs, not so far"]
-THAT, OTHER = "That is what happened.", f"What happened: C, {ANSWERS[2]}."
+THAT, OTHER, ASKING = "That is what happened.", f"What happened: C, {ANSWERS[2]}.", (True, "", None)
 
 
 @pytest.fixture
@@ -121,10 +116,7 @@ def asked(wall):
     return question and (question["asking"], question["said"], (question["happened"] or {}).get("title"))
 
 
-ASKING, RUNNING = (True, "", None), (False, "", None)
-
-
-def test_an_experiment_is_as_its_files_say_and_back_at_your_csv_all_is_as_you_had_set_it(wall):
+def test_an_experiment_is_as_its_file_says_and_back_at_your_csv_all_is_as_you_had_set_it(wall):
     """Also after two changes of an experiment, and if the file was saved meanwhile, which then comes back."""
     for command, *values in (("edit", 1, "mass", "3"), ("lift", 0, 20), ("lifted", 2), ("collision", INELASTIC)):
         wall.give(command, *values)
@@ -135,7 +127,7 @@ def test_an_experiment_is_as_its_files_say_and_back_at_your_csv_all_is_as_you_ha
         wall.give("experiment", FROM_BOTH_SIDES)
         assert (wall.lifts(), wall.state["lifted"], wall.state["lifts"]) == ([45, 0, 0, 0, 45], [1, 5], [45])
         assert [theta > 0 for theta in wall.thetas()] == [False, False, False, False, True]
-        assert wall.values("e") == [1] * 5  # also when it was edited, and is chosen again
+        assert (wall.values("mass"), wall.values("e")) == ([1] * 5, [1] * 5)  # also when it was edited and chosen again
         wall.give("edit", 0, "e", "0.5")
         assert (wall.lifts(), wall.values("e")) == ([45, 0, 0, 0, 45], [0.5, 1, 1, 1, 1])
         wall.give("lifted", 5)
@@ -149,13 +141,13 @@ def test_an_experiment_is_as_its_files_say_and_back_at_your_csv_all_is_as_you_ha
 
 
 def test_a_mistake_in_an_experiment_is_shown_as_plain_text_and_no_other_one_is_next(csv, tmp_path, monkeypatch):
-    folder = put_files(tmp_path / "experiments", {"single/no_<text>.csv": FIVE_CSV})
+    folder = put_files(tmp_path / "experiments", {"single/one.txt": "<s>"})
     monkeypatch.setattr("support.page.chooser.EXPERIMENTS", folder)
     wall = Wall(csv)
     wall.give("next")
     assert (wall.state["experiments"], wall.state["experiment"]) == ([CSV], CSV)
     [mistake] = wall.state["mistakes"]
-    assert mistake.endswith("no_<text>.txt: cannot be read: No such file or directory")
+    assert mistake.startswith(f"{folder / 'single' / 'one.txt'}, line 1: found '<s>', allowed before")
 
 
 def test_a_main_that_reads_another_file_does_not_end_the_page(asking, monkeypatch, tmp_path):
@@ -202,7 +194,7 @@ def test_the_question_comes_before_each_release_and_the_explanation_after_it(ask
 def test_the_cradle_also_runs_without_an_answer(asking, command):
     asking.tabs.give(command)
     asking.wait(0.05)
-    assert (asked(asking), 0 < asking.viewer.motion.ticks < 1000) == (RUNNING, True)
+    assert (asked(asking), 0 < asking.viewer.motion.ticks < 1000) == ((False, "", None), True)
     if not asking.state["running"]:
         asking.tabs.give("pause")
     asking.wait(0.6)
@@ -244,9 +236,8 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
     asking.wait(0.6)  # the measurement would be over
     assert (asked(asking), asking.state["running"]) == (None, True)  # only the question has held it up
     assert asking.state["experiment"] == (CSV if change == "file" else None)
-    asking.give("restart")
-    asking.give("ask first", False)
-    asking.give("ask first", True)
+    for command, *values in (("restart",), ("ask first", False), ("ask first", True)):
+        asking.give(command, *values)
     assert asked(asking) is None
     asking.give("experiment", TWO)
     assert asked(asking) == ASKING
@@ -314,11 +305,11 @@ def test_a_shipped_experiment_explains_what_happens_and_its_answers_differ(kind,
         assert max(abs(a - b) for a, b in zip(answer.swings, other.swings, strict=True)) > 5
 
 
-def test_a_measurement_has_the_speeds_at_the_first_hit_and_the_largest_swings(files):
+def test_a_measurement_has_the_speeds_at_the_first_hit_and_the_largest_swings(tmp_path):
     """Bobs 1 and 2 come in at 1 and 2 rad/s; after the hit, bob 5 swings to 40 degrees."""
 
-    def measure(*samples):
-        measured = Measurement(read_experiment(files / "two.csv", 1))
+    def measure(*samples, text=TEXT):
+        measured = Measurement(read(tmp_path, text))
         for t, thetas, omegas, total, has_hit in samples:
             sample = {f"theta_{i}": radians(theta) for i, theta in enumerate(thetas, start=1)}
             sample |= {f"omega_{i}": omega for i, omega in enumerate(omegas, start=1)}
@@ -336,10 +327,8 @@ def test_a_measurement_has_the_speeds_at_the_first_hit_and_the_largest_swings(fi
     assert happened["title"] == "What happened: none of these answers."
     assert happened["why"].startswith("After the first hit, the bobs swung to 0, -3, 0, 0, 40 degrees.")
     assert "expects: Two." in happened["why"]
-    numbers = measured.numbers()
-    assert (numbers["before_1"], numbers["before_2"], numbers["speed_5"]) == ("0.20", "0.40", "1.00")
-    assert (numbers["swing_2"], numbers["swing_5"], numbers["energy"]) == ("3", "40", "50")
+    names = "before_1", "before_2", "speed_5", "swing_2", "swing_5", "energy"
+    assert [measured.numbers()[name] for name in names] == ["0.20", "0.40", "1.00", "3", "40", "50"]
     # Nothing is claimed without a hit, also if an answer predicts swings as small as those that are not measured.
-    (files / "two.txt").write_text(TEXT.replace("0 0 0 45 45", "0 0 0 9 9"))
-    assert measure(*before).outcome() is None
-    assert measure(*before).explanation() == "No two bobs hit each other."
+    measured = measure(*before, text=TEXT.replace("0 0 0 45 45", "0 0 0 9 9"))
+    assert (measured.outcome(), measured.explanation()) == (None, "No two bobs hit each other.")
