@@ -4,13 +4,13 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from inspect import isfunction, signature
 from itertools import accumulate
-from math import cos, sqrt
+from math import sqrt
 from typing import Any, NamedTuple
 
 from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import Hand, move
 from support.cradle.impacts import Hits
-from support.energy import kinetic_energy, momentum, potential_energy
+from support.energy import bob_motions, kinetic_energy, momentum, potential_energy
 from support.pendulum import cord_angles, discard
 from support.start.mistake import check_made, check_numbers, MistakeError
 
@@ -141,12 +141,12 @@ class Cradle:
         return next((scope for scope in scopes if self.names.collide in scope), self.scope)
 
     def velocity(self, pend) -> float:
-        """Return the velocity of a pendulum's bob to the right (in cord lengths a second)."""
-        return pend["omega"] * cos(pend["theta"])
+        """Return the mean velocity of a pendulum's bobs to the right (m/s)."""
+        return sum(vx for _, vx, _ in bob_motions(pend, R_PARAM)) / len(self.angles)
 
     def approach(self, left, right) -> float:
         """Return the speed (m/s) at which the bobs of two pendula approach each other."""
-        return (self.velocity(left) - self.velocity(right)) * R_PARAM
+        return self.velocity(left) - self.velocity(right)
 
     def axles(self) -> list:
         return [pend["objects"][0] for pend in self.pend_list]

@@ -5,7 +5,7 @@ from vpython import dot, mag, vector
 from support.constants import DOUBLE_DT, R_PARAM
 from support.cradle.cradle import Cradle, Names
 from support.cradle.dragging import push_others
-from support.energy import bob_motions, momentum
+from support.energy import bob_motions
 
 
 class DoubleCradle(Cradle):
@@ -19,21 +19,17 @@ class DoubleCradle(Cradle):
     angle_keys = ("theta", "phi")
     rate_keys = ("omega", "phi_omega")
     names = Names(
-        make="make_double_newton_cradle",
-        tick="double_cradle_tick",
-        collide="handle_two_double_bobs",
-        shown="handle_two_double_bobs",
-        dt="DOUBLE_DT",
+        "make_double_newton_cradle",
+        "double_cradle_tick",
+        "handle_two_double_bobs",
+        "handle_two_double_bobs",
+        "DOUBLE_DT",
     )
 
     def push_aside(self, lifted) -> None:
         """Push pendula out of the way of the lifted ones: a lower cord that is bent inwards reaches far."""
         for i in reversed(range(min(lifted, len(self.pend_list)))):
             push_others(self.pend_list, i, R_PARAM)
-
-    def velocity(self, pend) -> float:
-        """Return the mean velocity of a pendulum's two bobs to the right (m/s)."""
-        return momentum([pend], R_PARAM) / pend["mass"] / 2
 
     def approach(self, left, right) -> float:
         """Return the speed (m/s) at which the nearest two bobs of two pendula approach each other."""

@@ -4,9 +4,7 @@ from collections import deque
 from math import inf
 from typing import NamedTuple
 
-from support.constants import R_PARAM
 from support.cradle.impacts import GAP, Hit
-from support.energy import momentum
 
 EACH = 1.2  # s that each hit is shown
 LEAST = 0.1  # of the fastest bob's speed: slower hits are not shown, for instance those of bobs that hang
@@ -69,4 +67,4 @@ class SlowHits:
 
     def velocity(self, pend) -> str:
         """Return the (mean) velocity of a pendulum's bobs to the right (m/s)."""
-        return f"{round(momentum([pend], R_PARAM) / self.cradle.whole_mass(pend), 2) + 0.0:+.2f}"  # not -0.00
+        return f"{round(self.cradle.velocity(pend), 2) + 0.0:+.2f}"  # not -0.00
