@@ -31,22 +31,18 @@ MOST, LARGEST = 24, 2**18  # messages under way to a tab, and bytes: a far tab n
 class Changes:
     """Changes by what they change: VPython's commands and attributes, and the state."""
 
-    def __init__(self):
-        """Begin without any."""
+    def __init__(self, cmds=(), attrs=(), state=()):
+        """Take the changes in a message of VPython's, and in the state."""
         self.drawing: dict[Any, Any] = {}  # cmds are dictionaries, attrs are texts
-        self.state: dict[str, Any] = {}
+        self.state: dict[str, Any] = dict(state)
+        for cmd in cmds:
+            names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
+            self.put((cmd["idx"], *names), cmd)
+        for text in attrs:
+            self.put(text if text[0] == "m" else re.match(r"\w\d+.", text)[0], text)  # type: ignore[index]
 
     def __bool__(self):
         return bool(self.drawing or self.state)
-
-    def take(self, message, state) -> None:
-        """Add the changes in a message of VPython's, and in the state."""
-        for cmd in message.get("cmds", []):
-            names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
-            self.put((cmd["idx"], *names), cmd)
-        for text in message.get("attrs", []):
-            self.put(text if text[0] == "m" else re.match(r"\w\d+.", text)[0], text)  # type: ignore[index]
-        self.state |= state
 
     def put(self, key, change) -> None:
         """Put a change of VPython's last: an attribute can change another one, as axis and size do."""
@@ -139,8 +135,7 @@ class Tabs:
         """Send what VPython's objects have changed, and what differs in the state, a part of it or all."""
         new = {name: value for name, value in state.items() if name not in self.last or self.last[name] != value}
         self.last.update(new)
-        changes = Changes()
-        changes.take(vpython_changes(), new)
+        changes = Changes(**vpython_changes(), state=new)
         if changes:
             self.in_server(self.deliver, changes)
 

@@ -32,9 +32,7 @@ WOOD = {"idx": 1, "texture": {"file": "wood_texture.jpg"}}
 def test_changes_merge_into_one_message_with_the_result_of_all(messages, cmds, attrs):
     changes = Changes()
     for number, message in enumerate(messages):
-        later = Changes()
-        later.take(message, {'a "name"': ["<b>"], "t": number})
-        changes.add(later)
+        changes.add(Changes(**message, state={'a "name"': ["<b>"], "t": number}))
     state = {'a "name"': ["<b>"], "t": len(messages) - 1}
     assert json.loads(changes.message()) == {"cmds": cmds, "attrs": attrs, "state": state}
 
