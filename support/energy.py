@@ -20,14 +20,13 @@ def bob_motions(pend, r_param):
         yield height, vx, vy
 
 
-def kinetic_energy(pend_list, r_param) -> float:
-    """Return the sum of m v^2 / 2 (J) over the bobs; r_param (m) is the length of each cord."""
-    return sum(pend["mass"] * (vx**2 + vy**2) / 2 for pend in pend_list for _, vx, vy in bob_motions(pend, r_param))
+def energies(pend_list, r_param, g) -> tuple[float, float]:
+    """Return the kinetic and the potential energy (J): the sums of m v^2 / 2 and of m g h over the bobs.
 
-
-def potential_energy(pend_list, r_param, g) -> float:
-    """Return the sum of m g h (J) over the bobs; h is above hanging at rest, g (m/s^2) gravity's acceleration."""
-    return sum(pend["mass"] * g * height for pend in pend_list for height, _, _ in bob_motions(pend, r_param))
+    h is above hanging at rest, r_param (m) the length of each cord, g (m/s^2) gravity's acceleration.
+    """
+    bobs = [(pend["mass"], *motion) for pend in pend_list for motion in bob_motions(pend, r_param)]
+    return sum(m * (vx**2 + vy**2) / 2 for m, _, vx, vy in bobs), sum(m * g * height for m, height, _, _ in bobs)
 
 
 def momentum(pend_list, r_param) -> float:

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import Hand, move
 from support.cradle.impacts import Hits
-from support.energy import bob_motions, kinetic_energy, momentum, potential_energy
+from support.energy import bob_motions, energies, momentum
 from support.pendulum import cord_angles, discard
 from support.start.mistake import check_made, check_numbers, MistakeError
 
@@ -171,12 +171,11 @@ class Cradle:
 
     def energies(self) -> tuple[float, float]:
         """Return the kinetic and the potential energy (J)."""
-        return kinetic_energy(self.pend_list, R_PARAM), potential_energy(self.pend_list, R_PARAM, G)
+        return energies(self.pend_list, R_PARAM, G)
 
     def top_speeds(self) -> list[float]:
         """Return the speed (m/s) of each pendulum at its lowest point, with the energy that it has now."""
-        energies = [kinetic_energy([p], R_PARAM) + potential_energy([p], R_PARAM, G) for p in self.pend_list]
-        return [sqrt(2 * energy / self.whole_mass(p)) for energy, p in zip(energies, self.pend_list, strict=True)]
+        return [sqrt(2 * sum(energies([p], R_PARAM, G)) / self.whole_mass(p)) for p in self.pend_list]
 
     def whole_mass(self, pend) -> float:
         """Return the mass (kg) of all bobs of a pendulum."""

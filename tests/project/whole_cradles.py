@@ -18,7 +18,7 @@ from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
 from support.cradle.many_ticks import many_ticks
 from support.cradle.player import Player
-from support.energy import kinetic_energy, potential_energy
+from support.energy import energies
 from support.files.cradle_csv import Snapshot
 from support.pendulum import BUFFER, from_lift
 
@@ -64,7 +64,7 @@ def velocities(pend) -> list:
 
 def energy(pend_list) -> float:
     """Return the total energy (J)."""
-    return kinetic_energy(pend_list, R_PARAM) + potential_energy(pend_list, R_PARAM, G)
+    return sum(energies(pend_list, R_PARAM, G))
 
 
 def distances(pend_list) -> list[float]:
