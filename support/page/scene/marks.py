@@ -6,7 +6,7 @@ from vpython import arrow, box, cylinder, sphere, vector
 
 from support.constants import R_PARAM
 from support.energy import bob_motions, momentum
-from support.pendulum import arm
+from support.pendulum import arm, discard, make_shape
 
 ARROW_TIME = 0.1  # s: an arrow is as long as its bob's way in this time
 GREEN, YELLOW = vector(0.0, 0.62, 0.45), vector(1.0, 0.75, 0.0)  # of the arrows, and of the halos
@@ -18,10 +18,9 @@ PALE, OWN = vector(0.55, 0.55, 0.55), 0.35  # of a ghost: its color, and the par
 
 
 class Marks:
-    """The marks of one cradle. VPython keeps every shape for ever, so the next cradle takes the same ones."""
+    """The marks of one cradle; the next cradle takes the same shapes."""
 
     def __init__(self):
-        """Show nothing yet."""
         self.has_arrows, self.words = False, []  # and the words beside the bars, each with its place (x, y, in m)
         self.shapes: dict[str, list] = {}
 
@@ -34,13 +33,12 @@ class Marks:
         self.place_arrows()
 
     def enough(self, name, count, kind, **attributes) -> list:
-        """Return this number of visible shapes of a kind: old ones with this name, and new ones; hide the others."""
+        """Return this number of shapes of a kind: those with this name, and more if they are too few; hide the rest."""
         shapes = self.shapes.setdefault(name, [])
-        shapes += [kind(**attributes) for _ in range(count - len(shapes))]
-        for number, shape in enumerate(shapes):
-            if shape.visible != (number < count):
-                shape.visible = number < count
-        return shapes[:count]
+        shapes += [make_shape(kind, **attributes) for _ in range(count - len(shapes))]
+        discard(shapes[count:])
+        del shapes[count:]
+        return shapes
 
     def depth(self) -> float:
         """Return how far the bars reach below the base (m)."""

@@ -22,7 +22,6 @@ class SlowHits:
     """The hits to show, in the order in which the function that lets two pendula collide was called."""
 
     def __init__(self, cradle):
-        """Show nothing yet."""
         self.cradle = cradle
         self.clear()
 
