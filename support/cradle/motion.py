@@ -14,7 +14,7 @@ class Motion:
 
     def restart(self) -> None:
         """Begin again at time 0, with the energy of this moment as 100 %."""
-        self.ticks, self.fastest = 0, 0.0
+        self.ticks, self.fastest = 0, 0.0  # the speed (m/s) of the fastest hit that the page has not sounded yet
         self.trains.clear()
         self.set_start()
 
@@ -34,11 +34,6 @@ class Motion:
         """Add a hit, so many ticks after the start, to the trains; for the rest, see Hit."""
         self.trains.add(ticks * self.cradle.dt, left, right, rightwards)
         self.fastest = max(self.fastest, speed)
-
-    def pop_fastest(self) -> float:
-        """Return the speed (m/s) of the fastest hit since the last call, or 0."""
-        fastest, self.fastest = self.fastest, 0.0
-        return fastest
 
     def reading(self) -> str:
         """Return the time and the energy as text of constant width."""

@@ -36,7 +36,7 @@ class Viewer(Player):
         super().__init__(cradle, file.current, angles, lifted, TRAINS, EVERY)
         self.file, self.tabs, self.texts = file, tabs, texts
         self.commands: SimpleQueue = SimpleQueue()  # of tabs, for the next frame; any thread can put one into it
-        self.running = self.is_first = True  # is_first: no tab has a picture yet
+        self.running = True
         self.speed = 1.0  # that you have set, times real time
         self.next_refresh = self.rest_end = -inf  # on the pace's clock; until rest_end, the picture rests
         self.before: dict[str, float] | None = None  # the coordinates before One tick, while it is carried out
@@ -78,9 +78,9 @@ class Viewer(Player):
         if self.cradle.hand.held is not None:
             self.motion.set_start()
         self.scenery.keep_in_view(self.cradle.bobs())
-        fastest = self.motion.pop_fastest()
-        if fastest > QUIET:
-            self.sounds = self.sounds[0] + 1, round(fastest, 4)
+        if self.motion.fastest > QUIET:
+            self.sounds = self.sounds[0] + 1, round(self.motion.fastest, 4)
+        self.motion.fastest = 0.0
         if not self.tabs.have_room():
             return
         shown = self.slow_hits.shown
@@ -104,13 +104,11 @@ class Viewer(Player):
         self.graph.begin(self.cradle.colors())
         self.note()
         self.tick_lines, self.next_refresh = [], -inf
-        while self.is_first and not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
+        while not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
             self.show_frame()
             self.tabs.is_seen.wait(FRAME)
             self.next_refresh = -inf
-        if self.is_first:
             self.pace.restart()
-        self.is_first = False
 
     def note(self) -> None:
         """Add this moment to the graph, and to the measurement of an experiment."""

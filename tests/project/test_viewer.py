@@ -128,9 +128,9 @@ def test_a_hit_is_heard_with_its_speed_and_bobs_that_rest_on_each_other_are_not(
 def test_the_first_cradle_is_released_when_a_tab_has_drawn_it(wall):
     """Else nobody would see the release. The time until then does not count."""
     viewer, wait = wall.viewer, lambda seconds: setattr(wall, "now", wall.now + 5)
-    for is_first, time in ((True, 15), (False, 0)):
-        viewer.is_first, start = is_first, wall.now
-        wall.tabs.is_seen = Mock(**{"wait.side_effect": wait, "is_set.side_effect": [False, False, False, True]})
+    for looks, time in (([False, False, False, True], 15), ([True], 0)):
+        start = wall.now
+        wall.tabs.is_seen = Mock(**{"wait.side_effect": wait, "is_set.side_effect": looks})
         viewer.want_cradle()
         go_on(viewer)
         wall.wait()
@@ -143,7 +143,7 @@ def test_the_loop_ends_when_the_last_tab_is_closed(wall, moment):
         wall.give("pause")
     elif "before" in moment:
         frames = {"is_set.return_value": False, "wait.side_effect": [None] * 3}
-        wall.viewer.is_first, wall.tabs.is_seen = True, Mock(**frames)
+        wall.tabs.is_seen = Mock(**frames)
     wall.tabs.are_gone = True
     wall.viewer.pace.sleep = Mock(side_effect=[None] * 3)
     run(visualize_cradle_run.main, wall.viewer)
