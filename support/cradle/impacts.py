@@ -27,8 +27,8 @@ class Hit(NamedTuple):
     right: int
     rightwards: bool  # whether the two moved to the right before it
     speed: float  # at which they approached each other (m/s)
-    before: tuple[dict, dict]
-    after: tuple[dict, dict]
+    before: list[dict]
+    after: list[dict]
 
 
 class Hits:
@@ -90,11 +90,9 @@ class Hits:
         before = [dict(pend) for pend in pends]
         result = collide(*given, **named)
         if len(pends) == 2 and rates(pends) != rates(before):
-            left, right = before
-            i, j = (numbers[id(pend)] for pend in pends)
-            rightwards = cradle.velocity(left) + cradle.velocity(right) > 0
-            after = dict(pends[0]), dict(pends[1])
-            hit = Hit(i, j, rightwards, cradle.approach(left, right), (left, right), after)
+            left, right = (numbers[id(pend)] for pend in pends)
+            rightwards = sum(map(cradle.velocity, before)) > 0
+            hit = Hit(left, right, rightwards, cradle.approach(*before), before, [dict(pend) for pend in pends])
             self.new.append(hit)
             self.kept.append(hit)
         return result
