@@ -16,7 +16,7 @@ class Measurement:
         count = len(experiment.angles)
         self.swings, self.speeds, self.befores = ([0.0] * count for _ in range(3))  # degrees, m/s, m/s
         self.energy = 100.0  # % that is left
-        self.start_energy: float | None = None  # J
+        self.start_energy = 0.0  # J
         self.has_hit = self.is_over = False
         self.hit_time = inf  # s: the first sample after a hit
         self.end = experiment.seconds  # s: the last sample
@@ -25,8 +25,7 @@ class Measurement:
         """Measure a sample of Motion; has_hit says whether two bobs have hit each other by then."""
         if self.is_over:
             return
-        if self.start_energy is None:
-            self.start_energy = sample["total"]
+        self.start_energy = self.start_energy or sample["total"]
         self.energy = 100 * sample["total"] / self.start_energy if self.start_energy else 100.0
         for i in range(len(self.swings)):
             theta, speed = degrees(sample[f"theta_{i + 1}"]), R_PARAM * abs(sample[f"omega_{i + 1}"])
