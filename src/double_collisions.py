@@ -24,7 +24,6 @@ Hit
 
 from itertools import islice
 from math import cos, hypot, sin
-from typing import NamedTuple
 
 from support.pendulum import contact_distance
 
@@ -46,21 +45,12 @@ def bob_places(pend_dict, r_param) -> tuple[tuple[float, float], tuple[float, fl
     return (x, y), (x + r_param * sin(beta), y - r_param * cos(beta))
 
 
-class Touch(NamedTuple):
-    """Two touching bobs of two double pendula. bob1 and bob2 are 0 for an upper bob, 1 for a lower one."""
-
-    bob1: int
-    bob2: int
-    x: float  # the unit vector from bob1 to bob2
-    y: float
-    distance: float  # between the centres (m)
-    touching: float  # the largest distance at which they touch (m)
-
-
 def touching_bobs(pend1, pend2, r_param):
-    """Yield a Touch for each pair of touching bobs, one of pend1 and one of pend2.
+    """Yield (distance, touching, response1, response2) for each pair of touching bobs, one of pend1 and one of pend2.
 
-    The places of the bobs follow from theta and phi; VPython's objects only show them.
+    distance (m) is between their centres, touching (m) is the largest distance at which they touch. The responses are
+    those along the line from the first bob to the second. The places of the bobs follow from theta and phi; VPython's
+    objects only show them.
     """
     places1, places2 = bob_places(pend1, r_param), bob_places(pend2, r_param)
     radii1, radii2 = ([bob.radius for bob in pend["objects"][1::2]] for pend in (pend1, pend2))
@@ -68,19 +58,20 @@ def touching_bobs(pend1, pend2, r_param):
         for bob2, (x2, y2) in enumerate(places2):
             distance, touching = hypot(x2 - x1, y2 - y1), contact_distance(radii1[bob1], radii2[bob2])
             if 0 < distance <= touching:
-                yield Touch(bob1, bob2, (x2 - x1) / distance, (y2 - y1) / distance, distance, touching)
+                x, y = (x2 - x1) / distance, (y2 - y1) / distance
+                yield distance, touching, response(pend1, bob1, x, y, r_param), response(pend2, bob2, x, y, r_param)
 
 
-def response(pend_dict, bob, touch, r_param) -> tuple[float, float, float, float]:
-    """Return (v, w, turn1, turn2) of a bob (0 upper, 1 lower) of a double pendulum, in the direction of touch.
+def response(pend_dict, bob, x, y, r_param) -> tuple[float, float, float, float]:
+    """Return (v, w, turn1, turn2) of a bob (0 upper, 1 lower) of a double pendulum, along the unit vector (x, y).
 
     v is the bob's velocity (m/s). An impulse of 1 N s changes v by w (m/s), alpha' by turn1 and beta' by turn2 (rad/s).
     turn1 and turn2 are M^-1 J (see above).
     """
     alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
     alpha_rate, beta_rate = pend_dict["omega"], pend_dict["omega"] + pend_dict["phi_omega"]
-    j1 = r_param * (touch.x * cos(alpha) + touch.y * sin(alpha))
-    j2 = r_param * (touch.x * cos(beta) + touch.y * sin(beta)) if bob == 1 else 0.0
+    j1 = r_param * (x * cos(alpha) + y * sin(alpha))
+    j2 = r_param * (x * cos(beta) + y * sin(beta)) if bob == 1 else 0.0
     c = cos(beta - alpha)
     determinant = pend_dict["mass"] * r_param**2 * (2 - c * c)  # of M / m; both bobs have the mass m
     turn1, turn2 = (j1 - c * j2) / determinant, (2 * j2 - c * j1) / determinant
@@ -103,9 +94,7 @@ def handle_two_double_bobs(pend1, pend2, r_param, approaching_only=True) -> bool
     not collide; this is the default here, because the handout has no rule for double pendula.
     """
     collided = False
-    for touch in touching_bobs(pend1, pend2, r_param):
-        v1, w1, *turns1 = response(pend1, touch.bob1, touch, r_param)
-        v2, w2, *turns2 = response(pend2, touch.bob2, touch, r_param)
+    for _, _, (v1, w1, *turns1), (v2, w2, *turns2) in touching_bobs(pend1, pend2, r_param):
         approach = v1 - v2
         if approach > ROUNDING or (approach < -ROUNDING and not approaching_only):
             impulse = (1 + pend1["e"]) * approach / (w1 + w2)
@@ -127,11 +116,9 @@ def keep_apart(pend1, pend2, r_param) -> bool:
         return False
     moved = False
     held_by_cords = 0.01 * (1 / pend1["mass"] + 1 / pend2["mass"])  # a hundredth of w1 + w2 without cords
-    for touch in touching_bobs(pend1, pend2, r_param):
-        _, w1, *turns1 = response(pend1, touch.bob1, touch, r_param)
-        _, w2, *turns2 = response(pend2, touch.bob2, touch, r_param)
-        if OVERLAPPED_AT_START < touch.distance / touch.touching < CLOSEST and w1 + w2 > held_by_cords:
-            push = (CLOSEST * touch.touching - touch.distance) / (w1 + w2)
+    for distance, touching, (_, w1, *turns1), (_, w2, *turns2) in touching_bobs(pend1, pend2, r_param):
+        if OVERLAPPED_AT_START < distance / touching < CLOSEST and w1 + w2 > held_by_cords:
+            push = (CLOSEST * touching - distance) / (w1 + w2)
             turn_cords(pend1, "theta", "phi", *(-push * turn for turn in turns1))
             turn_cords(pend2, "theta", "phi", *(push * turn for turn in turns2))
             moved = True
