@@ -14,7 +14,6 @@ def main(page) -> None:
 
     page is the cradle's page in the browser (support/cradle/player.py).
     page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command.
-
     page.rule has the value of approaching_only, if the functions have this parameter.
     """
     pend_list = make_double_newton_cradle(page.csv, R_PARAM, THETA_INIT, PHI_INIT)
