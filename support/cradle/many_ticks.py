@@ -12,7 +12,6 @@ from itertools import pairwise
 from math import cos, isfinite, sin, sqrt
 from pathlib import Path
 from types import CodeType, FunctionType
-from typing import NamedTuple
 
 from vpython import box, cylinder, mag, sphere, vector
 
@@ -20,12 +19,6 @@ from support.pendulum import arm, BUFFER, contact_distance, show_pendulum
 
 MOST_TICKS = 1000  # a pair of bobs gets a check after this many ticks, or earlier
 FARTHEST = 1e5  # cord lengths from the origin; farther away, the rounding errors of a place are too large
-
-
-class Constants(NamedTuple):
-    r_param: float  # m
-    dt: float  # s
-    g: float  # m/s^2
 
 
 def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool, float]] | None:
@@ -39,7 +32,7 @@ def many_ticks(scope, pend_list, ticks, rule) -> list[tuple[int, int, int, bool,
     includes overflows and divisions by 0: single ticks then raise the error in the function that causes it.
     """
     try:
-        constants = Constants(scope["R_PARAM"], scope["DT"], scope["G"])
+        constants = scope["R_PARAM"], scope["DT"], scope["G"]
         if not (is_certain(scope) and rule.keys() <= {"approaching_only"} and are_plain(pend_list, constants)):
             return None
         run = Run(pend_list, constants, rule.get("approaching_only", False), scope["handle_collision"])
@@ -97,7 +90,7 @@ def are_plain(pend_list, constants) -> bool:
         and {(type(objects), *map(type, objects)) for objects in parts} <= {(tuple, box, sphere, cylinder)}
         and set(map(type, numbers)) <= {int, float}
         and all(map(isfinite, [*numbers, *(bob.radius for _, bob, _ in parts)]))
-        and all(abs(place) <= FARTHEST * abs(constants.r_param) for axle, *_ in parts for place in axle.pos.value)
+        and all(abs(place) <= FARTHEST * abs(constants[0]) for axle, *_ in parts for place in axle.pos.value)
         and all(cord.up.value == [0, 0, 1] for *_, cord in parts)  # VPython turns any other up in each tick
         and len({id(shape) for _, *moved in parts for shape in moved}) == 2 * len(parts)  # or one moves twice
     )
@@ -108,7 +101,7 @@ class Run:
 
     def __init__(self, pend_list, constants, approaching_only, handle_collision):
         """Copy the numbers of pend_list; only show changes pend_list."""
-        self.pend_list, self.constants = pend_list, constants
+        self.pend_list, self.constants, self.r_param = pend_list, constants, constants[0]
         self.approaching_only, self.handle_collision = approaching_only, handle_collision
         self.thetas = [pend_dict["theta"] for pend_dict in pend_list]
         self.omegas = [pend_dict["omega"] for pend_dict in pend_list]
@@ -165,7 +158,7 @@ class Run:
         (x1, y1, z1), (x2, y2, z2), reach = self.bob_places[left], self.bob_places[right], self.reaches[left]
         gap = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2) - reach
         if abs(gap) <= 1e-12 * (1 + reach):  # too close to call: VPython's own mag can differ in the last bit
-            bob1, bob2 = (self.axles[i].pos + arm(self.thetas[i], self.constants.r_param) for i in (left, right))
+            bob1, bob2 = (self.axles[i].pos + arm(self.thetas[i], self.r_param) for i in (left, right))
             gap = mag(bob1 - bob2) - reach
         return gap
 
@@ -176,10 +169,10 @@ class Run:
         if self.approaching_only and speed1 <= speed2:
             return
         pend1, pend2 = self.pend_list[left], self.pend_list[right]
-        values = pend1["e"], omega1, omega2, pend1["mass"], pend2["mass"], self.constants.r_param
+        values = pend1["e"], omega1, omega2, pend1["mass"], pend2["mass"], self.r_param
         self.omegas[left], self.omegas[right] = self.handle_collision(*values)
         if (self.omegas[left], self.omegas[right]) != (omega1, omega2):
-            self.contacts.append((tick, left, right, speed1 + speed2 > 0, (speed1 - speed2) * self.constants.r_param))
+            self.contacts.append((tick, left, right, speed1 + speed2 > 0, (speed1 - speed2) * self.r_param))
             for pair in (left - 1, right):
                 if self.due.get(pair, 0) > tick + 1:  # planned with the old velocity
                     self.plan(pair, tick + 1)
@@ -188,7 +181,7 @@ class Run:
         """Write the new theta and omega to pend_list, and move its bobs and cords."""
         for i, pend_dict in enumerate(self.pend_list):
             pend_dict["theta"], pend_dict["omega"] = self.thetas[i], self.omegas[i]
-            show_pendulum(pend_dict, self.constants.r_param)
+            show_pendulum(pend_dict, self.r_param)
 
 
 def free_ticks(gap, theta1, theta2, omega1, omega2, r_param, dt, g) -> int:
