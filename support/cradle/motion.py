@@ -22,10 +22,6 @@ class Motion:
         """Take the energy of this moment as 100 %."""
         self.start_energy = sum(self.cradle.energies())
 
-    def has_hit(self) -> bool:
-        """Return whether two bobs have hit each other since the start."""
-        return bool(self.trains.trains)
-
     def time(self) -> float:
         """Return the simulated time since the start (s)."""
         return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004

@@ -83,9 +83,9 @@ class Viewer(Player):
         self.motion.fastest = 0.0
         if not self.tabs.have_room():
             return
-        shown = self.slow_hits.shown
-        self.marks.show_arrows(shown.pendula if shown else self.cradle.pend_list)
-        self.marks.show_halos((shown.hit.left, shown.hit.right) if shown else ())
+        hit, _, pendula = self.slow_hits.shown or (None, 0, self.cradle.pend_list)
+        self.marks.show_arrows(pendula)
+        self.marks.show_halos((hit.left, hit.right) if hit else ())
         self.marks.show_ghosts(self.questions.predicted(self.motion.time()))
         state = {"sound": self.sounds, "view": {**self.scenery.view(), "words": self.marks.words}}
         if self.pace.clock() >= self.next_refresh:
@@ -100,7 +100,7 @@ class Viewer(Player):
         self.slow_hits.clear()
         self.pace.speed = SLOWLY if self.questions.slowly else self.speed
         self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, self.cradle.values("mass"))
-        self.marks.surround(self.cradle, self.scenery.space.bottom)
+        self.marks.surround(self.cradle, self.scenery.bottom)
         self.graph.begin(self.cradle.colors())
         self.note()
         self.tick_lines, self.next_refresh = [], -inf
@@ -114,7 +114,7 @@ class Viewer(Player):
         """Add this moment to the graph, and to the measurement of an experiment."""
         sample = self.motion.sample()
         self.graph.add(sample)
-        if self.questions.note(sample, self.motion.has_hit()):
+        if self.questions.note(sample, has_hit=bool(self.motion.trains.trains)):
             self.rest_end, self.planned = self.pace.clock() + REST, 0
 
     def end_part(self) -> None:
@@ -377,5 +377,5 @@ class Viewer(Player):
         if self.cradle.hand.held is not None:
             self.cradle.hand.held = None
             self.motion.set_start()
-            self.marks.surround(self.cradle, self.scenery.space.bottom)
+            self.marks.surround(self.cradle, self.scenery.bottom)
             self.slow_hits.clear()

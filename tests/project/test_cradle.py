@@ -142,7 +142,7 @@ def test_functions_with_the_handouts_own_parameters_work(swing, monkeypatch, nam
     assert (player.cradle.takes_rule, player.separating, player.rule) == (False, True, {})
     player.swing(5000)
     assert vars(visualize_cradle_run)[name] is own  # it is in its place again after the ticks
-    assert player.motion.has_hit()
+    assert player.motion.trains.trains
 
 
 def test_each_call_that_changes_a_velocity_is_a_hit(swing):

@@ -2,20 +2,11 @@
 
 from collections import deque
 from math import inf
-from typing import NamedTuple
 
-from support.cradle.impacts import GAP, Hit
+from support.cradle.impacts import GAP
 
 EACH = 1.2  # s that each hit is shown
 LEAST = 0.1  # of the fastest bob's speed: slower hits are not shown, for instance those of bobs that hang
-
-
-class SlowHit(NamedTuple):
-    """A hit to show."""
-
-    hit: Hit
-    number: int  # in its train
-    pendula: list[dict]  # all of them, with their velocities after it
 
 
 class SlowHits:
@@ -27,8 +18,8 @@ class SlowHits:
 
     def clear(self) -> None:
         """Forget all hits: the cradle is new, or its hits were not shown until now."""
-        self.waiting: deque[SlowHit] = deque()
-        self.shown: SlowHit | None = None
+        self.waiting: deque[tuple] = deque()  # each is a Hit, its number in its train, and all pendula as after it
+        self.shown: tuple | None = None
         self.until = -inf  # the time on the pace's clock at which the next one comes
         self.count, self.last = 0, -inf  # of this train: the number and the time (s) of its last hit
         self.least = LEAST * max(self.cradle.top_speeds(), default=0.0)  # m/s
@@ -43,7 +34,7 @@ class SlowHits:
             if hit.speed >= self.least:
                 self.count = self.count + 1 if time - self.last <= 2 * GAP else 1
                 self.last = time
-                self.waiting.append(SlowHit(hit, self.count, list(pendula)))
+                self.waiting.append((hit, self.count, list(pendula)))
 
     def go_on(self, now) -> bool:
         """Go on to the next hit if it is due (now is the time on the pace's clock); return whether one is shown."""
