@@ -1,19 +1,15 @@
 // The sound of the hits: a click for the fastest hit of each picture. Off until you tick the box Sound, in this tab.
 {
   const LOUDEST = 2; // m/s: a faster hit is not louder
-  const box = one("#sound");
-  let audio, click; // they come when you tick the box
+  const RATE = 48000; // samples a second
+  const wave = t => Math.sin(2 * Math.PI * 3700 * t) * Math.exp(-t / 0.006); // as short as steel's
+  const click = new AudioBuffer({ length: 0.04 * RATE, sampleRate: RATE });
+  click.copyToChannel(click.getChannelData(0).map((_, i) => wave(i / RATE)), 0);
+  let audio; // it comes when you tick the box: a browser allows sound only after a click or a key
 
-  function open() {
-    audio = new AudioContext();
-    const rate = audio.sampleRate, wave = t => Math.sin(2 * Math.PI * 3700 * t) * Math.exp(-t / 0.006); // as short as steel's
-    click = audio.createBuffer(1, 0.04 * rate, rate);
-    click.copyToChannel(click.getChannelData(0).map((_, i) => wave(i / rate)), 0);
-  }
-
-  box.addEventListener("change", () => { // a browser allows sound only after a click or a key
-    if (!audio) open();
-    audio[box.checked ? "resume" : "suspend"]();
+  one("#sound").addEventListener("change", ({ target }) => {
+    audio ??= new AudioContext();
+    audio[target.checked ? "resume" : "suspend"]();
   });
 
   shows.sound = ([, speed]) => {
