@@ -34,11 +34,7 @@ function drawGraph() {
 
 // A curve has the color of its bob. If this can hardly be seen on the page, some of the page's ink is mixed in.
 function legible(color) {
-  const [own, ink, paper] = [color, css("--ink"), css("--paper")].map(text => {
-    const { r, g, b } = $.color.parse(text);
-    return [r, g, b];
-  });
-  const light = ([red, green, blue]) => (0.3 * red + 0.59 * green + 0.11 * blue) / 255;
-  const part = Math.abs(light(own) - light(paper)) < 0.25 ? 0.4 : 0;
-  return `rgb(${own.map((value, i) => Math.round((1 - part) * value + part * ink[i]))})`;
+  const light = ({ r, g, b }) => (0.3 * r + 0.59 * g + 0.11 * b) / 255;
+  const isPale = Math.abs(light($.color.parse(color)) - light($.color.parse(css("--paper")))) < 0.25;
+  return isPale ? `color-mix(in srgb, ${color} 60%, ${css("--ink")})` : color;
 }
