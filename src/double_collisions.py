@@ -37,12 +37,12 @@ ROUNDING = 1e-9  # m/s: a slower approach or separation is a rounding error
 SWEEPS = 3
 
 
-def bob_places(pend_dict, r_param) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return x and y (m) of the upper and of the lower bob, from theta and phi."""
+def bob_places(pend_dict, r_param) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+    """Return x, y (from theta and phi) and the radius of the upper and of the lower bob, all in m."""
     alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
-    axle = pend_dict["objects"][0].pos
-    x, y = axle.x + r_param * sin(alpha), axle.y - r_param * cos(alpha)
-    return (x, y), (x + r_param * sin(beta), y - r_param * cos(beta))
+    axle, bob1, _, bob2, _ = pend_dict["objects"]
+    x, y = axle.pos.x + r_param * sin(alpha), axle.pos.y - r_param * cos(alpha)
+    return (x, y, bob1.radius), (x + r_param * sin(beta), y - r_param * cos(beta), bob2.radius)
 
 
 def touching_bobs(pend1, pend2, r_param):
@@ -53,10 +53,9 @@ def touching_bobs(pend1, pend2, r_param):
     objects only show them.
     """
     places1, places2 = bob_places(pend1, r_param), bob_places(pend2, r_param)
-    radii1, radii2 = ([bob.radius for bob in pend["objects"][1::2]] for pend in (pend1, pend2))
-    for bob1, (x1, y1) in enumerate(places1):
-        for bob2, (x2, y2) in enumerate(places2):
-            distance, touching = hypot(x2 - x1, y2 - y1), contact_distance(radii1[bob1], radii2[bob2])
+    for bob1, (x1, y1, radius1) in enumerate(places1):
+        for bob2, (x2, y2, radius2) in enumerate(places2):
+            distance, touching = hypot(x2 - x1, y2 - y1), contact_distance(radius1, radius2)
             if 0 < distance <= touching:
                 x, y = (x2 - x1) / distance, (y2 - y1) / distance
                 yield distance, touching, response(pend1, bob1, x, y, r_param), response(pend2, bob2, x, y, r_param)
@@ -79,10 +78,7 @@ def response(pend_dict, bob, x, y, r_param) -> tuple[float, float, float, float]
 
 
 def turn_cords(pend_dict, upper, lower, turn1, turn2) -> None:
-    """Add turn1 to alpha and turn2 to beta, or to their rates.
-
-    upper and lower are the keys "theta" and "phi" for the angles, "omega" and "phi_omega" for the rates.
-    """
+    """Add turn1 to alpha and turn2 to beta (upper "theta", lower "phi"), or to their rates ("omega", "phi_omega")."""
     pend_dict[upper] += turn1
     pend_dict[lower] += turn2 - turn1
 
@@ -152,16 +148,12 @@ def touching_pairs(pend_list, r_param) -> list[tuple[int, int]]:
     The bobs are sorted by x, to compare only near ones: along x, touching bobs are at most as far apart as two of the
     largest ones.
     """
-    bobs = sorted(
-        (x, y, i, bob.radius)
-        for i, pend_dict in enumerate(pend_list)
-        for (x, y), bob in zip(bob_places(pend_dict, r_param), pend_dict["objects"][1::2], strict=True)
-    )
-    largest = max((radius for *_, radius in bobs), default=0)
+    bobs = sorted((*place, i) for i, pend_dict in enumerate(pend_list) for place in bob_places(pend_dict, r_param))
+    largest = max((radius for _, _, radius, _ in bobs), default=0)
     furthest = contact_distance(largest, largest)
     pairs = set()
-    for number, (x1, y1, i, radius1) in enumerate(bobs, start=1):
-        for x2, y2, j, radius2 in islice(bobs, number, None):
+    for number, (x1, y1, radius1, i) in enumerate(bobs, start=1):
+        for x2, y2, radius2, j in islice(bobs, number, None):
             if x2 - x1 > furthest:
                 break
             if i != j and hypot(x2 - x1, y2 - y1) <= contact_distance(radius1, radius2):
