@@ -87,10 +87,7 @@ class Recorder(Player):
     """Writes a row of data for every options.every seconds of simulated time, as fast as the machine can."""
 
     def __init__(self, cradle, csv, options, writer, progress):
-        """Write with writer, a csv.writer; call progress(part) again and again with the finished part, 0 to 1.
-
-        options has angle, lift, seconds and every, from read_text_options.
-        """
+        """Write with a csv.writer; call progress(part), 0 to 1, again and again; options: from read_text_options."""
         super().__init__(cradle, csv, [options.angle], options.lift, 1, options.every)
         self.count = int(options.seconds / options.every + 1e-9) + 1  # rows
         self.last = (self.count - 1) * self.step  # tick

@@ -81,13 +81,9 @@ def screen(motion, picture, speed, remark="") -> list[str]:
     columns = min(WIDTH, size.columns or WIDTH)  # Python 3.10 returns 0 for a terminal that does not know its size
     rows = size.lines or ROWS
     lines = [motion.reading(), *textwrap.wrap(remark, columns), speed]
-    rest = rows - len(lines)
-    if rows < LOW:
-        lines += picture.lines(motion.cradle, columns, rest)
-    else:
-        impacts = motion.trains.lines(columns)
-        lines += picture.lines(motion.cradle, columns, rest - TRAINS - 4)
-        lines += ["", "Impacts", *impacts, *[""] * (TRAINS - len(impacts)), "", "Ctrl+C ends it."]
+    impacts = motion.trains.lines(columns)
+    below = ["", "Impacts", *impacts, *[""] * (TRAINS - len(impacts)), "", "Ctrl+C ends it."] if rows >= LOW else []
+    lines += picture.lines(motion.cradle, columns, rows - len(lines) - len(below)) + below
     return [line[:columns].rstrip() for line in lines[:rows]]
 
 
