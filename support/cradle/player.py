@@ -184,10 +184,7 @@ class Player:
 
 
 def run(loop, player) -> None:
-    """Run a loop (for instance main) with a player, once for each cradle.
-
-    Raises a MistakeError if the loop ends while its cradle must go on.
-    """
+    """Run a loop (for instance main) once for each cradle; raises a MistakeError if it ends while one must go on."""
     player.loop = loop
     player.want_cradle()
     try:

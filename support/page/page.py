@@ -74,10 +74,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
 
 
 def open_page(options):
-    """Return the Server of the page, which answers from now on, and start a browser, unless --no-browser is given.
-
-    Raises a ValueError with a one-line message if --host or --port is wrong.
-    """
+    """Return the Server of the page, and start a browser, unless --no-browser is given; raises listen's ValueErrors."""
     # Not earlier: the stand-in for VPython has no server.
     from vpython import baseObj
 

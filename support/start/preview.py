@@ -35,13 +35,10 @@ def stubs_in(source) -> dict[str, tuple[int, bool]]:
 
 
 def missing_in(*modules) -> str:
-    """Return the names of the functions in these modules of src/ that are not written yet, each with its file.
-
-    A file that Python cannot compile counts as written: its import shows why.
-    """
+    """Return the names of the functions in these modules of src/ that are not written yet, each with its file."""
     places = []
     for file in filter(Path.is_file, (SRC / f"{module}.py" for module in modules)):
-        with suppress(SyntaxError, ValueError):
+        with suppress(SyntaxError, ValueError):  # a file that Python cannot compile: its import shows why
             found = stubs_in(file.read_bytes()).items()
             names = [f"{name} (delete line {line})" if has_code else name for name, (line, has_code) in found]
             places += [f"{', '.join(names)} in src/{file.name}"] * bool(names)
