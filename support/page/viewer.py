@@ -250,7 +250,7 @@ class Viewer(Player):
         """Show arrows and bars, or not."""
         self.marks.has_arrows = shown
         self.marks.place_arrows()
-        self.scenery.below = self.marks.depth()
+        self.scenery.below = self.marks.depth
 
     def slow_down_hits(self, slow) -> None:
         """Show the hits slowly, or not."""

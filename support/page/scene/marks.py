@@ -40,10 +40,6 @@ class Marks:
         del shapes[count:]
         return shapes
 
-    def depth(self) -> float:
-        """Return how far the bars reach below the base (m)."""
-        return self.has_arrows * (BELOW + 2 * BAR) * self.cradle.reach
-
     def place_arrows(self) -> None:
         """Make the arrows, and below each axle a bar in the color of its bob, and one for the sum; or hide them all."""
         shown, bobs, reach = self.has_arrows, self.cradle.bobs(), self.cradle.reach
@@ -55,6 +51,7 @@ class Marks:
             bar.color = color
         texts = {"momentum\n(up = right)": first - reach / 2, "sum": last + 0.6 * reach}
         self.words = [(x, self.level, text) for text, x in texts.items()] if shown else []
+        self.depth = shown * (BELOW + 2 * BAR) * reach  # m: so far the bars reach below the base
 
     def show_arrows(self, pend_list) -> None:
         """Show the velocities and momenta of these pendula; a bar points up if the momentum is to the right."""
