@@ -8,7 +8,7 @@ from math import sqrt
 from typing import Any, NamedTuple
 
 from support.constants import DT, G, R_PARAM
-from support.cradle.dragging import Hand, move
+from support.cradle.dragging import Hand, move, push_others
 from support.cradle.impacts import Hits
 from support.energy import bob_motions, energies, momentum
 from support.pendulum import cord_angles, discard
@@ -107,7 +107,7 @@ class Cradle:
         self.adopt("e", [pend["e"] for pend in make(csv)] if make else self.es)
 
     def release(self, angles, lifted) -> None:
-        """Lift the first `lifted` pendula to these angles (rad) and let the others hang, all at rest.
+        """Lift the first `lifted` pendula to these angles (rad) and let the others hang, all at rest, or give way.
 
         angles has one angle for each cord of a pendulum; the angle of a lower cord is measured from the upper cord.
         None stands for the angle, or the number, with which the cradle was made. If all are None, nothing moves.
@@ -120,16 +120,15 @@ class Cradle:
         count = max(1, made_lifted) if lifted is None else lifted
         for i, pend in enumerate(self.pend_list):
             move(pend, lifted_angles if i < count else [0.0] * len(angles), R_PARAM)
-        self.push_aside(count)
+        if len(angles) == 2:  # a lower cord that is bent inwards reaches far
+            for i in reversed(range(min(count, len(self.pend_list)))):
+                push_others(self.pend_list, i, R_PARAM)
 
     def pose(self, angles) -> None:
         """Turn each pendulum to its own angles, a list (rad) of its cords' angles from straight down, at rest."""
         for pend, own in zip(self.pend_list, angles, strict=True):
             move(pend, own, R_PARAM)
         self.note_lifts()
-
-    def push_aside(self, lifted) -> None:
-        """Push pendula out of the way of the lifted ones; single pendula are never in each other's way."""
 
     def collision_scope(self) -> dict[str, Any]:
         """Return the globals in which the tick finds the function that lets two pendula collide.

@@ -4,7 +4,6 @@ from vpython import dot, mag, vector
 
 from support.constants import DOUBLE_DT, R_PARAM
 from support.cradle.cradle import Cradle, Names
-from support.cradle.dragging import push_others
 from support.energy import bob_motions
 
 
@@ -25,11 +24,6 @@ class DoubleCradle(Cradle):
         "handle_two_double_bobs",
         "DOUBLE_DT",
     )
-
-    def push_aside(self, lifted) -> None:
-        """Push pendula out of the way of the lifted ones: a lower cord that is bent inwards reaches far."""
-        for i in reversed(range(min(lifted, len(self.pend_list)))):
-            push_others(self.pend_list, i, R_PARAM)
 
     def approach(self, left, right) -> float:
         """Return the speed (m/s) at which the nearest two bobs of two pendula approach each other."""
