@@ -5,7 +5,7 @@ from functools import partial
 from inspect import isfunction, signature
 from itertools import accumulate
 from math import sqrt
-from typing import Any, NamedTuple
+from typing import Any
 
 from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import Hand, move, push_others
@@ -13,16 +13,6 @@ from support.cradle.impacts import Hits
 from support.energy import bob_motions, energies, momentum
 from support.pendulum import cord_angles, discard
 from support.start.mistake import check_made, check_numbers, MistakeError
-
-
-class Names(NamedTuple):
-    """The names, in the programs' modules, of the functions and of the constant of a kind of cradle."""
-
-    make: str  # returns the pendula
-    tick: str
-    collide: str  # lets two pendula collide
-    shown: str  # the function whose calls One tick shows
-    dt: str
 
 
 class Cradle:
@@ -35,7 +25,9 @@ class Cradle:
     angles: Mapping[str, tuple[float, float]] = {"Release angle": (0, 180)}  # (least, largest), degrees
     angle_keys: Sequence[str] = ("theta",)  # a pendulum's keys of its angles (rad), the upper cord first
     rate_keys: Sequence[str] = ("omega",)  # the keys of their rates (rad/s)
-    names = Names("make_newton_cradle", "newton_cradle_tick", "handle_two_bobs", "handle_collision", "DT")
+    # The names, in the programs' modules, of the functions and of the constant of this kind of cradle.
+    make_name, tick_name, dt_name = "make_newton_cradle", "newton_cradle_tick", "DT"
+    collide_name, shown_name = "handle_two_bobs", "handle_collision"  # One tick shows the calls of the second one
 
     def __init__(self, scope, options, special_cradles, many_ticks=None):
         """Find the functions that make and move the pendula in scope, the globals of main.
@@ -56,8 +48,8 @@ class Cradle:
         self.pend_list: list = []
         self.numbers: dict[int, int] = {}  # id of a pendulum -> its index
         self.hand, self.hits = Hand(self), Hits(self)
-        self.tick = scope[self.names.tick]
-        ticking = self.tick, self.collision_scope().get(self.names.collide)
+        self.tick = scope[self.tick_name]
+        ticking = self.tick, self.collision_scope().get(self.collide_name)
         self.takes_rule = all("approaching_only" in signature(function).parameters for function in ticking if function)
 
     def give_back(self) -> None:
@@ -72,7 +64,7 @@ class Cradle:
         It is the list of main, which the ticks change. Raises a MistakeError if it is no list of complete pendula.
         """
         keys = ("mass", "e", *self.angle_keys, *self.rate_keys)
-        check_made(self.scope[self.names.make], pend_list, keys, 1 + 2 * len(self.angles))
+        check_made(self.scope[self.make_name], pend_list, keys, 1 + 2 * len(self.angles))
         self.pend_list = pend_list
         self.numbers = {id(pend): number for number, pend in enumerate(pend_list)}
         if self.mass is not None:
@@ -137,7 +129,7 @@ class Cradle:
         """
         called = getattr(self.tick, "__globals__", {})
         scopes = [self.scope, called, *(function.__globals__ for function in called.values() if isfunction(function))]
-        return next((scope for scope in scopes if self.names.collide in scope), self.scope)
+        return next((scope for scope in scopes if self.collide_name in scope), self.scope)
 
     def velocity(self, pend) -> float:
         """Return the mean velocity of a pendulum's bobs to the right (m/s)."""
@@ -186,5 +178,5 @@ class Cradle:
 
     def constants(self) -> str:
         """Return the constants with which main moves the cradle, in words."""
-        r_param, dt, g = (self.scope.get(name) for name in ("R_PARAM", self.names.dt, "G"))
-        return f"main uses R_PARAM = {r_param} m (cord), {self.names.dt} = {dt} s (tick) and G = {g} m/s^2 (gravity)."
+        r_param, dt, g = (self.scope.get(name) for name in ("R_PARAM", self.dt_name, "G"))
+        return f"main uses R_PARAM = {r_param} m (cord), {self.dt_name} = {dt} s (tick) and G = {g} m/s^2 (gravity)."

@@ -3,7 +3,7 @@
 from vpython import dot, mag, vector
 
 from support.constants import DOUBLE_DT, R_PARAM
-from support.cradle.cradle import Cradle, Names
+from support.cradle.cradle import Cradle
 from support.energy import bob_motions
 
 
@@ -17,13 +17,8 @@ class DoubleCradle(Cradle):
     angles = {"Angle theta": (0, 180), "Angle phi": (-180, 180)}
     angle_keys = ("theta", "phi")
     rate_keys = ("omega", "phi_omega")
-    names = Names(
-        "make_double_newton_cradle",
-        "double_cradle_tick",
-        "handle_two_double_bobs",
-        "handle_two_double_bobs",
-        "DOUBLE_DT",
-    )
+    make_name, tick_name, dt_name = "make_double_newton_cradle", "double_cradle_tick", "DOUBLE_DT"
+    collide_name = shown_name = "handle_two_double_bobs"
 
     def approach(self, left, right) -> float:
         """Return the speed (m/s) at which the nearest two bobs of two pendula approach each other."""

@@ -43,7 +43,7 @@ class Hits:
         self.replaced = ExitStack()  # puts the functions back
 
     def listen(self, calls=False) -> None:
-        """Note the hits from now on, until stop, but not of a held bob; with calls, also those of names.shown.
+        """Note the hits from now on, until stop, but not of a held bob; with calls, also those of shown_name.
 
         To compare before and after a whole tick would miss hits: after a train, the inner bobs have their old velocity.
         """
@@ -51,14 +51,14 @@ class Hits:
         self.kept.clear()
         scope = self.cradle.collision_scope()
         if calls:
-            self.replace(scope, self.cradle.names.shown, self.note_call)
+            self.replace(scope, self.cradle.shown_name, self.note_call)
         if self.cradle.hand.held is None:
-            self.replace(scope, self.cradle.names.collide, self.note_hit)
+            self.replace(scope, self.cradle.collide_name, self.note_hit)
 
     def count_ticks(self, loop) -> None:
         """Only count the ticks of the loop from now on, until stop; raise a MistakeError after UNASKED."""
         self.stop()
-        self.replace(self.cradle.scope, self.cradle.names.tick, partial(self.count_tick, loop))
+        self.replace(self.cradle.scope, self.cradle.tick_name, partial(self.count_tick, loop))
 
     def stop(self) -> None:
         """Put the functions back."""
@@ -102,7 +102,7 @@ class Hits:
         result = collide(*given, **named)
         arguments = signature(collide).bind(*given, **named).arguments
         texts = [f"{name}={self.in_short(value)}" for name, value in arguments.items()]
-        self.calls.append(f"{self.cradle.names.shown}({', '.join(texts)}) returned {self.in_short(result)}")
+        self.calls.append(f"{self.cradle.shown_name}({', '.join(texts)}) returned {self.in_short(result)}")
         return result
 
     def in_short(self, value) -> str:

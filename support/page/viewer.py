@@ -124,7 +124,7 @@ class Viewer(Player):
             self.slow_hits.add(self.cradle.hits.kept, self.motion.time())
             self.planned *= not self.slow_hits.waiting
         if self.before is not None:
-            calls = self.cradle.hits.calls or [f"{self.cradle.names.shown} was not called."]
+            calls = self.cradle.hits.calls or [f"{self.cradle.shown_name} was not called."]
             self.tick_lines = [*self.changes(self.before, self.cradle.coordinates()), *calls]
             self.before = None
 

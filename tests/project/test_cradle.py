@@ -110,7 +110,7 @@ def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(swing, kind, sepa
     ticks = round(0.6 * PERIOD / kind.dt)
     player.swing(ticks)
     for _ in range(ticks):
-        same.scope[kind.names.tick](same.pend_list, R_PARAM, kind.dt, G, approaching_only=not separating)
+        same.scope[kind.tick_name](same.pend_list, R_PARAM, kind.dt, G, approaching_only=not separating)
     assert player.cradle.coordinates() == same.coordinates()
     trains = " ".join(map(str, player.motion.trains.trains))
     assert trains.startswith("1")

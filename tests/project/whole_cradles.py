@@ -98,9 +98,9 @@ def go_on(player) -> None:
         stack.callback(cradle.hits.stop)
         if player.is_wanted:
             player.begin()
-            player.show(scope[cradle.names.make](player.csv, R_PARAM, *starts))
+            player.show(scope[cradle.make_name](player.csv, R_PARAM, *starts))
         while player.is_running():
-            scope[cradle.names.tick](cradle.pend_list, R_PARAM, cradle.dt, G, **player.rule)
+            scope[cradle.tick_name](cradle.pend_list, R_PARAM, cradle.dt, G, **player.rule)
 
 
 def thetas(lifts) -> list:

@@ -52,7 +52,7 @@ class SlowHits:
         return {
             "title": f"Hit {number}: {two} {hit.left + 1} and {hit.right + 1}",
             "lines": [f"{one} {i + 1}: {self.velocity(old)} → {self.velocity(new)} m/s" for i, old, new in moves],
-            "note": f"This order is the model's: {self.cradle.names.collide} takes one pair after the other.",
+            "note": f"This order is the model's: {self.cradle.collide_name} takes one pair after the other.",
         }
 
     def velocity(self, pend) -> str:
