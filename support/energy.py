@@ -1,8 +1,9 @@
 """The energy and the momentum of a cradle. Both bobs of a double pendulum have its mass."""
 
+from itertools import accumulate
 from math import cos, sin
 
-from support.pendulum import cord_angles, cord_rates
+from support.pendulum import cord_angles
 
 
 def bob_motions(pend, r_param):
@@ -13,7 +14,9 @@ def bob_motions(pend, r_param):
     their vx, and R b sin a to their vy.
     """
     height = vx = vy = 0.0
-    for angle, rate in zip(cord_angles(pend), cord_rates(pend), strict=True):
+    angles = cord_angles(pend)
+    rates = accumulate(pend[key] for key in ("omega", "phi_omega")[: len(angles)])
+    for angle, rate in zip(angles, rates, strict=True):
         height += r_param * (1 - cos(angle))
         vx += r_param * rate * cos(angle)
         vy += r_param * rate * sin(angle)

@@ -68,12 +68,6 @@ def cord_angles(pend_dict) -> list[float]:
     return [theta] if len(pend_dict["objects"]) == 3 else [theta, theta + pend_dict["phi"]]
 
 
-def cord_rates(pend_dict) -> list[float]:
-    """Return the rates (rad/s) of the cord_angles."""
-    omega = pend_dict["omega"]
-    return [omega] if len(pend_dict["objects"]) == 3 else [omega, omega + pend_dict["phi_omega"]]
-
-
 def show_double_pendulum(pend_dict, r_param) -> None:
     """Move the bobs and cords of a double pendulum to its theta and phi; r_param (m) is the length of a cord."""
     axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
