@@ -22,7 +22,6 @@ class Graph:
     def __init__(self, angle_keys, rate_keys):
         """Begin without samples; angle_keys and rate_keys are those of a pendulum."""
         self.angle_keys, self.rate_keys = angle_keys, rate_keys
-        self.names: list[str] = []  # of the numbers in a row
         self.rows: deque[array] = deque(maxlen=round(max(seconds for seconds, _ in SPANS.values()) / EVERY))
         self.choice, self.span = ENERGY, next(iter(SPANS))  # a key of choices, and one of SPANS
         self.begin([])
@@ -49,7 +48,7 @@ class Graph:
 
     def add(self, sample) -> None:
         """Add a sample; all samples of a cradle have the same names."""
-        self.names = list(sample)
+        self.names = list(sample)  # of the numbers in a row
         self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
 
     def show(self, choice) -> None:

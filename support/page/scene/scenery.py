@@ -22,13 +22,11 @@ class Scenery:
         distant_light(direction=vector(0.3, 0.6, 0.9), color=vector(0.5, 0.5, 0.5))
         distant_light(direction=vector(-0.6, 0.3, 0.4), color=vector(0.25, 0.25, 0.25))
         self.frame: list = []
-        self.whole_circles = False  # whether the view has space for bobs that swing above the frame
         self.below, self.lines = 0.0, 0  # in view, too: m below the base, and lines of text above the cradle
-        self.numbers: list[tuple[float, str]] = []  # for each axle: its x (m), and the text above it
 
     def surround(self, axles, bobs, reach, masses) -> None:
         """Put a frame around these axles and bobs; reach (m): from an axle to the centre of the lowest bob at rest."""
-        # The axles carry their numbers, and the masses (kg) if these differ.
+        # The axles carry their numbers, and the masses (kg) if these differ; each text has the x (m) of its axle.
         shown = [f"\n{mass:g}" if len({*masses}) > 1 else "" for mass in masses]
         self.numbers = [(axles[i].pos.x, f"{i + 1}{mass}") for i, mass in enumerate(shown)]
         self.top, self.bottom = axles[0].pos.y, axles[0].pos.y - 1.3 * reach  # m: of the axles, and of the base
@@ -36,7 +34,7 @@ class Scenery:
         self.size = axles[0].pos.x - reach, axles[-1].pos.x + reach, axles[0].width, reach, bobs[0].radius
         discard(self.frame)
         self.frame = make_frame(self.size, self.top, self.bottom)
-        self.whole_circles = False
+        self.whole_circles = False  # whether the view has space for bobs that swing above the frame
 
     def keep_in_view(self, bobs) -> None:
         """Let the view have space for whole circles as soon as a bob swings above the frame."""
