@@ -84,8 +84,7 @@ class Marks:
 
     def show_halos(self, pair) -> None:
         """Light up these pendula (indices), or none."""
-        each = len(self.cradle.angles)
-        lit = [bob for number in pair for bob in self.cradle.bobs()[each * number : each * (number + 1)]]
+        lit = [bob for number in pair for bob in self.cradle.pend_list[number]["objects"][1::2]]
         for halo, bob in zip(self.enough("halos", len(lit), cylinder, color=YELLOW), lit, strict=True):
             halo.pos, halo.axis = bob.pos - vector(0, 0, bob.radius), vector(0, 0, bob.radius / 20)
             halo.radius = 1.3 * bob.radius
