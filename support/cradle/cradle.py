@@ -1,4 +1,4 @@
-"""The cradle of the programs: main makes and moves it; this class releases it, and measures it."""
+"""The cradles of the programs: main makes and moves them; these classes release them, and measure them."""
 
 from collections.abc import Mapping, Sequence
 from functools import partial
@@ -7,7 +7,9 @@ from itertools import accumulate
 from math import sqrt
 from typing import Any
 
-from support.constants import DT, G, R_PARAM
+from vpython import dot, mag, vector
+
+from support.constants import DOUBLE_DT, DT, G, R_PARAM
 from support.cradle.dragging import Hand, move, push_others
 from support.cradle.impacts import Hits
 from support.energy import bob_motions, energies, momentum
@@ -180,3 +182,27 @@ class Cradle:
         """Return the constants with which main moves the cradle, in words."""
         r_param, dt, g = (self.scope.get(name) for name in ("R_PARAM", self.dt_name, "G"))
         return f"main uses R_PARAM = {r_param} m (cord), {self.dt_name} = {dt} s (tick) and G = {g} m/s^2 (gravity)."
+
+
+class DoubleCradle(Cradle):
+    """A cradle of double pendula, each with two bobs and two cords of length R_PARAM."""
+
+    title = "Newton's double cradle"
+    kind = "double"
+    dt = DOUBLE_DT
+    reach = 2 * R_PARAM
+    angles = {"Angle theta": (0, 180), "Angle phi": (-180, 180)}
+    angle_keys = ("theta", "phi")
+    rate_keys = ("omega", "phi_omega")
+    make_name, tick_name, dt_name = "make_double_newton_cradle", "double_cradle_tick", "DOUBLE_DT"
+    collide_name = shown_name = "handle_two_double_bobs"
+
+    def approach(self, left, right) -> float:
+        """Return the speed (m/s) at which the nearest two bobs of two pendula approach each other."""
+        moves = [
+            (bob2.pos - bob1.pos, vector(vx1 - vx2, vy1 - vy2, 0))
+            for bob1, (_, vx1, vy1) in zip(left["objects"][1::2], bob_motions(left, R_PARAM), strict=True)
+            for bob2, (_, vx2, vy2) in zip(right["objects"][1::2], bob_motions(right, R_PARAM), strict=True)
+        ]
+        apart, closer = min(moves, key=lambda move: mag(move[0]))
+        return dot(closer, apart) / (mag(apart) or 1.0)  # 0, if one is in the other's place

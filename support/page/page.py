@@ -4,8 +4,7 @@ import sys
 from ipaddress import ip_address
 from pathlib import Path
 
-from support.cradle.cradle import Cradle
-from support.cradle.double_cradle import DoubleCradle
+from support.cradle.cradle import Cradle, DoubleCradle
 from support.cradle.player import run
 from support.files.cradle_csv import check_cradle, LiveFile
 from support.start.early import end_on_interrupt

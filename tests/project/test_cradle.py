@@ -15,8 +15,7 @@ from grading.cradles import MIXED_CSV, R, row
 from src import visualize_cradle_run
 from support import pendulum
 from support.constants import DOUBLE_DT, G, R_PARAM
-from support.cradle.cradle import Cradle
-from support.cradle.double_cradle import DoubleCradle
+from support.cradle.cradle import Cradle, DoubleCradle
 from support.cradle.dragging import drag_bob, drag_pendulum
 from support.pendulum import BUFFER, cord_angles, OUTWARDS
 from support.start.mistake import MistakeError

@@ -8,8 +8,7 @@ from students import put_files
 from wall import Wall
 from whole_cradles import GOOD, HEADER
 
-from support.cradle.cradle import Cradle
-from support.cradle.double_cradle import DoubleCradle
+from support.cradle.cradle import Cradle, DoubleCradle
 from support.cradle.prediction import Measurement
 from support.files.experiments import EXPERIMENTS, read_experiment, read_experiments
 from support.page.questions import what_happened

@@ -11,8 +11,7 @@ from whole_cradles import make_live, make_swing, velocities
 from grading.cradles import MIXED_CSV
 from src import visualize_cradle_run
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.cradle.cradle import Cradle
-from support.cradle.double_cradle import DoubleCradle
+from support.cradle.cradle import Cradle, DoubleCradle
 from support.cradle.impacts import GAP, ImpactTrains
 from support.cradle.player import Player, run
 from support.cradle.real_time import FRAME, MAX_BEHIND, RealTime

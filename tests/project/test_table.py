@@ -8,8 +8,7 @@ from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from src import visualize_cradle_run
 from support.constants import DT, R_PARAM
-from support.cradle.cradle import Cradle
-from support.cradle.double_cradle import DoubleCradle
+from support.cradle.cradle import Cradle, DoubleCradle
 
 
 def test_the_table_shows_pend_list_as_it_is_now(wall):

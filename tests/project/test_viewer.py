@@ -12,8 +12,7 @@ from whole_cradles import FIVE_CSV, go_on, GOOD, HEADER, PERIOD, thetas
 
 from src import visualize_cradle_run
 from support.constants import COLOR_MAP, G, R_PARAM
-from support.cradle.cradle import Cradle
-from support.cradle.double_cradle import DoubleCradle
+from support.cradle.cradle import Cradle, DoubleCradle
 from support.cradle.player import run
 from support.cradle.real_time import FRAME
 from support.energy import bob_motions, momentum
