@@ -27,12 +27,11 @@ class Measurement:
             return
         self.start_energy = self.start_energy or sample["total"]
         self.energy = 100 * sample["total"] / self.start_energy if self.start_energy else 100.0
+        fastest = self.speeds if has_hit else self.befores
         for i in range(len(self.swings)):
-            theta, speed = degrees(sample[f"theta_{i + 1}"]), R_PARAM * abs(sample[f"omega_{i + 1}"])
-            fastest = self.speeds if has_hit else self.befores
-            fastest[i] = max(fastest[i], speed)
-            if has_hit and abs(theta) > abs(self.swings[i]):
-                self.swings[i] = theta
+            fastest[i] = max(fastest[i], R_PARAM * abs(sample[f"omega_{i + 1}"]))
+            if has_hit:
+                self.swings[i] = max(self.swings[i], degrees(sample[f"theta_{i + 1}"]), key=abs)
         if has_hit and not self.has_hit:
             self.hit_time = sample["t"]
         self.has_hit = has_hit
