@@ -169,12 +169,9 @@ class Train:
             self.together.add(pair)
 
     def pass_on(self, left, right, rightwards) -> None:
-        """Continue the first path that ends at left, and the first one that ends at right. If there is none, begin one.
-
-        A path does not go straight back to the bob before its last one.
-        """
+        """Continue the first path that ends at left, and the first one that ends at right; or begin a path."""
         goes_on = False
-        for end, other in ((left, right), (right, left)):
+        for end, other in ((left, right), (right, left)):  # no path goes straight back to the bob before its last one
             path = next((path for path in self.paths if path[-1] == end and path[-2] != other), None)
             if path:
                 path.append(other)
