@@ -169,7 +169,7 @@ class Train:
             self.together.add(pair)
 
     def pass_on(self, left, right, rightwards) -> None:
-        """Continue the first path that ends at left, and the first one that ends at right; or begin a path."""
+        """Continue the first path that ends at left, and the first one that ends at right; if none does, begin one."""
         goes_on = False
         for end, other in ((left, right), (right, left)):  # no path goes straight back to the bob before its last one
             path = next((path for path in self.paths if path[-1] == end and path[-2] != other), None)

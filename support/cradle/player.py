@@ -25,9 +25,8 @@ FEW = 10  # ticks in a part for slow hits, or while a bob is held: it then falls
 class Player:
     """Answers the loop's questions, and keeps the motion of the cradle.
 
-    A subclass must define frame; it may define show_new_cradle and note. The ticks of a frame are done in parts, so
-    that note is called every `step` ticks. The fast path does a part in one call, if its result is certain to be the
-    same as that of single ticks in the loop.
+    The ticks of a frame are done in parts, so that note is called every `step` ticks. The fast path does a part in one
+    call, if its result is certain to be the same as that of single ticks in the loop.
     """
 
     loop: Callable  # the loop, which asks; run sets it
@@ -35,9 +34,8 @@ class Player:
     def __init__(self, cradle: Cradle, csv, angles, lifted, impacts, step_seconds):
         """Play the cradle of this CSV (a Snapshot); keep the last `impacts` trains of impacts.
 
+        angles (rad) are the release angles, lifted is the number of bobs to lift; None keeps main's own value.
         step_seconds (s) is the time from one call of note to the next, at least one tick.
-        angles (rad) are the release angles, lifted is the number of bobs to lift. None keeps the value with which main
-        makes the cradle.
         """
         self.cradle, self.snapshot = cradle, csv
         self.angles, self.lifted = list(angles), lifted
@@ -55,7 +53,7 @@ class Player:
         self.is_in_part, self.due = False, 0.0  # whether a part is being done, and its ticks for the loop
 
     def frame(self) -> None:
-        """Do the work of one frame: show the cradle, and call plan or want_cradle."""
+        """Do the work of one frame: show the cradle, and call plan or want_cradle; a subclass must define this."""
         raise NotImplementedError
 
     def show_new_cradle(self) -> None:

@@ -21,9 +21,8 @@ UPPER_ONLY = "Only upper bobs collide, and as if nothing hung from them. So each
 def show_cradle(main, special_cradles, many_ticks=None) -> None:
     """Show the cradle of main in the browser until the tab is closed.
 
-    special_cradles is the handout's module, many_ticks is the fast path, or None.
-    While functions are missing, show the cradle without them. Exits with status 2 if an option or the CSV is wrong, or
-    if there is nothing to show yet.
+    special_cradles is the handout's module, many_ticks is the fast path, or None. While functions are missing, show the
+    cradle without them. Exits with status 2 if an option or the CSV is wrong, or if there is nothing to show yet.
     """
     options = read_page_options()
     loop, remark = what_there_is(main)
