@@ -6,7 +6,7 @@ from math import hypot
 from unittest.mock import Mock
 
 import pytest
-from vpython import cylinder, vector
+from vpython import cylinder, scene, vector
 from wall import Wall
 from whole_cradles import FIVE_CSV, go_on, GOOD, HEADER, PERIOD, thetas
 
@@ -19,7 +19,7 @@ from support.energy import bob_motions, momentum
 from support.files.cradle_csv import POLL
 from support.files.data_file import EVERY
 from support.page.graph import ENERGIES, ENERGY, MOST_DRAWN, NOTHING, PHASE_SPAN, SPANS
-from support.page.scene.marks import ARROW_TIME, FLAT, STILL
+from support.page.scene.marks import ARROW_TIME, FLAT, STILL, YELLOW
 
 INELASTIC = "perfectly inelastic, e = 0"
 
@@ -227,6 +227,7 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
     wall.wait(1)
     assert wall.viewer.motion.ticks == ticks
     wall.wait(0.5)
+    assert not any(shape.color == YELLOW for shape in scene.objects)
     ticks, same = wall.viewer.motion.ticks - ticks, Wall(csv, 45, lifted=2).viewer  # nothing else has moved the bobs
     for _ in range(wall.viewer.motion.ticks):
         visualize_cradle_run.newton_cradle_tick(same.cradle.pend_list, R_PARAM, same.cradle.dt, G, **same.rule)
