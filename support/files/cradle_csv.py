@@ -41,7 +41,7 @@ def read_file(filepath) -> bytes:
         raise OSError(errno.EISDIR, "found a folder, allowed is a file")
     at_once = getattr(os, "O_NONBLOCK", 0)  # without it, which Windows does not have, a pipe would wait for its writer
     path = Path(filepath)  # it takes no number, which would be an open file
-    with named_lock(), open(path, "rb", opener=lambda path, flags: os.open(path, flags | at_once)) as file:
+    with open(path, "rb", opener=lambda path, flags: os.open(path, flags | at_once)) as file:
         if not S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(errno.EINVAL, "found a pipe or a device, allowed is a file")
         data = file.read(LARGEST + 1)
@@ -50,15 +50,10 @@ def read_file(filepath) -> bytes:
     return data
 
 
-@contextmanager
-def named_lock():
-    """On Windows, add the usual reason to a PermissionError of the body: Excel keeps others from a file."""
-    try:
-        yield
-    except PermissionError as error:
-        if sys.platform != "win32":
-            raise
-        raise PermissionError(error.errno, f"{error.strerror}; another program may have it open") from None
+def reason(error) -> str:
+    """Return what an OSError says; Windows does not say that Excel keeps others from a file."""
+    may_be_held = sys.platform == "win32" and isinstance(error, PermissionError)
+    return f"{error.strerror}{'; another program may have it open' * may_be_held}"
 
 
 class Snapshot:
@@ -111,7 +106,7 @@ class Snapshot:
     def text(self) -> str:
         """Return the text, without byte-order marks: pandas leaves out only one."""
         if self.error:
-            raise ValueError(f"{self}: cannot be read as a CSV file: {self.error.strerror}") from self.error
+            raise ValueError(f"{self}: cannot be read as a CSV file: {reason(self.error)}") from self.error
         if self.data.startswith(WORKBOOKS):
             raise ValueError(f"{self}: is a workbook; open it in its program, and save or download it as CSV")
         place, found = self.data.find(b"\0"), "a zero byte"

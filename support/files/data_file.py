@@ -8,7 +8,7 @@ from pathlib import Path
 from secrets import token_hex
 from stat import S_ISREG
 
-from support.files.cradle_csv import LARGEST, named_lock
+from support.files.cradle_csv import LARGEST, reason
 
 EVERY = 0.01  # s from sample to sample
 
@@ -31,10 +31,9 @@ def whole_file(filepath):
             os.fsync(file.fileno())
         if target.exists():
             shutil.copymode(target, unfinished)
-        with named_lock():
-            os.replace(unfinished, target)
+        os.replace(unfinished, target)
     except OSError as error:
-        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(filepath)) from error
+        raise OSError(error.errno, f"cannot be written: {reason(error)}", str(filepath)) from error
     finally:
         with suppress(OSError):  # it already has its final name, or was never there
             unfinished.unlink()
@@ -45,12 +44,12 @@ def check_record(filepath) -> None:
     try:
         if not S_ISREG(Path(filepath).stat().st_mode):
             return  # whole_file will raise the error
-        with named_lock(), open(filepath, "r+b") as file:  # opened to write, too: another program may have it open
+        with open(filepath, "r+b") as file:  # opened to write, too: another program may have it open
             columns = file.readline(LARGEST).strip()
     except FileNotFoundError:
         return  # a new file; if its folder is missing, whole_file will raise the error
     except OSError as error:
-        raise ValueError(f"--record: {filepath}: {error.strerror}") from error
+        raise ValueError(f"--record: {filepath}: {reason(error)}") from error
     if columns and not (columns.startswith(b"t,theta_1,") and columns.endswith(b",momentum")):
         allowed = "a new file, or one with data of a cradle, to replace it"
         raise ValueError(f"--record: found '{filepath}', which has no data of a cradle; allowed is {allowed}")
