@@ -29,11 +29,11 @@ from teacher.submissions import read_submission, submissions_in
 @while_it_is_read()
 def main() -> None:
     """Grade the class; the status is 2 if an argument is wrong or a file cannot be written, and 130 after Ctrl+C."""
-    signal.signal(signal.SIGINT, signal.default_int_handler)
     options, submitted, others = read_options()
     results: dict[str, dict] = {}
-    with suppress(KeyboardInterrupt, asyncio.CancelledError):
+    with suppress(asyncio.CancelledError):
         options.out.mkdir(mode=0o700, parents=True, exist_ok=True)
+        signal.signal(signal.SIGINT, lambda *_: sys.exit(130))  # in place of asyncio's, which waits for the starter
         with TemporaryDirectory(prefix="cradle-") as work:
             try:
                 asyncio.run(grade_all(submitted, results, options, Path(work)))

@@ -1,7 +1,13 @@
 """The pace of a simulation, in step with the clock on the wall."""
 
+import sys
 import time
 from math import inf
+
+if sys.platform == "win32" and sys.version_info < (3, 11):  # or a sleep ends with a tick of Windows, each 15.6 ms
+    import ctypes
+
+    ctypes.windll.winmm.timeBeginPeriod(1)  # ms
 
 FRAME = 1 / 60  # s: the page asks for new positions about sixty times a second
 BUSY = 0.75 * FRAME  # s of a frame, after which no tick begins: the threads that serve the page need the rest

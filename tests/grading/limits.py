@@ -10,11 +10,6 @@ from contextlib import contextmanager
 from pathlib import Path
 from unittest.mock import Mock, patch
 
-try:
-    import resource
-except ImportError:  # Windows
-    resource = None  # type: ignore[assignment]
-
 PATIENCE = 5.0  # s; then the grader stops a function
 MOST_MEMORY = 1000  # MB
 
@@ -30,6 +25,8 @@ def limited_memory():
     if not MEMORY_IN_USE.exists():
         yield
         return
+    import resource  # Windows has none
+
     in_use = int(MEMORY_IN_USE.read_text().split()[5]) * resource.getpagesize()
     before = resource.getrlimit(resource.RLIMIT_DATA)
     allowed = [limit for limit in before if limit != resource.RLIM_INFINITY]

@@ -159,7 +159,7 @@ def test_a_slip_around_the_functions_gets_a_line(starter, name):
     does, command, line = SAID[name]
     does(starter)
     done = python(*command, folder=starter)
-    assert line.format(starter) in done.stdout + done.stderr
+    assert line.format(starter.as_posix()) in (done.stdout + done.stderr).replace("\\", "/")
     assert done.returncode and "Traceback" not in done.stderr
 
 

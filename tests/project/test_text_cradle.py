@@ -140,7 +140,7 @@ def test_on_a_terminal_a_picture_moves_until_ctrl_c(csv):
 
 @pytest.mark.parametrize(("term", "is_terminal"), [("xterm", True), ("dumb", True), ("xterm", False)])
 def test_only_a_terminal_that_can_move_its_cursor_shows_pictures(monkeypatch, term, is_terminal):
-    monkeypatch.setattr(sys, "stdout", Mock(isatty=lambda: is_terminal))
+    monkeypatch.setattr(sys, "stdout", Mock(isatty=lambda: is_terminal, fileno=lambda: 1))  # pytest -vv asks, too
     monkeypatch.setattr(sys, "__stdout__", sys.stdout)
     monkeypatch.setenv("TERM", term)
     assert players.has_terminal() == (is_terminal and term != "dumb")
@@ -276,4 +276,4 @@ def test_the_program_refuses_in_one_line(main, csv):
     for option, value, words in (("--lift", "9", "allowed is at most 5"), ("--record", str(csv), "which has no data")):
         status, out, err = main(csv, option, value, "--seconds", "1")
         assert (status, out, err.count("\n")) == (2, "", 1)
-        assert err.startswith(f"{option}: found {value!r}, {words}")
+        assert err.startswith(f"{option}: found '{value}', {words}")

@@ -4,6 +4,7 @@ In bubblewrap, it sees Python, libraries and a folder in memory, and no network.
 """
 
 import asyncio
+import ctypes
 import json
 import os
 import platform
@@ -30,6 +31,7 @@ IN_PREFIX = "bin", "lib", "lib32", "lib64", "libx32", "libexec", "share", "pyven
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 USERS = (60_600 + number % 500 for number in count(os.getpid()))  # that systems give to nobody
 REMOVE = ["cmd", "/c", "rd", "/s", "/q"] if os.name == "nt" else ["sh", "-c", 'chmod -R u+rwx "$0"; rm -rf "$0"']
+NO_CTRL_C = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP} if os.name == "nt" else {"start_new_session": True}
 LEFT_OPEN = "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
 
 # What the kernel refuses (docs.kernel.org/userspace-api/seccomp_filter.html): memory that outlives a process (shmget,
@@ -55,7 +57,7 @@ def seccomp_filter(name, refused, by_argument) -> bytes:
 
 def quietly(*command, **options) -> bytes:
     """Run a command, and return what it prints."""
-    return subprocess.run(command, capture_output=True, check=False, **options).stdout
+    return subprocess.run(command, capture_output=True, check=False, **NO_CTRL_C, **options).stdout
 
 
 def bubblewrap(work) -> list[str]:
@@ -72,11 +74,10 @@ def bubblewrap(work) -> list[str]:
     # Root makes the sandbox, and one_run.py becomes another user in it: limits of root's processes have no effect.
     alone = [f"--unshare-{name}" for name in ("ipc", "pid", "net", "uts", "cgroup-try", *["user"] * (not IS_ROOT))]
     rules = [seccomp_filter(*row) for machine, row in CALLS.items() if machine == platform.machine()]
-    (work / "filter").write_bytes(b"".join(rules))
+    (file := work / "filter").write_bytes(b"".join(rules))
     # If the memory of the machine is short, the kernel ends solutions first.
     start = 'echo 1000 2>&- >/proc/self/oom_score_adj; exec bwrap "$@" 9<"$0"'
-    command = ["sh", "-c", start, str(work / "filter"), *["--seccomp", "9"] * len(rules), "--die-with-parent", *alone]
-    return [*command, *mounts]
+    return ["sh", "-c", start, str(file), *["--seccomp", "9"] * len(rules), "--die-with-parent", *alone, *mounts]
 
 
 async def run(starter, work, before, drops_root, files) -> tuple[int | str, bytes]:
@@ -102,7 +103,7 @@ async def run(starter, work, before, drops_root, files) -> tuple[int | str, byte
             raise OSError(error.errno, error.strerror, str(work)) from None
         return f"the files cannot be written: {getattr(error, 'strerror', error)}", b""
     finally:
-        quietly(*REMOVE, str(folder))
+        await asyncio.to_thread(quietly, *REMOVE, str(folder))
 
 
 async def run_in(folder, starter, before, drops_root, output) -> int:
@@ -117,18 +118,20 @@ async def run_in(folder, starter, before, drops_root, output) -> int:
     environment = dict(os.environ) if os.name == "nt" else {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
     environment |= {"HOME": home, "TMPDIR": home, "PYTHONUSERBASE": site.getuserbase(), "OPENBLAS_NUM_THREADS": "1"}
     environment |= {"PYTHONDONTWRITEBYTECODE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "COLUMNS": "100"}
-    own_group = "creationflags" if os.name == "nt" else "start_new_session"  # Ctrl+C is for this program only
-    options = {"env": environment, own_group: getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", True), "cwd": folder}
-    options |= {"stdin": subprocess.DEVNULL, "stdout": output, "stderr": output}
-    process = subprocess.Popen([*before, sys.executable, *program], **options)
+    pipes = {"stdin": subprocess.DEVNULL, "stdout": output, "stderr": output}
+    process = subprocess.Popen([*before, sys.executable, *program], **pipes, **NO_CTRL_C, env=environment, cwd=folder)
     try:
+        if os.name == "nt":  # all that it starts is in its job, also after it has ended
+            job = ctypes.windll.kernel32.CreateJobObjectW(None, None)
+            ctypes.windll.kernel32.AssignProcessToJobObject(job, int(process._handle))
         return await asyncio.wait_for(asyncio.to_thread(process.wait), one_run.WHOLE + SPARE)
     except asyncio.TimeoutError:
         return one_run.LATE
     finally:
         if os.name == "nt":
-            quietly("taskkill", "/F", "/T", "/PID", str(process.pid))
-        with suppress(ProcessLookupError, AttributeError):
+            ctypes.windll.kernel32.TerminateJobObject(job, 1)
+            ctypes.windll.kernel32.CloseHandle(job)
+        with suppress(OSError, AttributeError):  # macOS refuses it for a process that has just ended
             os.killpg(process.pid, signal.SIGKILL)
         process.wait()
         if user and not before:  # what has left its group
