@@ -1,11 +1,9 @@
 """Run this file to see, step by step, how newton_cradle_pends.csv becomes pend_list. It needs no VPython."""
 
 if __name__ == "__main__":
-    from support.start.unfit import refuse_unfit
+    from src import begin
 
-    refuse_unfit()
-
-    import support.headless_vpython  # noqa: F401  no page, so no VPython
+    begin.program(needs_vpython=False)
 
 import pandas as pd
 

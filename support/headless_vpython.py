@@ -172,11 +172,8 @@ class color:
     rgb_to_grayscale = staticmethod(lambda v: color.gray(0.21 * v.x + 0.71 * v.y + 0.07 * v.z))
 
 
-class textures:
-    flower, granite, gravel = ":flower_texture.jpg", ":granite_texture.jpg", ":gravel_texture.jpg"
-    earth, metal, rock = ":earth_texture.jpg", ":metal_texture.jpg", ":rock_texture.jpg"
-    rough, rug, stones = ":rough_texture.jpg", ":rug_texture.jpg", ":stones_texture.jpg"
-    stucco, wood, wood_old = ":stucco_texture.jpg", ":wood_texture.jpg", ":wood_old_texture.jpg"
+_TEXTURES = "flower granite gravel earth metal rock rough rug stones stucco wood wood_old"
+textures = type("textures", (), {name: f":{name}_texture.jpg" for name in _TEXTURES.split()})
 
 
 def _own_vector(name):

@@ -54,7 +54,7 @@ def main() -> None:
         make_starter(folder)
     except OSError as error:
         parser.error(f"argument FOLDER: {folder} cannot be made: {error.strerror}")
-    line = f"{folder} is ready. Students write {len(FUNCTIONS)} functions in it. Its README.md says how to begin."
+    line = f"{folder} is ready. Students write {len(FUNCTIONS)} functions with checks in it. Its README.md says more."
     print(in_one_line(line))
 
 

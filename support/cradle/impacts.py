@@ -1,7 +1,7 @@
 """Hits: how they are noted while the loop does ticks, and the list of impacts, with a line for each train.
 
-A hit is a collision of two bobs. support/__init__.py says what a train and a path are. If two bobs come in, a train has
-two paths: 2-3-4-5  1-2-3-4.
+support/__init__.py says what a hit, a train and a path are. If two bobs come in, a train has two paths:
+2-3-4-5  1-2-3-4.
 """
 
 from collections import Counter, deque

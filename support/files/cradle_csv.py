@@ -10,7 +10,6 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
-from itertools import islice
 from math import nan
 from pathlib import Path
 from stat import S_ISREG
@@ -108,7 +107,7 @@ class Snapshot:
         if self.error:
             raise ValueError(f"{self}: cannot be read as a CSV file: {reason(self.error)}") from self.error
         if self.data.startswith(WORKBOOKS):
-            raise ValueError(f"{self}: is a workbook; open it in its program, and save or download it as CSV")
+            raise ValueError(f"{self}: is a workbook; open it in Excel or the like, and save it as CSV")
         place, found = self.data.find(b"\0"), "a zero byte"
         try:
             text = self.data.decode("utf-8")
@@ -173,14 +172,6 @@ def clean_copy(filepath):
         yield str(copy)
 
 
-def header_hint(header) -> str:
-    """Return a hint if the first cell of a header has several names of columns."""
-    for separator, hint in HINTS.items():
-        if len(RULES.keys() & {name.strip() for name in header[0].split(separator)}) > 1:
-            return f"; {hint}"
-    return ""
-
-
 def in_short(text) -> str:
     """Return the beginning of a long text, for a message: a file that is no cradle may have a line of megabytes."""
     return text if len(text) <= LONGEST_FOUND else f"{text[:LONGEST_FOUND]}..."
@@ -197,8 +188,8 @@ def to_number(text: str) -> float:
 # For each column, a test of a cell's text, and words for the allowed values. The columns theta and omega need no rule:
 # the start of a cradle does not depend on them. Floats below 1e-308 have few digits: hits would change the energy.
 RULES = {
-    "mass": (lambda text: 1e-300 <= to_number(text) <= 1e6, "a number from 1e-300 to 1e6, without its unit, kg"),
-    "e": (lambda text: 0 <= to_number(text) <= 1, "a number from 0 to 1"),
+    "mass": (lambda text: 1e-300 <= to_number(text) <= 1e6, "a number from 1e-300 to 1e6 (kg), such as 1.5"),
+    "e": (lambda text: 0 <= to_number(text) <= 1, "a number from 0 to 1, such as 0.9"),
     "color": (COLOR_MAP.__contains__, f"one of {', '.join(COLOR_MAP)}"),
     "texture": (TEXTURE_MAP.__contains__, f"one of {', '.join(TEXTURE_MAP)}"),
 }
@@ -215,6 +206,21 @@ def are_in_range(masses) -> bool:
     return max(masses) <= MOST_TIMES * min(masses)
 
 
+def check_header(place, header) -> None:
+    """Raise a ValueError if the header at this place does not name each column of a cradle once."""
+    names = in_short(", ".join(map(repr, filter(None, header))))
+    allowed = f"a cradle needs one column of each of {', '.join(RULES)}"
+    if not RULES.keys() & {*header}:
+        used = (each for each in HINTS if len(RULES.keys() & {*map(str.strip, header[0].split(each))}) > 1)
+        hint = "".join(f"; {HINTS[separator]}" for separator in used)
+        raise ValueError(f"{place} must name the columns: found {names}; {allowed}{hint}")
+    for column in RULES:
+        count = header.count(column)
+        if count != 1:
+            found = f"{count} columns" if count else "no column"
+            raise ValueError(f"{place}: found {found} {column} in {names}; {allowed}")
+
+
 def check_cradle(filepath, cords=1) -> None:
     """Raise a ValueError for the first mistake in the CSV of a cradle.
 
@@ -223,17 +229,12 @@ def check_cradle(filepath, cords=1) -> None:
     """
     snapshot = snapshot_of(filepath)
     # This looks at no later row: the rows of a file of 10 MB would take a gigabyte of memory.
-    line, _ = next(islice(snapshot.each_row(), 1 + MOST_PENDULA, None), (0, []))  # the first row names the columns
-    if line:
-        allowed = f"allowed are at most {MOST_PENDULA}, which already move in slow motion on the page"
-        raise ValueError(f"{snapshot}, line {line}: found pendulum {MOST_PENDULA + 1}, {allowed}")
-    for line, header in islice(snapshot.each_row(), 1):  # first: a title above the names is shorter than the rows
-        wrong = [column for column in RULES if header.count(column) != 1]
-        if wrong:
-            place = f", column {wrong[0]}" if RULES.keys() & {*header} else " must name the columns"
-            found = f"found {in_short(', '.join(map(repr, filter(None, header))))}"
-            allowed = f"a cradle needs one column of each of {', '.join(RULES)}{header_hint(header)}"
-            raise ValueError(f"{snapshot}, line {line}{place}: {found}; {allowed}")
+    for number, (line, cells) in enumerate(snapshot.each_row()):
+        if number == 0:  # before the rows: a title above the names may have fewer cells than they have
+            check_header(f"{snapshot}, line {line}", cells)
+        if number > MOST_PENDULA:
+            allowed = f"allowed are at most {MOST_PENDULA}, which already move in slow motion on the page"
+            raise ValueError(f"{snapshot}, line {line}: found pendulum {number}, {allowed}")
     (_, header), *rows = snapshot.rows
     if not rows:
         raise ValueError(f"{snapshot}: names columns but has no pendulum, a cradle needs at least one row below them")

@@ -1,4 +1,4 @@
-"""For the first moment of a program, so these imports take no time: signals that end it, and slow imports for later."""
+"""Signals that end a program, and imports that wait. A program begins here, so all that is imported here is fast."""
 
 import os
 import signal

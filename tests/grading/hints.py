@@ -1,7 +1,7 @@
 """All words for mistakes, as rows with names. evidence.py chooses among them.
 
 ERRORS  a row for an error of Python: its type, a pattern of Python's own words or "", a test of what is seen or None
-        (evidence.Seen), and the words; {0} is the first bracket of the pattern, {name} the name or key of the error
+        (evidence.Seen), and the words; {0} is the first group of the pattern, {name} the name or key of the error
 MEANING what an error means, if no row fits
 RESULTS the result of a known mistake (a value, or a test of it) in a check; it is never the unchanged input
 FORMS   a pattern of the sentence that says what is wrong
@@ -65,13 +65,13 @@ ERRORS = {
     "path": ((ValueError, TypeError), r"file path|os\.PathLike", None, "The path of a file belongs here: relative_filepath."),
     "path in quotes": (FileNotFoundError, "", lambda seen: seen.name in ("relative_filepath", "page.csv", "NC_FP"), "Write {name} without quotes: it is a name, not text."),
     "circle": (ImportError, "circular import", None, "Your files import each other in a circle. Remove the import in this file."),
-    "file gone": (ModuleNotFoundError, "", lambda seen: seen.name.startswith("src."), "There is no file {seen.file}. Put it back."),
+    "file gone": (ModuleNotFoundError, "", lambda seen: seen.name.startswith("src."), "There is no file {seen.file}. If you had one, put it back."),
     "src": (ModuleNotFoundError, "", lambda seen: seen.name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"), "Write src. in front of the file in the import: src.{name}."),
     "itself": (RecursionError, "", None, "Your function calls itself, without end. Delete this call, or call the function that you need in its place."),
 }
 MEANING = {
     UnboundLocalError: "At this line, your function has no value for {name} yet. The line that gives it one is below, or in an if that is not true.",
-    NameError: "There is no name {name} here. Use a parameter, or a name that has got its value in a line above.",
+    NameError: "There is no name {name} here. Use a parameter, or give {name} a value in a line above, with = .",
     KeyError: "There is no key {name} here. A pendulum has mass, e, theta, omega, color and texture, and later objects.",
     IndexError: "There is no element with this index. The first one has 0, the last one the length minus 1.",
     AttributeError: "The value in front of the dot has no part with the name {name}. Which line gave it this value?",
@@ -161,7 +161,7 @@ FORMS = {
     "text": ("is text, not a number", "This is text: a name in quotes, for example, or a key of a dictionary. A number belongs in its place."),
     "no pendulum": (r"pend_list\[\d+\] is [^,]*, not a dictionary", "Each element must be a whole pendulum: a dictionary with all of its keys."),
 }
-OTHER_VALUE = "Compare this value in each pendulum with the file and with the handout: which pendula must change, and which must not?"
+OTHER_VALUE = "Compare this value in each pendulum with the file and with the handout: which value must each pendulum have?"
 
 # The names of functions to which a fact belongs ("" for all), and the words: {0} is what was found, {line} its line.
 CODE = {

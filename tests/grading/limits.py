@@ -1,4 +1,4 @@
-"""Limits for students' functions: they cannot take all time or memory, ask somebody, or end the grader's process.
+"""Limits for students' functions: they cannot take all time or memory, wait for input, or end the grader's process.
 
 This is for mistakes. It is no protection from a student who means harm.
 """

@@ -1,8 +1,8 @@
 """The rules of search.py: code that a student has written, the code that may be meant, and words for the change.
 
-In them, n stands for a name, s for a text, z for a number in the code, o for an operation; d for a dictionary, l for one
-or a list or a tuple, x for a number, if the value is known; v for what may be any value; B and C for lines; any other
-small letter for any expression. The search tries each name of the function for N (for D, E, L and X, those that may have
+In them, n is a name, s a text, z a number in the code, o an operation. If the value is known, d is a dictionary, x a
+number, and l a dictionary, a list or a tuple. v is any value, B and C are lines, and any other small letter is any
+expression. The search tries each name of the function for N (for D, E, L and X, those that may have
 such a value), each function for F, each name without a value for U, each element that the function names for S, each
 key for K, each number for Z, and for Q what a text says without its quotes. The words never show the whole new line.
 """

@@ -23,8 +23,8 @@ from support.files.data_file import check_record, whole_file
 from support.page.chooser import with_numbers
 
 ALLOWED = {
-    "mass": "allowed is a number from 1e-300 to 1e6, without its unit, kg",
-    "e": "allowed is a number from 0 to 1",
+    "mass": "allowed is a number from 1e-300 to 1e6 (kg), such as 1.5",
+    "e": "allowed is a number from 0 to 1, such as 0.9",
     "color": f"allowed is one of {', '.join(COLOR_MAP)}",
     "texture": f"allowed is one of {', '.join(TEXTURE_MAP)}",
 }
@@ -42,7 +42,8 @@ REFUSED = {
     "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit (131072)"),
     "large": (" " * (LARGEST + 1), ": cannot be read as a CSV file: found more than 10 MB, allowed are at most 10 MB"),
     "header only": (HEADER, ": names columns but has no pendulum, a cradle needs at least one row below them"),
-    "two columns mass": ("mass,mass\n", f", line 1, column mass: found 'mass', 'mass'; {NEEDS}"),
+    "two columns mass": ("mass,mass\n", f", line 1: found 2 columns mass in 'mass', 'mass'; {NEEDS}"),
+    "no column": ("mass,E,color,texture\n", f", line 1: found no column e in 'mass', 'E', 'color', 'texture'; {NEEDS}"),
     **{  # the line, what is found in it, and a hint
         kind: (content, f", line {line} must name the columns: found {found}; {NEEDS}{hint}")
         for kind, (content, line, found, hint) in {
@@ -53,8 +54,8 @@ REFUSED = {
             "a long line": ("x" * 1000 + "\n", 1, f"'{'x' * 299}...", ""),
         }.items()
     },
-    "a workbook": (b"PK\3\4\xff", ": is a workbook; open it in its program, and save or download it as CSV"),
-    "an old workbook": (b"\xd0\xcf\x11\xe0", ": is a workbook; open it in its program, and save or download it as CSV"),
+    "a workbook": (b"PK\3\4\xff", ": is a workbook; open it in Excel or the like, and save it as CSV"),
+    "an old workbook": (b"\xd0\xcf\x11\xe0", ": is a workbook; open it in Excel or the like, and save it as CSV"),
     "row too short": (
         HEADER + "1,1,0,0,red\n",
         f", line 2, column texture: found nothing, {ALLOWED['texture']}; this line has 5 cells, not 6",

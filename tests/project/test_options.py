@@ -88,8 +88,8 @@ def refusal(program, words, capsys):
 
 EVERY = f"a multiple of {DT:g} (s), one tick, up to 1e6"
 BAD = [  # a program, an option, its bad values, and what is allowed
-    ("page", "--e", ["1.1", "-0.1", "nan"], "a number from 0 to 1"),
-    ("page", "--mass", ["0", "inf", "1kg"], "a number from 1e-300 to 1e6, without its unit, kg"),
+    ("page", "--e", ["1.1", "-0.1", "nan", "0,9"], "a number from 0 to 1, such as 0.9"),
+    ("page", "--mass", ["0", "inf", "1kg"], "a number from 1e-300 to 1e6 (kg), such as 1.5"),
     ("page", "--angle", ["-30", "181"], "a number from 0 to 180 (degrees)"),
     ("page", "--lift", ["-1", "1.5", "²"], "a whole number, 0 or more"),
     ("page", "--port", ["65536", "web"], "a whole number from 0 to 65535"),

@@ -41,7 +41,7 @@ def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_
 def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(wall):
     wall.wait(0.3)
     wall.give("edit", 3, "mass", "<b>")
-    mistake = {"3,mass": ["<b>", "mass: allowed is a number from 1e-300 to 1e6, without its unit, kg"]}
+    mistake = {"3,mass": ["<b>", "mass: allowed is a number from 1e-300 to 1e6 (kg), such as 1.5"]}
     assert (wall.state["refused"], wall.time() > 0.2) == (mistake, True)
     wall.give("edit", 0, "e", "0.25")  # another cell does not hide the mistake
     assert wall.state["refused"] == mistake

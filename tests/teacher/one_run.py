@@ -1,4 +1,4 @@
-"""Run pytest in a copy of folders, with limits, as a user with this number or, with 0, as yourself."""
+"""Run pytest in a copy of folders, with limits, as the user with a number, or as yourself if the number is 0."""
 
 import os
 import shutil
