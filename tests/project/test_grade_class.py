@@ -178,7 +178,7 @@ OUTPUTS = {  # the exit status, how the grade of the starter changes, and the pr
     "a check more": (1, lambda grade: {**grade, "checks": {**grade["checks"], "a": {}}}, ENDED),
     "another form": (1, lambda grade: {**grade, "checks": dict.fromkeys(grade["checks"], 1)}, ENDED),
     "deep": (1, lambda grade: "[" * 10**5, ENDED),
-    "late": (one_run.LATE, lambda grade: "", "no grade: pytest took longer than 100 s"),
+    "late": (one_run.LATE, passed, "no grade: pytest took longer than 100 s"),
     "not run": ("the files cannot be written", lambda grade: "", "no grade: the files cannot be written"),
 }
 
@@ -242,7 +242,11 @@ def tables_of(folder):
     return tuple({each["student"]: each for each in table} for table in (rows, [*map(json.loads, lines)]))
 
 
-FAST = "import grade_class as g; from teacher import one_run, sandbox as s; one_run.WHOLE, s.SPARE = 20, 2; "
+# In bubblewrap, four at a time: none takes what others need.
+FAST = """import grade_class as g, os, shutil
+from teacher import one_run, sandbox as s
+one_run.WHOLE, s.SPARE, os.cpu_count = 20, 2, lambda: 4 if shutil.which("bwrap") else 2
+"""
 
 
 @pytest.fixture
@@ -374,7 +378,6 @@ SPOILED = {
     "writes a grade": "open(here + '/grade.json', 'w').write('[' * 400_000)\nos.kill(os.getpid(), 9)",
     "prints without end": "while True: os.write(1, b'x' * 100_000)",
     "catches everything": "while True:\n  try: time.sleep(1)\n  except BaseException: pass",
-    "ends late": "__import__('atexit').register(time.sleep, 300)",
     "ends at once": "os.abort()",
     "closes its output": "sys.stdout.close()",
     "forgets the language": "import builtins\ndel builtins.open, builtins.len",
@@ -390,15 +393,15 @@ def test_hostile_solutions_harm_nobody_else(solved, tmp_path, grading, boxed):
     if boxed and shutil.which("bwrap") is None:
         pytest.skip("bubblewrap is not installed")
     (tmp_path / "secret.txt").write_text("secret")
-    outside = [str(tmp_path / name) for name in ("secret.txt", "class/0 honest/src/swinging.py", "new.txt")]
+    outside = [str(tmp_path / name) for name in ("secret.txt", "class/an honest one/src/swinging.py", "new.txt")]
     full = {**HARMLESS, **(BOXED if boxed else {})}
     rows = {**full, **SPOILED, **({"kills all": "os.kill(-1, 9)"} if boxed else {}), "writes page.csv": ""}
+    put_files(tmp_path / "class" / "an honest one" / "src", solved)
     with socket.create_server(("127.0.0.1", 0)) as listening:
-        for i, (name, text) in enumerate(rows.items()):
+        for name, text in rows.items():
             text = text.replace("{outside}", f"{outside}").replace("{port}", f"{listening.getsockname()[1]}")
             files = {**solved, "swinging.py": solved["swinging.py"] + f"{HERE}{text}".encode()}
             put_files(tmp_path / "class" / name / "src", files)
-            put_files(tmp_path / "class" / f"{i} honest" / "src", {**solved, "own.py": f"{i}"})
         main = tmp_path / "class" / "writes page.csv" / "src" / "visualize_cradle_run.py"
         change(main, MAIN, f"    open(page.csv, 'w').close()\n{MAIN}")
         before = contents(tmp_path)
@@ -406,7 +409,7 @@ def test_hostile_solutions_harm_nobody_else(solved, tmp_path, grading, boxed):
         _, errors = process.communicate(timeout=10 * SECONDS)
     assert (process.returncode, "Traceback" in errors, "Without bubblewrap" in errors) == (0, False, not boxed), errors
     points = {student: int(row["points"]) for student, row in tables_of(tmp_path / "class-grades")[0].items()}
-    assert {student: n for student, n in points.items() if n != 53 and (student in full or "honest" in student)} == {}
+    assert {points[student] for student in (*full, "an honest one")} == {53}, points
     shutil.rmtree(tmp_path / "class-grades")
     assert contents(tmp_path) == before
     assert os.listdir(tmp_path / "work") == []

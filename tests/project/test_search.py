@@ -43,18 +43,6 @@ def body(function, version):
     return dedent(version if isinstance(version, str) else PLAIN[function].replace(*version))
 
 
-@pytest.mark.parametrize(("function", "version", "words"), slow_but_for(FOUND[::3], FOUND))
-def test_a_change_with_which_all_checks_pass_is_named_and_not_shown(solve, function, version, words):  # noqa: F811
-    solve(function, version)
-    grading = Grading()
-    failed = [check for check in checks(function=function) if grading.judge(check).state == grader.FAILED]
-    _, hint = searched(failed[0], 0)
-    assert re.match(r"One change.* makes all checks pass: ", hint)
-    assert words in hint
-    right = [line.strip() for line in PLAIN[function].split("\n") if line.strip() not in body(function, version)]
-    assert not [line for line in right if line in hint]
-
-
 def test_a_print_that_changes_the_result_is_named(solve):  # noqa: F811
     solve("uniform_mass_newton_cradle", ("return", "print(pend_list.pop())\n        return"))
     assert first_failure("uniform_mass_newton_cradle").hint.startswith("Without your prints, all checks pass")
@@ -76,21 +64,31 @@ if len("never") < 1:
 """
 
 
-def told(solve, function, source, look):  # noqa: F811
+def told(solve, function, source, look=None):  # noqa: F811
     """Return what the first check that fails says, without the numbers of lines."""
     solve(function, source)
     first = first_failure(function, look)
     return [re.sub(r"\b([Ll]ines?) \d+(, \d+)*", r"\1", text) for text in (first.hint, first.wrong, first.values)]
 
 
-CASES = [(name, version, searched) for name, version, _ in FOUND]
-CASES += [(name, version, None) for (name, _), version in WRONG.items()]
+@pytest.mark.parametrize(("function", "words"), slow_but_for([*WRONG][::9], WRONG))
+def test_harmless_lines_change_no_word(solve, function, words):  # noqa: F811
+    source = body(function, WRONG[function, words])
+    assert told(solve, function, HARMLESS + source) == told(solve, function, source)
 
 
-@pytest.mark.parametrize(("function", "version", "look"), slow_but_for([*CASES[1:20:7], *CASES[20::9]], CASES))
-def test_harmless_lines_change_no_word(solve, function, version, look):  # noqa: F811
+@pytest.mark.parametrize(("function", "version", "words"), slow_but_for(FOUND[::3], FOUND))
+def test_a_change_with_which_all_checks_pass_is_named_and_not_shown(solve, monkeypatch, function, version, words):  # noqa: F811
+    """Also with harmless lines. No other words come first."""
+    monkeypatch.setattr(grader, "words_for", lambda *known: known[-1]()[::-1])
+    monkeypatch.setattr(search, "A_CHANGE", 5.0)  # s: a busy machine can stall
     source = body(function, version)
-    assert told(solve, function, HARMLESS + source, look) == told(solve, function, source, look)
+    (hint, *others), harmless = (told(solve, function, lines + source, searched) for lines in ("", HARMLESS))
+    assert re.match(r"One change.* makes all checks pass: ", hint)
+    assert words in hint
+    assert [hint, *others] == harmless
+    right = [line.strip() for line in PLAIN[function].split("\n") if line.strip() not in source]
+    assert not [line for line in right if line in hint]
 
 
 def test_a_process_of_its_own_looks_at_a_students_file(starter, monkeypatch):
