@@ -8,13 +8,10 @@ body in PLAIN. Add one, and tests/project/test_graded_suites.py covers it.
 # fmt: off
 RIGHT = {
     "extract_and_convert": {
-        "the values of bad_rep": ("return pend_list", "return list(bad_rep.values())"),
-        "records": "return pd.read_csv(relative_filepath).to_dict(orient='records')",
         "row by row": "return [dict(row) for _, row in pd.read_csv(relative_filepath).iterrows()]",
         "the module csv": "import csv, pathlib; rows = csv.DictReader(pathlib.Path(relative_filepath).read_text().splitlines()); return [{key: float(cell) if cell[-1].isdigit() else cell for key, cell in row.items()} for row in rows]",
     },
     "uniform_mass_newton_cradle": {
-        "new dictionaries": "return [{**pend, 'mass': mass} for pend in extract_and_convert(relative_filepath)]",
         "the order of the keys changed": "return [{'mass': mass} | {k: v for k, v in p.items() if k != 'mass'} for p in extract_and_convert(relative_filepath)]",
     },
     "uniform_e_newton_cradle": {"with pandas": "import pandas as pd; return pd.read_csv(relative_filepath).assign(e=e_val).to_dict('records')"},
@@ -32,7 +29,6 @@ RIGHT = {
         "keys of its own": ("pend['omega'] = 0", "pend['omega'] = 0; pend['number'] = i + 1"),
     },
     "angle_update": {
-        "the old names changed": "omega += -g * sin(theta) / r_param * dt; theta += omega * dt; return omega, theta",
         "numpy's sin": ("sin(", "__import__('numpy').sin("),
         "the formulas put together": ("omega_new * dt", "dt * omega - dt * dt * g * sin(theta) / r_param"),
         "a named tuple": ("return (", "return __import__('collections').namedtuple('Angles', 'omega theta')("),
@@ -72,7 +68,6 @@ RIGHT = {
                 swing_update(pend_list[i], r_param, dt, g)
                 if i > 0:
                     handle_two_bobs(pend_list[i - 1], pend_list[i], r_param)""",
-        "with zip": ("i in range(len(pend_list) - 1):\n            handle_two_bobs(pend_list[i], pend_list[i + 1],", "left, right in zip(pend_list, pend_list[1:]):\n            handle_two_bobs(left, right,"),
     },
     "main": {
         "the rule handed on": ("DT, G)", "DT, G, **page.rule)"),

@@ -375,7 +375,6 @@ SPOILED = {
     "removes all": "shutil.rmtree(here, ignore_errors=True)",
     "makes a pipe": "os.mkfifo(here + '/grade.json')",
     "makes a link": "os.symlink('/dev/zero', here + '/grade.json')",
-    "writes a grade": "open(here + '/grade.json', 'w').write('[' * 400_000)\nos.kill(os.getpid(), 9)",
     "prints without end": "while True: os.write(1, b'x' * 100_000)",
     "catches everything": "while True:\n  try: time.sleep(1)\n  except BaseException: pass",
     "ends at once": "os.abort()",

@@ -9,7 +9,7 @@ from unittest.mock import patch
 
 import pytest
 from programs import slow_but_for
-from students import write
+from students import change, write
 from test_graded_suites import MODULES, patient, solve, WRONG  # noqa: F401  two of them are fixtures
 from test_grader_output import run
 from wrong_solutions import FOUND, PLAIN
@@ -91,20 +91,13 @@ def test_a_change_with_which_all_checks_pass_is_named_and_not_shown(solve, monke
     assert not [line for line in right if line in hint]
 
 
-def test_a_process_of_its_own_looks_at_a_students_file(starter, monkeypatch):
-    monkeypatch.setattr(search, "ROOT", starter)
-    monkeypatch.setattr(search, "SECONDS", 60.0)
-    write(starter, *FUNCTIONS, angle_update=PLAIN["angle_update"].replace("sin(theta)", "sin(omega)"))
-    line, words = search.one_change(checks(function="angle_update")[0])
-    assert "sin(omega)" in (starter / "src/swinging.py").read_text().splitlines()[line - 1]
-    assert words.endswith(", another name belongs in place of omega.")
-
-
-def test_pytest_looks_for_a_change_and_leaves_nothing_behind(starter, tmp_path, monkeypatch):
+def test_pytest_looks_for_a_change_in_a_process_of_its_own_and_leaves_nothing_behind(starter, tmp_path, monkeypatch):
     temporary = tmp_path / "temporary"
     temporary.mkdir()
     monkeypatch.setenv("TMPDIR", str(temporary))
+    change(starter / "tests/grading/search.py", "SECONDS, A_CHANGE = 6.0,", "SECONDS, A_CHANGE = 60.0,")
     write(starter, *FUNCTIONS, angle_update="print('noise')\n" + body("angle_update", ("sin(theta)", "sin(omega)")))
+    number = 1 + (starter / "src/swinging.py").read_text().partition("sin(omega)")[0].count("\n")
 
     def files():
         return {path: path.read_bytes() for path in starter.rglob("*") if path.is_file() and path.suffix != ".pyc"}
@@ -112,8 +105,10 @@ def test_pytest_looks_for_a_change_and_leaves_nothing_behind(starter, tmp_path, 
     before = files()
     for options in ([], ["--no-search"], ["--grade-json", str(tmp_path / "grade.json")]):
         _, rows = run(starter, *options)
-        lines = "\n".join(rows)
+        lines, words = "\n".join(rows), " ".join(" ".join(rows).split())
         assert ("Looking for one change with which all checks of angle_update pass ..." in lines) == (not options)
+        assert ("another name belongs in place of omega." in words) == (not options)
+        assert (f"Next: angle_update in src/swinging.py, line {number}." in words) == (not options)
         assert lines.count("noise") == 1
     assert files() == before
     assert [*temporary.iterdir()] == []
