@@ -65,7 +65,7 @@ ERRORS = {
     "path": ((ValueError, TypeError), r"file path|os\.PathLike", None, "The path of a file belongs here: relative_filepath."),
     "path in quotes": (FileNotFoundError, "", lambda seen: seen.name in ("relative_filepath", "page.csv", "NC_FP"), "Write {name} without quotes: it is a name, not text."),
     "circle": (ImportError, "circular import", None, "Your files import each other in a circle. Remove the import in this file."),
-    "file gone": (ModuleNotFoundError, "", lambda seen: seen.name.startswith("src."), "There is no file {seen.file}. If you had one, put it back."),
+    "file gone": (ModuleNotFoundError, "", lambda seen: seen.name.startswith("src."), "There is no file {seen.file}. Put it back."),
     "src": (ModuleNotFoundError, "", lambda seen: seen.name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"), "Write src. in front of the file in the import: src.{name}."),
     "itself": (RecursionError, "", None, "Your function calls itself, without end. Delete this call, or call the function that you need in its place."),
 }
