@@ -1,16 +1,20 @@
 """Run this file to see, step by step, how newton_cradle_pends.csv becomes pend_list. It needs no VPython."""
 
 if __name__ == "__main__":
-    from src import begin
+    from support.start.unfit import refuse_unfit
 
-    begin.program(needs_vpython=False)
+    refuse_unfit()
+
+    import support.headless_vpython  # noqa: F401  no page, so no VPython
+
+import sys
 
 import pandas as pd
 
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.files.cradle_csv import check_cradle, clean_copy, Snapshot
-from support.start.mistake import tell_endless
+from support.start.mistake import tell_endless, tell_mistake
 from support.start.output import refuse, while_it_is_read
 
 
@@ -40,6 +44,9 @@ def main() -> None:
         except KeyboardInterrupt as stopped:
             tell_endless(stopped)
             return
+        except Exception as error:
+            tell_mistake(error)
+            sys.exit(1)
         print("\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum.")
         for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
             print(f"  {pendulum}")

@@ -19,8 +19,7 @@ from support.start.mistake import own_frames, tell_endless, tell_mistake
 from support.start.options import check_lift, read_text_options
 from support.start.output import complain, is_unread, refuse, while_it_is_read
 from support.start.preview import what_there_is
-from support.terminal.players import has_terminal, Lines, Pictures, record
-from support.terminal.screen import own_screen
+from support.terminal.players import has_terminal, Lines, own_screen, Pictures, record
 
 
 @while_it_is_read()

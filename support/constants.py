@@ -21,13 +21,12 @@ DT = 0.0001
 # right, the other pendula would be in its way.
 THETA_INIT = -pi / 4
 
-# Double cradle: angle (rad) of the first pendulum's lower cord from the direction of its upper cord, 20 degrees further
-# outwards. A double pendulum has two normal modes. This angle is near the slow one (phi = 0.41 theta), so the first
-# hits go through the row as in a single cradle.
+# Double cradle: angle (rad) of the first pendulum's lower cord from its upper one, 20 degrees further outwards. This is
+# near the slow normal mode (phi = 0.41 theta), so the first hits go through the row as in a single cradle.
 PHI_INIT = -pi / 9
 
-# One tick of the double cradle (s). Its steps are more exact: for the energy, a longer tick would do. But its bobs are
-# faster. In this tick, equal bobs hardly come closer than 98 % of the distance at which they touch.
+# One tick of the double cradle (s). For the energy, a longer one would do. But its bobs are faster: in this tick, equal
+# bobs hardly come closer than 98 % of the distance at which they touch.
 DOUBLE_DT = 0.00025
 
 # The names allowed in the CSV's color column: all colors of VPython, as VPython's vectors of red, green and blue.

@@ -193,8 +193,6 @@ def _part(whole, name):
 
 
 class standardAttributes:
-    """The base of the shapes."""
-
     _default_size: tuple[float, float, float] = (1, 1, 1)
     _sizing = True  # the axis is as long as the shape (not so for a sphere)
     pos, axis, up = _own_vector("_pos"), _own_vector("_axis"), _own_vector("_up")
@@ -246,8 +244,6 @@ class box(standardAttributes):
 
 
 class _Round(standardAttributes):
-    """A shape with a radius."""
-
     @property
     def radius(self):
         return self._size._y / 2

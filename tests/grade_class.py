@@ -19,8 +19,7 @@ import grading.begin  # noqa: F401
 
 from support.files.data_file import whole_file
 from support.start.options import OneLineParser
-from support.start.output import in_one_line, while_it_is_read
-from support.terminal.screen import progress_bar
+from support.start.output import in_one_line, progress_bar, while_it_is_read
 from teacher import report
 from teacher.sandbox import open_sandbox
 from teacher.submissions import read_submission, submissions_in

@@ -1,7 +1,6 @@
 """Hits: how they are noted while the loop does ticks, and the list of impacts, with a line for each train.
 
-support/__init__.py says what a hit, a train and a path are. If two bobs come in, a train has two paths:
-2-3-4-5  1-2-3-4.
+support/__init__.py says what a hit, a train and a path are. Two bobs that come in make two paths: 2-3-4-5  1-2-3-4.
 """
 
 from collections import Counter, deque

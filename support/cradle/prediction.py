@@ -53,10 +53,8 @@ class Measurement:
             return "No two bobs hit each other."
         swings = ", ".join(f"{swing:.0f}" for swing in self.swings)
         expected = experiment.answers[experiment.explained].text
-        return (
-            f"After the first hit, the bobs swung to {swings} degrees. The experiment expects: {expected}. "
-            "So a function in src/, or a setting, is different."
-        )
+        words = f"After the first hit, the bobs swung to {swings} degrees. The experiment expects: {expected}. "
+        return words + "So a function in src/, or a setting, is different."
 
     def numbers(self) -> dict[str, str]:
         """Return the measured numbers as text, by the names that the text of an experiment can have in braces."""

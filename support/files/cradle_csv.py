@@ -105,7 +105,7 @@ class Snapshot:
     def text(self) -> str:
         """Return the text, without byte-order marks: pandas leaves out only one."""
         if self.error:
-            raise ValueError(f"{self}: cannot be read as a CSV file: {reason(self.error)}") from self.error
+            raise ValueError(f"{self}: cannot be read: {reason(self.error)}") from self.error
         if self.data.startswith(WORKBOOKS):
             raise ValueError(f"{self}: is a workbook; open it in Excel or the like, and save it as CSV")
         place, found = self.data.find(b"\0"), "a zero byte"

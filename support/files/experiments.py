@@ -88,11 +88,9 @@ class ExperimentText:
     """The lines of an experiment's text file; the methods raise a ValueError with a one-line message."""
 
     def __init__(self, file):
-        self.file, snapshot, name = file, Snapshot(file), ""
+        self.file, name = file, ""
         self.texts: dict[str, list[str]] = {}  # the parts of each text, by what stands before the =
-        if snapshot.error:
-            raise ValueError(f"{file}: cannot be read: {snapshot.error.strerror}") from snapshot.error
-        for number, line in enumerate(snapshot.text().splitlines(), start=1):
+        for number, line in enumerate(Snapshot(file).text().splitlines(), start=1):
             if name and line[:1].isspace():  # it goes on with the line above
                 self.texts[name].append(line)
             elif line.strip() and not line.startswith("#"):

@@ -39,9 +39,8 @@ class Chooser:
 
     def name(self) -> str | None:
         """Return the name of what is chosen; None for a changed experiment, so that you can choose it again."""
-        if not self.experiment:
-            return YOUR_CSV
-        return None if self.is_changed else self.experiment.name
+        chosen = self.experiment.name if self.experiment else YOUR_CSV
+        return None if self.is_changed else chosen
 
     def next_name(self) -> str:
         """Return the name of the next experiment, after the last one the first."""

@@ -12,7 +12,6 @@ class Questions:
     """The question of the present run, and its measurement. Nothing is stored, and nobody gets a score."""
 
     def __init__(self):
-        """Begin without a question."""
         self.ask_first = False
         self.again: tuple | None = None  # said, votes and slowly, for a run that repeats the last one
         self.drop()

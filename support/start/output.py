@@ -1,9 +1,14 @@
-"""Printed output: messages in one line, letters that the output does not have, and an output that is closed or full."""
+"""Printed output: messages in one line, a bar of progress, letters that the output does not have, its end."""
 
 import errno
 import os
+import shutil
 import sys
+import time
 from contextlib import contextmanager, suppress
+
+BAR_AFTER = 2.0  # s before a bar shows the progress
+BAR_STEP = 0.05  # s from one bar to the next
 
 
 @contextmanager
@@ -59,3 +64,31 @@ def refuse(message) -> None:
     """Print a message in one line on stderr, and exit with status 2."""
     complain(message)
     sys.exit(2)
+
+
+def switch_on_escapes() -> None:
+    """Let an older console of Windows understand the codes that move the cursor."""
+    if sys.platform == "win32":
+        os.system("")
+
+
+@contextmanager
+def progress_bar(clock=time.monotonic):
+    """Yield progress(part), which takes the finished part, 0 to 1. If it takes long, a terminal shows it as a bar."""
+    begin = clock()
+    next_look = begin + BAR_AFTER
+
+    def progress(part):
+        nonlocal next_look
+        if clock() > next_look and sys.stderr.isatty():
+            next_look = clock() + BAR_STEP
+            left = (clock() - begin) * (1 - part) / part
+            width = max(1, min(40, shutil.get_terminal_size().columns - 25))
+            say(f"\r[{'#' * int(part * width):<{width}}] {part:4.0%}, {left:.0f} s left ", sys.stderr, end="")
+
+    try:
+        yield progress
+    finally:
+        if next_look > begin + BAR_AFTER:
+            switch_on_escapes()
+            say("\r\x1b[K", sys.stderr, end="")

@@ -1,22 +1,109 @@
-"""Show the cradle in the terminal, as a moving picture or as lines of text, or write its data to a file."""
+"""Show the cradle in the terminal, as a moving picture or as lines of text, or write its data to a file.
+
+A picture is of ASCII characters, which are twice as high as wide.
+"""
 
 import os
+import shutil
+import signal
 import sys
+import textwrap
+from contextlib import contextmanager
 from csv import writer
-from math import degrees, inf, pi, remainder
+from math import atan2, degrees, inf, pi, remainder
 
 from support.cradle.motion import in_words
 from support.cradle.player import Player, run
 from support.files.data_file import whole_file
-from support.start.output import in_one_line
-from support.terminal.screen import progress_bar, screen, TextPicture, TRAINS, WIDTH
+from support.start.output import in_one_line, progress_bar, say, switch_on_escapes
 
 PART = 1000  # ticks from one report of a recording's progress to the next
+CORD = 16  # length of a cord in columns if they fit; neighbouring bobs are then four columns apart
+STROKES = "-\\|/"  # a line to the right, and lines turned down from it by 45, 90 and 135 degrees
+WIDTH = 80  # columns, at most
+ROWS = 24  # of a terminal that does not know its size
+TRAINS = 4  # of impacts, a line for each
+LOW = 18  # lines; a terminal with fewer lines shows no impacts
+OWN_SCREEN, OLD_SCREEN = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"  # the first has no cursor
 
 
 def has_terminal() -> bool:
     """Return whether the output is a terminal that can show pictures. IDLE's shell claims to be one, but cannot."""
     return sys.stdout.isatty() and sys.stdout is sys.__stdout__ and os.environ.get("TERM") != "dumb"
+
+
+@contextmanager
+def own_screen(last_lines):
+    """Use a separate screen, without a cursor; afterwards, the terminal shows its old lines again, and last_lines()."""
+    switch_on_escapes()
+    if hasattr(signal, "SIGTSTP"):  # Ctrl+Z would leave this screen to the shell; Windows has no signal for it
+        signal.signal(signal.SIGTSTP, signal.SIG_IGN)
+    print(OWN_SCREEN, end="")
+    try:
+        yield
+    finally:
+        say(OLD_SCREEN + "\n".join(last_lines()))  # if the terminal is not closed
+
+
+class TextPicture:
+    """Draws a cradle, always with the same part of space in view."""
+
+    def __init__(self):
+        """Show the space below the axles; once a bob has been above them, show the space up to there, too."""
+        self.above = 0.0  # m
+
+    def lines(self, cradle, columns, rows) -> list[str]:
+        """Return the lines of a picture, at most `columns` wide and `rows` high; no line if it does not fit."""
+        axles, bobs = [axle.pos for axle in cradle.axles()], [bob.pos for bob in cradle.bobs()]
+        xs, ys = sorted(axle.x for axle in axles), sorted(axle.y for axle in axles)
+        self.above = max(self.above, *(bob.y - ys[-1] for bob in bobs))
+        left, width = xs[0] - cradle.reach, xs[-1] - xs[0] + 2 * cradle.reach
+        top, height = ys[-1] + self.above, ys[-1] - ys[0] + cradle.reach + self.above
+        # Columns per metre. Three columns and a row stay free for rounding, and for the brackets of a bob.
+        scale = min(CORD / cradle.reach, (columns - 3) / width, 2 * (rows - 1) / height)
+        if scale <= 0:
+            return []
+        apart = (xs[-1] - xs[0]) / max(1, len(axles) - 1)
+        if apart * scale >= 1:  # whole columns from bob to bob: unequal gaps look like groups of bobs
+            scale = int(apart * scale + 1e-9) / apart
+        grid = [[" "] * columns for _ in range(round(height * scale / 2) + 1)]
+
+        def cell(place):
+            return round((top - place.y) * scale / 2), round((place.x - left) * scale) + 1
+
+        for cord in cradle.cords():
+            (row, column), (end_row, end_column) = cell(cord.pos), cell(cord.pos + cord.axis)
+            down, aside = end_row - row, end_column - column
+            steps = abs(down) if abs(aside) < 1.5 * abs(down) else abs(aside)  # one stroke per row, or per column
+            stroke = STROKES[round(4 * atan2(-cord.axis.y, cord.axis.x) / pi) % 4]
+            for step in range(steps):
+                grid[row + round(down * step / steps)][column + round(aside * step / steps)] = stroke
+
+        places = sorted(map(cell, axles), key=lambda place: place[1])
+        bar, first, last = places[0][0], places[0][1], places[-1][1]
+        grid[bar][first - 1 : last + 2] = "=" * (last - first + 3)
+        for row, column in places:
+            grid[row][column] = "+"
+
+        names = [f"({number})" for number in range(1, len(bobs) + 1)]
+        names_fit = len(axles) == 1 or len(names[-1]) <= apart * scale + 1e-9
+        for bob, name in zip(bobs, names if names_fit else "O" * len(bobs), strict=True):
+            row, column = cell(bob)
+            start = max(0, column - len(name) // 2)
+            grid[row][start : start + len(name)] = name
+        return ["".join(row)[:columns].rstrip() for row in grid]
+
+
+def screen(motion, picture, speed, remark="") -> list[str]:
+    """Return the lines of the screen for the size of the terminal; speed and remark are texts, maybe empty."""
+    size = shutil.get_terminal_size()
+    columns = min(WIDTH, size.columns or WIDTH)  # Python 3.10 returns 0 for a terminal that does not know its size
+    rows = size.lines or ROWS
+    lines = [motion.reading(), *textwrap.wrap(remark, columns), speed]
+    impacts = motion.trains.lines(columns)
+    below = ["", "Impacts", *impacts, *[""] * (TRAINS - len(impacts)), "", "Ctrl+C ends it."] if rows >= LOW else []
+    lines += picture.lines(motion.cradle, columns, rows - len(lines) - len(below)) + below
+    return [line[:columns].rstrip() for line in lines[:rows]]
 
 
 class TextPlayer(Player):

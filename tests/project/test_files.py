@@ -40,7 +40,7 @@ REFUSED = {
         ", line 2: found 8 cells, allowed are at most 6, as in line 1; a comma starts a new cell, also inside a number",
     ),
     "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit (131072)"),
-    "large": (" " * (LARGEST + 1), ": cannot be read as a CSV file: found more than 10 MB, allowed are at most 10 MB"),
+    "large": (" " * (LARGEST + 1), ": cannot be read: found more than 10 MB, allowed are at most 10 MB"),
     "header only": (HEADER, ": names columns but has no pendulum, a cradle needs at least one row below them"),
     "two columns mass": ("mass,mass\n", f", line 1: found 2 columns mass in 'mass', 'mass'; {NEEDS}"),
     "no column": ("mass,E,color,texture\n", f", line 1: found no column e in 'mass', 'E', 'color', 'texture'; {NEEDS}"),
@@ -106,7 +106,7 @@ def test_a_missing_file_a_folder_a_pipe_and_a_device_are_refused_at_once(tmp_pat
     found = "found a pipe or a device, allowed is a file"
     reasons = {tmp_path / "missing.csv": "No such file or directory", pipe: found}
     for file, reason in {**reasons, Path("/dev/zero"): found}.items():
-        with pytest.raises(ValueError, match=f"^{re.escape(str(file))}: cannot be read as a CSV file: {reason}$"):
+        with pytest.raises(ValueError, match=f"^{re.escape(str(file))}: cannot be read: {reason}$"):
             read_cells(file)
 
 
@@ -117,7 +117,7 @@ def test_windows_denies_the_permission_for_a_folder_and_for_a_file_that_excel_ho
     monkeypatch.setattr("os.open", Mock(side_effect=PermissionError(errno.EACCES, "Permission denied")))
     held = "Permission denied" + "; another program may have it open" * (system == "win32")
     for file, reason in {csv: held, csv.parent: "found a folder, allowed is a file"}.items():
-        with pytest.raises(ValueError, match=f"^{re.escape(str(file))}: cannot be read as a CSV file: {reason}$"):
+        with pytest.raises(ValueError, match=f"^{re.escape(str(file))}: cannot be read: {reason}$"):
             read_cells(file)
 
 

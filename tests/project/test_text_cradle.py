@@ -26,8 +26,8 @@ from support.constants import DT
 from support.cradle.real_time import RealTime
 from support.files.cradle_csv import Snapshot
 from support.pendulum import from_lift
-from support.terminal import players, screen
-from support.terminal.screen import TextPicture
+from support.start import output
+from support.terminal import players
 
 HOME = "\x1b[H"
 
@@ -132,9 +132,9 @@ def test_on_a_terminal_a_picture_moves_until_ctrl_c(csv):
     assert {len(picture) for picture in seen} == {len(seen[0])}
     assert len({picture[8] for picture in seen}) > 2  # a line with bobs that swing
     assert (max(map(len, seen[0])) <= 80, seen[0][-1]) == (True, "Ctrl+C ends it.")
-    before, _, after = printed.partition(screen.OWN_SCREEN)
-    assert (HOME in before, printed.isascii(), after.count(screen.OLD_SCREEN)) == (False, True, 1)
-    last = after.partition(screen.OLD_SCREEN)[2]
+    before, _, after = printed.partition(players.OWN_SCREEN)
+    assert (HOME in before, printed.isascii(), after.count(players.OLD_SCREEN)) == (False, True, 1)
+    last = after.partition(players.OLD_SCREEN)[2]
     assert re.fullmatch(r"t = .*ended: 0\r\n", last, re.DOTALL)  # the last picture stays
 
 
@@ -152,7 +152,7 @@ def test_the_lines_fit_into_a_terminal_of_any_size(tmp_path, monkeypatch):
     for rows, columns in product([1, 2, 3, 4, 17, 18, 19], [1, 2, 6, 7, 11, 40]):
         monkeypatch.setattr("shutil.get_terminal_size", lambda size=(columns, rows): os.terminal_size(size))
         for remark in ("", "Write next: handle_collision."):
-            lines = screen.screen(motion, TextPicture(), "0.6x real time", remark)
+            lines = players.screen(motion, players.TextPicture(), "0.6x real time", remark)
             assert 1 <= len(lines) <= rows
             assert max(map(len, lines)) <= columns
             assert lines[0] == motion.reading()[:columns].rstrip()
@@ -168,7 +168,7 @@ def test_a_screen_has_numbers_remark_picture_and_impacts(tmp_path, monkeypatch, 
     for left in range(2):
         motion.trains.add(2.0, left, left + 1, True)
     remark = "Write next: handle_collision, handle_two_bobs, newton_cradle_tick, main. Then the bobs collide."
-    lines = screen.screen(motion, TextPicture(), "0.6x real time", remark)
+    lines = players.screen(motion, players.TextPicture(), "0.6x real time", remark)
     assert len(lines) <= 24
     assert lines[0].startswith("t = 0.00 s")
     assert (" ".join(lines[1:3]), lines[3]) == (remark, "0.6x real time")
@@ -185,7 +185,7 @@ def draw(*thetas, columns=80, rows=20, picture=None):
     pend_list = [hang(theta=radians(theta), axle=(i * R / 4, 0, 0)) for i, theta in enumerate(thetas)]
     axles, bobs, cords = ([pend["objects"][part] for pend in pend_list] for part in range(3))
     cradle = SimpleNamespace(reach=R, axles=lambda: axles, bobs=lambda: bobs, cords=lambda: cords)
-    return (picture or TextPicture()).lines(cradle, columns, rows)
+    return (picture or players.TextPicture()).lines(cradle, columns, rows)
 
 
 def test_each_bob_is_in_its_place_on_a_cord_in_its_direction():
@@ -201,7 +201,7 @@ def test_each_bob_is_in_its_place_on_a_cord_in_its_direction():
 
 
 def test_the_space_above_the_axles_comes_into_view_and_stays():
-    picture = TextPicture()
+    picture = players.TextPicture()
     assert len(draw(0, picture=picture)) == 9
     lines = draw(180, picture=picture)
     assert (lines[0].strip(), lines[8].strip(), len(lines)) == ("(1)", "=+=", 17)
@@ -258,7 +258,7 @@ def test_a_terminal_shows_a_progress_bar_after_two_seconds(monkeypatch, columns,
     monkeypatch.setattr(sys.stderr, "isatty", lambda: columns is not None, raising=False)
     monkeypatch.setenv("COLUMNS", str(columns or 80))
     now = 0.0
-    with screen.progress_bar(lambda: now) as progress:
+    with output.progress_bar(lambda: now) as progress:
         for number in range(1, 10_001):
             now += seconds / 10_000
             progress(number / 10_000)
