@@ -28,6 +28,7 @@ ARGUMENTS = [
 ]
 SECONDS = 60  # after which something that is waited for counts as never coming
 OF_TESTS = {"PYTHONPATH": os.pathsep.join(sys.path)}  # the environment of a program that imports modules of the tests
+QUIETLY = (0, "", "")  # how a program ends that has printed nothing more
 
 with_vpython = pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
 on_posix = pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS")
@@ -100,11 +101,7 @@ def end(process):
     return process.returncode, stdout, stderr
 
 
-QUIETLY = (0, "", "")
-
 # --- pages -----------------------------------------------------------------------------------------------------------
-
-THUMB = 16  # pixels: the width of a slider's handle, whose middle never leaves the slider by half of it
 
 # Before the page's own scripts: make the canvas small, because no graphics card draws it.
 SMALL = """addEventListener("DOMContentLoaded", () => document.head.insertAdjacentHTML("beforeend",
@@ -220,9 +217,10 @@ def menu(page, name):
 
 def slide(page, name, value):
     """Click into a slider, where it has this value."""
+    thumb = 16  # pixels: the width of a slider's handle, whose middle stays half of it away from the ends
     slider = page.get_by_role("slider", name=name, exact=True)
     least, most, width, height = slider.evaluate("e => [+e.min, +e.max, e.offsetWidth, e.offsetHeight]")
-    x = THUMB / 2 + (value - least) / (most - least) * (width - THUMB)
+    x = thumb / 2 + (value - least) / (most - least) * (width - thumb)
     slider.click(position={"x": x, "y": height / 2})
 
 

@@ -68,11 +68,7 @@ BAD = [
     ("{speed_5}", "{speed_6}", f"why: found {{speed_6}}, {BRACES}"),
     ("{speed_5}", "{speed_5", f"why: found {{, {BRACES}"),
     ("seconds", "phi = 0 0 0 0 0\nseconds", "phi: is allowed only for the double cradle"),
-    (
-        "seconds",
-        "e = 1 1 1 1\nseconds",
-        "e: found '1 1 1 1', allowed is a number from 0 to 1, such as 0.9, for ",
-    ),
+    ("seconds", "e = 1 1 1 1\nseconds", "e: found '1 1 1 1', allowed is a number from 0 to 1, such as 0.9, for "),
     ("seconds", "mass = 1 1 1 1 0\nseconds", "mass: found '1 1 1 1 0', allowed is a number from 1e-300 to 1e6 (kg), "),
     ("seconds", "mas = 1 1 1 1 5\nseconds", f"line 3: found 'mas = 1 1 1 1 5', {LINES}"),
     ("seconds", "theta = 0 0 0 0 0\nseconds", f"line 3: found 'theta = 0 0 0 0 0', {LINES}"),

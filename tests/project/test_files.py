@@ -207,8 +207,7 @@ def test_write_to_csv_makes_a_column_of_each_key_but_objects_and_leaves_pend_lis
 def test_write_to_csv_writes_a_header_for_an_empty_list_and_by_default_the_shipped_file(tmp_path):
     write_to_csv([], file := tmp_path / "cradle.csv")
     assert (file.read_text(), extract_and_convert(file)) == (HEADER, [])
-    assert write_to_csv.__defaults__ == (NC_FP,)
-    assert os.path.isabs(NC_FP)  # from any folder
+    assert (write_to_csv.__defaults__, os.path.isabs(NC_FP)) == ((NC_FP,), True)  # from any folder
     assert make_newton_cradle(NC_FP, R_PARAM, 0)
 
 
@@ -276,9 +275,7 @@ def test_permissions_and_links_stay_and_a_new_file_has_the_usual_permissions(csv
     for path in (link, other):
         write_to_csv(MIXED[:1], path)
         assert extract_and_convert(path) == MIXED[:1]
-    assert link.is_symlink()
-    assert csv.stat().st_mode & 0o777 == 0o640
-    assert other.stat().st_mode == usual.stat().st_mode
+    assert (link.is_symlink(), csv.stat().st_mode & 0o777, other.stat().st_mode) == (True, 0o640, usual.stat().st_mode)
 
 
 def test_only_a_file_that_may_be_written_is_replaced_and_the_message_has_the_given_name(csv, monkeypatch):

@@ -98,9 +98,8 @@ def test_an_odd_entry_of_a_zip_is_named_and_the_rest_is_taken(tmp_path, name):
         setattr(info, key, value)
     (tmp_path / "a.zip").write_bytes(zip_of({**SOLUTION, info: "x", f"src/a-{'9' * 5000}.py": ""}))
     files, problems = read_submission({"": tmp_path / "a.zip"})
-    assert READ.items() <= files.items()
+    assert (READ.items() <= files.items(), len(files)) == (True, len(READ) + 1)
     assert problems[0] == f"left out {name.replace(os.sep, '/')}: {LEFT_OUT}"  # as zipfile reads it on Windows
-    assert len(files) == len(READ) + 1
 
 
 def test_an_encrypted_and_a_damaged_entry_are_named_and_the_rest_is_taken(tmp_path):
@@ -191,8 +190,7 @@ def test_a_grade_agrees_with_the_checks_and_with_the_exit_status(empty, name):
     grade = report.read_grade(empty, status, text.encode(), ["one"])
     assert grade["grade"] == ("Honor roll" if name == "right" else None)
     assert [*grade["points"].values()] == [*(COUNTS.values() if name == "right" else [0] * 5)]
-    assert [*grade["checks"]] == [*empty["checks"]]
-    assert grade["problems"][0] == "one"
+    assert ([*grade["checks"]], grade["problems"][0]) == ([*empty["checks"]], "one")
     assert "".join(grade["problems"][1:]).startswith(problem) and len(grade["problems"]) == 1 + bool(problem)
 
 
@@ -300,8 +298,7 @@ def test_a_class_is_graded_goes_on_and_forgets_who_is_gone(solved, starter, tmp_
     damaged += [whole.replace('"seconds": ', '"seconds": "x'), "[" * 100_000, whole[:99]]
     shutil.rmtree(tmp_path / "class" / "bea")
     (out / "results.jsonl").write_text("\n".join([*damaged, *others, '{"student": "dan", "dig']))
-    process = grading()
-    process.communicate(timeout=2 * SECONDS)
+    grading().communicate(timeout=2 * SECONDS)
     rows, results = tables_of(out)
     assert [*rows] == [json.loads(line)["student"] for line in sorted((out / "results.jsonl").read_text().splitlines())]
     assert [*rows] == ["ann", "cem", "dan", "eve"]
@@ -379,11 +376,7 @@ SPOILED = {
     "prints without end": "while True: os.write(1, b'x' * 100_000)",
     "catches everything": "while True:\n  try: time.sleep(1)\n  except BaseException: pass",
     "ends at once": "os.abort()",
-    "closes its output": "sys.stdout.close()",
-    "forgets the language": "import builtins\ndel builtins.open, builtins.len",
-    "raises a formula": "raise ValueError('=1+1;=2' + 'x' * 10 ** 6)",
 }
-MAIN = "    pend_list = make_newton_cradle("
 
 
 @on_posix
@@ -403,7 +396,7 @@ def test_hostile_solutions_harm_nobody_else(solved, tmp_path, grading, boxed):
             files = {**solved, "swinging.py": solved["swinging.py"] + f"{HERE}{text}".encode()}
             put_files(tmp_path / "class" / name / "src", files)
         main = tmp_path / "class" / "writes page.csv" / "src" / "visualize_cradle_run.py"
-        change(main, MAIN, f"    open(page.csv, 'w').close()\n{MAIN}")
+        change(main, "    pend_list = make", "    open(page.csv, 'w').close()\n    pend_list = make")
         before = contents(tmp_path)
         process = grading(first="" if boxed else "s.shutil.which = lambda _: None; ")
         _, errors = process.communicate(timeout=10 * SECONDS)

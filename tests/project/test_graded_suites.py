@@ -30,6 +30,7 @@ from support.constants import NC_FP
 MODULES = {name: import_module(module_of(function.file)) for name, function in FUNCTIONS.items()}
 
 CHECKS = [check for tier in SUITES for check in checks(tier=tier)]
+STUB = 'raise NotImplementedError("{} is not written yet")'
 
 
 @pytest.fixture(autouse=True)
@@ -342,9 +343,6 @@ def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
     first, *others = outcome.message.splitlines()
     assert first == "This is a fault of the grader, not of your code. Please show it to your teacher."
     assert (outcome.state, others[-1]) == (FAULT, "ZeroDivisionError: division by zero")
-
-
-STUB = 'raise NotImplementedError("{} is not written yet")'
 
 
 def test_a_function_that_is_not_written_waits_and_so_do_written_functions_that_use_it(solve):

@@ -102,22 +102,20 @@ def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
     assert panel.evaluate("e => [scrollY, e.scrollTop, e.scrollHeight > e.clientHeight + 100]") == [0, 0, True]
 
 
-TYPE = "([key, code]) => document.body.dispatchEvent(new KeyboardEvent('keydown', { key, code, bubbles: true }))"
-
-
 def test_what_you_type_counts_and_on_another_alphabet_the_place_of_the_key(shared):
+    typed = "([key, code]) => document.body.dispatchEvent(new KeyboardEvent('keydown', { key, code, bubbles: true }))"
     wait_until(lambda: readout(shared, "t") > 0)
     pause(shared)
     before = readout(shared, "t")
     for key in ("ContextMenu", "AudioVolumeUp", "Meta", "AltGraph", "F1", "x", "Control", "Meta+2"):
         shared.keyboard.press(key)
     for key, code in (("o", "KeyR"), ("Process", "KeyR"), ("Unidentified", ""), ("к", "")):
-        shared.evaluate(TYPE, [key, code])
+        shared.evaluate(typed, [key, code])
     shared.keyboard.press("ArrowRight")
     wait_until(lambda: readout(shared, "t") > before)
     assert values(shared) == ["1.0x", "1 of 5", "45°"]  # none of these keys has done anything
     for key, code in (("к", "KeyR"), ("r", "KeyO")):  # on a Russian keyboard, and on one in Dvorak's order
-        shared.evaluate(TYPE, [key, code])
+        shared.evaluate(typed, [key, code])
         wait_until(lambda: readout(shared, "t") == 0)
         shared.keyboard.press("ArrowRight")
         wait_until(lambda: readout(shared, "t") > 0)
@@ -180,12 +178,10 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, started):
     error.wait_for(state="hidden")
 
 
-# How many arrows, boxes and spheres are visible.
-SEEN = """() => ["arrow", "box", "sphere"].map(
-    kind => glowObjs.filter(o => o?.constructor.name === kind && o.visible).length)"""
-
-
 def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
+    # How many arrows, boxes and spheres are visible.
+    seen = """() => ["arrow", "box", "sphere"].map(
+        kind => glowObjs.filter(o => o?.constructor.name === kind && o.visible).length)"""
     question, hit = shared.locator(".question"), shared.locator(".hit-part")
     shared.get_by_role("checkbox", name="Predict first").check()
     for name in ("One bob comes in.", "Two bobs come in."):
@@ -202,7 +198,7 @@ def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
     shared.get_by_role("checkbox", name="Arrows").check()
     shared.keyboard.press("a")
     question.get_by_text("What happened: C, Two bobs, as far as the two.").wait_for()
-    assert shared.evaluate(SEEN) == [0, 6 + 6, 5 + 5]  # no bob moves while the picture rests
+    assert shared.evaluate(seen) == [0, 6 + 6, 5 + 5]  # no bob moves while the picture rests
     assert question.get_by_text("You said: A, One bob, twice as fast. Hands: A 0, B 0, C 1, D 0.").is_visible()
     shared.emulate_media(media="print")
     shared.evaluate("dispatchEvent(new Event('beforeprint'))")
@@ -212,7 +208,7 @@ def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
     shared.emulate_media(media="screen")
     assert violations(shared) == {}
     shared.keyboard.press("h")
-    wait_until(lambda: hit.is_visible() and "m/s" in hit.inner_text() and shared.evaluate(SEEN)[0] == 2)
+    wait_until(lambda: hit.is_visible() and "m/s" in hit.inner_text() and shared.evaluate(seen)[0] == 2)
     shared.keyboard.press("Escape")
     menu(shared, "Collisions").wait_for()
     assert violations(shared) == {}

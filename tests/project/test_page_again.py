@@ -46,18 +46,16 @@ def test_the_cradle_swings_until_the_tab_is_closed(page, started):
     assert programs.end(started) == programs.QUIETLY
 
 
-# Before the page's own scripts: bobsAtFirst is how many bobs the first picture has; one waits for its texture.
-FIRST_PICTURE = """{
-    const gl = WebGL2RenderingContext.prototype, draw = gl.drawElements, isBob = o => o?.constructor.name === "sphere";
-    gl.drawElements = function (...how) {
-        window.bobsAtFirst ??= glowObjs.filter(o => isBob(o) && o.visible && o.ready).length;
-        draw.apply(this, how);
-    };
-}"""
-
-
 def test_the_first_picture_has_all_bobs_with_their_textures(page, program):
-    page.add_init_script(FIRST_PICTURE)
+    # bobsAtFirst is how many bobs the first picture has; one waits for its texture.
+    page.add_init_script("""{
+        const gl = WebGL2RenderingContext.prototype, draw = gl.drawElements;
+        const isBob = o => o?.constructor.name === "sphere";
+        gl.drawElements = function (...how) {
+            window.bobsAtFirst ??= glowObjs.filter(o => isBob(o) && o.visible && o.ready).length;
+            draw.apply(this, how);
+        };
+    }""")
     page.route("**/*.jpg", lambda route: (time.sleep(0.3), route.continue_()))
     with programs.running(program) as process:
         page.goto(programs.first_lines(process))
@@ -72,13 +70,11 @@ def picture_of(page):
     return picture
 
 
-# The values of all controls.
-CONTROLS = """() => [find("select, input:not([type=checkbox])").map(control => control.value),
-    find("input[type=checkbox]").map(box => box.checked), find("output").map(output => output.value)]"""
-
-
 def test_three_tabs_show_one_cradle_and_one_is_reloaded_and_closed(page, started):
     """The cradle swings on, with the settings that somebody has chosen. Each tab has its own camera."""
+    # The values of all controls.
+    controls = """() => [find("select, input:not([type=checkbox])").map(control => control.value),
+        find("input[type=checkbox]").map(box => box.checked), find("output").map(output => output.value)]"""
     with programs.new_page(page.context.browser) as second, programs.new_page(page.context.browser) as third:
         tabs = [page, second, third]
         for tab in tabs[1:]:
@@ -97,8 +93,8 @@ def test_three_tabs_show_one_cradle_and_one_is_reloaded_and_closed(page, started
             programs.wait_for_moves(tab)
         pause(page)
         wait_until(lambda: lifts(page) == lifts(second) == lifts(third))
-        settings = page.evaluate(CONTROLS)
-        assert [tab.evaluate(CONTROLS) for tab in tabs] == [settings] * 3
+        settings = page.evaluate(controls)
+        assert [tab.evaluate(controls) for tab in tabs] == [settings] * 3
         page.keyboard.press("Space")
 
         second.mouse.move(100, 100)
@@ -111,7 +107,7 @@ def test_three_tabs_show_one_cradle_and_one_is_reloaded_and_closed(page, started
         wait_for_cradle(third)
         for tab in tabs:
             programs.wait_for_moves(tab)
-        wait_until(lambda: third.evaluate(CONTROLS) == settings)
+        wait_until(lambda: third.evaluate(controls) == settings)
         assert not third.locator(".plot").is_visible()
         assert [tab.get_by_role("button", name="Reset view").is_visible() for tab in tabs] == [False, True, False]
         second.close()
@@ -133,26 +129,24 @@ def test_the_ended_program_shows_how_to_start_it_again(page, started):
     assert programs.violations(page) == {}
 
 
-EVIL = "<s><img src onerror>"  # a text that makes elements, where it is HTML
-
-
 def test_hostile_texts_are_shown_as_texts(page, program):
+    evil = "<s><img src onerror>"  # a text that makes elements, where it is HTML
     file = program.parents[1] / "support" / "experiments" / "single" / "2_two_bobs.txt"
-    text = file.read_text().replace("Two bobs", EVIL)  # in its name, its question, its answers and its explanation
+    text = file.read_text().replace("Two bobs", evil)  # in its name, its question, its answers and its explanation
     for name in (file.name, "1_one_bob.txt"):
         file.with_name(name).write_text(text)
     with programs.running(program, folder=program.parents[1]) as process:
         open_cradle(page, programs.first_lines(process))
-        page.locator("ul.failed").get_by_text(f"'{EVIL}' is the name of another experiment").wait_for()
+        page.locator("ul.failed").get_by_text(f"'{evil}' is the name of another experiment").wait_for()
         page.get_by_role("checkbox", name="Predict first").check()
-        programs.menu(page, "Experiment").select_option(EVIL)
+        programs.menu(page, "Experiment").select_option(evil)
         question = page.locator(".question")
-        for words in (f"{EVIL} come in.", f"C\u2002{EVIL}, as far as the two"):
+        for words in (f"{evil} come in.", f"C\u2002{evil}, as far as the two"):
             question.get_by_text(words).wait_for()
         page.keyboard.press("a")
-        question.get_by_text(f"What happened: C, {EVIL}, as far as the two. {EVIL} came in at").wait_for()
-        (program.parents[1] / "newton_cradle_pends.csv").write_text(FIVE_CSV.replace("red", EVIL, 1))
-        page.locator(".error").get_by_text(f"found '{EVIL}'").wait_for()
+        question.get_by_text(f"What happened: C, {evil}, as far as the two. {evil} came in at").wait_for()
+        (program.parents[1] / "newton_cradle_pends.csv").write_text(FIVE_CSV.replace("red", evil, 1))
+        page.locator(".error").get_by_text(f"found '{evil}'").wait_for()
         assert page.locator("s, [onerror]").count() == 0
 
 

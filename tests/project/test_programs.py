@@ -59,8 +59,7 @@ def test_a_program_of_the_tests_finds_its_own_project_and_has_help(program):
 def test_the_example_of_the_readme_has_thrown_the_last_bob_out():
     [lines] = re.findall(r"^    import support.*?(?=\n\n#)", (ROOT / "README.md").read_text(), re.DOTALL | re.MULTILINE)
     done = python("-c", textwrap.dedent(lines))
-    bobs = [tuple(map(float, found)) for found in re.findall(r"x = (.*) m, y = (.*) m\n", done.stdout)]
-    *hanging, (x, y) = bobs
+    *hanging, (x, y) = [tuple(map(float, bob)) for bob in re.findall(r"x = (.*) m, y = (.*) m\n", done.stdout)]
     height = hanging[0][1] + R_PARAM  # of the axles
     assert hanging == [pytest.approx((-0.1 + i * R_PARAM / 4, height - R_PARAM), abs=0.002) for i in range(4)]
     assert x > 0.2 and hypot(x - (R_PARAM - 0.1), y - height) == pytest.approx(R_PARAM, abs=0.002)

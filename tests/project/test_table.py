@@ -65,8 +65,7 @@ def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(wall, csv):
     double.give("edit", 3, "mass", "1e-6")
     double.save(HEADER + "".join(GOOD.replace("1.0", mass, 1) for mass in ("0.5", "500000", "3", ".4")))
     assert double.values("mass") == [1, 1, 1, 1e-6, 1]
-    words = "line 3, column mass: found '500000', and '.4' in line 5, allowed is at most 1e6"
-    assert words in double.state["error"]
+    assert "line 3, column mass: found '500000', and '.4' in line 5, allowed is at most" in double.state["error"]
 
 
 # --- commands that are none ------------------------------------------------------------------------------------------

@@ -141,8 +141,7 @@ def test_the_loop_ends_when_the_last_tab_is_closed(wall, moment):
     if "paused" in moment:
         wall.give("pause")
     elif "before" in moment:
-        frames = {"is_set.return_value": False, "wait.side_effect": [None] * 3}
-        wall.tabs.is_seen = Mock(**frames)
+        wall.tabs.is_seen = Mock(**{"is_set.return_value": False, "wait.side_effect": [None] * 3})
     wall.tabs.are_gone = True
     wall.viewer.pace.sleep = Mock(side_effect=[None] * 3)
     run(visualize_cradle_run.main, wall.viewer)
@@ -248,7 +247,6 @@ def test_a_step_goes_on_to_the_next_of_the_slow_hits(wall):
 
 
 # --- dragging --------------------------------------------------------------------------------------------------------
-
 
 AHEAD, ALONG = (0, 0, -1), (-1, 0, 0)  # the direction of the view: onto the row, and along it
 
