@@ -1,4 +1,4 @@
-"""Read experiments: each is a text file; the README in support/experiments has its lines."""
+"""Read experiments: each is a text file with lines such as `name = One bob`."""
 
 import re
 from itertools import accumulate, cycle
