@@ -137,8 +137,8 @@ def double_swing_update(pend_dict, r_param, dt, g) -> None:
 def double_cradle_tick(pend_list, r_param, dt, g, approaching_only=True) -> None:
     """Advance the whole cradle by dt (s): swing all double pendula, then let touching bobs collide.
 
-    The bobs of any two pendula can touch, not only those of neighbours. With approaching_only, touching bobs that move
-    apart do not collide.
+    The bobs of any two pendula can touch, not only those of neighbours.
+    With approaching_only, touching bobs that move apart do not collide.
     """
     for pend_dict in pend_list:
         double_swing_update(pend_dict, r_param, dt, g)

@@ -1,7 +1,7 @@
 """A pendulum: its dictionary, and the VPython objects that show it."""
 
 from collections import defaultdict
-from math import copysign, cos, degrees, radians, sin
+from math import cos, degrees, radians, sin
 from typing import TypedDict
 
 from vpython import box, color, cylinder, sphere, vector
@@ -12,7 +12,7 @@ from support.constants import THETA_INIT
 BUFFER = 1.05
 
 # The side to which the first pendulum is lifted, away from the others: -1 is the left.
-OUTWARDS = copysign(1, THETA_INIT)
+OUTWARDS = -1 if str(THETA_INIT).startswith("-") else 1  # also of what is no number: the programs say so later
 
 
 def from_lift(lift) -> float:
@@ -109,7 +109,7 @@ discarded: defaultdict[type, list] = defaultdict(list)  # kind -> shapes
 
 
 def make_shape(kind, **attributes):
-    """Return a box, sphere or cylinder (kind) with these attributes: a discarded one, or a new one if there is none."""
+    """Return a shape of this kind (box, ...) with these attributes: a discarded one, or a new one if there is none."""
     if not discarded[kind]:
         return kind(**attributes)
     shape = discarded[kind].pop()

@@ -37,7 +37,7 @@ NO_PROGRAM = """if __name__ == "__main__":
 CUT = (
     r" *from \S+ import (?:(?:collide_pairs|cos|keep_apart|many_ticks|pairwise)(?:, |\n))+\n?",
     r", (?:\*\*page\.rule|approaching_only=?\w*|many_ticks)(?=\))",
-    r'\n\n    (?:With approaching_only|page\.rule)[^"]*(?=\n    "{3})',
+    r'\n+    (?:With approaching_only|page\.rule)[^"]*(?=\n    "{3})',
     r"(?s)\n    The motion is chaotic.*?(?=\"{3})|def (?:rates|moved)\(.*?\n\n\n",
 )
 
@@ -54,7 +54,7 @@ def main() -> None:
         make_starter(folder)
     except OSError as error:
         parser.error(f"argument FOLDER: {folder} cannot be made: {error.strerror}")
-    line = f"{folder} is ready. Students write {len(FUNCTIONS)} functions with checks in it. Its README.md says more."
+    line = f"{folder} is ready. Students write {len(FUNCTIONS)} functions that pytest checks. Its README.md says more."
     print(in_one_line(line))
 
 

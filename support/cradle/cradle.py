@@ -101,7 +101,7 @@ class Cradle:
         self.adopt("e", [pend["e"] for pend in make(csv)] if make else self.es)
 
     def release(self, angles, lifted) -> None:
-        """Lift the first `lifted` pendula to these angles (rad) and let the others hang, all at rest, or give way.
+        """Lift the first `lifted` pendula to these angles (rad); the others hang, or give way to them. All are at rest.
 
         angles has one angle for each cord of a pendulum; the angle of a lower cord is measured from the upper cord.
         None stands for the angle, or the number, with which the cradle was made. If all are None, nothing moves.

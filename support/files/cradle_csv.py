@@ -22,8 +22,7 @@ MOST_PENDULA = 1000  # of a cradle
 POLL = 0.2  # s between two looks at a file while you edit it
 LONGEST_FOUND = 300  # letters of a file in a message
 WORKBOOKS = b"PK\3\4", b"\xd0\xcf\x11\xe0"  # the first bytes of .xlsx, .ods and .numbers, and of .xls
-SEPARATOR = re.compile("sep=.?", re.IGNORECASE)  # the line above the names that tells Excel the separator
-# What separates the cells in place of commas, or a comma inside them, and what to do.
+# What to do if this stands between the names, which are then one cell.
 HINTS = {
     ";": "separate cells with commas, not semicolons",
     "\t": "separate cells with commas, not tabs",
@@ -79,13 +78,12 @@ class Snapshot:
         rows = list(self.each_row())
         if not rows:
             raise ValueError(f"{self}: is empty, the first line must name the columns")
-        width = len(rows[0][1])
-        named = max(number for number, name in enumerate(rows[0][1], start=1) if name)
+        width = max(number for number, name in enumerate(rows[0][1], start=1) if name)
         for line, cells in rows:
             if any(cells[width:]):
                 found = f"found {len(cells)} cells, allowed are at most {width}, as in line {rows[0][0]}"
                 raise ValueError(f"{self}, line {line}: {found}; a comma starts a new cell, also inside a number")
-            del cells[named:]
+            del cells[width:]
         return rows
 
     def each_row(self) -> Iterator[tuple[int, list[str]]]:
@@ -96,7 +94,7 @@ class Snapshot:
             for cells in reader:
                 cells = [cell.strip() for cell in cells]
                 values = [*filter(None, cells)]
-                if values and not (line == 1 and len(values) == 1 and SEPARATOR.fullmatch(values[0])):
+                if values and not (line == 1 and re.fullmatch("(?i)sep=.?", "".join(values))):  # that line is for Excel
                     yield line, cells
                 line = reader.line_num + 1
         except csv.Error as error:
@@ -211,9 +209,10 @@ def check_header(place, header) -> None:
     names = in_short(", ".join(map(repr, filter(None, header))))
     allowed = f"a cradle needs one column of each of {', '.join(RULES)}"
     if not RULES.keys() & {*header}:
-        used = (each for each in HINTS if len(RULES.keys() & {*map(str.strip, header[0].split(each))}) > 1)
-        hint = "".join(f"; {HINTS[separator]}" for separator in used)
-        raise ValueError(f"{place} must name the columns: found {names}; {allowed}{hint}")
+        for separator, hint in HINTS.items():
+            parts = {part.strip(' "').lower() for part in header[0].split(separator)}
+            allowed += f"; {hint}" * (len(RULES.keys() & parts) > 1)
+        raise ValueError(f"{place} must name the columns: found {names}; {allowed}")
     for column in RULES:
         count = header.count(column)
         if count != 1:

@@ -1,5 +1,6 @@
 """Read experiments: each is a text file with lines such as `name = One bob`."""
 
+import io
 import re
 from itertools import accumulate, cycle
 from math import radians
@@ -56,7 +57,7 @@ def read_experiment(file, cords) -> Experiment:
     lines = ExperimentText(file)
     if cords == 1 and "phi" in lines.texts:
         raise ValueError(f"{file}, phi: is allowed only for the double cradle")
-    count = min(len(lines.text("theta").split()), MOST_PENDULA)
+    count = min(len(lines.text("theta", allowed=ANGLE[1]).split()), MOST_PENDULA)
     lines.texts = {"mass": ["1"] * count, "e": ["1"] * count, "seconds": [TURNS[cords - 1]]} | lines.texts
     angles = [map(radians, lines.numbers(name, count, *ANGLE)) for name in ("theta", "phi")[:cords]]
     masses, es = (lines.numbers(name, count, *RULES[name]) for name in ("mass", "e"))
@@ -90,13 +91,14 @@ class ExperimentText:
     def __init__(self, file):
         self.file, name = file, ""
         self.texts: dict[str, list[str]] = {}  # the parts of each text, by what stands before the =
-        for number, line in enumerate(Snapshot(file).text().splitlines(), start=1):
-            if name and line[:1].isspace():  # it goes on with the line above
+        for number, line in enumerate(io.StringIO(Snapshot(file).text(), newline=None), start=1):
+            if name and line[0].isspace() and not line.lstrip().startswith("#"):  # it goes on with the line above
                 self.texts[name].append(line)
-            elif line.strip() and not line.startswith("#"):
-                name, equals, text = (part.strip() for part in line.partition("="))
+            elif line.strip() and not line.lstrip().startswith("#"):
+                split = line.rpartition if line[0] in "-*" else line.partition  # an answer can have a =, too
+                name, equals, text = (part.strip() for part in split("="))
                 if not equals or name in self.texts or not (name in NAMES or re.match("[-*].", name)):
-                    allowed = f"allowed before a = are, each once, {', '.join(NAMES)}, and answers after - or *"
+                    allowed = f"allowed before = is, once each, {', '.join(NAMES)}, or an answer after - or *"
                     raise ValueError(f"{file}, line {number}: found {in_short(repr(line.strip()))}, {allowed}")
                 self.texts[name] = [text]
 

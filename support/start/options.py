@@ -6,6 +6,7 @@ import shlex
 import subprocess
 import sys
 from math import inf
+from numbers import Real
 from pathlib import Path
 
 from support import constants
@@ -51,18 +52,18 @@ def angle_from(least):
 
 
 def check_constants() -> None:
-    """Exit with status 2 and one line if somebody has set a constant to a number with which no cradle works."""
+    """Exit with status 2 and one line if a constant is out of its range."""
     for name, (least, most, unit) in CONSTANTS.items():
         found = getattr(constants, name)
-        if not (isinstance(found, (int, float)) and least <= found <= most):
+        if not (isinstance(found, Real) and type(found) is not bool and least <= float(found) <= most):
             words = f"allowed is a number from {least:g} to {most:g} ({unit})"
             refuse(f"support/constants.py, {name}: found {found!r}, {words}")
 
 
 def to_port(text) -> int:
-    """Return the number of a port, for argparse; an empty text stands for VPython's variable, or without it for 0."""
-    text, place = (text, "") if text else (os.environ.get(PORT_VARIABLE) or "0", f" in {PORT_VARIABLE}")
-    if not (text.isdecimal() and int(text) <= 65535):
+    """Return the number of a port, for argparse; the name of VPython's variable stands for its value, or 0."""
+    text, place = (os.environ.get(text) or "0", f" in {text}") if text == PORT_VARIABLE else (text, "")
+    if not (text.isascii() and text.isdecimal() and len(text) < 6 and int(text) <= 65535):
         raise argparse.ArgumentTypeError(f"found {text!r}{place}, allowed is a whole number from 0 to 65535")
     return int(text)
 
@@ -92,7 +93,7 @@ def page_options(description) -> OneLineParser:
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
     text = "port of the page (default: any free one)"
-    add("--port", type=to_port, metavar="N", default="", help=text)
+    add("--port", type=to_port, metavar="N", default=PORT_VARIABLE, help=text)
     text = "address at which the page is, for a container 0.0.0.0 (default: 127.0.0.1, for this machine alone)"
     add("--host", metavar="ADDRESS", default="127.0.0.1", help=text)
     text = "open no browser, only print the address of the page"

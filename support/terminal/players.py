@@ -1,7 +1,4 @@
-"""Show the cradle in the terminal, as a moving picture or as lines of text, or write its data to a file.
-
-A picture is of ASCII characters, which are twice as high as wide.
-"""
+"""Show the cradle in the terminal, as a moving picture or as lines of text, or write its data to a file."""
 
 import os
 import shutil
@@ -46,7 +43,7 @@ def own_screen(last_lines):
 
 
 class TextPicture:
-    """Draws a cradle, always with the same part of space in view."""
+    """Draws a cradle in characters, which are twice as high as wide, always with the same part of space in view."""
 
     def __init__(self):
         """Show the space below the axles; once a bob has been above them, show the space up to there, too."""

@@ -20,10 +20,11 @@ TEXT = """\
 name = Two bobs
 theta = -45 -45 0 0 0
 seconds = 0.5
-question = What leaves
+question = What\x0cleaves
+    # It is a note.
     on the other side?
 why = {speed_5} m/s after {before_1} m/s, {swing_5} degrees, {energy} %
-- One = 0 0 0 0 100
+- One=1 = 0 0 0 0 100
 * Two = 0 0 0 45 45
 """
 
@@ -38,7 +39,7 @@ def test_an_experiment_is_read(tmp_path):
     experiment = read(tmp_path)
     assert (experiment.key, experiment.name, experiment.seconds, experiment.explained) == ("two", "Two bobs", 0.5, 1)
     assert experiment.question == "What leaves on the other side?"
-    assert experiment.answers == [("One", [0, 0, 0, 0, 100]), ("Two", [0, 0, 0, 45, 45])]
+    assert experiment.answers == [("One=1", [0, 0, 0, 0, 100]), ("Two", [0, 0, 0, 45, 45])]
     assert read(tmp_path, ("\ufeff" + TEXT.replace("\n", "\r\n")).encode()) == experiment
     six = TEXT.replace(" 0 0 0", " 0 0 0 0").replace("seconds = 0.5", "e = 0 0.5 1 1 1 1\n#\nmass = 5 1 1 1 1 1e-7")
     csv, numbers = read(tmp_path, six).csv, ["5.0,0.0", "1.0,0.5", "1.0,1.0", "1.0,1.0", "1.0,1.0", "1e-07,1.0"]
@@ -53,7 +54,7 @@ def test_an_experiment_is_read(tmp_path):
 
 
 ANGLES = "allowed is an angle from -180 to 180 (degrees), for each of"
-LINES = "allowed before a = are, each once, name, theta, phi, mass, e, seconds, question, why, and answers after - or *"
+LINES = "allowed before = is, once each, name, theta, phi, mass, e, seconds, question, why, or an answer after - or *"
 BRACES = "allowed is {energy}, or swing_, speed_ or before_ with the number of a bob, 1 to 5, in braces"
 TO_FIVE = "allowed are 2 to 5, one of them with an asterisk"
 BAD = [
@@ -61,9 +62,9 @@ BAD = [
     ("seconds = 0.5", "seconds = 0", "seconds: found '0', allowed is a number above 0 and up to 60"),
     ("name = Two bobs", "name = My cradle (CSV)", "name: found 'My cradle (CSV)', allowed is a text, but not "),
     ("* Two", "- Two", f"answers: found 2 answers, 0 of them with an asterisk, {TO_FIVE}"),
-    ("- One = 0 0 0 0 100\n", "", f"answers: found 1 answers, 1 of them with an asterisk, {TO_FIVE}"),
+    ("- One=1 = 0 0 0 0 100\n", "", f"answers: found 1 answers, 1 of them with an asterisk, {TO_FIVE}"),
     ("- One", "- a = 0 0 0 0 0\n- b = 0 0 0 0 0\n- c = 0 0 0 0 0\n- d = 0 0 0 0 0\n- One", "answers: found 6 "),
-    ("* Two", "* One", "answers: found an answer twice"),
+    ("* Two", "* One=1", "answers: found an answer twice"),
     ("0 0 0 45 45", "45 45", f"* Two: found '45 45', {ANGLES} 5 pendula"),
     ("{speed_5}", "{speed_6}", f"why: found {{speed_6}}, {BRACES}"),
     ("{speed_5}", "{speed_5", f"why: found {{, {BRACES}"),
@@ -72,8 +73,8 @@ BAD = [
     ("seconds", "mass = 1 1 1 1 0\nseconds", "mass: found '1 1 1 1 0', allowed is a number from 1e-300 to 1e6 (kg), "),
     ("seconds", "mas = 1 1 1 1 5\nseconds", f"line 3: found 'mas = 1 1 1 1 5', {LINES}"),
     ("seconds", "theta = 0 0 0 0 0\nseconds", f"line 3: found 'theta = 0 0 0 0 0', {LINES}"),
-    ("- One = 0", "- = 0", f"line 7: found '- = 0 0 0 0 100', {LINES}"),
-    ("* Two =", "* Two", f"line 8: found '* Two 0 0 0 45 45', {LINES}"),
+    ("- One=1 = 0", "- = 0", f"line 8: found '- = 0 0 0 0 100', {LINES}"),
+    ("* Two =", "* Two", f"line 9: found '* Two 0 0 0 45 45', {LINES}"),
     ("leaves", "l\xe9aves", "line 4: found byte 0xe9, allowed is text only, saved as UTF-8"),
     ("seconds", "seconds", "name: 'Two bobs' is the name of another experiment"),
     ("-45 -45", "0 " * 1000, f"theta: found '{'0 ' * 149}0..., {ANGLES} 1000 pendula"),

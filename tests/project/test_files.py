@@ -35,12 +35,13 @@ REFUSED = {
     "blank": ("\ufeff\ufeff\n  \n\n", ": is empty, the first line must name the columns"),
     "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte, allowed is text only, saved as UTF-8"),
     "latin-1": (b"mass\n1\nros\xe9\n", ", line 3: found byte 0xe9, allowed is text only, saved as UTF-8"),
-    "too many cells": (
-        HEADER + GOOD.replace("\n", ",,7"),
-        ", line 2: found 8 cells, allowed are at most 6, as in line 1; a comma starts a new cell, also inside a number",
-    ),
     "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit (131072)"),
     "large": (" " * (LARGEST + 1), ": cannot be read: found more than 10 MB, allowed are at most 10 MB"),
+    "too many cells": (  # below a column without a name
+        "color,texture,mass,e,\nred,metal,1,0,9\n",
+        ", line 2: found 5 cells, allowed are at most 4, as in line 1; a comma starts a new cell, also inside a number",
+    ),
+    "a separator in line 3": (HEADER + GOOD + "sep=,,,,,\n", f", line 3, column mass: found 'sep=', {ALLOWED['mass']}"),
     "header only": (HEADER, ": names columns but has no pendulum, a cradle needs at least one row below them"),
     "two columns mass": ("mass,mass\n", f", line 1: found 2 columns mass in 'mass', 'mass'; {NEEDS}"),
     "no column": ("mass,E,color,texture\n", f", line 1: found no column e in 'mass', 'E', 'color', 'texture'; {NEEDS}"),
@@ -50,7 +51,8 @@ REFUSED = {
             "tabs": ("mass\te\n", 1, "'mass\\te'", "; separate cells with commas, not tabs"),
             "a decimal comma": ("sep=;\ne;mass\n1;1,0", 2, "'e;mass'", "; separate cells with commas, not semicolons"),
             "quotes": ('"mass, e"\n"1,1"\n', 1, "'mass, e'", "; take away the quotes around each line"),
-            "a title": (f"Cradle; of e, 1,,,\n{HEADER}{GOOD}", 1, "'Cradle; of e', '1'", ""),
+            "a title": (f"Cradle; e, 1,,,\n{HEADER}{GOOD}", 1, "'Cradle; e', '1'", ""),
+            "names in quotes": ('"Mass";"E"\n', 1, """'Mass;"E"'""", "; separate cells with commas, not semicolons"),
             "a long line": ("x" * 1000 + "\n", 1, f"'{'x' * 299}...", ""),
         }.items()
     },

@@ -35,6 +35,7 @@ def test_a_sample_has_all_figures_of_the_moment_by_their_names(tmp_path, kind):
             kinetic += pend["mass"] * mag2(v) / 2
             potential += pend["mass"] * G * (y - axle + cords * R_PARAM)
             momentum += pend["mass"] * v.x
+        assert player.cradle.velocity(pend) == pytest.approx(sum(v.x for v in velocities(pend)) / len(bobs))
     figures = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential, "momentum": momentum}
     assert sample == pytest.approx({"t": 10 * kind.dt, **coordinates, **figures}, rel=1e-12)
     assert list(sample) == ["t", *coordinates, *figures]

@@ -43,17 +43,17 @@ def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
     for text, port in {"": 0, "8000": 8000}.items():
         monkeypatch.setenv(options.PORT_VARIABLE, text)
         assert options.read_page_options([]).port == port
+    for text in ("9" * 5000, "web"):
+        monkeypatch.setenv(options.PORT_VARIABLE, text)
+        assert f"found '{text}' in VPYTHON_HTTP_PORT, allowed is" in refusal("page", [], capsys)
     assert options.read_page_options(["--port", "9000"]).port == 9000
-    monkeypatch.setenv(options.PORT_VARIABLE, "web")
-    assert options.read_page_options(["--port", "9000"]).port == 9000
-    assert "found 'web' in VPYTHON_HTTP_PORT, allowed is a whole number from 0 to 65535" in refusal("page", [], capsys)
 
 
 @pytest.mark.parametrize(
     ("name", "value", "allowed"),
     [
         *(("DT", value, "from 1e-06 to 0.001 (s)") for value in (0, 1, "0.0001", float("nan"))),
-        *(("R_PARAM", value, "from 0.05 to 100 (m)") for value in (0, -0.2)),
+        *(("R_PARAM", value, "from 0.05 to 100 (m)") for value in (0, -0.2, True)),
         ("DOUBLE_DT", 0, "from 1e-06 to 0.001 (s)"),
         ("G", -9.81, "from 0.1 to 30 (m/s^2)"),
         ("THETA_INIT", -45, "from -3.1416 to 3.1416 (rad)"),
@@ -92,7 +92,7 @@ BAD = [  # a program, an option, its bad values, and what is allowed
     ("page", "--mass", ["0", "inf", "1kg"], "a number from 1e-300 to 1e6 (kg), such as 1.5"),
     ("page", "--angle", ["-30", "181"], "a number from 0 to 180 (degrees)"),
     ("page", "--lift", ["-1", "1.5", "²"], "a whole number, 0 or more"),
-    ("page", "--port", ["65536", "web"], "a whole number from 0 to 65535"),
+    ("page", "--port", ["65536", "web", "", "\u0663"], "a whole number from 0 to 65535"),
     ("double", "--phi", ["181", "-180.5", "nan", "right"], "a number from -180 to 180 (degrees)"),
     ("text", "--seconds", ["0", "inf"], "a number above 0 and up to 1e6 (s)"),
     ("text", "--record", [""], "the name of a file"),

@@ -182,6 +182,9 @@ def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
     assert pend_list[1:] == [f"  {pend}" for pend in MIXED]
     monkeypatch.setattr("src.pds_helper.pd", Mock(**{"read_csv.side_effect": KeyboardInterrupt}))
     assert "does a loop in extract_and_convert never end?" in call(pds_tester.main, capsys)[2]
+    monkeypatch.setattr("src.pds_helper.pd", Mock(**{"read_csv.side_effect": KeyError("mas")}))
+    status, _, stderr = call(pds_tester.main, capsys)
+    assert (status, stderr.splitlines()[-2:]) == (1, ["KeyError: 'mas'", "Type pytest: it says more about mistakes."])
 
 
 @pytest.fixture

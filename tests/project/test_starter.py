@@ -40,6 +40,8 @@ def test_a_starter_is_made_all_waits_and_with_the_solutions_all_is_green(tmp_pat
     tiers = {tier: {"passed": n, "waiting": 0, "failed": 0, "points": n, "of": n} for tier, n in COUNTS.items()}
     assert (result["tiers"], result["grade"]) == (tiers, "Honor roll")
     assert result["next"] == "all functions with a check are right"
+    left = "double_cradle_tick in src/double_cradle.py; main in src/visualize_double_cradle_run.py."
+    assert f"The double cradle still needs {left}" in " ".join(" ".join(result["text"]).split())
     assert table_of(result["text"]) == [f"{count} 0 0 {count}/{count}" for count in COUNTS.values()]
     assert len(result["text"]) <= 25
 
@@ -86,7 +88,9 @@ def test_a_student_meets_no_reference_to_a_file_module_or_name_that_is_not_there
                 path = made.joinpath(*module.split("."))
                 places = path, path.with_suffix(".py"), path.parent.with_suffix(".py")
                 assert any(place.exists() for place in places), module
-    words = "approaching_only|BUFFER|cos|many_ticks|pairwise|rule"
+    for file in made.glob("src/*.py"):
+        assert not re.findall(r"approaching_only|page\.rule", file.read_text())
+    words = "BUFFER|cos|many_ticks|pairwise|rule"
     for file in HANDOUTS - {"src/double_cradle.py"}:
         assert re.findall(rf"\b(?:{words})\b", (made / file).read_text()) == []
     options = ["--isolated", "--no-cache", "--select", "F", "--ignore", "F401,F821,F841"]

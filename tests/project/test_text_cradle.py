@@ -156,7 +156,8 @@ def test_the_lines_fit_into_a_terminal_of_any_size(tmp_path, monkeypatch):
             assert 1 <= len(lines) <= rows
             assert max(map(len, lines)) <= columns
             assert lines[0] == motion.reading()[:columns].rstrip()
-            assert ("Impacts" in lines) == (rows >= 18 and columns >= 7)
+            is_whole = "Impacts" in lines and lines[-1] == "Ctrl+C ends it."[:columns].rstrip()
+            assert is_whole == (rows >= 18 and columns >= 7)
 
 
 @pytest.mark.parametrize("size", [(200, 24), (0, 0)], ids=["large", "not known"])  # Python 3.10 then returns 0

@@ -207,7 +207,7 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
     wall = Wall(csv, 45, lifted=2)
     for command in ("slow hits", "arrows"):
         wall.give(command, True)
-    shown = []
+    shown, moving = [], {1, 2}
     while len(shown) < 6:
         wall.wait(0.1)
         hit, words = wall.viewer.slow_hits.shown, wall.state["hit"]
@@ -218,9 +218,9 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
         shown.append(f"{left}{right}")
         assert words["lines"] == [f"bob {left}: +1.07 → +0.00 m/s", f"bob {right}: +0.00 → +1.07 m/s"]
         assert words["note"].startswith("This order is the model's: handle_two_bobs takes")
-        assert len(visible(wall, "arrows")) == 2
-        bobs = wall.viewer.cradle.bobs()[left - 1 : right]
-        assert [halo.pos.x for halo in visible(wall, "halos")] == [bob.pos.x for bob in bobs]
+        moving, places = moving - {left} | {right}, [bob.pos.x for bob in wall.viewer.cradle.bobs()]
+        assert [arrow.pos.x for arrow in visible(wall, "arrows")] == [places[number - 1] for number in sorted(moving)]
+        assert [halo.pos.x for halo in visible(wall, "halos")] == places[left - 1 : right]
         ticks = wall.viewer.motion.ticks
     assert " ".join(shown) == pairs
     wall.wait(1)

@@ -119,16 +119,17 @@ async def run_in(folder, starter, before, drops_root, output) -> int:
     environment |= {"HOME": home, "TMPDIR": home, "PYTHONUSERBASE": site.getuserbase(), "OPENBLAS_NUM_THREADS": "1"}
     environment |= {"PYTHONDONTWRITEBYTECODE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "COLUMNS": "100"}
     pipes = {"stdin": subprocess.DEVNULL, "stdout": output, "stderr": output}
+    job = ctypes.windll.kernel32.CreateJobObjectW(None, None) if os.name == "nt" else None
     process = subprocess.Popen([*before, sys.executable, *program], **pipes, **NO_CTRL_C, env=environment, cwd=folder)
     try:
-        if os.name == "nt":  # all that it starts is in its job, also after it has ended
-            job = ctypes.windll.kernel32.CreateJobObjectW(None, None)
+        if job:  # from now on, all that it starts is in its job, also after it has ended
             ctypes.windll.kernel32.AssignProcessToJobObject(job, int(process._handle))
         return await asyncio.wait_for(asyncio.to_thread(process.wait), one_run.WHOLE + SPARE)
     except asyncio.TimeoutError:
         return one_run.LATE
     finally:
-        if os.name == "nt":
+        process.kill()
+        if job:
             ctypes.windll.kernel32.TerminateJobObject(job, 1)
             ctypes.windll.kernel32.CloseHandle(job)
         with suppress(OSError, AttributeError):  # macOS refuses it for a process that has just ended
