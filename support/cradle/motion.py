@@ -27,7 +27,7 @@ class Motion:
         return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004
 
     def note_hit(self, ticks, left, right, rightwards, speed) -> None:
-        """Add a hit, so many ticks after the start, to the trains; for the rest, see Hit."""
+        """Add a hit to the trains. ticks is its time, in ticks since the start; Hit explains the other arguments."""
         self.trains.add(ticks * self.cradle.dt, left, right, rightwards)
         self.fastest = max(self.fastest, speed)
 

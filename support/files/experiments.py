@@ -90,11 +90,13 @@ class ExperimentText:
 
     def __init__(self, file):
         self.file, name = file, ""
-        self.texts: dict[str, list[str]] = {}  # the parts of each text, by what stands before the =
+        self.texts: dict[str, list[str]] = {}  # the lines of each text, by its name or its answer
         for number, line in enumerate(io.StringIO(Snapshot(file).text(), newline=None), start=1):
-            if name and line[0].isspace() and not line.lstrip().startswith("#"):  # it goes on with the line above
+            if re.match(r"\s*(#|$)", line):  # a note, or a blank line
+                continue
+            if name and line[0].isspace():  # it goes on with the line above
                 self.texts[name].append(line)
-            elif line.strip() and not line.lstrip().startswith("#"):
+            else:
                 split = line.rpartition if line[0] in "-*" else line.partition  # an answer can have a =, too
                 name, equals, text = (part.strip() for part in split("="))
                 if not equals or name in self.texts or not (name in NAMES or re.match("[-*].", name)):
