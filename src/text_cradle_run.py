@@ -7,7 +7,7 @@ if __name__ == "__main__":
 
 import sys
 
-from src import special_cradles
+from src import special_cradles, swinging
 from src.visualize_cradle_run import main as cradle_main
 from support.cradle.cradle import Cradle
 from support.cradle.many_ticks import many_ticks
@@ -30,7 +30,6 @@ def main() -> None:
     missing; with status 1 if a function makes a mistake, or a signal ends a recording; else stop_on_signals has it.
     """
     options = read_text_options()
-    loop, remark = what_there_is(cradle_main)
     csv = Snapshot(options.csv)
     try:
         check_cradle(csv)
@@ -39,7 +38,8 @@ def main() -> None:
             check_record(options.record)
     except ValueError as error:
         refuse(error)
-    cradle = Cradle(cradle_main.__globals__, options, special_cradles, many_ticks)
+    cradle = Cradle(cradle_main, [special_cradles, swinging], options, many_ticks)
+    loop, remark = what_there_is(cradle_main, cradle.scope)
 
     try:
         stop_on_signals()

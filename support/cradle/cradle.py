@@ -1,10 +1,13 @@
 """The cradles of the programs: main makes and moves them; these classes release them, and measure them."""
 
+import sys
+from collections import ChainMap
 from collections.abc import Mapping, Sequence
 from functools import partial
-from inspect import isfunction, signature
+from inspect import signature
 from itertools import accumulate
-from math import sqrt
+from math import pi, sqrt
+from pathlib import Path
 from typing import Any
 
 from vpython import dot, mag, vector
@@ -15,6 +18,21 @@ from support.cradle.impacts import Hits
 from support.energy import bob_motions, energies, momentum
 from support.pendulum import cord_angles, discard
 from support.start.mistake import check_made, check_numbers, MistakeError
+
+AS_MADE = "as in the CSV"  # how bobs collide: each pendulum keeps its own e
+
+SRC = Path(__file__).resolve().parents[2] / "src"
+
+
+def loaded_modules() -> list[dict[str, Any]]:
+    """Return the names in each module of src/ that is imported, also in those that you have added."""
+    found = []
+    for module in [*sys.modules.values()]:
+        names = getattr(module, "__dict__", {})  # not module.__file__: that would import a deferred module
+        file = Path(names.get("__file__") or "")
+        if file.parent.name == SRC.name and file.resolve().parent == SRC:
+            found.append(names)
+    return found
 
 
 class Cradle:
@@ -27,32 +45,42 @@ class Cradle:
     angles: Mapping[str, tuple[float, float]] = {"Release angle": (0, 180)}  # (least, largest), degrees
     angle_keys: Sequence[str] = ("theta",)  # a pendulum's keys of its angles (rad), the upper cord first
     rate_keys: Sequence[str] = ("omega",)  # the keys of their rates (rad/s)
-    # The names, in the programs' modules, of the functions and of the constant of this kind of cradle.
+    # The names, in the handout's modules, of the functions and of the constant of this kind of cradle.
     make_name, tick_name, dt_name = "make_newton_cradle", "newton_cradle_tick", "DT"
-    collide_name, shown_name = "handle_two_bobs", "handle_collision"  # One tick shows the calls of the second one
+    collide_names: Sequence[str] = ("handle_two_bobs",)  # the first one that exists lets two pendula collide
+    shown_name = "handle_collision"  # One tick shows its calls
 
-    def __init__(self, scope, options, special_cradles, many_ticks=None):
-        """Find the functions that make and move the pendula in scope, the globals of main.
+    def __init__(self, main, modules, options, many_ticks=None):
+        """Find the functions that make and move the pendula in main's module, in these modules, or elsewhere in src/.
 
-        options has elastic, inelastic, e and mass from support/start/options.py. special_cradles is the handout's
-        module. many_ticks is the fast path, or None.
+        options has elastic, inelastic, e and mass from support/start/options.py. many_ticks is the fast path, or None.
         """
-        self.scope, self.many_ticks, self.special_cradles, self.mass = scope, many_ticks, special_cradles, options.mass
+        handout = [module.__dict__ for module in modules]
+        self.scope: ChainMap[str, Any] = ChainMap(main.__globals__, *handout, *loaded_modules())
+        self.many_ticks, self.mass = many_ticks, options.mass
         self.collisions: dict[str, Any] = {  # name -> function that returns pendula with the e of this kind
-            "as in the CSV": None,  # each pendulum keeps its own e
-            "elastic, e = 1": special_cradles.elastic_newton_cradle,
-            "perfectly inelastic, e = 0": special_cradles.inelastic_newton_cradle,
+            AS_MADE: None,
+            "elastic, e = 1": self.scope["elastic_newton_cradle"],
+            "perfectly inelastic, e = 0": self.scope["inelastic_newton_cradle"],
         }
-        self.collision = list(self.collisions)[1 if options.elastic else 2 if options.inelastic else 0]
+        self.collision = AS_MADE
+        if options.elastic:
+            self.collision = "elastic, e = 1"
+        if options.inelastic:
+            self.collision = "perfectly inelastic, e = 0"
         if options.e is not None:
             self.collision = f"e = {options.e:g}"
-            self.collisions[self.collision] = partial(special_cradles.uniform_e_newton_cradle, e_val=options.e)
+            self.collisions[self.collision] = partial(self.scope["uniform_e_newton_cradle"], e_val=options.e)
         self.pend_list: list = []
-        self.numbers: dict[int, int] = {}  # id of a pendulum -> its index
+        self.places: dict[tuple[float, ...], int] = {}  # the place (m) of each pendulum's axle -> its index
+        self.period = 2 * pi * sqrt(R_PARAM / G)  # s: of a small swing
+        # s: the longest time between two hits of one train. A tick can let a hit go on by only one bob.
+        self.gap = max(self.period / 180, 3 * self.dt)
         self.hand, self.hits = Hand(self), Hits(self)
-        self.tick = scope[self.tick_name]
-        ticking = self.tick, self.collision_scope().get(self.collide_name)
-        self.takes_rule = all("approaching_only" in signature(function).parameters for function in ticking if function)
+        self.tick = self.scope[self.tick_name]
+        self.collide_name = next((name for name in self.collide_names if name in self.scope), self.collide_names[0])
+        functions = self.tick, self.scope.get(self.collide_name, self.tick)
+        self.takes_rule = all("approaching_only" in signature(function).parameters for function in functions)
 
     def give_back(self) -> None:
         """Hide the objects of the present pendula; the next pendula reuse them."""
@@ -68,9 +96,10 @@ class Cradle:
         keys = ("mass", "e", *self.angle_keys, *self.rate_keys)
         check_made(self.scope[self.make_name], pend_list, keys, 1 + 2 * len(self.angles))
         self.pend_list = pend_list
-        self.numbers = {id(pend): number for number, pend in enumerate(pend_list)}
+        self.places = {tuple(axle.pos.value): number for number, axle in enumerate(self.axles())}
+        self.count = len(pend_list)
         if self.mass is not None:
-            cradle = self.special_cradles.uniform_mass_newton_cradle(csv, self.mass)
+            cradle = self.scope["uniform_mass_newton_cradle"](csv, self.mass)
             self.adopt("mass", [pend["mass"] for pend in cradle])
         self.es = self.values("e")
         self.collide(self.collision, csv)
@@ -78,9 +107,9 @@ class Cradle:
 
     def check(self) -> None:
         """Raise a MistakeError if a tick has changed the number of pendula, or set a coordinate to no finite number."""
-        now, before = len(self.pend_list), len(self.numbers)
-        if now != before:
-            raise MistakeError(self.tick, f"made {now} pendula from {before}; it must keep their number.")
+        now = len(self.pend_list)
+        if now != self.count:
+            raise MistakeError(self.tick, f"made {now} pendula from {self.count}; it must keep their number.")
         check_numbers(self.tick, self.pend_list, (*self.angle_keys, *self.rate_keys))
 
     def note_lifts(self) -> None:
@@ -124,15 +153,6 @@ class Cradle:
             move(pend, own, R_PARAM)
         self.note_lifts()
 
-    def collision_scope(self) -> dict[str, Any]:
-        """Return the globals in which the tick finds the function that lets two pendula collide.
-
-        Look in main's module, then in the tick's, then in the modules of the functions that the tick can call.
-        """
-        called = getattr(self.tick, "__globals__", {})
-        scopes = [self.scope, called, *(function.__globals__ for function in called.values() if isfunction(function))]
-        return next((scope for scope in scopes if self.collide_name in scope), self.scope)
-
     def velocity(self, pend) -> float:
         """Return the mean velocity of a pendulum's bobs to the right (m/s)."""
         return sum(vx for _, vx, _ in bob_motions(pend, R_PARAM)) / len(self.angles)
@@ -170,6 +190,10 @@ class Cradle:
         """Return the speed (m/s) of each pendulum at its lowest point, with the energy that it has now."""
         return [sqrt(2 * sum(energies([p], R_PARAM, G)) / self.whole_mass(p)) for p in self.pend_list]
 
+    def heights(self) -> list[float]:
+        """Return the mean height (m) of each pendulum's bobs above hanging at rest."""
+        return [sum(height for height, _, _ in bob_motions(p, R_PARAM)) / len(self.angles) for p in self.pend_list]
+
     def whole_mass(self, pend) -> float:
         """Return the mass (kg) of all bobs of a pendulum."""
         return pend["mass"] * len(self.angles)
@@ -195,7 +219,8 @@ class DoubleCradle(Cradle):
     angle_keys = ("theta", "phi")
     rate_keys = ("omega", "phi_omega")
     make_name, tick_name, dt_name = "make_double_newton_cradle", "double_cradle_tick", "DOUBLE_DT"
-    collide_name = shown_name = "handle_two_double_bobs"
+    collide_names = "handle_two_double_bobs", "handle_two_bobs"  # the second one lets only the upper bobs collide
+    shown_name = "handle_two_double_bobs"
 
     def approach(self, left, right) -> float:
         """Return the speed (m/s) at which the nearest two bobs of two pendula approach each other."""

@@ -7,14 +7,16 @@ from collections import Counter, deque
 from contextlib import ExitStack
 from functools import partial
 from inspect import signature
+from itertools import accumulate
+from math import sin
 from typing import NamedTuple
 
+from support.constants import G, R_PARAM
 from support.start.mistake import MistakeError
 
-GAP = 0.005  # s: the longest time between two hits of one train
 MOST_PATHS = 12  # in a train
 TOGETHER = 20  # two bobs with more hits than this in one train stay together
-STRIP_WIDTH = 44  # characters
+LINE = 44  # characters of a line on the page
 LONGEST_PATH = 9  # bobs: of a longer path, only the ends are shown
 UNASKED = 100_000  # ticks that a loop may do without asking whether the cradle runs: more than one does on purpose
 
@@ -31,14 +33,20 @@ class Hit(NamedTuple):
 
 
 class Hits:
-    """Notes hits, and calls of the function that lets two pendula collide: it stands in its place, and calls it."""
+    """Notes the hits of single ticks, and calls of functions: it stands in their places, and calls them.
+
+    It hears each call of the function that lets two pendula collide. If a tick does without this function, it sees the
+    hits in the velocities after the tick.
+    """
 
     def __init__(self, cradle):
-        self.cradle = cradle
+        self.cradle, self.rate_keys = cradle, cradle.rate_keys
         self.new = list[Hit]()  # hits that are not yet in the list of impacts
         self.kept = list[Hit]()  # all hits since the last call of listen
         self.calls: list[str] = []  # of the collision function, as text
         self.unasked = 0  # ticks of the loop since it was last told to do one
+        self.has_heard = False  # whether the present tick has called the function that lets two pendula collide
+        self.states: list[tuple[float, float]] = []  # theta (rad) and omega (rad/s) of each pendulum before the tick
         self.replaced = ExitStack()  # puts the functions back
 
     def listen(self, calls=False) -> None:
@@ -48,26 +56,29 @@ class Hits:
         """
         self.calls.clear()
         self.kept.clear()
-        scope = self.cradle.collision_scope()
         if calls:
-            self.replace(scope, self.cradle.shown_name, self.note_call)
+            self.replace(self.cradle.shown_name, self.note_call)
         if self.cradle.hand.held is None:
-            self.replace(scope, self.cradle.collide_name, self.note_hit)
+            self.replace(self.cradle.collide_name, self.note_hit)
 
     def count_ticks(self, loop) -> None:
         """Only count the ticks of the loop from now on, until stop; raise a MistakeError after UNASKED."""
         self.stop()
-        self.replace(self.cradle.scope, self.cradle.tick_name, partial(self.count_tick, loop))
+        self.replace(self.cradle.tick_name, partial(self.count_tick, loop))
 
     def stop(self) -> None:
         """Put the functions back."""
         self.replaced.close()
 
-    def replace(self, scope, name, stand_in) -> None:
-        """Let stand_in, which gets the function with this name in scope first, take its place, if there is one."""
-        if name in scope:
-            self.replaced.callback(scope.__setitem__, name, scope[name])
-            scope[name] = partial(stand_in, scope[name])
+    def replace(self, name, stand_in) -> None:
+        """Let stand_in, which gets the function with this name first, take its place, by all names that it has."""
+        function = self.cradle.scope.get(name)
+        if function is None:
+            return
+        for module in self.cradle.scope.maps:
+            for own_name in [own_name for own_name, value in module.items() if value is function]:
+                self.replaced.callback(module.__setitem__, own_name, function)
+                module[own_name] = partial(stand_in, function)
 
     def count_tick(self, loop, tick, /, *given, **named):
         """Call tick, or raise the error of count_ticks."""
@@ -79,22 +90,69 @@ class Hits:
 
     def note_hit(self, collide, /, *given, **named):
         """Call collide, and add a hit of two pendula to new and to kept."""
-
-        def rates(pends):
-            return [pend.get(key) for pend in pends for key in self.cradle.rate_keys]
-
-        cradle, numbers = self.cradle, self.cradle.numbers
-        pends = [pend for pend in (*given, *named.values()) if id(pend) in numbers]
-        pends.sort(key=lambda pend: numbers[id(pend)])  # the left one comes first
+        self.has_heard = True
+        pends = [value for value in (*given, *named.values()) if isinstance(value, dict)]
         before = [dict(pend) for pend in pends]
         result = collide(*given, **named)
-        if len(pends) == 2 and rates(pends) != rates(before):
-            left, right = (numbers[id(pend)] for pend in pends)
-            rightwards = sum(map(cradle.velocity, before)) > 0
-            hit = Hit(left, right, rightwards, cradle.approach(*before), before, [dict(pend) for pend in pends])
-            self.new.append(hit)
-            self.kept.append(hit)
+        if self.rates(pends) != self.rates(before):
+            places = [self.place_of(pend) for pend in pends]
+            if len({*places}) == 2 and None not in places:
+                self.add(places, before, [dict(pend) for pend in pends])
         return result
+
+    def rates(self, pends) -> list:
+        """Return the angular velocities (rad/s) of these pendula."""
+        return [pend.get(key) for pend in pends for key in self.rate_keys]
+
+    def place_of(self, pend) -> int | None:
+        """Return the index of a pendulum, also of a copy of its dictionary, by the place of its axle."""
+        axle, *_ = pend.get("objects") or [None]
+        return self.cradle.places.get(tuple(axle.pos.value)) if axle else None
+
+    def add(self, places, before, after) -> None:
+        """Add a hit of two pendula, in any order: their indices, and copies of their dictionaries."""
+        if places[0] > places[1]:
+            places, before, after = places[::-1], before[::-1], after[::-1]
+        left, right = places
+        rightwards = sum(map(self.cradle.velocity, before)) > 0
+        hit = Hit(left, right, rightwards, self.cradle.approach(*before), before, after)
+        self.new.append(hit)
+        self.kept.append(hit)
+
+    def begin_tick(self) -> None:
+        """Keep the state of a single cradle before a tick."""
+        self.has_heard = False
+        if self.rate_keys == ("omega",):
+            self.states = [(pend["theta"], pend["omega"]) for pend in self.cradle.pend_list]
+
+    def end_tick(self) -> None:
+        """Add the hits of a tick of single pendula that has not called the function that lets two pendula collide.
+
+        Without a hit, omega becomes omega - g sin(theta) / R dt (handout, appendix). A hit gives each bob more or less.
+        It keeps the momentum of the two. So the momentum that the bobs up to the left one of a pair have lost has gone
+        through the hit of this pair, and that which all bobs together have lost is 0, except for rounding.
+        """
+        pends = self.cradle.pend_list
+        if self.has_heard or len(self.states) != len(pends) or self.cradle.hand.held is not None:
+            return
+        now = []  # the pendula as they are without a hit
+        losses = []  # of momentum, divided by r_param (kg/s)
+        rounding = 0.0
+        for pend, (theta, omega) in zip(pends, self.states, strict=True):
+            now.append({**pend, "omega": omega - G * sin(theta) / R_PARAM * self.cradle.dt})
+            losses.append(pend["mass"] * (now[-1]["omega"] - pend["omega"]))
+            rounding += 1e-12 * pend["mass"] * abs(omega)
+        passed_on = list(accumulate(losses))  # through the hit of each bob and the next one
+        if not abs(passed_on[-1]) <= rounding:  # nan, too
+            return  # this tick is not that of the handout
+        for left, momentum in enumerate(passed_on[:-1]):
+            if abs(momentum) > rounding:
+                before = now[left : left + 2]
+                after = [dict(pend) for pend in before]
+                after[0]["omega"] -= momentum / after[0]["mass"]
+                after[1]["omega"] += momentum / after[1]["mass"]
+                now[left : left + 2] = after
+                self.add((left, left + 1), before, after)
 
     def note_call(self, collide, /, *given, **named):
         """Call collide, and add the call to calls."""
@@ -106,45 +164,11 @@ class Hits:
 
     def in_short(self, value) -> str:
         """Return a value as short text; a pendulum is pend_list[...]."""
-        if id(value) in self.cradle.numbers:
-            return f"pend_list[{self.cradle.numbers[id(value)]}]"
+        if isinstance(value, dict):
+            return f"pend_list[{self.place_of(value)}]"
         if isinstance(value, tuple):
             return f"({', '.join(map(self.in_short, value))})"
         return f"{value:.6g}" if isinstance(value, float) else repr(value)
-
-
-class ImpactTrains:
-    """The last trains, without single hits of bobs that hardly move; bobs that stay together have a line of words."""
-
-    def __init__(self, count):
-        self.trains: deque[Train] = deque(maxlen=count)
-        self.clear()
-
-    def clear(self) -> None:
-        self.trains.clear()
-        self.has_path = False  # whether a hit has gone on to a third bob; with two pendula, all hits are single
-
-    def add(self, time, left, right, rightwards) -> None:
-        """Add the hit, at time (s), of these pendula (indices); rightwards: whether they moved to the right before."""
-        if not self.trains or time - self.trains[-1].end > GAP:
-            if self.trains and self.is_noise(self.trains[-1]):  # not earlier: a hit that was single could go on
-                self.trains.pop()
-            self.trains.append(Train(time))
-        train = self.trains[-1]
-        train.add(time, left + 1, right + 1, rightwards)
-        self.has_path = self.has_path or not train.is_single()
-        if train.together and len(self.trains) > 1 and self.trains[-2].together:
-            self.trains.pop()
-            self.trains[-1].join(train)
-
-    def is_noise(self, train) -> bool:
-        """Return whether a train is a single hit of a cradle whose hits can go on to a third bob."""
-        return self.has_path and train.is_single()
-
-    def lines(self, longest=STRIP_WIDTH) -> list[str]:
-        """Return a line for each train, the latest first, with at most `longest` characters: t = 0.71 s  1-2-3-4-5."""
-        lines = [f"t = {train.begin:.2f} s  {train}" for train in reversed(self.trains) if not self.is_noise(train)]
-        return [line if len(line) <= longest else line[: longest - 3] + "..." for line in lines]
 
 
 class Train:
@@ -154,15 +178,18 @@ class Train:
         self.begin = self.end = begin  # the times of its first and its last hit (s)
         self.paths: list[list[int]] = []
         self.hits: Counter[tuple[int, int]] = Counter()  # of each two bobs
-        self.last = (0, 0)  # the bobs of the last hit
+        self.last = (0, 0)  # the bobs of the last fast hit
         self.together: set[tuple[int, int]] = set()  # each two that stay together
 
-    def add(self, time, left, right, rightwards) -> None:
-        """Add a hit of two bobs, by their numbers; see ImpactTrains."""
+    def add(self, time, left, right, rightwards, is_fast) -> None:
+        """Add a hit of two bobs, by their numbers; see ImpactTrains. A path has only fast hits."""
         pair = left, right
-        if pair != self.last:  # hits of the same two in a row count as one
+        if is_fast and not self.is_shown():
+            self.begin = time
+        if is_fast and pair != self.last:  # hits of the same two in a row count as one
             self.pass_on(left, right, rightwards)
-        self.end, self.last = time, pair
+            self.last = pair
+        self.end = time
         self.hits[pair] += 1
         if self.hits[pair] > max(TOGETHER, len(self.hits)):  # n lifted bobs of a row hit the next one n times
             self.together.add(pair)
@@ -178,9 +205,9 @@ class Train:
         if not goes_on and len(self.paths) < MOST_PATHS:
             self.paths.append([left, right] if rightwards else [right, left])
 
-    def is_single(self) -> bool:
-        """Return whether no hit has gone on to a third bob, and all bobs have parted again."""
-        return not self.together and all(len(path) == 2 for path in self.paths)
+    def is_shown(self) -> bool:
+        """Return whether a hit was fast, or bobs stay together."""
+        return bool(self.paths or self.together)
 
     def join(self, later) -> None:
         """Take over a later train; the bobs of both stay together."""
@@ -193,6 +220,43 @@ class Train:
             return ", ".join(groups) + " stay together"
         paths = [[str(number) for number in path] for path in self.paths]
         return "  ".join("-".join(p if len(p) <= LONGEST_PATH else [*p[:3], "...", p[-1]]) for p in paths)
+
+
+class ImpactTrains:
+    """The last trains, without hits of bobs that hardly move; bobs that stay together have a line of words."""
+
+    def __init__(self, count, gap):
+        """Keep the last `count` trains; gap (s) is the longest time between two hits of one train."""
+        self.trains: deque[Train] = deque(maxlen=count)
+        self.gap = gap
+
+    def clear(self) -> None:
+        self.trains.clear()
+
+    def add(self, time, left, right, rightwards, is_fast=True) -> None:
+        """Add the hit, at time (s), of these pendula (indices); rightwards: whether they moved to the right before."""
+        if not self.trains or time - self.trains[-1].end > self.gap:
+            if self.trains and not self.trains[-1].is_shown():  # not earlier: it could go on
+                self.trains.pop()
+            self.trains.append(Train(time))
+        train = self.trains[-1]
+        train.add(time, left + 1, right + 1, rightwards, is_fast)
+        if train.together and len(self.trains) > 1 and self.trains[-2].together:
+            self.trains.pop()
+            self.trains[-1].join(train)
+
+    def shown(self) -> list[Train]:
+        """Return the trains that are shown, the latest first."""
+        return [train for train in reversed(self.trains) if train.is_shown()]
+
+    def lines(self, longest=LINE) -> list[str]:
+        """Return a line for each train, the latest first, with at most `longest` characters: t = 0.71 s  1-2-3-4-5."""
+        return [in_line(f"t = {train.begin:.2f} s  {train}", longest) for train in self.shown()]
+
+
+def in_line(text, longest) -> str:
+    """Return a text with at most `longest` characters: of a longer one the beginning, and three dots."""
+    return text if len(text) <= longest else text[: longest - 3] + "..."
 
 
 def first_and_last(pairs) -> list[list[int]]:

@@ -1,7 +1,11 @@
 """The motion of a cradle: the time since its release, its impacts, its energy, and all these as data."""
 
+from math import inf
+
 from support.cradle.cradle import Cradle
 from support.cradle.impacts import ImpactTrains
+
+LEAST = 0.1  # of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang
 
 
 class Motion:
@@ -9,18 +13,20 @@ class Motion:
 
     def __init__(self, cradle: Cradle, impacts):
         """Begin at time 0; keep the last `impacts` trains of impacts."""
-        self.cradle, self.trains = cradle, ImpactTrains(impacts)
+        self.cradle, self.trains = cradle, ImpactTrains(impacts, cradle.gap)
         self.restart()
 
     def restart(self) -> None:
         """Begin again at time 0, with the energy of this moment as 100 %."""
         self.ticks, self.fastest = 0, 0.0  # the speed (m/s) of the fastest hit that the page has not sounded yet
+        self.hits, self.last_fast = 0, -inf  # the number of hits, and the time (s) of the last fast one
         self.trains.clear()
         self.set_start()
 
     def set_start(self) -> None:
-        """Take the energy of this moment as 100 %."""
+        """Take the energy of this moment as 100 %, and find out which hits are fast."""
         self.start_energy = sum(self.cradle.energies())
+        self.least = LEAST * max(self.cradle.top_speeds(), default=0.0)  # m/s
 
     def time(self) -> float:
         """Return the simulated time since the start (s)."""
@@ -28,7 +34,11 @@ class Motion:
 
     def note_hit(self, ticks, left, right, rightwards, speed) -> None:
         """Add a hit to the trains. ticks is its time, in ticks since the start; Hit explains the other arguments."""
-        self.trains.add(ticks * self.cradle.dt, left, right, rightwards)
+        time = ticks * self.cradle.dt
+        self.hits += 1
+        if speed >= self.least:
+            self.last_fast = time
+        self.trains.add(time, left, right, rightwards, speed >= self.least)
         self.fastest = max(self.fastest, speed)
 
     def reading(self) -> str:

@@ -95,11 +95,7 @@ class Player:
         """
         if not self.is_shown:
             raise MistakeError(self.loop, "asked page.is_running() before page.show(pend_list).")
-        for hit in self.cradle.hits.new:
-            self.motion.note_hit(self.motion.ticks, *hit[:4])
-        self.cradle.hits.new.clear()
-        if not self.is_in_part:
-            self.cradle.hits.stop()
+        self.note_hits()
         if self.due and self.pace.clock() >= self.deadline:
             self.planned, self.due = self.planned + self.due, 0
         while not self.due:
@@ -121,7 +117,19 @@ class Player:
         self.due -= 1
         self.motion.ticks += 1
         self.cradle.hits.unasked = 0
+        self.cradle.hits.begin_tick()
         return True
+
+    def note_hits(self) -> None:
+        """Add the hits of the last tick to the motion; listen only during a part."""
+        hits = self.cradle.hits
+        if self.is_in_part:
+            hits.end_tick()
+        else:
+            hits.stop()
+        for hit in hits.new:
+            self.motion.note_hit(self.motion.ticks, *hit[:4])
+        hits.new.clear()
 
     @property
     def rule(self) -> dict[str, bool]:
@@ -148,10 +156,13 @@ class Player:
         with clean_copy(self.snapshot) as csv:
             self.cradle.collide(collision, csv)
 
+    def longest_part(self) -> int:
+        """Return after how many ticks, at most, to look at the cradle; a subclass may look more often."""
+        return FEW if self.looks_at_hits or self.cradle.hand.held is not None else self.step
+
     def begin_part(self) -> None:
         """Do the next part of the planned ticks in one call, or let the loop do it."""
-        longest = FEW if self.looks_at_hits or self.cradle.hand.held is not None else self.step
-        part = min(self.planned, longest - self.motion.ticks % longest)
+        part = min(self.planned, self.step - self.motion.ticks % self.step, self.longest_part())
         self.planned -= part
         self.is_in_part = True
         self.cradle.hand.grip()
@@ -166,8 +177,9 @@ class Player:
         contacts = cradle.many_ticks and cradle.many_ticks(cradle.scope, cradle.pend_list, ticks, self.rule)
         if contacts is None:
             return False
-        for tick, *contact in contacts if cradle.hand.held is None else ():
-            self.motion.note_hit(self.motion.ticks + tick + 1, *contact)
+        if cradle.hand.held is None:
+            for tick, *contact in contacts:
+                self.motion.note_hit(self.motion.ticks + tick + 1, *contact)
         self.motion.ticks += ticks
         return True
 

@@ -3,57 +3,99 @@
 from math import degrees, inf
 
 from support.constants import R_PARAM
+from support.cradle.motion import LEAST
 from support.files.experiments import Experiment
 
 NEAR = 10.0  # degrees: an answer is right if no bob swings farther from what it predicts
+STILL = 1e-4  # of the fastest bob's speed: a slower bob does not move
+MOST_SWINGS = 3  # a measurement ends after so many small swings
 
 
 class Measurement:
-    """What the bobs of an experiment do from their release to the time of the measurement."""
+    """What the bobs of an experiment do, from their release until those that have left turn back.
 
-    def __init__(self, experiment: Experiment):
-        self.experiment = experiment
+    The bobs come in until the first fast hit. They leave when this train of hits is over, and all bobs rise. They have
+    turned back when they fall again. No time is given: it depends on the cord, on gravity, and on the angles.
+    """
+
+    def __init__(self, experiment: Experiment, motion):
+        """Begin with the cradle of this Motion, which has just been released."""
+        self.experiment, self.motion, self.cradle = experiment, motion, motion.cradle
         count = len(experiment.angles)
-        self.swings, self.speeds, self.befores = ([0.0] * count for _ in range(3))  # degrees, m/s, m/s
+        self.befores = [0.0] * count  # m/s: the largest speeds before the first fast hit
+        self.speeds = [0.0] * count  # m/s: the largest speeds after the last hit of the train
+        self.swings = [0.0] * count  # degrees: the largest angles after the train
         self.energy = 100.0  # % that is left
-        self.start_energy = 0.0  # J
-        self.has_hit = self.is_over = False
-        self.hit_time = inf  # s: the first sample after a hit
-        self.end = experiment.seconds  # s: the last sample
+        self.hit_time = inf  # s: the first look after a fast hit
+        self.left_time = inf  # s: the first look after the train
+        self.end, self.is_over = 0.0, False  # s: the last look
+        self.heights = self.cradle.heights()  # m, at the last look
+        self.hits = 0  # at the last look
+        self.has_turned = [False] * count
+        self.fastest = max(self.cradle.top_speeds())  # m/s
 
-    def note(self, sample, has_hit) -> None:
-        """Measure a sample of Motion; has_hit says whether two bobs have hit each other by then."""
+    def look(self) -> None:
+        """Measure this moment: look often, about a thousand times in a swing."""
         if self.is_over:
             return
-        self.start_energy = self.start_energy or sample["total"]
-        self.energy = 100 * sample["total"] / self.start_energy if self.start_energy else 100.0
-        fastest = self.speeds if has_hit else self.befores
-        for i in range(len(self.swings)):
-            fastest[i] = max(fastest[i], R_PARAM * abs(sample[f"omega_{i + 1}"]))
-            if has_hit:
-                self.swings[i] = max(self.swings[i], degrees(sample[f"theta_{i + 1}"]), key=abs)
-        if has_hit and not self.has_hit:
-            self.hit_time = sample["t"]
-        self.has_hit = has_hit
-        if sample["t"] >= self.experiment.seconds:
-            self.is_over, self.end = True, sample["t"]
+        self.end, self.energy = self.motion.time(), self.motion.percents()["energy"]
+        heights, self.heights = self.heights, self.cradle.heights()
+        falls = [now < before for now, before in zip(self.heights, heights, strict=True)]
+        speeds = [R_PARAM * abs(omega) for omega in self.cradle.values("omega")]
+        if self.motion.last_fast < 0:
+            self.befores = [*map(max, self.befores, speeds)]
+        elif self.left_time == inf:
+            self.look_at_train(speeds, falls)
+        else:
+            self.speeds = [*map(max, self.speeds, speeds)]
+            self.look_at_swing(falls)
+        if self.end > MOST_SWINGS * self.cradle.period:
+            self.is_over = True
+
+    def look_at_train(self, speeds, falls) -> None:
+        """Measure the speeds (m/s) after a hit, and find out whether the train is over; falls says which bobs fall."""
+        self.hit_time = min(self.hit_time, self.end)
+        if self.motion.hits > self.hits:
+            self.speeds = [0.0] * len(speeds)
+        self.hits = self.motion.hits
+        self.speeds = [*map(max, self.speeds, speeds)]
+        tops = self.cradle.top_speeds()
+        fast_one_falls = any(fall and top >= LEAST * max(tops) for fall, top in zip(falls, tops, strict=True))
+        if self.end - self.motion.last_fast > self.cradle.gap and not fast_one_falls:
+            self.left_time = self.end
+
+    def look_at_swing(self, falls) -> None:
+        """Measure how far the bobs have swung out, and find out whether they have turned back; falls as above."""
+        for i, pend in enumerate(self.cradle.pend_list):
+            self.swings[i] = max(self.swings[i], degrees(pend["theta"]), key=abs)
+        tops = self.cradle.top_speeds()
+        for i, fall in enumerate(falls):
+            if fall or tops[i] <= STILL * self.fastest:
+                self.has_turned[i] = True
+        hits_again = self.motion.last_fast > self.left_time
+        self.is_over = hits_again or all(self.has_turned)
 
     def outcome(self) -> int | None:
-        """Return the index of the answer that comes nearest to what the bobs did; None if none is near, or none hit."""
-        predicted = [answer.swings for answer in self.experiment.answers]
-        errors = [max(abs(a - b) for a, b in zip(swings, self.swings, strict=True)) for swings in predicted]
-        return errors.index(min(errors)) if self.has_hit and min(errors) <= NEAR else None
+        """Return the index of the answer that comes nearest to what the bobs did; None if none is near."""
+        if self.left_time == inf:
+            return None
+        errors = []
+        for answer in self.experiment.answers:
+            errors.append(max(abs(a - b) for a, b in zip(answer.swings, self.swings, strict=True)))
+        return errors.index(min(errors)) if min(errors) <= NEAR else None
 
     def explanation(self) -> str:
         """Return why that happened, or, if something else happened than the experiment explains, that it did."""
         experiment, outcome = self.experiment, self.outcome()
         if outcome == experiment.explained:
             return experiment.why.format(**self.numbers())
-        if not self.has_hit:
-            return "No two bobs hit each other."
+        if self.hit_time == inf:
+            return f"In {self.end:.2f} s, no two bobs hit each other."
+        if self.left_time == inf:
+            return f"After {self.end:.2f} s, the bobs still hit each other."
         swings = ", ".join(f"{swing:.0f}" for swing in self.swings)
         expected = experiment.answers[experiment.explained].text
-        words = f"After the first hit, the bobs swung to {swings} degrees. The experiment expects: {expected}. "
+        words = f"After the hits, the bobs swung to {swings} degrees. The experiment expects: {expected}. "
         return words + "So a function in src/, or a setting, is different."
 
     def numbers(self) -> dict[str, str]:

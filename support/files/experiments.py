@@ -11,10 +11,8 @@ from support.files.cradle_csv import are_in_range, IN_RANGE, in_short, MOST_PEND
 
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
-NAMES = "name", "theta", "phi", "mass", "e", "seconds", "question", "why"  # of lines; the others have answers
+NAMES = "name", "theta", "phi", "mass", "e", "question", "why"  # of lines; the others have answers
 ANGLE = lambda text: -180 <= to_number(text) <= 180, "an angle from -180 to 180 (degrees)"
-SECONDS = lambda text: 0 < to_number(text) <= 60, "a number above 0 and up to 60"  # from release to measurement
-TURNS = "0.47", "0.6"  # s until bobs from 45 degrees turn back on the other side: with 1 cord, and with 2
 COLORS = "red", "yellow", "cyan", "blue", "purple"  # of the pendula, in turn
 MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
 YOUR_CSV = "My cradle (CSV)"  # the name in the menu that no experiment can have
@@ -34,7 +32,6 @@ class Experiment(NamedTuple):
     explained: int  # the index of the answer that why explains
     why: str
     angles: list[list[float]]  # of each pendulum's cords at the start (rad)
-    seconds: float
 
 
 def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
@@ -58,7 +55,7 @@ def read_experiment(file, cords) -> Experiment:
     if cords == 1 and "phi" in lines.texts:
         raise ValueError(f"{file}, phi: is allowed only for the double cradle")
     count = min(len(lines.text("theta", allowed=ANGLE[1]).split()), MOST_PENDULA)
-    lines.texts = {"mass": ["1"] * count, "e": ["1"] * count, "seconds": [TURNS[cords - 1]]} | lines.texts
+    lines.texts = {"mass": ["1"] * count, "e": ["1"] * count} | lines.texts
     angles = [map(radians, lines.numbers(name, count, *ANGLE)) for name in ("theta", "phi")[:cords]]
     masses, es = (lines.numbers(name, count, *RULES[name]) for name in ("mass", "e"))
     if cords == 2 and not are_in_range(masses):
@@ -81,7 +78,6 @@ def read_experiment(file, cords) -> Experiment:
         explained=explained[0],
         why=lines.measured("why", count),
         angles=[[*accumulate(of_pendulum)] for of_pendulum in zip(*angles, strict=True)],
-        seconds=to_number(lines.text("seconds", *SECONDS)),
     )
 
 

@@ -1,11 +1,12 @@
 """The question of an experiment: asked before the release, if you want it, and what happened after it."""
 
-from math import pi, radians, sin
+from math import pi, radians, sin, sqrt
 
+from support.constants import G
 from support.cradle.prediction import Measurement
 
 LETTERS = "ABCDE"  # of the answers
-NUMBERS = {"before": "largest speed before the first hit (m/s)", "speed": "largest speed after it (m/s)"}
+NUMBERS = {"before": "largest speed before the hits (m/s)", "speed": "largest speed after them (m/s)"}
 
 
 class Questions:
@@ -24,12 +25,12 @@ class Questions:
         self.slowly = False  # whether this run is in slow motion, until its measurement is over
         self.measurement: Measurement | None = None  # of the experiment whose question is asked, or was answered
 
-    def begin(self, experiment) -> None:
-        """Begin a run, of this experiment or of none: ask its question, if Predict first is ticked."""
+    def begin(self, experiment, motion) -> None:
+        """Begin a run of this Motion, of this experiment or of none: ask its question, if Predict first is ticked."""
         again, self.again = self.again, None
         self.drop()
         if experiment and self.ask_first:
-            self.is_asking, self.measurement = again is None, Measurement(experiment)
+            self.is_asking, self.measurement = again is None, Measurement(experiment, motion)
             self.said, self.votes, self.slowly = again or (None, [0] * len(experiment.answers), False)
 
     def is_asked(self, key, number) -> bool:
@@ -49,20 +50,29 @@ class Questions:
         if self.is_asked(key, number):
             self.votes[number] += 1
 
-    def note(self, sample, has_hit) -> bool:
-        """Measure a sample of Motion (has_hit: two bobs have hit by then); return whether the measurement ends now."""
-        if not self.measurement or self.measurement.is_over:
+    def is_measuring(self) -> bool:
+        """Return whether the present run is measured, and its measurement is not yet over."""
+        return self.measurement is not None and not self.measurement.is_over
+
+    def has_ended_at_this_look(self) -> bool:
+        """Measure this moment; return whether the measurement ends now."""
+        if self.measurement is None or self.measurement.is_over:
             return False
-        self.measurement.note(sample, has_hit)
+        self.measurement.look()
         return self.measurement.is_over
 
     def predicted(self, time) -> list[float]:
-        """Return the angles (rad) that the answer predicts for this time (s): from the first hit on, along a sine."""
+        """Return the angles (rad) that the answer predicts for this time (s), until the measurement is over.
+
+        From the first hit on, they grow along a sine, as in a small swing.
+        """
         measured = self.measurement
-        if not (measured and self.said is not None and measured.hit_time < time <= measured.end):
+        if not measured or self.said is None or time < measured.hit_time:
             return []
-        part = (time - measured.hit_time) / (measured.end - measured.hit_time)
-        return [radians(swing) * sin(pi / 2 * part) for swing in measured.experiment.answers[self.said].swings]
+        if measured.is_over and time > measured.end:
+            return []
+        phase = sqrt(G / measured.cradle.reach) * (time - measured.hit_time)  # rad
+        return [radians(swing) * sin(min(phase, pi / 2)) for swing in measured.experiment.answers[self.said].swings]
 
     def state(self) -> dict | None:
         """Return the question, what was said, and what happened, in words; None without a question."""
@@ -92,5 +102,6 @@ def what_happened(measured, said) -> dict:
     rows = [["bob" if len(measured.experiment.angles[0]) == 1 else "upper bob", *map(str, bobs)]]
     rows += [[title, *(numbers[f"{kind}_{bob}"] for bob in bobs)] for kind, title in NUMBERS.items()]
     rows.append(["swung to (degrees)", *(f"{round(swing)}" for swing in measured.swings)])
-    title = "That is what happened." if said == outcome is not None else f"What happened: {words}."
+    is_right = said is not None and said == outcome
+    title = "That is what happened." if is_right else f"What happened: {words}."
     return {"title": title, "why": measured.explanation(), "rows": rows}

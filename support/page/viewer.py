@@ -25,6 +25,7 @@ QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on ea
 SPEEDS, SLOWLY = (0.1, 2.0), 0.1  # times real time: the ends of the slider, and of an experiment repeated slowly
 TRAINS = 5  # of impacts, a line for each
 HIT_LINES = 5  # of text, above the cradle
+LOOKS = 1000  # of a measurement, in the time of a small swing
 REST = 3.0  # s that the picture rests when an experiment has been measured
 
 
@@ -111,18 +112,25 @@ class Viewer(Player):
             self.pace.restart()
 
     def note(self) -> None:
-        """Add this moment to the graph, and to the measurement of an experiment."""
-        sample = self.motion.sample()
-        self.graph.add(sample)
-        if self.questions.note(sample, has_hit=bool(self.motion.trains.trains)):
-            self.rest_end, self.planned = self.pace.clock() + REST, 0
+        """Add this moment to the graph."""
+        self.graph.add(self.motion.sample())
+
+    def longest_part(self) -> int:
+        """Return after how many ticks, at most, to look at the cradle: a measurement looks a thousand times a swing."""
+        longest = super().longest_part()
+        if self.questions.is_measuring():
+            longest = min(longest, max(1, round(self.cradle.period / LOOKS / self.cradle.dt)))
+        return longest
 
     def end_part(self) -> None:
-        """Look at the result of a part; show One tick, or its hits."""
+        """Look at the result of a part: measure an experiment; show One tick, or its hits."""
         super().end_part()
+        if self.questions.has_ended_at_this_look():
+            self.rest_end, self.planned = self.pace.clock() + REST, 0
         if self.looks_at_hits:
-            self.slow_hits.add(self.cradle.hits.kept, self.motion.time())
-            self.planned *= not self.slow_hits.waiting
+            self.slow_hits.add(self.cradle.hits.kept, self.motion.time(), self.motion.least)
+            if self.slow_hits.waiting:
+                self.planned = 0
         if self.before is not None:
             calls = self.cradle.hits.calls or [f"{self.cradle.shown_name} was not called."]
             self.tick_lines = [*self.changes(self.before, self.cradle.coordinates()), *calls]
@@ -338,7 +346,8 @@ class Viewer(Player):
         if is_posed:
             self.cradle.pose(poses)
             self.motion.set_start()
-        self.questions.begin(chooser.experiment if is_posed and not chooser.is_changed else None)
+        experiment = chooser.experiment if is_posed and not chooser.is_changed else None
+        self.questions.begin(experiment, self.motion)
         self.running = self.running and not self.questions.is_asking
 
     def leave_poses(self) -> None:

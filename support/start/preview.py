@@ -52,17 +52,20 @@ def end_if_unwritten(*modules) -> None:
         refuse(f"There is no cradle to see yet. Write first: {missing}.")
 
 
-def what_there_is(main) -> tuple:
-    """Return main and no remark, or a simpler loop and a remark that names the missing functions; or exit."""
+def what_there_is(main, scope) -> tuple:
+    """Return main and no remark, or a simpler loop and a remark that names the missing functions; or exit.
+
+    scope has the handout's functions by their names.
+    """
     end_if_unwritten("pds_helper", "special_cradles")
     swings, collides = missing_in("swinging"), missing_in("visualize_cradle_run")
     if swings:
-        return preview(main.__globals__), f"Write next: {swings}. Then the pendula swing."
+        return preview(scope), f"Write next: {swings}. Then the pendula swing."
     if collides:
         words = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
         if "handle_" in collides:
             words = "Then the bobs collide. If no pendulum swings, type pytest."
-        return preview(main.__globals__, True, "handle_" not in collides), f"Write next: {collides}. {words}"
+        return preview(scope, True, "handle_" not in collides), f"Write next: {collides}. {words}"
     return main, ""
 
 

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from csv import writer
 from math import atan2, degrees, inf, pi, remainder
 
+from support.cradle.impacts import in_line
 from support.cradle.motion import in_words
 from support.cradle.player import Player, run
 from support.files.data_file import whole_file
@@ -156,15 +157,14 @@ class Lines(TextPlayer):
 
 
 def summary(motion) -> str:
-    """Return a line: the time, the energy, the angle and side of the highest pendulum, and the latest hits."""
+    """Return a line: the time, the energy, the angle and side of the highest bob, and the latest train of hits."""
     angles = [degrees(remainder(theta, 2 * pi)) for theta in motion.cradle.values("theta")]
     number, angle = max(enumerate(angles, start=1), key=lambda numbered: abs(numbered[1]))
     total = in_words(motion.percents()["energy"]).strip()
     side = "left" if angle < 0 else "right"
-    line = f"t = {motion.time():.2f} s, energy {total}, pendulum {number} at {abs(angle):.0f} degrees {side}"
-    trains = motion.trains.trains
-    impacts = f", hits: {', '.join(map(str, trains))}" if trains else ""
-    return line + (impacts if len(line + impacts) <= WIDTH else ", many hits")
+    line = f"t = {motion.time():.2f} s, energy {total}, bob {number} at {abs(angle):.0f} degrees {side}"
+    trains = motion.trains.shown()
+    return in_line(f"{line}, hits: {trains[0]}" if trains else line, WIDTH)
 
 
 class Recorder(Player):

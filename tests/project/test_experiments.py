@@ -1,17 +1,19 @@
 """Experiments: their files, their menu and questions on the page, and that each explains what really happens."""
 
-from itertools import combinations
-from math import atan2, degrees, radians
+import re
+from itertools import combinations, pairwise
+from math import acos, atan2, copysign, cos, degrees, radians, sqrt
 
 import pytest
+from programs import copy_project, OF_TESTS, python, slow_but_for
 from students import put_files
 from wall import Wall
-from whole_cradles import GOOD, HEADER
+from whole_cradles import go_on, GOOD, HEADER, make_live, PERIOD, Swing
 
+from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle, DoubleCradle
 from support.cradle.prediction import Measurement
 from support.files.experiments import EXPERIMENTS, read_experiment, read_experiments
-from support.page.questions import what_happened
 
 KINDS = Cradle, DoubleCradle
 SHIPPED = [(kind, path.stem) for kind in KINDS for path in sorted((EXPERIMENTS / kind.kind).glob("*.txt"))]
@@ -19,7 +21,6 @@ SHIPPED = [(kind, path.stem) for kind in KINDS for path in sorted((EXPERIMENTS /
 TEXT = """\
 name = Two bobs
 theta = -45 -45 0 0 0
-seconds = 0.5
 question = What\x0cleaves
     # It is a note.
     on the other side?
@@ -37,29 +38,30 @@ def read(folder, text=TEXT, cords=1):
 def test_an_experiment_is_read(tmp_path):
     """Also with lines that end as on Windows, or with a sixth pendulum. phi is measured from the upper cord."""
     experiment = read(tmp_path)
-    assert (experiment.key, experiment.name, experiment.seconds, experiment.explained) == ("two", "Two bobs", 0.5, 1)
+    assert (experiment.key, experiment.name, experiment.explained) == ("two", "Two bobs", 1)
     assert experiment.question == "What leaves on the other side?"
     assert experiment.answers == [("One=1", [0, 0, 0, 0, 100]), ("Two", [0, 0, 0, 45, 45])]
     assert read(tmp_path, ("\ufeff" + TEXT.replace("\n", "\r\n")).encode()) == experiment
-    six = TEXT.replace(" 0 0 0", " 0 0 0 0").replace("seconds = 0.5", "e = 0 0.5 1 1 1 1\n#\nmass = 5 1 1 1 1 1e-7")
+    six = TEXT.replace(" 0 0 0", " 0 0 0 0").replace(
+        "question", "e = 0 0.5 1 1 1 1\n#\nmass = 5 1 1 1 1 1e-7\nquestion"
+    )
     csv, numbers = read(tmp_path, six).csv, ["5.0,0.0", "1.0,0.5", "1.0,1.0", "1.0,1.0", "1.0,1.0", "1e-07,1.0"]
     rows = map("{},0.0,0.0,{},metal\n".format, numbers, ["red", "yellow", "cyan", "blue", "purple", "red"])
     assert (csv.filepath.name, csv.data.decode()) == ("two.csv", HEADER + "".join(rows))
     with pytest.raises(ValueError, match="phi: found nothing, allowed is an angle"):
         read(tmp_path, cords=2)
-    angles = read(tmp_path, TEXT.replace("seconds", "phi = -20 10 0 0 0\nseconds"), cords=2).angles
+    angles = read(tmp_path, TEXT.replace("question", "phi = -20 10 0 0 0\nquestion"), cords=2).angles
     assert angles[:2] == [pytest.approx([radians(-45), radians(phi)]) for phi in (-65, -35)]
     with pytest.raises(ValueError, match="mass: found '1 1 1e-7 1 1', allowed is at most 1e6 times the smallest mass"):
-        read(tmp_path, TEXT.replace("seconds", "phi = 0 0 0 0 0\nmass = 1 1 1e-7 1 1\nseconds"), cords=2)
+        read(tmp_path, TEXT.replace("question", "phi = 0 0 0 0 0\nmass = 1 1 1e-7 1 1\nquestion"), cords=2)
 
 
 ANGLES = "allowed is an angle from -180 to 180 (degrees), for each of"
-LINES = "allowed before = is, once each, name, theta, phi, mass, e, seconds, question, why, or an answer after - or *"
+LINES = "allowed before = is, once each, name, theta, phi, mass, e, question, why, or an answer after - or *"
 BRACES = "allowed is {energy}, or swing_, speed_ or before_ with the number of a bob, 1 to 5, in braces"
 TO_FIVE = "allowed are 2 to 5, one of them with an asterisk"
 BAD = [
     ("theta = -45", "theta = -181", f"theta: found '-181 -45 0 0 0', {ANGLES} 5 pendula"),
-    ("seconds = 0.5", "seconds = 0", "seconds: found '0', allowed is a number above 0 and up to 60"),
     ("name = Two bobs", "name = My cradle (CSV)", "name: found 'My cradle (CSV)', allowed is a text, but not "),
     ("* Two", "- Two", f"answers: found 2 answers, 0 of them with an asterisk, {TO_FIVE}"),
     ("- One=1 = 0 0 0 0 100\n", "", f"answers: found 1 answers, 1 of them with an asterisk, {TO_FIVE}"),
@@ -68,15 +70,20 @@ BAD = [
     ("0 0 0 45 45", "45 45", f"* Two: found '45 45', {ANGLES} 5 pendula"),
     ("{speed_5}", "{speed_6}", f"why: found {{speed_6}}, {BRACES}"),
     ("{speed_5}", "{speed_5", f"why: found {{, {BRACES}"),
-    ("seconds", "phi = 0 0 0 0 0\nseconds", "phi: is allowed only for the double cradle"),
-    ("seconds", "e = 1 1 1 1\nseconds", "e: found '1 1 1 1', allowed is a number from 0 to 1, such as 0.9, for "),
-    ("seconds", "mass = 1 1 1 1 0\nseconds", "mass: found '1 1 1 1 0', allowed is a number from 1e-300 to 1e6 (kg), "),
-    ("seconds", "mas = 1 1 1 1 5\nseconds", f"line 3: found 'mas = 1 1 1 1 5', {LINES}"),
-    ("seconds", "theta = 0 0 0 0 0\nseconds", f"line 3: found 'theta = 0 0 0 0 0', {LINES}"),
-    ("- One=1 = 0", "- = 0", f"line 8: found '- = 0 0 0 0 100', {LINES}"),
-    ("* Two =", "* Two", f"line 9: found '* Two 0 0 0 45 45', {LINES}"),
-    ("leaves", "l\xe9aves", "line 4: found byte 0xe9, allowed is text only, saved as UTF-8"),
-    ("seconds", "seconds", "name: 'Two bobs' is the name of another experiment"),
+    ("question", "phi = 0 0 0 0 0\nquestion", "phi: is allowed only for the double cradle"),
+    ("question", "e = 1 1 1 1\nquestion", "e: found '1 1 1 1', allowed is a number from 0 to 1, such as 0.9, for "),
+    (
+        "question",
+        "mass = 1 1 1 1 0\nquestion",
+        "mass: found '1 1 1 1 0', allowed is a number from 1e-300 to 1e6 (kg), ",
+    ),
+    ("question", "seconds = 0.5\nquestion", f"line 3: found 'seconds = 0.5', {LINES}"),
+    ("question", "mas = 1 1 1 1 5\nquestion", f"line 3: found 'mas = 1 1 1 1 5', {LINES}"),
+    ("question", "theta = 0 0 0 0 0\nquestion", f"line 3: found 'theta = 0 0 0 0 0', {LINES}"),
+    ("- One=1 = 0", "- = 0", f"line 7: found '- = 0 0 0 0 100', {LINES}"),
+    ("* Two =", "* Two", f"line 8: found '* Two 0 0 0 45 45', {LINES}"),
+    ("leaves", "l\xe9aves", "line 3: found byte 0xe9, allowed is text only, saved as UTF-8"),
+    ("question", "question", "name: 'Two bobs' is the name of another experiment"),
     ("-45 -45", "0 " * 1000, f"theta: found '{'0 ' * 149}0..., {ANGLES} 1000 pendula"),
 ]
 
@@ -181,8 +188,8 @@ def test_the_question_comes_before_each_release_and_the_explanation_after_it(ask
         assert result["why"].startswith("Two bobs came in at 1.07 m/s, and two left at 1.07 and 1.07 m/s.")
         assert result["rows"] == [
             ["bob", "1", "2", "3", "4", "5"],
-            ["largest speed before the first hit (m/s)", "1.07", "1.07", "0.00", "0.00", "0.00"],
-            ["largest speed after it (m/s)", "0.00", "0.00", "0.00", "1.07", "1.07"],
+            ["largest speed before the hits (m/s)", "1.07", "1.07", "0.00", "0.00", "0.00"],
+            ["largest speed after them (m/s)", "0.00", "0.00", "0.00", "1.07", "1.07"],
             ["swung to (degrees)", "0", "0", "0", "45", "45"],
         ]
         asking.wait(0.5)
@@ -291,44 +298,96 @@ def test_again_maybe_slowly_and_next(asking):
 
 
 @pytest.mark.parametrize(("kind", "key"), SHIPPED)
-def test_a_shipped_experiment_explains_what_happens_and_its_answers_differ(kind, key, csv):
+def test_a_shipped_experiment_explains_its_answer_and_the_answers_differ(kind, key, csv):
     wall = Wall(csv, *[30] * len(kind.angles), kind=kind)
     [experiment] = [one for one in wall.viewer.chooser.experiments.values() if one.key == key]
     wall.give("ask first", True)
     wall.give("experiment", experiment.name)
     wall.tabs.give("answer", key, experiment.explained)
-    wall.wait(experiment.seconds + 0.1)
-    happened, measured = wall.state["question"]["happened"], wall.viewer.questions.measurement
+    wall.wait(0.6 * PERIOD * len(kind.angles))
+    happened = wall.state["question"]["happened"]
     assert (wall.state["mistakes"], happened["title"], "{" in happened["why"]) == ([], THAT, False)
-    assert measured.swings == pytest.approx(experiment.answers[experiment.explained].swings, abs=3)
     for answer, other in combinations(experiment.answers, 2):
         assert max(abs(a - b) for a, b in zip(answer.swings, other.swings, strict=True)) > 5
 
 
-def test_a_measurement_has_the_speeds_at_the_first_hit_and_the_largest_swings(tmp_path):
-    """Bobs 1 and 2 come in at 1 and 2 rad/s; after the hit, bob 5 swings to 40 degrees."""
+TICK = Cradle.dt / PERIOD  # in small swings
 
-    def measure(*samples, text=TEXT):
-        measured = Measurement(read(tmp_path, text))
-        for t, thetas, omegas, total, has_hit in samples:
-            sample = {f"theta_{i}": radians(theta) for i, theta in enumerate(thetas, start=1)}
-            sample |= {f"omega_{i}": omega for i, omega in enumerate(omegas, start=1)}
-            measured.note({"t": t, "total": total, **sample}, has_hit)
-        return measured
 
-    before = (0.0, [-45, -45, 0, 0, 0], [0] * 5, 4.0, False), (0.2, [-1, -1, 0, 0, 0], [1, 2, 0, 0, 0], 4.0, False)
-    hit = (0.3, [0, 0, 0, 0, 30], [0, 0, 0, 0, 5], 3.0, True), (0.4, [0, -3, 0, 0, 40], [0, 0, 0, 0, 1], 3.0, True)
-    end, too_late = ((t, [0, 0, 0, 0, 50 * t - 5], [0, 0, 0, 0, -4], 1 / t, True) for t in (0.5, 5))
-    assert not measure(*before, *hit).is_over
-    measured = measure(*before, *hit, end, too_late)
-    assert (measured.is_over, measured.outcome()) == (True, None)
-    assert measured.swings == pytest.approx([0, -3, 0, 0, 40])
-    happened = what_happened(measured, None)
-    assert happened["title"] == "What happened: none of these answers."
-    assert happened["why"].startswith("After the first hit, the bobs swung to 0, -3, 0, 0, 40 degrees.")
-    assert "expects: Two." in happened["why"]
-    names = "before_1", "before_2", "speed_5", "swing_2", "swing_5", "energy"
-    assert [measured.numbers()[name] for name in names] == ["0.20", "0.40", "1.00", "3", "40", "50"]
-    # Nothing is claimed without a hit, also if an answer predicts swings as small as those that are not measured.
-    measured = measure(*before, text=TEXT.replace("0 0 0 45 45", "0 0 0 9 9"))
-    assert (measured.outcome(), measured.explanation()) == (None, "No two bobs hit each other.")
+def measured(experiment, kind):
+    """Measure this experiment with single ticks."""
+    player = Swing(make_live(kind), experiment.csv, [None] * len(kind.angles), None, 4, 1e9)
+    player.cradle.many_ticks = None
+    player.want_cradle()
+    go_on(player)
+    player.cradle.pose(experiment.angles)
+    player.motion.restart()
+    measurement = Measurement(experiment, player.motion)
+    while not measurement.is_over:
+        player.swing(max(1, round(PERIOD / 1000 / kind.dt)))
+        measurement.look()
+    return measurement
+
+
+def after_the_hits(masses, es, velocities):
+    """Return the velocities after all hits of a row at rest side by side: each keeps the momentum, and e holds."""
+    velocities = list(velocities)
+    pairs = [*pairwise(range(len(masses)))]
+    while approaching := [pair for pair in pairs if velocities[pair[0]] - velocities[pair[1]] > 1e-9]:
+        left, right = approaching[0]
+        common = (masses[left] * velocities[left] + masses[right] * velocities[right]) / (masses[left] + masses[right])
+        velocities[left], velocities[right] = (
+            common - es[left] * (velocities[left] - common),
+            common - es[left] * (velocities[right] - common),
+        )
+    return velocities
+
+
+def check_this_world(keys=()):
+    """Compare each shipped experiment (or those with these keys) with theory, at the constants of this process.
+
+    A bob comes in at v = sqrt(2 g R (1 - cos(theta))), and swings out until 1 - cos(theta) = v^2 / (2 g R).
+    """
+    for kind, key in SHIPPED:
+        if keys and key not in keys:
+            continue
+        experiment = read_experiment(EXPERIMENTS / kind.kind / f"{key}.txt", len(kind.angles))
+        found = measured(experiment, kind)
+        assert found.outcome() == experiment.explained, (key, found.swings)
+        assert found.swings == pytest.approx(experiment.answers[experiment.explained].swings, abs=3)
+        if kind is DoubleCradle:
+            continue
+        masses, es = found.cradle.values("mass"), found.cradle.values("e")
+        befores = [copysign(sqrt(2 * G * R_PARAM * (1 - cos(theta))), -theta) for [theta] in experiment.angles]
+        speeds = after_the_hits(masses, es, befores)
+        swings = [copysign(degrees(acos(1 - v**2 / (2 * G * R_PARAM))), v) for v in speeds]
+        energies = [sum(m * v**2 for m, v in zip(masses, vs, strict=True)) for vs in (befores, speeds)]
+        fastest = max(map(abs, befores))
+        assert found.befores == pytest.approx([*map(abs, befores)], abs=(0.008 + 12 * TICK) * fastest), key
+        assert found.speeds == pytest.approx([*map(abs, speeds)], abs=(0.008 + 12 * TICK) * fastest), key
+        assert found.swings == pytest.approx(swings, abs=0.1 + 700 * TICK), key  # degrees
+        assert found.energy == pytest.approx(100 * energies[1] / energies[0], abs=0.1), key  # %
+
+
+WORLDS = {  # changed constants: R_PARAM (m), G (m/s^2), DT (s), DOUBLE_DT (s); the experiments to check, or all
+    "a long cord on the Moon": ("0.8 1.62 0.001 0.001", ()),
+    "a short cord, and fast": ("0.05 25.0 0.0005 0.0005", ()),
+    "the longest cord": ("2.0 9.81 0.0005 0.001", ()),
+    "short ticks": ("0.2 9.81 0.00001 0.00025", ("2_two_bobs",)),
+    "the shipped one": ("0.2 9.81 0.0001 0.00025", ()),
+}
+
+
+@pytest.mark.parametrize("world", slow_but_for(["a long cord on the Moon", "a short cord, and fast"], WORLDS))
+def test_an_experiment_is_right_with_any_cord_gravity_and_tick(world, tmp_path):
+    numbers, keys = WORLDS[world]
+    file = copy_project(tmp_path, "") / "support" / "constants.py"
+    text = file.read_text()
+    for name, number in zip(("R_PARAM", "G", "DT", "DOUBLE_DT"), numbers.split(), strict=True):
+        text = re.sub(rf"(?m)^{name} = .*", f"{name} = {number}", text)
+    file.write_text(text)
+    check = (
+        f"import support.headless_vpython, src.double_cradle; import test_experiments as t; t.check_this_world({keys})"
+    )
+    done = python("-c", check, folder=tmp_path, **OF_TESTS)
+    assert done.returncode == 0, done.stderr

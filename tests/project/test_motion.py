@@ -2,17 +2,18 @@
 
 import random
 import re
+from collections import ChainMap
 from unittest.mock import patch
 
 import pytest
 from vpython import cylinder, mag2
-from whole_cradles import make_live, make_swing, velocities
+from whole_cradles import make_live, make_swing, PERIOD, velocities
 
 from grading.cradles import MIXED_CSV
 from src import visualize_cradle_run
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle, DoubleCradle
-from support.cradle.impacts import GAP, ImpactTrains
+from support.cradle.impacts import ImpactTrains
 from support.cradle.player import Player, run
 from support.cradle.real_time import FRAME, MAX_BEHIND, RealTime
 from support.files.cradle_csv import Snapshot
@@ -43,19 +44,21 @@ def test_a_sample_has_all_figures_of_the_moment_by_their_names(tmp_path, kind):
 
 # --- impacts ----------------------------------------------------------------------------------------------------------
 
-LIE = [0, 1] * 100  # three bobs that lie on each other
+GAP = 0.005  # s, between two trains
+SLOW = (0, 1, False), (1, 2, False), (2, 3, False), (3, 4, False)
+LIE = [SLOW[0], SLOW[1]] * 100  # three bobs that lie on each other
 
 
 def lines(*trains, pause=DT):
     """Return the lines after these trains, 0.1 s apart, each a list of hits with this pause (s) between them.
 
-    A hit is (from, to), indices of bobs; 2 is short for (2, 3).
+    A hit is (from, to), indices of bobs, and maybe False for a slow one; 2 is short for (2, 3).
     """
-    found = ImpactTrains(5)
+    found = ImpactTrains(5, GAP)
     for i, train in enumerate(trains):
         for number, hit in enumerate(train):
-            start, end = hit if isinstance(hit, tuple) else (hit, hit + 1)
-            found.add(0.1 * i + number * pause, min(start, end), max(start, end), start < end)
+            start, end, *is_fast = hit if isinstance(hit, tuple) else (hit, hit + 1)
+            found.add(0.1 * i + number * pause, min(start, end), max(start, end), start < end, *is_fast)
     return found.lines()
 
 
@@ -79,16 +82,15 @@ def test_a_long_pause_ends_a_train():
         # Half of a hundred bobs are lifted: the two in the middle hit fifty times.
         ([[i + hit for i in reversed(range(50)) for hit in range(50)]], ["0.00 s  50-51-52-...-100  49-50-51-....."]),
         ([[0, 3, 1] * 1000], ["0.00 s  1 to 3, 4 and 5 stay together"]),
-        # Beside a train, single hits have no line.
-        ([[0], [0, 1], [2], [1], [0, 3], [0, 1, 2], [1]], ["0.50 s  1-2-3-4", "0.10 s  1-2-3"]),
-        # Two pendula have only single hits.
+        # Slow hits have no line, and no place in a path.
+        ([[SLOW[0]], [0, SLOW[3], 1], [SLOW[2]], [SLOW[1]], [SLOW[0], 0, 1, 2]], ["0.40 s  1-2-3-4", "0.10 s  1-2-3"]),
         ([[0], [0], [0]], ["0.20 s  1-2", "0.10 s  1-2", "0.00 s  1-2"]),
         # Bobs that stay together from swing to swing take one line, with those that join them.
         ([[0, 1], LIE, [*LIE, *[2] * 100], LIE], ["0.10 s  1 to 4 stay together", "0.00 s  1-2-3"]),
-        ([LIE, [0], LIE], ["0.00 s  1 to 3 stay together"]),
-        ([LIE, [3] * 21], ["0.00 s  1 to 3, 4 and 5 stay together"]),
+        ([LIE, [SLOW[0]], LIE], ["0.00 s  1 to 3 stay together"]),
+        ([LIE, [SLOW[3]] * 21], ["0.00 s  1 to 3, 4 and 5 stay together"]),
         ([[*LIE, 3]] * 25, ["0.00 s  1 to 3 stay together"]),  # 4 hits 5 once in each swing
-        ([[0, 1], *[[0]] * 20, [0, 1, 2], *[[1]] * 20], ["2.10 s  1-2-3-4", "0.00 s  1-2-3"]),  # none is pushed out
+        ([[0, 1], *[[SLOW[0]]] * 20, [0, 1, 2], *[[SLOW[1]]] * 20], ["2.10 s  1-2-3-4", "0.00 s  1-2-3"]),
     ],
 )
 def test_trains_have_a_line_each_and_those_that_would_fill_the_list_have_one_line(trains, expected):
@@ -96,10 +98,18 @@ def test_trains_have_a_line_each_and_those_that_would_fill_the_list_have_one_lin
 
 
 def test_bobs_that_touch_for_ever_take_no_more_memory():
-    trains = ImpactTrains(5)
+    trains = ImpactTrains(5, GAP)
     for tick in range(10_000):
         trains.add(tick * DT, tick % 4, tick % 4 + 1, True)
     assert sum(map(len, trains.trains[0].paths)) < 100
+
+
+def test_bobs_that_hang_have_no_impacts_although_each_train_leaves_them_in_slight_motion(tmp_path):
+    player = make_swing(tmp_path, lift=3)
+    player.swing(round(5 * PERIOD / DT))
+    there, back = "3-4-5  2-3-4  1-2-3", "3-2-1  4-3-2  5-4-3"
+    assert player.motion.hits > 60  # that is, more than six in each of ten trains
+    assert [line.partition(" s  ")[2] for line in player.motion.trains.lines()] == [back, there] * 2
 
 
 # --- the pace --------------------------------------------------------------------------------------------------------
@@ -213,7 +223,7 @@ MISTAKES = {  # the lines of main, and what is said about it
 def test_a_main_that_is_no_loop_of_ticks_is_named_with_its_mistake(csv, name):
     lines, words = MISTAKES[name]
     timed, scope = Timed(csv, until=1), dict(vars(visualize_cradle_run))
-    timed.cradle.scope = scope
+    timed.cradle.scope = ChainMap(scope)
     exec("\n".join(["def newton_cradle_tick(*_): pass", "def main(page):", *(f"  {line}" for line in lines)]), scope)
     with pytest.raises(MistakeError, match=re.escape(f"main {words}")):
         run(scope["main"], timed)

@@ -22,7 +22,7 @@ from whole_cradles import FIVE_CSV, go_on
 
 import pds_tester
 from grading.cradles import MIXED, MIXED_CSV
-from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
+from src import double_cradle, special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from support.constants import R_PARAM, THETA_INIT
 from support.page.page import show_cradle, show_double_cradle
 from support.pendulum import to_lift
@@ -196,12 +196,12 @@ def start(monkeypatch, csv):
     monkeypatch.setitem(sys.modules, "support.page.server", stand_in)
     monkeypatch.setattr("support.page.page.run", lambda main, viewer: shown.append(viewer))
     monkeypatch.setattr("support.page.page.end_on_interrupt", Mock())
-    monkeypatch.setattr("support.page.page.what_there_is", lambda main: (main, REMARK))
+    monkeypatch.setattr("support.page.page.what_there_is", lambda main, scope: (main, REMARK))
 
     def start(*arguments, is_double=False):
         monkeypatch.setattr(sys, "argv", ["program.py", str(csv), *arguments])
         program = visualize_double_cradle_run if is_double else visualize_cradle_run
-        (show_double_cradle if is_double else show_cradle)(program.main, special_cradles)
+        (show_double_cradle if is_double else show_cradle)(program.main, [special_cradles, double_cradle])
         (listener, _), viewer = shown
         viewer.want_cradle()
         go_on(viewer)

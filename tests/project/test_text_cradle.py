@@ -54,22 +54,24 @@ def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     printed = capsys.readouterr().out
     shown = [*(f"{0.5 * i:.2f}" for i in range(int(2 * seconds) + 1)), f"{seconds:.2f}"]
     for line, at in zip(printed.splitlines(), shown, strict=True):
-        state = r"energy (99.9\d|100.\d\d) %, pendulum (1 at \d+ degrees left|5 at \d+ degrees right)"
-        assert re.fullmatch(rf"t = {at} s, {state}(, hits: [\d ,-]+|, many hits)?", line)
-    assert printed.startswith("t = 0.00 s, energy 100.00 %, pendulum 1 at 30 degrees left\n")
+        state = r"energy (99.9\d|100.\d\d) %, bob (1 at \d+ degrees left|5 at \d+ degrees right)"
+        assert re.fullmatch(rf"t = {at} s, {state}(, hits: [\d ,-]+)?", line)
+    assert printed.startswith("t = 0.00 s, energy 100.00 %, bob 1 at 30 degrees left\n")
     assert printed.index("hits: 1-2-3-4-5") < printed.index("5-4-3")
 
 
-def test_a_line_has_the_latest_hits_in_their_order_and_at_most_80_columns(tmp_path):
+def test_a_line_has_the_latest_train_that_is_not_slow_and_at_most_80_columns(tmp_path):
     motion = make_swing(tmp_path).motion
     motion.trains.add(0.1, 0, 1, True)
     motion.trains.add(0.3, 3, 4, False)
-    assert players.summary(motion).endswith(" left, hits: 1-2, 5-4")
-    for t in range(20):
-        motion.trains.add(t, *((0, 1) if t % 2 else (2, 3)), True)
-    assert players.summary(motion).endswith(" left, many hits")
+    motion.trains.add(0.5, 1, 2, True, is_fast=False)
+    assert players.summary(motion).endswith(" left, hits: 5-4")
+    for number in range(9):
+        motion.trains.add(0.7, number % 4, number % 4 + 1, True)
+    line = players.summary(motion)
+    assert (len(line), line.endswith("..."), "hits: 1-2-3-4-5  1-2-" in line) == (80, True, True)
     motion.cradle.pend_list[1]["theta"] = radians(360 * 3 + 50)  # it has gone round three times
-    assert "pendulum 2 at 50 degrees right" in players.summary(motion)
+    assert "bob 2 at 50 degrees right" in players.summary(motion)
 
 
 @pytest.mark.parametrize(("error", "status"), [(BrokenPipeError(), 0), (KeyboardInterrupt(131), 131)])

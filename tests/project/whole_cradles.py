@@ -12,7 +12,7 @@ import pytest
 from vpython import color, mag, vector
 
 from grading.cradles import hang, R
-from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
+from src import double_cradle, special_cradles, swinging, visualize_cradle_run, visualize_double_cradle_run
 from src.double_cradle import make_double_pendulum
 from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
@@ -79,9 +79,11 @@ def distances(pend_list) -> list[float]:
 
 def make_live(kind=Cradle, **options) -> Cradle:
     """Return a cradle with these options, without pendula."""
-    program, many = (visualize_cradle_run, many_ticks) if kind is Cradle else (visualize_double_cradle_run, None)
     none = {"elastic": False, "inelastic": False, "e": None, "mass": None}
-    return kind(vars(program), SimpleNamespace(**{**none, **options}), special_cradles, many)
+    given = SimpleNamespace(**{**none, **options})
+    if kind is Cradle:
+        return Cradle(visualize_cradle_run.main, [special_cradles, swinging], given, many_ticks)
+    return kind(visualize_double_cradle_run.main, [special_cradles, double_cradle], given)
 
 
 class FrameError(Exception):
@@ -144,17 +146,34 @@ def make_row(count, theta=0.0, **values) -> list[dict]:
     return row
 
 
-def advance(pend_list, seconds, dt=DT) -> list[tuple]:
-    """Advance the cradle by the programs' rule, in ticks of dt (s), and return its contacts."""
-    contacts = do_at_once(pend_list, R_PARAM, dt, G, round(seconds / dt), approaching_only=True)
-    assert contacts is not None, "many_ticks does not know these functions: see test_many_ticks.py"
+def do_one_by_one(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False) -> list[tuple]:
+    """Call newton_cradle_tick `ticks` times; return the contacts as many_ticks does."""
+    contacts, original = [], visualize_cradle_run.handle_two_bobs
+
+    def handle_two_bobs(pend1, pend2, r_param, **rule):
+        before = pend1["omega"], pend2["omega"]
+        velocities = [pend["omega"] * cos(pend["theta"]) for pend in (pend1, pend2)]
+        original(pend1, pend2, r_param, **rule)
+        if (pend1["omega"], pend2["omega"]) != before:
+            left = next(i for i, pend in enumerate(pend_list) if pend is pend1)
+            contacts.append((tick, left, left + 1, sum(velocities) > 0, (velocities[0] - velocities[1]) * r_param))
+
+    with patch.object(visualize_cradle_run, "handle_two_bobs", handle_two_bobs):
+        for tick in range(ticks):  # noqa: B007  for the contacts
+            visualize_cradle_run.newton_cradle_tick(pend_list, r_param, dt, g, approaching_only)
     return contacts
 
 
-def thetas_after(pend_list, seconds, dt=DT) -> list[float]:
-    """Advance the cradle; return its thetas (rad)."""
-    advance(pend_list, seconds, dt)
+def advance(pend_list, seconds, dt=DT) -> list[float]:
+    """Advance the cradle by the programs' rule, in single ticks of dt (s); return its thetas (rad)."""
+    for _ in range(round(seconds / dt)):
+        visualize_cradle_run.newton_cradle_tick(pend_list, R_PARAM, dt, G, approaching_only=True)
     return [pend["theta"] for pend in pend_list]
+
+
+def contacts_in(pend_list, seconds) -> list[tuple]:
+    """Advance the cradle in the same way; return its contacts."""
+    return do_one_by_one(pend_list, R_PARAM, DT, G, round(seconds / DT), approaching_only=True)
 
 
 class ExactCradle:

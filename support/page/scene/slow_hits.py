@@ -3,10 +3,7 @@
 from collections import deque
 from math import inf
 
-from support.cradle.impacts import GAP
-
 EACH = 1.2  # s that each hit is shown
-LEAST = 0.1  # of the fastest bob's speed: slower hits are not shown, for instance those of bobs that hang
 
 
 class SlowHits:
@@ -22,17 +19,16 @@ class SlowHits:
         self.shown: tuple | None = None
         self.until = -inf  # the time on the pace's clock at which the next one comes
         self.count, self.last = 0, -inf  # of this train: the number and the time (s) of its last hit
-        self.least = LEAST * max(self.cradle.top_speeds(), default=0.0)  # m/s
 
-    def add(self, hits, time) -> None:
-        """Take the hits of the last few ticks, at this simulated time (s)."""
+    def add(self, hits, time, least) -> None:
+        """Take the hits of the last few ticks, at this simulated time (s), that are not slower than least (m/s)."""
         pendula = list(self.cradle.pend_list)
         for hit in reversed(hits):  # back to the velocities before them
             pendula[hit.left], pendula[hit.right] = hit.before
         for hit in hits:
             pendula[hit.left], pendula[hit.right] = hit.after
-            if hit.speed >= self.least:
-                self.count = self.count + 1 if time - self.last <= 2 * GAP else 1
+            if hit.speed >= least:
+                self.count = self.count + 1 if time - self.last <= 2 * self.cradle.gap else 1
                 self.last = time
                 self.waiting.append((hit, self.count, list(pendula)))
 
