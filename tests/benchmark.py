@@ -23,9 +23,8 @@ import pymunk
 import vpython
 from playwright.sync_api import sync_playwright
 from programs import ARGUMENTS, BOBS, CHROMIUM, draw, first_lines, open_cradle, readout, running
-from whole_cradles import apart, ExactCradle, GOOD, HEADER, make_row, outer_angles, thetas_after
+from whole_cradles import advance, apart, do_at_once, ExactCradle, GOOD, HEADER, make_row, outer_angles
 
-from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
 from support.start.options import OneLineParser
@@ -37,13 +36,13 @@ SPAN = 20.0  # s
 STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk
 
 
-def single_ticks(pend_list, seconds, dt) -> None:
-    """Move pendula on by seconds, in ticks of dt (s), by newton_cradle_tick; thetas_after does so by many_ticks."""
-    for _ in range(round(seconds / dt)):
-        newton_cradle_tick(pend_list, R_PARAM, dt, G, approaching_only=True)
+def by_the_fast_path(pend_list, seconds, dt) -> list[float]:
+    """Do what advance does, by many_ticks."""
+    do_at_once(pend_list, R_PARAM, dt, G, round(seconds / dt), approaching_only=True)
+    return [pend["theta"] for pend in pend_list]
 
 
-def our_cradle(dt, count=5, move=thetas_after):
+def our_cradle(dt, count=5, move=by_the_fast_path):
     """Return a function that moves elastic pendula on by seconds, in ticks of dt (s)."""
     return partial(move, make_row(count, THETA_INIT), dt=dt)
 
@@ -86,7 +85,7 @@ def speeds():
     """Yield rows with the ticks a second of single ticks and of the fast path."""
     for count in (5, 50, 500):
         few, many = 50_000 // count, 1_000_000 // count  # ticks
-        single = cpu_time(partial(our_cradle, DT, count, single_ticks), few * DT) / few
+        single = cpu_time(partial(our_cradle, DT, count, advance), few * DT) / few
         fast = cpu_time(partial(our_cradle, DT, count), many * DT) / many
         yield count, f"{1 / single:,.0f}", f"{1 / fast:,.0f}", f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}"
 

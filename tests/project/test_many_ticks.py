@@ -5,14 +5,13 @@ import sys
 from functools import cache, partial
 from hashlib import sha256
 from itertools import product
-from math import cos, inf
+from math import inf
 from types import SimpleNamespace
-from unittest.mock import patch
 
 import pytest
 from programs import OF_TESTS, python, ROOT, slow_but_for, with_vpython
 from vpython import mag, vector
-from whole_cradles import do_at_once
+from whole_cradles import do_at_once, do_one_by_one
 
 from grading.cradles import hang, R, row
 from src import swinging, visualize_cradle_run
@@ -22,7 +21,17 @@ from support.cradle.many_ticks import many_ticks
 from support.pendulum import BUFFER
 
 RUN = visualize_cradle_run
+DIGEST = module.DIGEST
 DT, G = 1e-4, 9.81  # s, m/s^2: these tests do not depend on the shipped constants
+
+
+def digest() -> str:
+    """Return the digest of the files of the motion, as they are now."""
+    texts = [(ROOT / file).read_text(encoding="utf-8") for file in module.FILES]
+    return sha256("".join(texts).encode()).hexdigest()[:16]
+
+
+module.DIGEST = digest()  # so that only one test fails if a file has changed, and the others say whether it matters
 
 
 def random_cradle(seed):
@@ -60,24 +69,6 @@ def just_touching(seed):
     swinging.full_swing_update(pend_list, R, DT, G)
     radius = mag(pend_list[0]["objects"][1].pos - pend_list[1]["objects"][1].pos) / BUFFER / 2
     return [hang(*place, axle=axle, radius=radius) for place, axle in zip(places, axles, strict=True)]
-
-
-def do_one_by_one(pend_list, r_param=R, dt=DT, g=G, ticks=1000, approaching_only=False):
-    """Call newton_cradle_tick `ticks` times; return the contacts as many_ticks does."""
-    contacts, original = [], RUN.handle_two_bobs
-
-    def handle_two_bobs(pend1, pend2, r_param, **rule):
-        before = pend1["omega"], pend2["omega"]
-        velocities = [pend["omega"] * cos(pend["theta"]) for pend in (pend1, pend2)]
-        original(pend1, pend2, r_param, **rule)
-        if (pend1["omega"], pend2["omega"]) != before:
-            left = next(i for i, pend in enumerate(pend_list) if pend is pend1)
-            contacts.append((tick, left, left + 1, sum(velocities) > 0, (velocities[0] - velocities[1]) * r_param))
-
-    with patch.object(RUN, "handle_two_bobs", handle_two_bobs):
-        for tick in range(ticks):  # noqa: B007  for the contacts
-            RUN.newton_cradle_tick(pend_list, r_param, dt, g, approaching_only)
-    return contacts
 
 
 def state(pend_list):
@@ -122,10 +113,9 @@ def is_taken() -> bool:
 
 
 def test_the_fast_path_knows_the_shipped_files():
-    texts = [(ROOT / file).read_text(encoding="utf-8") for file in module.FILES]
-    digest = sha256("".join(texts).encode()).hexdigest()[:16]
+    """After a change, the programs do single ticks: the same, but slower."""
     words = "If you want this change, make it in many_ticks.py, too. If the other tests here pass, this is its DIGEST:"
-    assert digest == module.DIGEST, f"One of {', '.join(module.FILES)} has changed. {words} {digest}"
+    assert digest() == DIGEST, f"One of {', '.join(module.FILES)} has changed. {words} {digest()}"
     assert is_taken()
 
 

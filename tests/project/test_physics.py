@@ -1,7 +1,4 @@
-"""Swings, hits and energies of single pendula, compared with theory, at the shipped constants.
-
-The fast path does the long swings; test_many_ticks.py compares it with newton_cradle_tick.
-"""
+"""Swings, hits and energies of single pendula, by newton_cradle_tick, at the shipped constants, and theory."""
 
 import random
 from functools import partial
@@ -9,7 +6,7 @@ from math import cos, degrees, pi, radians, sin, sqrt
 
 import pytest
 from programs import slow_but_for
-from whole_cradles import advance, apart, energy, ExactCradle, make_row, outer_angles, SAMPLE, thetas_after
+from whole_cradles import advance, apart, contacts_in, energy, ExactCradle, make_row, outer_angles, SAMPLE
 
 from src.visualize_cradle_run import handle_two_bobs
 from support.constants import DT, G, R_PARAM, THETA_INIT
@@ -69,15 +66,13 @@ def test_two_equal_bobs_keep_part_of_the_energy(e):
     pend_list, hits = make_row(2, THETA_INIT, e=e), 0
     at_start = energy(pend_list)
     for _ in range(round(3 * exact_period(THETA_INIT) / 1e-3)):  # with two hits in a period
-        hits += bool(advance(pend_list, 1e-3))
+        hits += bool(contacts_in(pend_list, 1e-3))
         part = 1 / 2 + e ** (2 * hits) / 2
         assert energy(pend_list) / at_start == pytest.approx(part, rel=0.005)
     assert hits >= 5
 
 
-@pytest.mark.parametrize(
-    ("release", "seconds"), slow_but_for([(45, 10)], [(45, 10), (5, 60), (15, 60), (30, 60), (45, 60), (60, 60)])
-)
+@pytest.mark.parametrize(("release", "seconds"), slow_but_for([(45, 10)], [(45, 10), (5, 60), (30, 60), (60, 60)]))
 def test_five_equal_elastic_bobs_keep_the_energy(release, seconds):
     """From release (degrees), the last bob rises as high as the first one was, and those between hardly move."""
     pend_list = make_row(5, -radians(release))
@@ -91,15 +86,15 @@ def test_five_equal_elastic_bobs_keep_the_energy(release, seconds):
     assert max(highest[1:4]) < 1.5
 
 
-@pytest.mark.parametrize(("dt", "most"), slow_but_for([(DT, 1.0)], [(DT, 1.0), (DT / 10, 0.1)]))
+@pytest.mark.parametrize(("dt", "most"), slow_but_for([(DT, 0.6)], [(DT, 0.6), (DT / 10, 0.06)]))
 def test_the_outer_bobs_are_where_an_exact_cradle_has_them(dt, most):
-    """A tick of dt (s) leaves them off by at most `most` degrees, root mean square, in twenty seconds."""
-    move = partial(thetas_after, make_row(5, THETA_INIT), dt=dt)
-    assert apart(outer_angles(move, 20), outer_angles(ExactCradle().advance, 20)) <= most
+    """A tick of dt (s) leaves them off by at most `most` degrees, root mean square, in ten seconds."""
+    move = partial(advance, make_row(5, THETA_INIT), dt=dt)
+    assert apart(outer_angles(move, 10), outer_angles(ExactCradle().advance, 10)) <= most
 
 
-@pytest.mark.parametrize("count", [2, 5])
-def test_each_elastic_hit_adds_the_energy_that_the_tick_explains(count):
+@pytest.mark.parametrize(("count", "seconds", "rel"), slow_but_for([(2, 10, 0.02)], [(2, 10, 0.02), (5, 60, 0.1)]))
+def test_each_elastic_hit_adds_the_energy_that_the_tick_explains(count, seconds, rel):
     """Semi-implicit Euler keeps E - dt/2 m g R omega sin(theta), but for a small rest.
 
     A hit adds dt/2 m g R (omega1 - omega2) (sin(theta1) - sin(theta2)): dt/2 m g / R times the speed of approach and
@@ -112,8 +107,10 @@ def test_each_elastic_hit_adds_the_energy_that_the_tick_explains(count):
         return energy(pend_list) - DT / 2 * G * R_PARAM * sum(pend["omega"] * sin(pend["theta"]) for pend in pend_list)
 
     at_start = kept()
-    expected = sum(DT / 2 * G / R_PARAM * speed * (gap + speed * DT / 2) for *_, speed in advance(pend_list, 60))
-    assert kept() - at_start == pytest.approx(expected, rel=0.1)
+    expected = sum(
+        DT / 2 * G / R_PARAM * speed * (gap + speed * DT / 2) for *_, speed in contacts_in(pend_list, seconds)
+    )
+    assert kept() - at_start == pytest.approx(expected, rel=rel)
 
 
 @pytest.mark.parametrize("seed", slow_but_for(range(10), range(100)))
@@ -124,7 +121,7 @@ def test_random_cradles_gain_no_energy(seed):
     for pend, theta in zip(pend_list, thetas, strict=True):
         pend.update(theta=theta, mass=10 ** dice.uniform(-6, 6), e=dice.choice([0, 1, dice.random()]))
     at_start = energy(pend_list)
-    assert advance(pend_list, 0.5)
+    assert contacts_in(pend_list, 0.5)
     for _ in range(5):
         advance(pend_list, 0.1)
         assert energy(pend_list) <= 1.001 * at_start  # nan is not
