@@ -24,7 +24,7 @@ PORT_VARIABLE, CLOSED_VARIABLE = "VPYTHON_HTTP_PORT", "VPYTHON_NO_LAUNCH_BROWSER
 # The least and the greatest value of a constant, and its unit. In all of this range, a tick is a small part of a swing.
 CONSTANTS: dict[str, tuple[float, float, str]] = {"R_PARAM": (0.05, 100, "m"), "G": (0.1, 30, "m/s^2")}
 CONSTANTS |= dict.fromkeys(("DT", "DOUBLE_DT"), (1e-6, 1e-3, "s"))
-CONSTANTS |= dict.fromkeys(("THETA_INIT", "PHI_INIT"), (-3.1416, 3.1416, "rad"))
+CONSTANTS |= {"THETA_INIT": (-3.1416, 0, "rad"), "PHI_INIT": (-3.1416, 3.1416, "rad")}
 
 
 class OneLineParser(argparse.ArgumentParser):
