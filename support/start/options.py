@@ -134,12 +134,12 @@ def read_text_options(arguments=None) -> argparse.Namespace:
     """
     parser = cradle_options("Newton's cradle as moving text, in real time; or, with --record, its data in a file.")
     seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
-    every = allowed(float, is_in_ticks, f"a multiple of {DT:g} (s), one tick, up to 1e6")
+    every = allowed(float, is_in_ticks, f"a multiple of {DT} (s), one tick, up to 1e6")
     add = parser.add_argument
     add("--seconds", type=seconds, metavar="S", default=inf, help="end after S seconds (default: until Ctrl+C)")
     text = "write the data of S seconds (--seconds S) to FILE, a CSV, as fast as the machine can; show nothing"
     add("--record", type=allowed(str, bool, "the name of a file"), metavar="FILE", help=text)
-    text = f"with --record: a row for every S seconds (default: {EVERY:g})"
+    text = f"with --record: a row for every S seconds (default: {round(EVERY / DT) * DT:g})"
     add("--every", type=every, metavar="S", help=text)
     options = parser.parse_args(arguments)
     if options.record is not None and options.seconds == inf:

@@ -397,6 +397,21 @@ def test_the_graph_shows_the_energies_of_the_last_seconds(wall, span):
     assert len({*colors(wall)}) == 3
 
 
+@pytest.mark.parametrize("dt", [3e-4, 7e-4, 1e-3 / 3])
+def test_the_time_axis_is_full_with_any_tick(csv, monkeypatch, dt):
+    for place, name in ((visualize_cradle_run, "DT"), (Cradle, "dt")):
+        monkeypatch.setattr(place, name, dt)
+    wall = Wall(csv)
+    wall.wait(12)
+    for span, (shown, interval) in SPANS.items():
+        wall.give("span", span)
+        curves, times = wall.state["curves"], [t for t, _ in drawn(wall)["total"]]
+        assert (curves["from"], curves["to"]) == (pytest.approx(times[-1] - shown), times[-1])
+        assert times[0] - curves["from"] < 2 * interval
+        assert wall.time() - times[-1] < 2 * interval
+        assert max(after - before for before, after in pairwise(times)) < 2 * interval
+
+
 def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(wall):
     names = ["red", "cyan", "orange"]
     wall.save(HEADER + "".join(GOOD.replace("red", name) for name in names))
