@@ -5,7 +5,7 @@ import shutil
 import signal
 import sys
 import textwrap
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from csv import writer
 from math import atan2, degrees, inf, pi, remainder
 
@@ -196,7 +196,13 @@ class Recorder(Player):
 
 
 def record(loop, cradle, csv, options, remark="") -> None:
-    """Write the data of options.seconds to the file options.record, whole or not at all."""
+    """Write the data of options.seconds to the file options.record, whole or not at all; or, for -, to the output."""
+    if options.record == "-":
+        rows = writer(sys.stdout, lineterminator="\n")
+        with redirect_stdout(sys.stderr):  # words are no data, also those of a student's function
+            print(remark, end="\n" if remark else "")
+            run(loop, Recorder(cradle, csv, options, rows, progress=lambda part: None))
+        return
     with whole_file(options.record) as file, progress_bar() as progress:
         recorder = Recorder(cradle, csv, options, writer(file, lineterminator="\n"), progress)
         run(loop, recorder)

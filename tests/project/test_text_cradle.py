@@ -11,6 +11,7 @@ from contextlib import nullcontext, suppress
 from io import StringIO
 from itertools import pairwise, product
 from math import ceil, radians
+from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import Mock
 
@@ -254,6 +255,16 @@ def test_a_row_is_recorded_at_each_multiple_up_to_the_end(main, csv, monkeypatch
     assert table["t"].to_list() == pytest.approx([every * i for i in range(count)])
     assert table.loc[0, ["theta_1", "theta_2", "theta_3"]].to_list() == [from_lift(20), from_lift(20), 0]
     assert (len(parts), parts[-1]) == (ceil(round(last / dt) / players.PART), 1)
+
+
+def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(main, csv, monkeypatch):
+    monkeypatch.chdir(csv.parent)
+    monkeypatch.setattr(text_cradle_run, "what_there_is", lambda loop: (loop, "Write next: main."))
+    arguments = csv, "--seconds", "0.02", "--record"
+    main(*arguments, "./-")
+    assert main(*arguments, "-") == (0, Path("-").read_text(), "Write next: main.\n")
+    monkeypatch.setattr(players.Recorder, "note", Mock(side_effect=KeyboardInterrupt(1)))
+    assert main(*arguments, "-")[2] == "Write next: main.\nThe recording ended too early.\n"
 
 
 def test_a_recording_that_is_ended_early_leaves_the_old_file(main, csv, monkeypatch):
