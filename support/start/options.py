@@ -30,6 +30,12 @@ CONSTANTS |= {"THETA_INIT": (-3.1416, 0, "rad"), "PHI_INIT": (-3.1416, 3.1416, "
 class OneLineParser(argparse.ArgumentParser):
     """A parser that prints an error in one line, without the usage."""
 
+    def parse_known_args(self, args=None, namespace=None):
+        for word in sys.argv[1:] if args is None else args:
+            if word.startswith("-") and word.endswith("=--"):  # up to Python 3.12, its value would be an empty list
+                self.error(f"found {word!r}, allowed after = is a value")
+        return super().parse_known_args(args, namespace)
+
     def error(self, message):
         refuse(f"{self.prog}: error: {message} (--help shows all options)")
 
@@ -130,14 +136,14 @@ def command_line(program, folder, arguments=()) -> str:
 
 def read_text_options(arguments=None) -> argparse.Namespace:
     """Return the options of the cradle in the terminal: those of the cradle, seconds (inf if missing), record (a
-    path, or None) and every (s).
+    path, - for the output, or None) and every (s).
     """
     parser = cradle_options("Newton's cradle as moving text, in real time; or, with --record, its data in a file.")
     seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
     every = allowed(float, is_in_ticks, f"a multiple of {DT} (s), one tick, up to 1e6")
     add = parser.add_argument
     add("--seconds", type=seconds, metavar="S", default=inf, help="end after S seconds (default: until Ctrl+C)")
-    text = "write the data of S seconds (--seconds S) to FILE, a CSV, as fast as the machine can; show nothing"
+    text = "write the data of S seconds (--seconds S) to FILE, a CSV (- is the output), as fast as the machine can"
     add("--record", type=allowed(str, bool, "the name of a file"), metavar="FILE", help=text)
     text = f"with --record: a row for every S seconds (default: {round(EVERY / DT) * DT:g})"
     add("--every", type=every, metavar="S", help=text)

@@ -108,6 +108,10 @@ BAD = [  # a program, an option, its bad values, and what is allowed
             for program, option, values, allowed in BAD
             for value in values
         ),
+        *(
+            (program, f"{option}=--", f"found '{option}=--', allowed after = is a value")
+            for program, option, *_ in [*BAD, ("page", "--host")]
+        ),
         ("page", "--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
         ("page", "--elast", "unrecognized arguments: --elast"),
         ("text", "--no-browser", "unrecognized arguments: --no-browser"),
