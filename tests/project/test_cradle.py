@@ -312,7 +312,7 @@ def test_the_first_picture_shows_the_cradle_as_it_was_made(swing, change, angle,
 
     change(MAKE, lift_two)
     player = swing(MIXED_CSV, angle, lifted)
-    assert values(player, "theta") == pytest.approx([from_lift(lift) for lift in lifts])
+    assert values(player, "theta") == pytest.approx(thetas(lifts))
     assert values(player, "omega") == [0, 0, omega]
     assert player.cradle.as_made == ([pytest.approx(from_lift(10))], 2)
 
