@@ -34,7 +34,7 @@ def main() -> None:
     try:
         check_cradle(csv)
         check_lift(options.lift, csv)
-        if options.record is not None:
+        if options.record not in (None, "-"):
             check_record(options.record)
     except ValueError as error:
         refuse(error)
@@ -56,7 +56,10 @@ def main() -> None:
         tell_endless(stopped)
         if options.record is None:
             sys.exit(*stopped.args)
-        complain(f"The recording ended too early. {options.record} is not written.")
+        words = "The recording ended too early."
+        if options.record != "-":
+            words += f" {options.record} is not written."
+        complain(words)
         sys.exit(1)
     except (Exception, SystemExit) as error:
         cause = error.__cause__ or error  # whole_file replaces every OSError, also one of a student's function

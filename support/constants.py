@@ -17,8 +17,8 @@ G = 9.81
 # One tick (s). It is short enough: an elastic cradle keeps its energy within 0.1 % for a minute.
 DT = 0.0001
 
-# Release angle of the first pendulum (rad from straight down, positive to the right): 45 degrees to the left. On the
-# right, the other pendula would be in its way.
+# Release angle of the first pendulum (rad from straight down, positive to the right): 45 degrees to the left. It cannot
+# be positive: on the right, the other pendula are in its way.
 THETA_INIT = -pi / 4
 
 # Double cradle: angle (rad) of the first pendulum's lower cord from its upper one, 20 degrees further outwards. This is

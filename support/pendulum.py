@@ -6,23 +6,18 @@ from typing import TypedDict
 
 from vpython import box, color, cylinder, sphere, vector
 
-from support.constants import THETA_INIT
-
 # Two bobs touch if their centres are at most BUFFER times the sum of their radii apart: the handout's little buffer.
 BUFFER = 1.05
 
-# The side to which the first pendulum is lifted, away from the others: -1 is the left.
-OUTWARDS = -1 if str(THETA_INIT).startswith("-") else 1  # also of what is no number: the programs say so later
-
 
 def from_lift(lift) -> float:
-    """Return the angle (rad, positive to the right) of a cord that is lifted outwards by lift (degrees)."""
-    return OUTWARDS * radians(lift)
+    """Return the angle (rad, positive to the right) of a cord that is lifted to the left by lift (degrees)."""
+    return -radians(lift)
 
 
 def to_lift(angle) -> float:
     """Return the lift outwards (degrees) of a cord at this angle (rad, positive to the right)."""
-    return round(degrees(OUTWARDS * angle), 9)  # 45, not 45.00000000000001
+    return round(degrees(0 - angle), 9)  # 45, not 45.00000000000001; 0, not -0
 
 
 def contact_distance(radius1, radius2) -> float:

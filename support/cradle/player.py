@@ -35,7 +35,7 @@ class Player:
         """Play the cradle of this CSV (a Snapshot); keep the last `impacts` trains of impacts.
 
         angles (rad) are the release angles, lifted is the number of bobs to lift; None keeps main's own value.
-        step_seconds (s) is the time from one call of note to the next, at least one tick.
+        step_seconds (s) is the time from one call of note to the next, to the nearest whole number of ticks.
         """
         self.cradle, self.snapshot = cradle, csv
         self.angles, self.lifted = list(angles), lifted

@@ -9,8 +9,9 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from decimal import Decimal
 from functools import cached_property
-from math import nan
+from math import isfinite, nan
 from pathlib import Path
 from stat import S_ISREG
 from tempfile import TemporaryDirectory
@@ -28,6 +29,7 @@ HINTS = {
     "\t": "separate cells with commas, not tabs",
     ",": "take away the quotes around each line",
 }
+OTHER_COMMAS = {"\uff0c", "\u3001", "\u060c"}  # full-width, ideographic, and Arabic
 
 
 def read_file(filepath) -> bytes:
@@ -101,7 +103,7 @@ class Snapshot:
             raise ValueError(f"{self}, line {line}: {error}") from error
 
     def text(self) -> str:
-        """Return the text, without byte-order marks: pandas leaves out only one."""
+        """Return the text, without byte-order marks: pandas leaves out only one. DOS may end it with ^Z, 0x1a."""
         if self.error:
             raise ValueError(f"{self}: cannot be read: {reason(self.error)}") from self.error
         if self.data.startswith(WORKBOOKS):
@@ -114,7 +116,7 @@ class Snapshot:
         if place >= 0:
             line = self.data.count(b"\n", 0, place) + 1
             raise ValueError(f"{self}, line {line}: found {found}, allowed is text only, saved as UTF-8")
-        return text.replace("\ufeff", "")
+        return text.replace("\ufeff", "").rstrip("\x1a\r\n")
 
 
 class LiveFile:
@@ -144,9 +146,9 @@ class LiveFile:
 def read_cells(filepath) -> list[tuple[int, list[str]]]:
     """Return the rows of a CSV, the header first, each row as (line number in the file, cells as text).
 
-    Left out are rows without a value, last columns without a name, spaces around a cell, byte-order marks, and `sep=,`
-    in line 1. Raises a ValueError that names the mistake and its place if the file cannot be read, is not UTF-8 text,
-    is empty, or has a row with more cells than the header.
+    Left out are rows without a value, last columns without a name, spaces around a cell, byte-order marks, ^Z at the
+    end, and `sep=,` in line 1. Raises a ValueError that names the mistake and its place if the file cannot be read, is
+    not UTF-8 text, is empty, or has a row with more cells than the header.
     """
     return snapshot_of(filepath).rows
 
@@ -163,11 +165,20 @@ def clean_copy(filepath):
     The handout's functions read this copy: a plain pd.read_csv takes a space for a part of a cell, and another program
     can write the file at any time. Raises the same ValueErrors as read_cells.
     """
+    (_, header), *rows = read_cells(filepath)
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         copy = Path(folder) / Path(str(filepath)).name
         with open(copy, "w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerows(cells for _, cells in read_cells(filepath))
+            csv.writer(file).writerow(header)
+            csv.writer(file).writerows(map(for_pandas, header, cells) for _, cells in rows)
         yield str(copy)
+
+
+def for_pandas(column, text) -> str:
+    """Return the text of a cell; a long number in short: pandas 2 reads 17 digits, and counts zeros before them."""
+    if column in ("mass", "e") and len(text) > 15 and isfinite(to_number(text)):
+        return f"{Decimal(repr(to_number(text))):e}"
+    return text
 
 
 def in_short(text) -> str:
@@ -204,10 +215,15 @@ def are_in_range(masses) -> bool:
     return max(masses) <= MOST_TIMES * min(masses)
 
 
+def comma_hint(text) -> str:
+    """Return a hint, to put behind the allowed values, if another comma than the plain one is in this text."""
+    return "; separate cells with plain commas (,)" if OTHER_COMMAS.intersection(text) else ""
+
+
 def check_header(place, header) -> None:
     """Raise a ValueError if the header at this place does not name each column of a cradle once."""
     names = in_short(", ".join(map(repr, filter(None, header))))
-    allowed = f"a cradle needs one column of each of {', '.join(RULES)}"
+    allowed = f"a cradle needs one column of each of {', '.join(RULES)}{comma_hint(names)}"
     if not RULES.keys() & {*header}:
         for separator, hint in HINTS.items():
             parts = {part.strip(' "').lower() for part in header[0].split(separator)}
@@ -244,7 +260,8 @@ def check_cradle(filepath, cords=1) -> None:
             if not is_allowed(text):
                 found = f"found {in_short(repr(text))}" if text else "found nothing"
                 short = f"; this line has {len(cells)} cells, not {len(header)}" * (len(cells) < len(header))
-                raise ValueError(f"{snapshot}, line {line}, column {column}: {found}, allowed is {allowed}{short}")
+                words = f"{found}, allowed is {allowed}{short}{comma_hint(text)}"
+                raise ValueError(f"{snapshot}, line {line}, column {column}: {words}")
     masses = [(cells[header.index("mass")], line) for line, cells in rows]
     (least, least_line), (most, line) = (pick(masses, key=lambda mass: to_number(mass[0])) for pick in (min, max))
     if cords == 2 and not are_in_range([to_number(least), to_number(most)]):

@@ -10,7 +10,7 @@ from stat import S_ISREG
 
 from support.files.cradle_csv import LARGEST, reason
 
-EVERY = 0.01  # s from sample to sample
+EVERY = 0.01  # s from sample to sample, or the nearest whole number of ticks
 
 
 @contextmanager

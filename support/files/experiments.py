@@ -3,7 +3,7 @@
 import io
 import re
 from itertools import accumulate, cycle
-from math import radians
+from math import inf, radians
 from pathlib import Path
 from typing import NamedTuple
 
@@ -35,10 +35,10 @@ class Experiment(NamedTuple):
 
 
 def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
-    """Return this folder's experiments (for pendula with 1 or 2 cords), by file name, and a line for each bad one."""
+    """Return this folder's experiments (for pendula with 1 or 2 cords), as in the menu, and a line for each bad one."""
     experiments: list[Experiment] = []
     mistakes = []
-    for file in sorted(Path(folder).glob("*.txt")):
+    for file in sorted(Path(folder).glob("*.txt"), key=place_in_menu):
         try:
             experiment = read_experiment(file, cords)
             if experiment.name in [other.name for other in experiments]:
@@ -47,6 +47,12 @@ def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
         except ValueError as error:
             mistakes.append(str(error))
     return experiments, mistakes
+
+
+def place_in_menu(file) -> tuple[float, str]:
+    """Return what the menu is sorted by: the number at the start of a file's name, or infinity, and the name."""
+    number = re.match("[0-9]+", file.name)
+    return int(number[0]) if number else inf, file.name
 
 
 def read_experiment(file, cords) -> Experiment:

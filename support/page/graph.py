@@ -2,13 +2,13 @@
 
 from array import array
 from collections import deque
-from itertools import islice
 from math import isfinite
 
 from support.files.data_file import EVERY
 
 SPANS = {"last 2 s": (2.0, 0.01), "last 10 s": (10.0, 0.03)}  # the times on the axis, and from row to row (s)
 PHASE_SPAN = 3.0, EVERY  # of the phase picture
+MOST_ROWS = 1100  # the last 10 s: from row to row it is EVERY, rounded to ticks of at most 0.001 s
 MOST_DRAWN = 20  # pendula in the graph: more curves could not be told apart
 
 # Three colors of Okabe and Ito's palette, which look different to color-blind people, too.
@@ -22,7 +22,7 @@ class Graph:
     def __init__(self, angle_keys, rate_keys):
         """Begin without samples; angle_keys and rate_keys are those of a pendulum."""
         self.angle_keys, self.rate_keys = angle_keys, rate_keys
-        self.rows: deque[array] = deque(maxlen=round(max(seconds for seconds, _ in SPANS.values()) / EVERY))
+        self.rows: deque[array] = deque(maxlen=MOST_ROWS)
         self.choice, self.span = ENERGY, next(iter(SPANS))  # a key of choices, and one of SPANS
         self.begin([])
 
@@ -75,8 +75,11 @@ class Graph:
 
 
 def last_rows(rows, seconds, interval) -> list:
-    """Return the rows of the last seconds, about one for each interval (s). It keeps a row as long as it is drawn."""
-    step = round(interval / EVERY)
-    first = round(rows[-1][0] / EVERY) % step  # the newest row whose time is a multiple of the interval
-    newest_first = list(islice(reversed(rows), first, round(seconds / EVERY), step)) or [rows[-1]]
-    return newest_first[::-1]
+    """Return the rows of the last seconds: the first one in each interval (s), as long as it is drawn.
+
+    A row begins with its time (s).
+    """
+    firsts: dict[int, array] = {}
+    for row in rows:
+        firsts.setdefault(int(row[0] / interval + 1e-6), row)  # 0.09 / 0.03 could be 2.9999999999999996
+    return [row for row in firsts.values() if row[0] >= rows[-1][0] - seconds]

@@ -24,11 +24,17 @@ PORT_VARIABLE, CLOSED_VARIABLE = "VPYTHON_HTTP_PORT", "VPYTHON_NO_LAUNCH_BROWSER
 # The least and the greatest value of a constant, and its unit. In all of this range, a tick is a small part of a swing.
 CONSTANTS: dict[str, tuple[float, float, str]] = {"R_PARAM": (0.05, 100, "m"), "G": (0.1, 30, "m/s^2")}
 CONSTANTS |= dict.fromkeys(("DT", "DOUBLE_DT"), (1e-6, 1e-3, "s"))
-CONSTANTS |= dict.fromkeys(("THETA_INIT", "PHI_INIT"), (-3.1416, 3.1416, "rad"))
+CONSTANTS |= {"THETA_INIT": (-3.1416, 0, "rad"), "PHI_INIT": (-3.1416, 3.1416, "rad")}
 
 
 class OneLineParser(argparse.ArgumentParser):
     """A parser that prints an error in one line, without the usage."""
+
+    def parse_known_args(self, args=None, namespace=None):
+        for word in sys.argv[1:] if args is None else args:
+            if word.startswith("-") and word.endswith("=--"):  # up to Python 3.12, its value would be an empty list
+                self.error(f"found {word!r}, allowed after = is a value")
+        return super().parse_known_args(args, namespace)
 
     def error(self, message):
         refuse(f"{self.prog}: error: {message} (--help shows all options)")
@@ -130,16 +136,16 @@ def command_line(program, folder, arguments=()) -> str:
 
 def read_text_options(arguments=None) -> argparse.Namespace:
     """Return the options of the cradle in the terminal: those of the cradle, seconds (inf if missing), record (a
-    path, or None) and every (s).
+    path, - for the output, or None) and every (s).
     """
     parser = cradle_options("Newton's cradle as moving text, in real time; or, with --record, its data in a file.")
     seconds = allowed(float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)")
-    every = allowed(float, is_in_ticks, f"a multiple of {DT:g} (s), one tick, up to 1e6")
+    every = allowed(float, is_in_ticks, f"a multiple of {DT} (s), one tick, up to 1e6")
     add = parser.add_argument
     add("--seconds", type=seconds, metavar="S", default=inf, help="end after S seconds (default: until Ctrl+C)")
-    text = "write the data of S seconds (--seconds S) to FILE, a CSV, as fast as the machine can; show nothing"
+    text = "write the data of S seconds (--seconds S) to FILE, a CSV (- is the output), as fast as the machine can"
     add("--record", type=allowed(str, bool, "the name of a file"), metavar="FILE", help=text)
-    text = f"with --record: a row for every S seconds (default: {EVERY:g})"
+    text = f"with --record: a row for every S seconds (default: {round(EVERY / DT) * DT:g})"
     add("--every", type=every, metavar="S", help=text)
     options = parser.parse_args(arguments)
     if options.record is not None and options.seconds == inf:

@@ -5,7 +5,7 @@ import shutil
 import signal
 import sys
 import textwrap
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stdout
 from csv import writer
 from math import atan2, degrees, inf, pi, remainder
 
@@ -168,13 +168,16 @@ def summary(motion) -> str:
 
 
 class Recorder(Player):
-    """Writes a row of data for every options.every seconds of simulated time, as fast as the machine can."""
+    """Writes a row of data for every options.every seconds of simulated time, as fast as the machine can.
+
+    The last row is the last one that is not later than options.seconds.
+    """
 
     def __init__(self, cradle, csv, options, writer, progress):
         """Write with a csv.writer; call progress(part), 0 to 1, again and again; options: from read_text_options."""
         super().__init__(cradle, csv, [options.angle], options.lift, 1, options.every)
-        self.count = int(options.seconds / options.every + 1e-9) + 1  # rows
-        self.last = (self.count - 1) * self.step  # tick
+        ticks = int(options.seconds / cradle.dt + 1e-6)  # 10 / 0.001 could be 9999.999999999999
+        self.last = ticks - ticks % self.step  # the tick of the last row
         self.writer, self.progress = writer, progress
 
     def show_new_cradle(self) -> None:
@@ -193,9 +196,16 @@ class Recorder(Player):
 
 
 def record(loop, cradle, csv, options, remark="") -> None:
-    """Write the data of options.seconds to the file options.record, whole or not at all."""
+    """Write the data of options.seconds to the file options.record, whole or not at all; or, for -, to the output."""
+    if options.record == "-":
+        rows = writer(sys.stdout, lineterminator="\n")
+        with redirect_stdout(sys.stderr):  # words are no data, also those of a student's function
+            print(remark, end="\n" if remark else "")
+            run(loop, Recorder(cradle, csv, options, rows, progress=lambda part: None))
+        return
     with whole_file(options.record) as file, progress_bar() as progress:
         recorder = Recorder(cradle, csv, options, writer(file, lineterminator="\n"), progress)
         run(loop, recorder)
     print(remark, end="\n" if remark else "")
-    print(in_one_line(f"{recorder.count} rows, from t = 0 to {recorder.motion.time():g} s, are in {options.record}"))
+    rows, end = recorder.last // recorder.step + 1, recorder.motion.time()
+    print(in_one_line(f"{rows} rows, from t = 0 to {end:.15g} s, are in {options.record}"))

@@ -88,16 +88,17 @@ BAD = [
 ]
 
 
-def test_bad_experiments_are_named_in_one_line_each_and_the_other_one_works(tmp_path):
-    put_files(tmp_path, {"two.txt": TEXT, "wrong.txt/file": ""})
-    expected = [f"{tmp_path / 'wrong.txt'}: cannot be read: "]
+def test_bad_experiments_are_named_in_one_line_each_by_number_and_the_other_one_works(tmp_path):
+    put_files(tmp_path, {"0_two.txt": TEXT, "wrong.txt/file": ""})
+    expected = []
     for number, (old, new, words) in enumerate(BAD):
         assert old in TEXT
-        file = tmp_path / f"wrong_{number:02}.txt"
+        file = tmp_path / f"{number}_wrong.txt"
         file.write_bytes(TEXT.replace(old, new).encode("latin-1"))
         expected.append(f"{file}, {words}")
+    expected.append(f"{tmp_path / 'wrong.txt'}: cannot be read: ")
     experiments, mistakes = read_experiments(tmp_path, 1)
-    assert [experiment.key for experiment in experiments] == ["two"]
+    assert [experiment.key for experiment in experiments] == ["0_two"]
     for mistake, beginning in zip(mistakes, expected, strict=True):
         assert mistake[: len(beginning)] == beginning
         assert "\n" not in mistake

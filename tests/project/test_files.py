@@ -28,6 +28,7 @@ ALLOWED = {
     "color": f"allowed is one of {', '.join(COLOR_MAP)}",
     "texture": f"allowed is one of {', '.join(TEXTURE_MAP)}",
 }
+PLAIN = "; separate cells with plain commas (,)"
 NEEDS = "a cradle needs one column of each of mass, e, color, texture"
 
 # Files that are no CSV, or give no cradle. The message comes after the name of the file.
@@ -53,6 +54,7 @@ REFUSED = {
             "quotes": ('"mass, e"\n"1,1"\n', 1, "'mass, e'", "; take away the quotes around each line"),
             "a title": (f"Cradle; e, 1,,,\n{HEADER}{GOOD}", 1, "'Cradle; e', '1'", ""),
             "names in quotes": ('"Mass";"E"\n', 1, """'Mass;"E"'""", "; separate cells with commas, not semicolons"),
+            "full-width commas": ("mass\uff0ce\n", 1, "'mass\uff0ce'", PLAIN),
             "a long line": ("x" * 1000 + "\n", 1, f"'{'x' * 299}...", ""),
         }.items()
     },
@@ -61,6 +63,10 @@ REFUSED = {
     "row too short": (
         HEADER + "1,1,0,0,red\n",
         f", line 2, column texture: found nothing, {ALLOWED['texture']}; this line has 5 cells, not 6",
+    ),
+    "an Arabic comma": (
+        HEADER + "1\u060c1,0,0,red,metal\n",
+        f", line 2, column mass: found '1\u060c1', {ALLOWED['mass']}; this line has 5 cells, not 6{PLAIN}",
     ),
     "too many pendula": (  # the row after them, with a cell that is too long for a CSV, is not even read
         HEADER + "\n" + GOOD * 1001 + '"' + "x" * 200_000,
@@ -125,7 +131,7 @@ def test_windows_denies_the_permission_for_a_folder_and_for_a_file_that_excel_ho
 
 READABLE = {
     "marks": MIXED_CSV.replace("mass", '\ufeff\ufeff"\ufeffmass"').replace("2.5", "\ufeff2.5"),
-    "windows": MIXED_CSV.replace("\n", "\r\n\r\n").rstrip("\r\n"),
+    "windows": MIXED_CSV.replace("\n", "\r\n\r\n") + "\x1a",
     "spaces": "\n".join("  " + line.replace(",", " ,\t ") + "  " for line in MIXED_CSV.splitlines()),
     "order": "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.splitlines()),
     "quotes": MIXED_CSV.replace("red", ' "red" '),
@@ -164,6 +170,12 @@ def test_a_number_for_the_check_is_a_number_for_pandas(save):
         with clean_copy(Snapshot("cradle.csv", f"mass\n{text}\n".encode())) as copy:
             [pend_dict] = extract_and_convert(copy)
         assert isinstance(pend_dict["mass"], (int, float)) and pend_dict["mass"] == float(text), text
+
+
+def test_the_copy_of_a_long_number_has_only_digits_that_pandas_2_reads():
+    data = b"id,mass,e\n00000000000000001,0.00000000000000000000012345,0.02000000000000000045\n"
+    with clean_copy(Snapshot("cradle.csv", data)) as copy:
+        assert Path(copy).read_text().split() == ["id,mass,e", "00000000000000001,1.2345e-22,2e-2"]
 
 
 def test_the_maps_have_all_names_of_vpython_and_none_for_a_plain_bob():

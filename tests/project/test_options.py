@@ -56,7 +56,7 @@ def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
         *(("R_PARAM", value, "from 0.05 to 100 (m)") for value in (0, -0.2, True)),
         ("DOUBLE_DT", 0, "from 1e-06 to 0.001 (s)"),
         ("G", -9.81, "from 0.1 to 30 (m/s^2)"),
-        ("THETA_INIT", -45, "from -3.1416 to 3.1416 (rad)"),
+        *(("THETA_INIT", value, "from -3.1416 to 0 (rad)") for value in (-45, 0.1)),
         ("PHI_INIT", None, "from -3.1416 to 3.1416 (rad)"),
     ],
 )
@@ -107,6 +107,10 @@ BAD = [  # a program, an option, its bad values, and what is allowed
             (program, f"{option}={value}", f"argument {option}: found {value!r}, allowed is {allowed}")
             for program, option, values, allowed in BAD
             for value in values
+        ),
+        *(
+            (program, f"{option}=--", f"found '{option}=--', allowed after = is a value")
+            for program, option, *_ in [*BAD, ("page", "--host")]
         ),
         ("page", "--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
         ("page", "--elast", "unrecognized arguments: --elast"),

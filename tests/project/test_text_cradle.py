@@ -11,6 +11,7 @@ from contextlib import nullcontext, suppress
 from io import StringIO
 from itertools import pairwise, product
 from math import radians
+from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import Mock
 
@@ -23,6 +24,7 @@ from grading.cradles import hang, R
 from src import text_cradle_run
 from src.visualize_cradle_run import main as cradle_main
 from support.constants import DT
+from support.cradle.cradle import Cradle
 from support.cradle.real_time import RealTime
 from support.files.cradle_csv import Snapshot
 from support.pendulum import from_lift
@@ -229,20 +231,37 @@ def test_bobs_have_numbers_while_there_is_room_and_hang_under_their_cords(count,
 
 
 @pytest.mark.parametrize(
-    ("options", "count", "last", "every"),
-    [("0.025", 3, 0.02, 0.01), ("0.3 --every 0.1", 4, 0.3, 0.1), ("0.02 --every 0.0007", 29, 0.0196, 0.0007)],
+    ("dt", "line", "count", "last", "every"),
+    [
+        (DT, "0.025", 3, 0.02, 0.01),
+        (DT, "0.3 --every 0.1", 4, 0.3, 0.1),
+        (DT, "0.02 --every 0.0007", 29, 0.0196, 0.0007),
+        (3e-4, "1.4", 142, 1.3959, 0.0099),  # nearer to 0.01 than 0.0102
+        (7e-4, "1.4", 143, 1.3916, 0.0098),
+    ],
 )
-def test_a_row_is_recorded_at_each_multiple_up_to_the_end(main, csv, monkeypatch, options, count, last, every):
-    """The progress is reported however rare the rows are."""
+def test_a_row_is_recorded_at_each_multiple_up_to_the_end(main, csv, monkeypatch, dt, line, count, last, every):
+    """With any tick. The progress is reported however rare the rows are."""
     parts = []
+    monkeypatch.setattr(Cradle, "dt", dt)
     monkeypatch.setattr(players, "progress_bar", lambda: nullcontext(parts.append))
     data, release = csv.with_name("data.csv"), ["--lift", 2, "--angle", 20]
-    line = f"{count} rows, from t = 0 to {last:g} s, are in {data}\n"
-    assert main(csv, "--record", data, *release, "--seconds", *options.split()) == (0, line, "")
+    words = f"{count} rows, from t = 0 to {last:g} s, are in {data}\n"
+    assert main(csv, "--record", data, *release, "--seconds", *line.split()) == (0, words, "")
     table = pd.read_csv(data)
     assert table["t"].to_list() == pytest.approx([every * i for i in range(count)])
     assert table.loc[0, ["theta_1", "theta_2", "theta_3"]].to_list() == [from_lift(20), from_lift(20), 0]
-    assert (len(parts), parts[-1]) == (max(1, round(last / (players.PART * DT))), 1)
+    assert (len(parts), parts[-1]) == (max(1, round(last / (players.PART * dt))), 1)
+
+
+def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(main, csv, monkeypatch):
+    monkeypatch.chdir(csv.parent)
+    monkeypatch.setattr(text_cradle_run, "what_there_is", lambda loop: (loop, "Write next: main."))
+    arguments = csv, "--seconds", "0.02", "--record"
+    main(*arguments, "./-")
+    assert main(*arguments, "-") == (0, Path("-").read_text(), "Write next: main.\n")
+    monkeypatch.setattr(players.Recorder, "note", Mock(side_effect=KeyboardInterrupt(1)))
+    assert main(*arguments, "-")[2] == "Write next: main.\nThe recording ended too early.\n"
 
 
 def test_a_recording_that_is_ended_early_leaves_the_old_file(main, csv, monkeypatch):

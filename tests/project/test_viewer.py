@@ -397,6 +397,17 @@ def test_the_graph_shows_the_energies_of_the_last_seconds(wall, span):
     assert len({*colors(wall)}) == 3
 
 
+@pytest.mark.parametrize("dt", [3e-4, 7e-4])
+def test_the_time_axis_is_full_with_any_tick(csv, monkeypatch, dt):
+    monkeypatch.setattr(Cradle, "dt", dt)
+    wall = Wall(csv)
+    wall.wait(12)
+    for span, (_, interval) in SPANS.items():
+        wall.give("span", span)
+        times = [wall.state["curves"]["from"], *(t for t, _ in drawn(wall)["total"]), wall.time()]
+        assert max(after - before for before, after in pairwise(times)) < 2 * interval
+
+
 def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(wall):
     names = ["red", "cyan", "orange"]
     wall.save(HEADER + "".join(GOOD.replace("red", name) for name in names))
