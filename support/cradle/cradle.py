@@ -16,6 +16,7 @@ from support.constants import DOUBLE_DT, DT, G, R_PARAM
 from support.cradle.dragging import Hand, move, push_others
 from support.cradle.impacts import Hits
 from support.energy import bob_motions, energies, momentum
+from support.files.cradle_csv import read_cells
 from support.pendulum import cord_angles, discard
 from support.start.mistake import check_made, check_numbers, MistakeError
 
@@ -98,6 +99,7 @@ class Cradle:
         self.pend_list = pend_list
         self.places = {tuple(axle.pos.value): number for number, axle in enumerate(self.axles())}
         self.count = len(pend_list)
+        self.known_keys = {*read_cells(csv)[0][1], *keys, "objects"}
         if self.mass is not None:
             cradle = self.scope["uniform_mass_newton_cradle"](csv, self.mass)
             self.adopt("mass", [pend["mass"] for pend in cradle])
@@ -111,6 +113,14 @@ class Cradle:
         if now != self.count:
             raise MistakeError(self.tick, f"made {now} pendula from {self.count}; it must keep their number.")
         check_numbers(self.tick, self.pend_list, (*self.angle_keys, *self.rate_keys))
+
+    def remark(self) -> str:
+        """Return a sentence that names a key of a pendulum that the handout does not have, or nothing."""
+        for number, pend in enumerate(self.pend_list, start=1):
+            for key in pend:
+                if key not in self.known_keys:
+                    return f"Pendulum {number} has the key {key!r}, which the handout does not have."
+        return ""
 
     def note_lifts(self) -> None:
         """Take the present angles of the pendula as those with which the cradle was made."""

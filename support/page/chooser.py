@@ -34,13 +34,14 @@ class Chooser:
         self.refused: dict[str, tuple[str, str]] = {}  # "row,column" of the table -> (the text, what is allowed)
 
     def names(self) -> list[str]:
-        """Return the names in the menu."""
-        return [YOUR_CSV, *self.experiments]
+        """Return the names in the menu; a changed experiment has one more, so that you can choose it again."""
+        names = [YOUR_CSV, *self.experiments]
+        return [*names, self.name()] if self.is_changed else names
 
-    def name(self) -> str | None:
-        """Return the name of what is chosen; None for a changed experiment, so that you can choose it again."""
+    def name(self) -> str:
+        """Return the name of what is chosen."""
         chosen = self.experiment.name if self.experiment else YOUR_CSV
-        return None if self.is_changed else chosen
+        return f"{chosen}, changed" if self.is_changed else chosen
 
     def next_name(self) -> str:
         """Return the name of the next experiment, after the last one the first."""
@@ -53,6 +54,8 @@ class Chooser:
 
     def choose(self, name) -> None:
         """Take what has this name in the menu."""
+        if name == self.name() and self.is_changed:
+            return
         if not self.experiment:
             self.own = self.now
         self.experiment = self.experiments.get(name)

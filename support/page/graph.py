@@ -47,8 +47,10 @@ class Graph:
         self.show(self.choice)
 
     def add(self, sample) -> None:
-        """Add a sample; all samples of a cradle have the same names."""
+        """Add a sample, in place of one of the same time; all samples of a cradle have the same names."""
         self.names = list(sample)  # of the numbers in a row
+        if self.rows and self.rows[-1][0] == sample["t"]:
+            self.rows.pop()
         self.rows.append(array("d", sample.values()))  # a twentieth of the memory that dictionaries take
 
     def show(self, choice) -> None:
@@ -75,11 +77,14 @@ class Graph:
 
 
 def last_rows(rows, seconds, interval) -> list:
-    """Return the rows of the last seconds: the first one in each interval (s), as long as it is drawn.
+    """Return the rows of the last seconds: the first one in each interval (s), as long as it is drawn, and the last.
 
     A row begins with its time (s).
     """
     firsts: dict[int, array] = {}
     for row in rows:
         firsts.setdefault(int(row[0] / interval + 1e-6), row)  # 0.09 / 0.03 could be 2.9999999999999996
-    return [row for row in firsts.values() if row[0] >= rows[-1][0] - seconds]
+    drawn = [*firsts.values()]
+    if drawn[-1] is not rows[-1]:
+        drawn.append(rows[-1])
+    return [row for row in drawn if row[0] >= rows[-1][0] - seconds]

@@ -78,6 +78,8 @@ class Viewer(Player):
         """Show the result of the last ticks: ten times a second all of it, else what must be in step with the bobs."""
         if self.cradle.hand.held is not None:
             self.motion.set_start()
+            if not self.running:
+                self.note()  # one scale: the graph ends at the 100 % of this moment, too
         self.scenery.keep_in_view(self.cradle.bobs())
         if self.motion.fastest > QUIET:
             self.sounds = self.sounds[0] + 1, round(self.motion.fastest, 4)
@@ -144,11 +146,13 @@ class Viewer(Player):
         lifted = made_lifted if self.lifted is None else min(self.lifted, count)
         return {
             **{"title": cradle.title, "constants": cradle.constants(), **self.texts},
+            "remark": " ".join(filter(None, [self.texts.get("remark"), cradle.remark()])),
             **{"error": self.error, "mistakes": chooser.mistakes, "ended": None},
             **{"running": self.running, "speed": round(self.pace.speed, 2), "lifted": [lifted, count]},
             "angles": [(name, *ends) for name, ends in cradle.angles.items()],
             "lifts": [to_lift(angle) for angle in angles],  # degrees
-            **{"collisions": [*cradle.collisions], "collision": cradle.collision},
+            "collisions": self.collision_names(),
+            "collision": self.collision_names()[[*cradle.collisions].index(cradle.collision)],
             **{"has rule": cradle.takes_rule, "separating": self.separating},
             **{"experiments": chooser.names(), "experiment": chooser.name()},
             **{"ask first": self.questions.ask_first, "question": self.questions.state()},
@@ -202,7 +206,7 @@ class Viewer(Player):
             "bobs": lambda value: kinds["count"](value) and value <= len(self.cradle.pend_list),
             "cord": lambda value: kinds["count"](value) and value < len(self.angles),
             "answer": lambda value: value is None or kinds["count"](value),
-            "collision": lambda value: value in [*self.cradle.collisions],
+            "collision": lambda value: value in self.collision_names(),
             "graph": lambda value: value in [*self.graph.choices],
             "span": lambda value: value in [*SPANS],
             "experiment": lambda value: value in self.chooser.names(),
@@ -287,8 +291,16 @@ class Viewer(Player):
         self.chooser.set(lifted=lifted)
         self.restart()
 
-    def set_collision(self, collision) -> None:
-        """Let bobs collide in this way (a key of the cradle's collisions) from now on."""
+    def collision_names(self) -> list[str]:
+        """Return the names of the cradle's collisions on the page."""
+        names = [*self.cradle.collisions]
+        if self.chooser.experiment:
+            names[0] = "as in the experiment"
+        return names
+
+    def set_collision(self, name) -> None:
+        """Let bobs collide in this way (one of collision_names) from now on."""
+        collision = [*self.cradle.collisions][self.collision_names().index(name)]
         self.leave_experiment()
         self.chooser.set(collision=collision)
         self.collide(collision)
@@ -386,5 +398,6 @@ class Viewer(Player):
         if self.cradle.hand.held is not None:
             self.cradle.hand.held = None
             self.motion.set_start()
+            self.note()
             self.marks.surround(self.cradle, self.scenery.bottom)
             self.slow_hits.clear()

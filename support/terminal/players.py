@@ -141,7 +141,8 @@ class Pictures(TextPlayer):
 
     def note(self) -> None:
         """Show a picture: go to the top left corner; clear each line, and at the end all lines below."""
-        self.seen = screen(self.motion, self.picture, self.pace.remark(), self.remark)
+        remark = self.remark or self.cradle.remark()
+        self.seen = screen(self.motion, self.picture, self.pace.remark(), remark)
         text = "\n".join("\x1b[K" + line for line in self.seen)
         print(f"\x1b[H{text}\x1b[J", end="", flush=True)
 

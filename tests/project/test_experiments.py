@@ -131,7 +131,7 @@ def test_an_experiment_is_as_its_file_says_and_back_at_your_csv_all_is_as_you_ha
     for saves, masses in ((False, [1, 3, 1, 1, 1]), (True, [2] * 6)):
         wall.give("experiment", HEAVY)
         assert (wall.values("mass"), wall.values("e")) == ([5, 1, 1, 1, 1], [1] * 5)
-        assert (wall.lifts(), wall.state["collision"], asked(wall)) == ([45, 0, 0, 0, 0], "as in the CSV", None)
+        assert (wall.lifts(), wall.state["collision"], asked(wall)) == ([45, 0, 0, 0, 0], "as in the experiment", None)
         wall.give("experiment", FROM_BOTH_SIDES)
         assert (wall.lifts(), wall.state["lifted"], wall.state["lifts"]) == ([45, 0, 0, 0, 45], [1, 5], [45])
         assert [theta > 0 for theta in wall.thetas()] == [False, False, False, False, True]
@@ -139,7 +139,7 @@ def test_an_experiment_is_as_its_file_says_and_back_at_your_csv_all_is_as_you_ha
         wall.give("edit", 0, "e", "0.5")
         assert (wall.lifts(), wall.values("e")) == ([45, 0, 0, 0, 45], [0.5, 1, 1, 1, 1])
         wall.give("lifted", 5)
-        assert (wall.lifts(), wall.state["experiment"]) == ([45] * 5, None)
+        assert (wall.lifts(), wall.state["experiment"]) == ([45] * 5, f"{FROM_BOTH_SIDES}, changed")
         wall.save(HEADER + GOOD * 6) if saves else None
         wall.give(*("restart",) if saves else ("experiment", CSV))
         assert (wall.state["experiment"], wall.state["collision"]) == (CSV, INELASTIC)
@@ -243,8 +243,9 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
     CHANGES[change](asking)
     asking.wait(0.6)  # the measurement would be over
     assert (asked(asking), asking.state["running"]) == (None, True)  # only the question has held it up
-    assert asking.state["experiment"] == (CSV if change == "file" else None)
-    for command, *values in (("restart",), ("ask first", False), ("ask first", True)):
+    name = CSV if change == "file" else f"{TWO}, changed"
+    for command, *values in (("restart",), ("ask first", False), ("ask first", True), ("experiment", name)):
+        assert (asking.state["experiment"], name in asking.state["experiments"]) == (name, True)
         asking.give(command, *values)
     assert asked(asking) is None
     asking.give("experiment", TWO)

@@ -256,7 +256,7 @@ def test_a_row_is_recorded_at_each_multiple_up_to_the_end(main, csv, monkeypatch
 
 def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(main, csv, monkeypatch):
     monkeypatch.chdir(csv.parent)
-    monkeypatch.setattr(text_cradle_run, "what_there_is", lambda loop: (loop, "Write next: main."))
+    monkeypatch.setattr(text_cradle_run, "what_there_is", lambda loop, scope: (loop, "Write next: main."))
     arguments = csv, "--seconds", "0.02", "--record"
     main(*arguments, "./-")
     assert main(*arguments, "-") == (0, Path("-").read_text(), "Write next: main.\n")
