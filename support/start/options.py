@@ -5,7 +5,7 @@ import os
 import shlex
 import subprocess
 import sys
-from math import inf
+from math import inf, sqrt
 from numbers import Real
 from pathlib import Path
 
@@ -21,8 +21,8 @@ ROOT = Path(__file__).resolve().parents[2]
 # VPython's environment variables; --port and --no-browser override them.
 PORT_VARIABLE, CLOSED_VARIABLE = "VPYTHON_HTTP_PORT", "VPYTHON_NO_LAUNCH_BROWSER"
 
-# The least and the greatest value of a constant, and its unit. In all of this range, a tick is a small part of a swing.
-CONSTANTS: dict[str, tuple[float, float, str]] = {"R_PARAM": (0.05, 100, "m"), "G": (0.1, 30, "m/s^2")}
+# The least and the greatest value of a constant, and its unit.
+CONSTANTS: dict[str, tuple[float, float, str]] = {"R_PARAM": (0.05, 100, "m"), "G": (0.1, 100, "m/s^2")}
 CONSTANTS |= dict.fromkeys(("DT", "DOUBLE_DT"), (1e-6, 1e-3, "s"))
 CONSTANTS |= {"THETA_INIT": (-3.1416, 0, "rad"), "PHI_INIT": (-3.1416, 3.1416, "rad")}
 
@@ -63,6 +63,13 @@ def check_constants() -> None:
         found = getattr(constants, name)
         if not (isinstance(found, Real) and type(found) is not bool and least <= float(found) <= most):
             words = f"allowed is a number from {least:g} to {most:g} ({unit})"
+            refuse(f"support/constants.py, {name}: found {found!r}, {words}")
+    # s, in whole microseconds: with longer ticks, the energy grows quickly.
+    longest = int(1e6 / 40 * sqrt(constants.R_PARAM / constants.G)) / 1e6
+    for name in ("DT", "DOUBLE_DT"):
+        found = getattr(constants, name)
+        if found > longest:
+            words = f"allowed with this R_PARAM and G is a number up to {longest:g} (s)"
             refuse(f"support/constants.py, {name}: found {found!r}, {words}")
 
 

@@ -55,7 +55,7 @@ def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
         *(("DT", value, "from 1e-06 to 0.001 (s)") for value in (0, 1, "0.0001", float("nan"))),
         *(("R_PARAM", value, "from 0.05 to 100 (m)") for value in (0, -0.2, True)),
         ("DOUBLE_DT", 0, "from 1e-06 to 0.001 (s)"),
-        ("G", -9.81, "from 0.1 to 30 (m/s^2)"),
+        ("G", -9.81, "from 0.1 to 100 (m/s^2)"),
         *(("THETA_INIT", value, "from -3.1416 to 0 (rad)") for value in (-45, 0.1)),
         ("PHI_INIT", None, "from -3.1416 to 3.1416 (rad)"),
     ],
@@ -66,6 +66,16 @@ def test_a_constant_with_which_no_cradle_works_is_refused_in_one_line(name, valu
     line = f"support/constants.py, {name}: found {value!r}, allowed is a number {allowed}\n"
     for read_options, _ in PROGRAMS.values():
         assert call(lambda read=read_options: read([]), capsys) == (2, "", line)
+
+
+def test_a_tick_that_is_long_beside_a_swing_is_refused(monkeypatch, capsys):
+    monkeypatch.setattr(constants, "R_PARAM", 0.05)
+    monkeypatch.setattr(constants, "G", 100)
+    monkeypatch.setattr(constants, "DT", 0.001)
+    line = "support/constants.py, DT: found 0.001, allowed with this R_PARAM and G is a number up to 0.000559 (s)\n"
+    assert call(lambda: options.read_text_options([]), capsys) == (2, "", line)
+    monkeypatch.setattr(constants, "DT", 0.000559)
+    assert options.read_text_options([]).record is None
 
 
 def test_help_has_each_option_with_its_unit_and_default(capsys):
