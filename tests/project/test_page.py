@@ -137,12 +137,18 @@ def test_the_graph_has_even_ticks_and_a_choice(shared):
 
 
 def test_the_cursor_shows_that_a_bob_can_be_grabbed_and_it_is_let_go_outside_of_the_canvas(shared):
-    """In a second tab, on a display with twice the pixels: so has the canvas."""
+    """In a second tab, which is then moved to a display with twice the pixels: the canvas has them, too."""
     cursor = "getComputedStyle(document.querySelector('.canvas canvas:last-of-type')).cursor"
-    with programs.new_page(shared.context.browser, device_scale_factor=2) as sharp:
+    sizes = """() => {
+        const canvas = one(".canvas canvas");
+        return [canvas.width / canvas.clientWidth, canvas.height / canvas.clientHeight, labels[0].height];
+    }"""
+    with programs.new_page(shared.context.browser) as sharp:
         programs.open_cradle(sharp, shared.url)
-        canvas = sharp.locator(".canvas canvas").first
-        assert canvas.evaluate("e => [e.width / e.clientWidth, e.height / e.clientHeight]") == [2, 2]
+        assert sharp.evaluate(sizes) == [1, 1, 12]
+        display = {"width": 1000, "height": 700, "deviceScaleFactor": 2, "mobile": False}
+        sharp.context.new_cdp_session(sharp).send("Emulation.setDeviceMetricsOverride", display)
+        wait_until(lambda: sharp.evaluate(sizes) == [2, 2, 24])
         slide(sharp, "Bobs lifted", 0)
         programs.wait_for_lifts(sharp, 0, 0, 0, 0, 0)
         sharp.mouse.move(*pixel(sharp, 0, 0))

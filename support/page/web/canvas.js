@@ -37,7 +37,8 @@ function begin() {
   // The canvas has the display's own pixels; VPython takes the mouse's, which are those of the page.
   mouse.__update = function (event) {
     const { left, top } = $(scene().__canvas_element).offset(), { pageX, pageY } = event;
-    update.call(this, { ...event, type: event.type, pageX: left + (pageX - left) * devicePixelRatio, pageY: top + (pageY - top) * devicePixelRatio });
+    const ratio = scene().width / one(".canvas").clientWidth;
+    update.call(this, { ...event, type: event.type, pageX: left + (pageX - left) * ratio, pageY: top + (pageY - top) * ratio });
   };
   scene().forward = vec(...FORWARD);
   scene().bind("mousedown", event => tell("grab", ...ray(event)));
@@ -47,12 +48,17 @@ function begin() {
   scene().waitfor_textures = true;
   scene().bind("textures", () => scene().waitfor_textures = !scene().objects.length);
   scene().bind("draw_complete", keepPicture);
-  new ResizeObserver(resize).observe(one(".canvas"));
   dark.addEventListener("change", paint);
   paint();
   resize();
   setInterval(describe, 1000);
-  requestAnimationFrame(limit);
+  requestAnimationFrame(watch);
+}
+
+function watch() { // before each picture: no event tells of all that changes the pixels of the canvas
+  resize();
+  limit();
+  requestAnimationFrame(watch);
 }
 
 const ray = ({ pos }) => [pos, scene().mouse.ray].map(({ x, y, z }) => [x, y, z]);
@@ -106,7 +112,6 @@ function limit() { // the camera never looks at the base from below, stays uprig
   if (away.mag > 1.001 * home.range) scene().center = home.center.add(away.norm().multiply(home.range));
   const turned = forward.norm().sub(vec(...FORWARD).norm()).mag > MOVED;
   one(".view").hidden = !turned && Math.max(Math.abs(near - home.range), away.mag) <= MOVED * home.range;
-  requestAnimationFrame(limit);
 }
 
 // Write the numbers of the pendula, and their masses if these differ, above as many axles as they fit.
