@@ -104,13 +104,17 @@ def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
 
 def test_what_you_type_counts_and_on_another_alphabet_the_place_of_the_key(shared):
     typed = "([key, code]) => document.body.dispatchEvent(new KeyboardEvent('keydown', { key, code, bubbles: true }))"
+
+    def press_keys_without_use():
+        for key in ("ContextMenu", "AudioVolumeUp", "Meta", "AltGraph", "F1", "x", "Control", "Meta+2"):
+            shared.keyboard.press(key)
+        for key, code in (("o", "KeyR"), ("Process", "KeyR"), ("Unidentified", ""), ("к", "")):
+            shared.evaluate(typed, [key, code])
+
     wait_until(lambda: readout(shared, "t") > 0)
     pause(shared)
     before = readout(shared, "t")
-    for key in ("ContextMenu", "AudioVolumeUp", "Meta", "AltGraph", "F1", "x", "Control", "Meta+2"):
-        shared.keyboard.press(key)
-    for key, code in (("o", "KeyR"), ("Process", "KeyR"), ("Unidentified", ""), ("к", "")):
-        shared.evaluate(typed, [key, code])
+    press_keys_without_use()
     shared.keyboard.press("ArrowRight")
     wait_until(lambda: readout(shared, "t") > before)
     assert values(shared) == ["1.0x", "1 of 5", "45°"]  # none of these keys has done anything
@@ -119,6 +123,13 @@ def test_what_you_type_counts_and_on_another_alphabet_the_place_of_the_key(share
         wait_until(lambda: readout(shared, "t") == 0)
         shared.keyboard.press("ArrowRight")
         wait_until(lambda: readout(shared, "t") > 0)
+    shared.get_by_role("checkbox", name="Predict first").check()
+    shared.keyboard.press("n")
+    question = shared.locator(".question")
+    question.get_by_text("One bob comes in.").wait_for()
+    press_keys_without_use()
+    shared.evaluate(typed, ["и", "KeyB"])
+    question.get_by_text("You said: B").wait_for()  # the first answer counts
 
 
 def test_the_graph_has_even_ticks_and_a_choice(shared):
