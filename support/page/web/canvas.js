@@ -37,8 +37,7 @@ function begin() {
   // The canvas has the display's own pixels; VPython takes the mouse's, which are those of the page.
   mouse.__update = function (event) {
     const { left, top } = $(scene().__canvas_element).offset(), { pageX, pageY } = event;
-    const ratio = scene().width / one(".canvas").clientWidth;
-    update.call(this, { ...event, type: event.type, pageX: left + (pageX - left) * ratio, pageY: top + (pageY - top) * ratio });
+    update.call(this, { ...event, type: event.type, pageX: left + (pageX - left) * devicePixelRatio, pageY: top + (pageY - top) * devicePixelRatio });
   };
   scene().forward = vec(...FORWARD);
   scene().bind("mousedown", event => tell("grab", ...ray(event)));
@@ -61,7 +60,8 @@ function watch() { // before each picture: no event tells of all that changes th
   requestAnimationFrame(watch);
 }
 
-const ray = ({ pos }) => [pos, scene().mouse.ray].map(({ x, y, z }) => [x, y, z]);
+const parts = ({ x, y, z }) => [x, y, z];
+const ray = ({ pos }) => [pos, scene().mouse.ray].map(parts);
 
 function resize() { // the canvas fills its part of the window, in the pixels of the display
   const { clientWidth, clientHeight } = one(".canvas");
@@ -171,17 +171,27 @@ function describe() { // the canvas, in words; at most once a second, or a scree
   if (one(".canvas").ariaLabel !== words) one(".canvas").ariaLabel = words;
 }
 
-// The picture on the sheet of an experiment is the second one that is drawn when the question is there: on white. The
-// canvas forgets it after this event. The numbers on the axles are on a second canvas.
-let asked, picture, background;
+// On paper: the cradle as it is now; on the sheet of an experiment, as it was before its release. The picture is a canvas,
+// because a browser that hides the pixels of canvases would make stripes of an image.
+let asked, before = "";
 function keepPicture() {
   const question = state.question?.asking && state.question.question;
-  if (background) {
-    const { __canvas_element: cradle, __overlay_element: texts } = scene();
-    const paper = make("canvas", { width: cradle.width, height: cradle.height });
-    for (const layer of [cradle, texts]) paper.getContext("2d").drawImage(layer, 0, 0);
-    [scene().background, background, picture] = [background, null, paper.toDataURL()];
-  } else if (question && question !== asked)
-    [asked, background, scene().background] = [question, scene().background, vec(1, 1, 1)];
+  if (question && question !== asked && bobs().every(bob => bob.ready)) [asked, before] = [question, picture()];
 }
-addEventListener("beforeprint", () => picture && find(".sheet img").forEach(image => image.src = picture));
+addEventListener("beforeprint", () => {
+  if (home) one(".picture").replaceChildren(state.question ? before : picture());
+});
+
+function picture() { // a copy of the cradle on white, and of the numbers on the axles, which are on a second canvas
+  const { __canvas_element: cradle, __overlay_element: texts, width, height, background } = scene();
+  const paper = make("canvas", { width, height });
+  drawOn(vec(1, 1, 1));
+  for (const layer of [cradle, texts]) paper.getContext("2d").drawImage(layer, 0, 0); // at once: the canvas forgets
+  drawOn(background);
+  return paper;
+}
+
+function drawOn(background) {
+  scene().background = background;
+  scene().__renderer.render(0); // VPython's number for a picture
+}
