@@ -39,7 +39,8 @@ function begin() {
     const { left, top } = $(scene().__canvas_element).offset(), { pageX, pageY } = event;
     update.call(this, { ...event, type: event.type, pageX: left + (pageX - left) * devicePixelRatio, pageY: top + (pageY - top) * devicePixelRatio });
   };
-  scene().forward = vec(...FORWARD);
+  scene().forward = vec(...history.state ?? FORWARD);
+  history.replaceState(null, "");
   scene().bind("mousedown", event => tell("grab", ...ray(event)));
   scene().bind("mousemove", event => tell("drag", ...ray(event)));
   scene().bind("mouseup", () => tell("let go"));
@@ -47,11 +48,25 @@ function begin() {
   scene().waitfor_textures = true;
   scene().bind("textures", () => scene().waitfor_textures = !scene().objects.length);
   scene().bind("draw_complete", keepPicture);
+  scene().__canvas_element.addEventListener("webglcontextlost", stopDrawing);
+  scene().__canvas_element.addEventListener("webglcontextrestored", loadAgain);
   dark.addEventListener("change", paint);
   paint();
   resize();
   setInterval(describe, 1000);
   requestAnimationFrame(watch);
+}
+
+// The driver was restarted, or the machine slept: all that the graphics card had is gone. VPython cannot send it again.
+function stopDrawing(event) {
+  event.preventDefault(); // or the browser would not restore it
+  scene().visible = false; // or VPython would show alerts
+  one(".lost").hidden = false;
+}
+
+function loadAgain() { // as soon as the program can be reached; the camera then looks in the same direction
+  history.replaceState(parts(scene().forward), "");
+  setInterval(() => isOpen() && location.reload(), 100);
 }
 
 function watch() { // before each picture: no event tells of all that changes the pixels of the canvas
