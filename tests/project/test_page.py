@@ -383,6 +383,29 @@ def test_the_page_fits_the_window(at_rest, size):
     assert at_rest.evaluate("(e => e.scrollWidth - e.clientWidth)(document.querySelector('.panel'))") == 0
 
 
+# The parts of the panel that reach out of the window on the right.
+CUT = """() => find(".panel *").filter(part => part.checkVisibility())
+    .filter(part => part.getBoundingClientRect().right > innerWidth).map(part => part.outerHTML)"""
+
+
+def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver, shared):
+    """24 pixels in the settings of the browser; the small text follows, and the texts in the canvas."""
+    arguments = [*programs.ARGUMENTS, "--blink-settings=defaultFontSize=24"]
+    sizes = "() => [...['body', '.impacts'].map(name => getComputedStyle(one(name)).fontSize), labels[0].height]"
+    with (
+        driver.chromium.launch(executable_path=programs.CHROMIUM, args=arguments) as browser,
+        programs.new_page(browser) as page,
+    ):
+        programs.open_cradle(page, shared.url)
+        assert page.evaluate(sizes) == ["24px", "21px", 18]
+        page.get_by_role("checkbox", name="Predict first").check()
+        page.keyboard.press("n")
+        page.locator(".question").wait_for()
+        for width, height in (LAPTOP, TABLET, PHONE):
+            page.set_viewport_size({"width": width, "height": height})
+            assert page.evaluate(CUT) == []
+
+
 def test_present_leaves_cradle_and_numbers(at_rest):
     before = at_rest.evaluate(LETTERS)
     at_rest.keyboard.press("f")

@@ -8,7 +8,7 @@ const FORWARD = [-0.25, -0.18, -1]; // the camera looks a little from the left a
 const NEAREST = 0.1, FARTHEST = 3; // of the range with which the whole cradle fills the canvas
 const MOVED = 1e-3; // the least part of the range, or turn (rad), by which a camera has moved
 const MARGIN = 1.04; // the view is larger than the cradle by this factor
-const TEXT = 1 / 30, SMALLEST = 12, LETTER = 0.55; // of the numbers: height in heights of the canvas, pixels, width in heights
+const TEXT = 1 / 30, SMALLEST = 0.75, LETTER = 0.55; // of the numbers: height in heights of the canvas, in those of the page's text, width in heights
 const INK = [0.5, 0.5, 0.53]; // of the numbers, on a pale and on a dark page
 const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in dragging.py
 let home = null, fitted, labels = []; // home: the center and the range for the points in fitted, the whole cradle
@@ -132,14 +132,15 @@ function limit() { // the camera never looks at the base from below, stays uprig
 // Write the numbers of the pendula, and their masses if these differ, above as many axles as they fit.
 function writeNumbers() {
   const { numbers, words, top } = state.view, { width, height, range } = scene();
-  const size = Math.max(SMALLEST * devicePixelRatio, TEXT * height);
+  const ofPage = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
+  const size = Math.max(SMALLEST * ofPage, TEXT * height);
   const longest = Math.max(...numbers.flatMap(([, text]) => text.split("\n")).map(line => line.length));
   const apart = (numbers.at(-1)[0] - numbers[0][0]) / Math.max(1, numbers.length - 1);
   const widest = LETTER * size * (0.4 + longest) * 2 * range / Math.min(width, height); // m, with a gap
   const step = [1, 5, 10, 50].find(step => step * apart >= widest) ?? Infinity;
   const texts = numbers.filter((_, i) => i === 0 || (i + 1) % step === 0).map(([x, text]) => [x, top, text, size]);
   if (numbers[0][1].includes("\n")) texts.push([numbers[0][0] - Math.max(widest, apart), top, " \nkg", size]);
-  texts.push(...words.map(([x, y, text]) => [x, y, text, 14 * devicePixelRatio]));
+  texts.push(...words.map(([x, y, text]) => [x, y, text, 0.875 * ofPage]));
   for (const label of labels) label.visible = false;
   labels = texts.map(([x, y, text, height], i) => {
     const mark = labels[i] ?? label({ canvas: scene(), box: false, line: false, opacity: 0, color: vec(...INK) });
