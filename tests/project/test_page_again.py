@@ -70,6 +70,21 @@ def picture_of(page):
     return picture
 
 
+@pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
+def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again_when_it_is_back(page, started):
+    page.evaluate("glowObjs[0].forward = vec(0.6, -0.2, -1)")
+    page.evaluate("window.driver = one('canvas').getContext('webgl2').getExtension('WEBGL_lose_context')")
+    page.evaluate("driver.loseContext()")
+    words = page.get_by_text("The browser cannot draw the cradle now.")
+    words.wait_for()
+    page.evaluate("driver.restoreContext()")
+    words.wait_for(state="hidden")
+    wait_for_cradle(page)
+    assert page.evaluate("glowObjs[0].forward.x") == 0.6  # from where you have looked at it
+    picture = picture_of(page)
+    wait_until(lambda: picture_of(page) != picture)
+
+
 def test_three_tabs_show_one_cradle_and_one_is_reloaded_and_closed(page, started):
     """The cradle swings on, with the settings that somebody has chosen. Each tab has its own camera."""
     # The values of all controls.

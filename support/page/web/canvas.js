@@ -8,7 +8,7 @@ const FORWARD = [-0.25, -0.18, -1]; // the camera looks a little from the left a
 const NEAREST = 0.1, FARTHEST = 3; // of the range with which the whole cradle fills the canvas
 const MOVED = 1e-3; // the least part of the range, or turn (rad), by which a camera has moved
 const MARGIN = 1.04; // the view is larger than the cradle by this factor
-const TEXT = 1 / 30, SMALLEST = 12, LETTER = 0.55; // of the numbers: height in heights of the canvas, pixels, width in heights
+const TEXT = 1 / 30, SMALLEST = 0.75, LETTER = 0.55; // of the numbers: height in heights of the canvas, in those of the page's text, width in heights
 const INK = [0.5, 0.5, 0.53]; // of the numbers, on a pale and on a dark page
 const FINGER = 1.5; // a finger within this many radii of a bob's centre is on the bob, as in dragging.py
 let home = null, fitted, labels = []; // home: the center and the range for the points in fitted, the whole cradle
@@ -39,7 +39,8 @@ function begin() {
     const { left, top } = $(scene().__canvas_element).offset(), { pageX, pageY } = event;
     update.call(this, { ...event, type: event.type, pageX: left + (pageX - left) * devicePixelRatio, pageY: top + (pageY - top) * devicePixelRatio });
   };
-  scene().forward = vec(...FORWARD);
+  scene().forward = vec(...history.state ?? FORWARD);
+  history.replaceState(null, "");
   scene().bind("mousedown", event => tell("grab", ...ray(event)));
   scene().bind("mousemove", event => tell("drag", ...ray(event)));
   scene().bind("mouseup", () => tell("let go"));
@@ -47,15 +48,35 @@ function begin() {
   scene().waitfor_textures = true;
   scene().bind("textures", () => scene().waitfor_textures = !scene().objects.length);
   scene().bind("draw_complete", keepPicture);
-  new ResizeObserver(resize).observe(one(".canvas"));
+  scene().__canvas_element.addEventListener("webglcontextlost", stopDrawing);
+  scene().__canvas_element.addEventListener("webglcontextrestored", loadAgain);
   dark.addEventListener("change", paint);
   paint();
   resize();
   setInterval(describe, 1000);
-  requestAnimationFrame(limit);
+  requestAnimationFrame(watch);
 }
 
-const ray = ({ pos }) => [pos, scene().mouse.ray].map(({ x, y, z }) => [x, y, z]);
+// The driver was restarted, or the machine slept: all that the graphics card had is gone. VPython cannot send it again.
+function stopDrawing(event) {
+  event.preventDefault(); // or the browser would not restore it
+  scene().visible = false; // or VPython would show alerts
+  one(".lost").hidden = false;
+}
+
+function loadAgain() { // as soon as the program can be reached; the camera then looks in the same direction
+  history.replaceState(parts(scene().forward), "");
+  setInterval(() => isOpen() && location.reload(), 100);
+}
+
+function watch() { // before each picture: no event tells of all that changes the pixels of the canvas
+  resize();
+  limit();
+  requestAnimationFrame(watch);
+}
+
+const parts = ({ x, y, z }) => [x, y, z];
+const ray = ({ pos }) => [pos, scene().mouse.ray].map(parts);
 
 function resize() { // the canvas fills its part of the window, in the pixels of the display
   const { clientWidth, clientHeight } = one(".canvas");
@@ -106,20 +127,20 @@ function limit() { // the camera never looks at the base from below, stays uprig
   if (away.mag > 1.001 * home.range) scene().center = home.center.add(away.norm().multiply(home.range));
   const turned = forward.norm().sub(vec(...FORWARD).norm()).mag > MOVED;
   one(".view").hidden = !turned && Math.max(Math.abs(near - home.range), away.mag) <= MOVED * home.range;
-  requestAnimationFrame(limit);
 }
 
 // Write the numbers of the pendula, and their masses if these differ, above as many axles as they fit.
 function writeNumbers() {
   const { numbers, words, top } = state.view, { width, height, range } = scene();
-  const size = Math.max(SMALLEST * devicePixelRatio, TEXT * height);
+  const ofPage = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
+  const size = Math.max(SMALLEST * ofPage, TEXT * height);
   const longest = Math.max(...numbers.flatMap(([, text]) => text.split("\n")).map(line => line.length));
   const apart = (numbers.at(-1)[0] - numbers[0][0]) / Math.max(1, numbers.length - 1);
   const widest = LETTER * size * (0.4 + longest) * 2 * range / Math.min(width, height); // m, with a gap
   const step = [1, 5, 10, 50].find(step => step * apart >= widest) ?? Infinity;
   const texts = numbers.filter((_, i) => i === 0 || (i + 1) % step === 0).map(([x, text]) => [x, top, text, size]);
   if (numbers[0][1].includes("\n")) texts.push([numbers[0][0] - Math.max(widest, apart), top, " \nkg", size]);
-  texts.push(...words.map(([x, y, text]) => [x, y, text, 14 * devicePixelRatio]));
+  texts.push(...words.map(([x, y, text]) => [x, y, text, 0.875 * ofPage]));
   for (const label of labels) label.visible = false;
   labels = texts.map(([x, y, text, height], i) => {
     const mark = labels[i] ?? label({ canvas: scene(), box: false, line: false, opacity: 0, color: vec(...INK) });
@@ -166,17 +187,27 @@ function describe() { // the canvas, in words; at most once a second, or a scree
   if (one(".canvas").ariaLabel !== words) one(".canvas").ariaLabel = words;
 }
 
-// The picture on the sheet of an experiment is the second one that is drawn when the question is there: on white. The
-// canvas forgets it after this event. The numbers on the axles are on a second canvas.
-let asked, picture, background;
+// On paper: the cradle as it is now; on the sheet of an experiment, as it was before its release. The picture is a canvas,
+// because a browser that hides the pixels of canvases would make stripes of an image.
+let asked, before = "";
 function keepPicture() {
   const question = state.question?.asking && state.question.question;
-  if (background) {
-    const { __canvas_element: cradle, __overlay_element: texts } = scene();
-    const paper = make("canvas", { width: cradle.width, height: cradle.height });
-    for (const layer of [cradle, texts]) paper.getContext("2d").drawImage(layer, 0, 0);
-    [scene().background, background, picture] = [background, null, paper.toDataURL()];
-  } else if (question && question !== asked)
-    [asked, background, scene().background] = [question, scene().background, vec(1, 1, 1)];
+  if (question && question !== asked && bobs().every(bob => bob.ready)) [asked, before] = [question, picture()];
 }
-addEventListener("beforeprint", () => picture && find(".sheet img").forEach(image => image.src = picture));
+addEventListener("beforeprint", () => {
+  if (home) one(".picture").replaceChildren(state.question ? before : picture());
+});
+
+function picture() { // a copy of the cradle on white, and of the numbers on the axles, which are on a second canvas
+  const { __canvas_element: cradle, __overlay_element: texts, width, height, background } = scene();
+  const paper = make("canvas", { width, height });
+  drawOn(vec(1, 1, 1));
+  for (const layer of [cradle, texts]) paper.getContext("2d").drawImage(layer, 0, 0); // at once: the canvas forgets
+  drawOn(background);
+  return paper;
+}
+
+function drawOn(background) {
+  scene().background = background;
+  scene().__renderer.render(0); // VPython's number for a picture
+}

@@ -143,7 +143,7 @@ addEventListener("keydown", event => {
   const isForUs = event.target === document.body && !event.metaKey && !event.ctrlKey && !event.altKey;
   if (!isForUs || event.repeat && event.key !== "ArrowRight") return;
   const key = event.key.length === 1 && event.key > "~" ? event.code.replace(/^(Key|Digit)/, "").toLowerCase() : event.key;
-  const letter = key.length === 1 ? key.toLowerCase() : key, answer = "abcde".indexOf(letter);
+  const letter = key.length === 1 ? key.toLowerCase() : key, answer = [..."abcde"].indexOf(letter);
   const digit = /^[1-9]$/.test(letter) ? letter : event.code.match(/^Digit([1-9])$/)?.[1];
   if (letter in keys) keys[letter]();
   else if (digit) tell("lifted", Math.min(+digit, state.lifted[1]));

@@ -23,11 +23,11 @@ function shown({ key, question, answers, votes, asking, said, happened: outcome 
 // A page to fill in, and after the measurement one with its figures; canvas.js puts the picture into it.
 function sheet({ name, question, answers, happened: outcome }) {
   const pages = [make("article", {},
-    make("h2", {}, name), make("img", { alt: "The cradle before its release" }), make("p", {}, question),
+    make("h2", {}, name), make("p", { className: "picture" }), make("p", {}, question),
     make("ol", { type: "A" }, ...answers.map(answer => make("li", {}, answer))),
     make("p", {}, "My answer: ______ because"), make("div", {}, "My sketch of the first swing:"),
     make("p", {}, "I measured: speed ____________ m/s, angle ____________ degrees"))];
   if (outcome) pages.push(make("article", {},
     make("h2", {}, `${name}: measured`), happened(outcome), make("table", {}, ...outcome.rows.map(row))));
-  return make("div", { className: "sheet" }, ...pages);
+  return make("div", { className: "sheet printed" }, ...pages);
 }
