@@ -406,6 +406,16 @@ def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver
             assert page.evaluate(CUT) == []
 
 
+def test_impacts_break_between_paths_and_each_one_is_whole_or_hidden(at_rest):
+    paths = ["1-2-3", "1-2-3-4", "1-2-3-4-5", "1-2-3-4-5-6", "1-2-3-4-5-6-7"]
+    at_rest.evaluate("lines => shows.impacts(lines)", [f"t = 12.34 s  {path}  {path}  {path}" for path in paths])
+    box = at_rest.locator(".trains").evaluate(EDGES)
+    trains = [line.evaluate(EDGES) for line in at_rest.locator(".trains div").all()]
+    seen = [bottom <= box[3] + 1 for left, _, _, bottom in trains if left < box[2]]
+    assert 2 <= len(seen) < 5 and all(seen)
+    assert at_rest.evaluate("find('.trains span').map(path => path.getClientRects().length > 1)").count(True) == 0
+
+
 def test_present_leaves_cradle_and_numbers(at_rest):
     before = at_rest.evaluate(LETTERS)
     at_rest.keyboard.press("f")

@@ -109,6 +109,8 @@ shows.lifts = lifts => lifts.forEach((lift, number) => showSlider(one(`#lift-${n
 shows.mistakes = mistakes => one("ul.failed").replaceChildren(...mistakes.map(mistake => make("li", {}, mistake)));
 shows.motion = motion => one(".readout").replaceChildren(...Object.entries(motion).map(([name, text]) =>
   make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, text))));
+shows.impacts = lines => one(".trains").replaceChildren(...lines.map(line => // a line breaks only between two words
+  make("div", {}, ...line.split(" ").flatMap(word => [make("span", {}, word), " "]))));
 shows["has rule"] = has => one("[name=separating]").disabled = !has;
 shows.hit = hit => one(".hit-part").replaceChildren(...hit ? [make("strong", {}, hit.title),
   ...hit.lines.map(line => make("span", {}, line)), make("small", {}, hit.note)] : []);
