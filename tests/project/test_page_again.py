@@ -72,9 +72,11 @@ def picture_of(page):
 
 @pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
 def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again_when_it_is_back(page, started):
-    page.evaluate("glowObjs[0].forward = vec(0.6, -0.2, -1)")
-    page.evaluate("window.driver = one('canvas').getContext('webgl2').getExtension('WEBGL_lose_context')")
-    page.evaluate("driver.loseContext()")
+    page.evaluate("""() => {
+        glowObjs[0].forward = vec(0.6, -0.2, -1);
+        window.driver = one("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
+        driver.loseContext();
+    }""")
     words = page.get_by_text("The browser cannot draw the cradle now.")
     words.wait_for()
     page.evaluate("driver.restoreContext()")
