@@ -174,11 +174,10 @@ def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(
 @pytest.fixture
 def run(monkeypatch, capsys):
     """A function that runs a program of a starter in this process; it returns the status, stdout and stderr."""
-    for name in ("end_on_interrupt", "stop_on_signals", "import_later"):
-        monkeypatch.setattr(f"support.start.early.{name}", lambda *_, **__: None)
+    monkeypatch.setattr("support.start.early.on_signals", lambda act: None)
 
     def taken():
-        names = [name for name in sys.modules if name.partition(".")[0] in ("begin", "src")]
+        names = [name for name in sys.modules if name.partition(".")[0] == "src"]
         return {name: sys.modules.pop(name) for name in names}
 
     def run(starter, program, *arguments):
@@ -186,6 +185,7 @@ def run(monkeypatch, capsys):
         monkeypatch.setattr("support.start.preview.SRC", starter / "src")
         monkeypatch.setattr(sys, "path", [str(starter / "src"), str(starter), *sys.path])
         monkeypatch.setattr(sys, "argv", [str(starter / program), *arguments])
+        monkeypatch.setitem(sys.modules, "src.begin", Mock())  # it would forget what the tests have imported
         return call(lambda: runpy.run_path(str(starter / program), run_name="__main__"), capsys)
 
     kept = taken()
