@@ -9,6 +9,7 @@ from contextlib import ExitStack, suppress
 from http.client import HTTPConnection
 from importlib.machinery import PathFinder
 from pathlib import Path
+from queue import Queue
 from types import SimpleNamespace
 from urllib.parse import urlsplit
 
@@ -212,6 +213,15 @@ def test_a_browser_with_pictures_gets_a_file_that_leads_on(tmp_path, until, stat
                 assert not [*folder.iterdir()]
         assert end(process) == (status, "", "")
     assert (visited.exists(), [*folder.iterdir()]) == (bool(until), [])
+
+
+@pytest.mark.parametrize(("release", "place"), [("6.1.0-18-amd64", "file"), ("5.15.90-Microsoft-WSL2", "http")])
+def test_a_browser_that_sees_no_file_of_this_system_gets_the_address(monkeypatch, release, place):
+    opened = Queue()
+    monkeypatch.setattr("platform.release", lambda: release)
+    monkeypatch.setattr("webbrowser.get", lambda: SimpleNamespace(open=opened.put))
+    server.Server.open_browser(SimpleNamespace(address=lambda: "http", make_way=lambda: "file"))
+    assert opened.get(timeout=SECONDS) == place
 
 
 SESSION = """exec "{python}" -W ignore -i <<'END'
