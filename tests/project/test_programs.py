@@ -76,12 +76,14 @@ def test_the_example_of_the_readme_has_thrown_the_last_bob_out():
 
 
 OLD = "import itertools, sys; del itertools.pairwise; sys.version_info = (3, 9, 6)"  # it has no pairwise, for one
+FULL = "import tempfile; tempfile._candidate_tempdir_list = list"  # no folder is left to write to
 
 
 @pytest.mark.parametrize(
     ("obstacle", "status", "words"),
     [
         (OLD, 1, "Newton's cradle needs Python 3.10 or later; "),
+        (FULL, 2, "Python finds no folder for temporary files in which it can write. Set TMPDIR to such a folder."),
     ],
 )
 def test_an_obstacle_is_named_before_a_program_stumbles(obstacle, status, words):
