@@ -11,9 +11,9 @@ from unittest.mock import Mock
 
 import pandas as pd
 import pytest
-from make_starter import make_starter
-from programs import call, python, ROOT
-from students import change, COUNTS, graded_in, write, write_tiers
+from make_starter import FILES, make_starter
+from programs import call, copy_project, python, ROOT
+from students import change, COUNTS, graded_in, put_files, write, write_tiers
 
 from grading.handout import FUNCTIONS, SUITES
 
@@ -96,6 +96,18 @@ def test_a_student_meets_no_reference_to_a_file_module_or_name_that_is_not_there
     options = ["--isolated", "--no-cache", "--select", "F", "--ignore", "F401,F821,F841"]
     done = python("-m", "ruff", "check", *options, "src", folder=made)
     assert (done.returncode, done.stderr) == (0, ""), done.stdout
+
+
+def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out(tmp_path, monkeypatch):
+    """A Mac puts such a file beside each one on a foreign disk; Jupyter keeps whole solutions in such a folder."""
+    shutil.copytree(ROOT / "tests", copy_project(tmp_path, "") / "tests")
+    for name in FILES:
+        shutil.copy(ROOT / name, tmp_path / name)
+    copies = ["src/._swinging.py", "src/.ipynb_checkpoints/swinging.py", "tests/grading/._grade.py", "support/.x/y.txt"]
+    put_files(tmp_path, dict.fromkeys(copies, b"\0"))
+    monkeypatch.setattr("make_starter.ROOT", tmp_path)
+    make_starter(tmp_path / "starter")
+    assert [path.name for path in (tmp_path / "starter").rglob(".*")] == [".gitignore"]
 
 
 @pytest.mark.parametrize("place", ["deep/down/new", "."])
