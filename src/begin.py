@@ -30,8 +30,9 @@ def forget_earlier_program() -> None:
     These are the files that you may have changed since, VPython with all objects of the earlier page (VPython forgets
     itself in the same way in Spyder), and the stand-in for VPython.
     """
-    beside = {file.partition(".")[0] for file in os.listdir(os.path.dirname(__file__))}  # imported without "src."
-    beside.difference_update(getattr(sys, "stdlib_module_names", ()))  # a file that hides one is refused later
+    names = {file.partition(".")[0] for file in os.listdir(os.path.dirname(__file__))}  # also imported without "src."
+    names.difference_update(getattr(sys, "stdlib_module_names", ()))  # a file that hides one is refused later
+    names.update(("src", "support", "vpython"))
     for module in [*sys.modules]:
-        if module.partition(".")[0] in {"src", "support", "vpython"} | beside:
+        if module.partition(".")[0] in names:
             del sys.modules[module]
