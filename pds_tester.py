@@ -1,11 +1,13 @@
 """Run this file to see, step by step, how newton_cradle_pends.csv becomes pend_list. It needs no VPython."""
 
 if __name__ == "__main__":
-    from support.start.unfit import refuse_unfit
+    import os
+    import sys
 
-    refuse_unfit()
+    sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/.."))  # the project's folder
+    from src import begin
 
-    import support.headless_vpython  # noqa: F401  no page, so no VPython
+    begin.program(needs_vpython=False)
 
 import sys
 
@@ -14,6 +16,7 @@ import pandas as pd
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.files.cradle_csv import check_cradle, clean_copy, Snapshot
+from support.start.early import stop_on_signals
 from support.start.mistake import tell_endless, tell_mistake
 from support.start.output import refuse, while_it_is_read
 
@@ -21,6 +24,7 @@ from support.start.output import refuse, while_it_is_read
 @while_it_is_read()
 def main() -> None:
     """Print df, bad_rep and pend_list; exit with status 2 if the CSV is no cradle."""
+    stop_on_signals()
     csv = Snapshot(NC_FP)
     try:
         check_cradle(csv)
@@ -43,7 +47,7 @@ def main() -> None:
             return
         except KeyboardInterrupt as stopped:
             tell_endless(stopped)
-            return
+            sys.exit(*stopped.args)
         except Exception as error:
             tell_mistake(error)
             sys.exit(1)

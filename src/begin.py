@@ -5,18 +5,34 @@ import sys
 
 
 def program(needs_vpython=True) -> None:
-    """Find the project, be ready for Ctrl+C, and let the import of pandas wait until the program uses it.
+    """Forget an earlier program, be ready for signals, and let the import of pandas wait until the program uses it.
 
     Without needs_vpython, a stand-in takes VPython's place. Exits with one line if something is in the way.
     """
-    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+    forget_earlier_program()
     from support.start.unfit import refuse_unfit
 
     refuse_unfit()
-    from support.start.early import end_on_interrupt, import_later  # not earlier: a file can hide what this imports
+    # Not earlier: a file can hide what this imports.
+    from support.start.early import draw_without_its_page, end_on_signals, import_later
 
-    # The imports of a program take a moment; without this, Ctrl+C would print a traceback.
-    end_on_interrupt(status=int(any(word.startswith("--record") for word in sys.argv[1:])))
+    end_on_signals()  # the imports of a program take a moment; without this, Ctrl+C would print a traceback
     import_later("pandas")  # it takes longest: the page imports it while the browser loads
-    if not needs_vpython:
+    if needs_vpython:
+        draw_without_its_page()
+    else:
         import support.headless_vpython  # noqa: F401
+
+
+def forget_earlier_program() -> None:
+    """Let Python import again what an earlier program has left in a session (IPython, python -i).
+
+    These are the files that you may have changed since, VPython with all objects of the earlier page (VPython forgets
+    itself in the same way in Spyder), and the stand-in for VPython.
+    """
+    names = {file.partition(".")[0] for file in os.listdir(os.path.dirname(__file__))}  # also imported without "src."
+    names.difference_update(getattr(sys, "stdlib_module_names", ()))  # a file that hides one is refused later
+    names.update(("src", "support", "vpython"))
+    for module in [*sys.modules]:
+        if module.partition(".")[0] in names:
+            del sys.modules[module]

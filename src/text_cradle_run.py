@@ -1,7 +1,11 @@
 """Newton's cradle in the terminal: as moving text, as lines of text, or as data in a file. Needs no VPython."""
 
 if __name__ == "__main__":
-    import begin
+    import os
+    import sys
+
+    sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
+    from src import begin
 
     begin.program(needs_vpython=False)
 

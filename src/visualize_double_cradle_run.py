@@ -1,7 +1,11 @@
 """The double Newton's cradle in the browser: the program to play with."""
 
 if __name__ == "__main__":
-    import begin
+    import os
+    import sys
+
+    sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
+    from src import begin
 
     begin.program()
 

@@ -61,16 +61,17 @@ def main() -> None:
 def make_starter(folder) -> None:
     """Make the folder, or fill an empty one; if this fails, leave nothing behind, and raise an OSError."""
     found = [path.relative_to(ROOT) for name in FOLDERS for path in (ROOT / name).rglob("*") if path.is_file()]
+    found = [path for path in found if not any(is_left_out(part) for part in path.parts)]
     rows = "\n".join(f"| {function.tier} | `{name}` | `{function.file}` |" for name, function in FUNCTIONS.items())
     project = (ROOT / "pyproject.toml").read_text(encoding="utf-8").partition("\n# A plain pytest")[0]
     texts = {
         "README.md": Path(__file__).with_name("starter.md").read_text(encoding="utf-8").format(rows=rows),
         "pyproject.toml": project.replace(" -m 'not browser and not slow' -n 2 --dist worksteal", ""),
-        **{f"src/{path.name}": for_students(path) for path in (ROOT / "src").glob("*.py") if path.name not in UNUSED},
+        **{path.as_posix(): for_students(ROOT / path) for path in found if path.match("src/*.py")},
     }
     new = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
-        for path in [*map(Path, FILES), *(path for path in found if not UNUSED.intersection(path.parts))]:
+        for path in [*map(Path, FILES), *found]:
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / path, folder / path)
         for name, text in texts.items():
@@ -79,6 +80,14 @@ def make_starter(folder) -> None:
         for path in new[-1:] or folder.iterdir():
             shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
         raise
+
+
+def is_left_out(name) -> bool:
+    """Return whether students do not get a file or a folder of this name.
+
+    A name that begins with a dot is that of an editor's copy, or of what a Mac puts beside a file on a foreign disk.
+    """
+    return name in UNUSED or name.startswith(".")
 
 
 def for_students(path) -> str:

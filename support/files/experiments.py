@@ -35,10 +35,13 @@ class Experiment(NamedTuple):
 
 
 def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
-    """Return this folder's experiments (for pendula with 1 or 2 cords), as in the menu, and a line for each bad one."""
+    """Return this folder's experiments (for pendula with 1 or 2 cords), as in the menu, and a line for each bad one.
+
+    A name that begins with a dot is no experiment: a Mac puts such a file beside each one on a foreign disk.
+    """
     experiments: list[Experiment] = []
     mistakes = []
-    for file in sorted(Path(folder).glob("*.txt"), key=place_in_menu):
+    for file in sorted(Path(folder).glob("[!.]*.txt"), key=place_in_menu):
         try:
             experiment = read_experiment(file, cords)
             if experiment.name in [other.name for other in experiments]:

@@ -7,12 +7,13 @@ from pathlib import Path
 from support.cradle.cradle import Cradle, DoubleCradle
 from support.cradle.player import run
 from support.files.cradle_csv import check_cradle, LiveFile
-from support.start.early import end_on_interrupt
+from support.start.early import end_on_signals
 from support.start.mistake import tell_endless, tell_mistake
 from support.start.options import check_lift, command_line, read_double_page_options, read_page_options
 from support.start.output import refuse, say, while_it_is_read
 from support.start.preview import end_if_unwritten, what_there_is
 
+PROGRAMS = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"  # by the cords of a pendulum
 GOODBYE = 10.0  # s that the page has to fetch the last message
 UPPER_ONLY = "Only upper bobs collide, and as if nothing hung from them. So each hit changes the energy."
 
@@ -56,7 +57,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
         refuse(error)
     from support.page.viewer import Viewer  # while the browser starts
 
-    folder, program = Path.cwd(), f"src/{Path(sys.argv[0]).name}"
+    folder, program = Path.cwd(), PROGRAMS[len(angles) - 1]
     texts = {"remark": remark, "command": command_line(program, folder, sys.argv[1:])}
     texts["terminal"] = command_line("src/text_cradle_run.py", folder)
     viewer = Viewer(cradle, file, angles, options.lift, server.tabs, **texts)
@@ -74,19 +75,16 @@ def show_page(main, cradle, options, angles, remark="") -> None:
 
 def open_page(options):
     """Return the Server of the page, and start a browser, unless --no-browser is given; raises listen's ValueErrors."""
-    # Not earlier: the stand-in for VPython has no server.
-    from vpython import baseObj
-
+    # Not earlier: it needs packages that come with VPython.
     from support.page.server import listen, Server
     from support.page.tabs import Tabs
 
     server = Server(listen(options.host, options.port), Tabs())
-    baseObj._view_constructed = True  # VPython's own server does not start: it believes that its page is there
     say(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:
         say("Every machine that reaches this one can open it, at this one's name, with the same port and key.")
-    say("Open it yourself if no browser opens. To end, press Ctrl+C or close the tab.")
-    end_on_interrupt(first=server.forget_way)
+    say("Open it yourself if no browser shows it. To end, press Ctrl+C or close the tab.")
+    end_on_signals(first=server.forget_way)
     if options.browser:
         server.open_browser()
     return server

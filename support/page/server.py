@@ -10,6 +10,7 @@
 
 import asyncio
 import logging
+import platform
 import secrets
 import socket
 import tempfile
@@ -77,6 +78,11 @@ def own_files() -> dict[str, bytes | Path]:
     return files
 
 
+def browser_is_outside() -> bool:
+    """Return whether the browser belongs to another system around this one: Windows around WSL, or ChromeOS."""
+    return "microsoft" in platform.release().lower() or Path("/dev/.cros_milestone").exists()
+
+
 class Server:
     """Serves the page in a thread of its own, from the moment when it is made until close or the program's end."""
 
@@ -117,20 +123,26 @@ class Server:
 
         All users of a machine can read the command of a browser. So the browser gets a file that only you can read, and
         that leads on to the address with the key; Jupyter does the same. The file is in the working folder, if it can
-        be: a browser from a snap cannot read the folder for temporary files.
+        be: a browser from a snap cannot read the folder for temporary files. Where the browser cannot see any file of
+        this system, it gets the address itself; such a system has one user.
         """
         with suppress(webbrowser.Error, OSError):
             browser = webbrowser.get()
             if Path(getattr(browser, "name", "")).name in TEXT_BROWSERS:
                 return
-            try:
-                number, name = tempfile.mkstemp(".html", "open-cradle-", Path.cwd())  # with mode 600
-            except OSError:
-                number, name = tempfile.mkstemp(".html", "open-cradle-")
-            self.way = Path(name)
-            with open(number, "w", encoding="utf-8") as file:
-                file.write(f'<meta http-equiv="refresh" content="0; url={self.address()}">')
-            threading.Thread(target=browser.open, args=(self.way.as_uri(),), daemon=True).start()
+            place = self.address() if browser_is_outside() else self.make_way()
+            threading.Thread(target=browser.open, args=(place,), daemon=True).start()
+
+    def make_way(self) -> str:
+        """Make the file that leads a browser to the page; return its address. Raises an OSError."""
+        try:
+            number, name = tempfile.mkstemp(".html", "open-cradle-", Path.cwd())  # with mode 600
+        except OSError:
+            number, name = tempfile.mkstemp(".html", "open-cradle-")
+        self.way = Path(name)
+        with open(number, "w", encoding="utf-8") as file:
+            file.write(f'<meta http-equiv="refresh" content="0; url={self.address()}">')
+        return self.way.as_uri()
 
     def forget_way(self) -> None:
         """Delete the file that leads a browser to the page."""

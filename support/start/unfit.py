@@ -7,18 +7,14 @@ NEEDED = {"numpy", "pandas", "pytest", "vpython"}
 
 
 def refuse_unfit() -> None:
-    """Exit with one line if Python is too old, if a file hides a module, or if pandas is missing."""
+    """Exit with one line if Python is too old, if a file hides a module, or if pandas or a folder is missing."""
     if sys.version_info < (3, 10):  # noqa: UP036
         sys.exit(f"Newton's cradle needs Python 3.10 or later; {sys.executable} is {sys.version.split()[0]}.")
-    words = hidden_module()
-    if not words:
-        from importlib.util import find_spec  # not earlier: a file can hide what this imports
-
-        if find_spec("pandas") is None:
-            words = f"{sys.executable} has no pandas. Install it as README.md says, or start the Python that has it."
-    if words:
-        print(words, file=sys.stderr)
-        sys.exit(2)
+    for obstacle in (hidden_module, missing_package, missing_folder):  # the others import what a file can hide
+        words = obstacle()
+        if words:
+            print(words, file=sys.stderr)
+            sys.exit(2)
 
 
 def hidden_module() -> str:
@@ -35,4 +31,24 @@ def hidden_module() -> str:
             if is_module and module in NEEDED | sys.stdlib_module_names:
                 file = os.path.relpath(os.path.join(folder, name), root)
                 return f"{file} hides the module {module} from Python and its packages. Rename it."
+    return ""
+
+
+def missing_package() -> str:
+    """Return a line if there is no pandas, or ""."""
+    from importlib.util import find_spec
+
+    if find_spec("pandas") is None:
+        return f"{sys.executable} has no pandas. Install it as README.md says, or start the Python that has it."
+    return ""
+
+
+def missing_folder() -> str:
+    """Return a line if Python can write to no folder for temporary files, or ""."""
+    import tempfile
+
+    try:
+        tempfile.gettempdir()
+    except FileNotFoundError:
+        return "Python finds no folder for temporary files in which it can write. Set TMPDIR to such a folder."
     return ""

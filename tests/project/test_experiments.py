@@ -97,6 +97,7 @@ def test_bad_experiments_are_named_in_one_line_each_by_number_and_the_other_one_
         file.write_bytes(TEXT.replace(old, new).encode("latin-1"))
         expected.append(f"{file}, {words}")
     expected.append(f"{tmp_path / 'wrong.txt'}: cannot be read: ")
+    (tmp_path / "._two.txt").write_bytes(b"\0\5\26\7")  # a Mac puts it beside two.txt on a foreign disk
     experiments, mistakes = read_experiments(tmp_path, 1)
     assert [experiment.key for experiment in experiments] == ["0_two"]
     for mistake, beginning in zip(mistakes, expected, strict=True):

@@ -10,6 +10,7 @@ import sys
 import textwrap
 from functools import partial
 from importlib import import_module
+from importlib.util import find_spec
 from math import hypot
 from pathlib import Path
 from types import SimpleNamespace
@@ -26,25 +27,34 @@ from src import double_cradle, special_cradles, visualize_cradle_run, visualize_
 from support.constants import R_PARAM, THETA_INIT
 from support.page.page import show_cradle, show_double_cradle
 from support.pendulum import to_lift
-from support.start.early import end_on_interrupt, import_later, stop_on_signals
+from support.start.early import import_later, stop_on_signals
 from support.start.output import complain, say, while_it_is_read
+
+TEXT, PAGES = "src/text_cradle_run", [f"src/visualize_{name}_run" for name in ("cradle", "double_cradle")]
 
 
 @pytest.mark.parametrize(
-    "program",
+    ("program", "way"),
     [
-        *("pds_tester", "src/text_cradle_run"),
-        *(pytest.param(f"src/visualize_{name}_run", marks=with_vpython) for name in ("cradle", "double_cradle")),
+        *[("pds_tester", "file"), (TEXT, "file"), ("pds_tester", "isolated"), (TEXT, "isolated"), (TEXT, "module")],
+        *[(TEXT, "pasted"), pytest.param(TEXT, "link", marks=on_posix)],
+        *[pytest.param(page, "file", marks=with_vpython) for page in PAGES],
     ],
 )
-def test_a_program_finds_its_own_project_from_any_folder_and_refuses_in_one_line(tmp_path, program):
-    """It needs no VPython, or it has a page and no pandas so early.
+def test_a_program_finds_its_own_project_from_any_folder_and_refuses_in_one_line(tmp_path, program, way):
+    """It needs no VPython, or it has a page and no pandas so early. An old copy of the project does not get in.
 
     VPython's server does not start so early either: it would wait for a browser.
     """
-    project, hidden = copy_project(tmp_path, ""), "pandas.py" if "visualize" in program else "vpython.py"
-    hiding = put_files(tmp_path / "hiding", {hidden: "raise ModuleNotFoundError"})
-    done = python(project / f"{program}.py", folder=os.sep, PYTHONPATH=str(hiding))
+    project, hidden = copy_project(tmp_path / "100% ü #1", ""), "pandas.py" if program in PAGES else "vpython.py"
+    old_copy = dict.fromkeys([hidden, "src/__init__.py", "support/__init__.py"], "raise ModuleNotFoundError")
+    file, link = project / f"{program}.py", tmp_path / "link"
+    if way == "link":
+        link.symlink_to(file)
+    ways = {"file": [file], "isolated": ["-I", file], "module": ["-m", program.replace("/", ".")]}
+    ways |= {"pasted": ["-c", file.read_text(encoding="utf-8")], "link": [link]}
+    folder = os.sep if way == "file" else project
+    done = python(*ways[way], folder=folder, PYTHONPATH=str(put_files(tmp_path / "hiding", old_copy)))
     line = f"{project / 'newton_cradle_pends.csv'}: is empty, the first line must name the columns\n"
     assert (done.returncode, done.stdout, done.stderr) == (2, "", line)
 
@@ -65,13 +75,45 @@ def test_the_example_of_the_readme_has_thrown_the_last_bob_out():
     assert x > 0.2 and hypot(x - (R_PARAM - 0.1), y - height) == pytest.approx(R_PARAM, abs=0.002)
 
 
-def test_an_older_python_is_named_before_it_stumbles():
-    """Python 3.9 has no pairwise, for one."""
-    old = "import itertools, sys; del itertools.pairwise; sys.version_info = (3, 9, 6)"
-    run = "import runpy; sys.path[0] = 'src'; runpy.run_path('src/visualize_cradle_run.py', run_name='__main__')"
-    done = python("-c", f"{old}; {run}")
-    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (1, "", 1)
-    assert done.stderr.startswith("Newton's cradle needs Python 3.10 or later; ")
+OLD = "import itertools, sys; del itertools.pairwise; sys.version_info = (3, 9, 6)"  # it has no pairwise, for one
+FULL = "import tempfile; tempfile._candidate_tempdir_list = list"  # no folder is left to write to
+
+
+@pytest.mark.parametrize(
+    ("obstacle", "status", "words"),
+    [
+        (OLD, 1, "Newton's cradle needs Python 3.10 or later; "),
+        (FULL, 2, "Python finds no folder for temporary files in which it can write. Set TMPDIR to such a folder."),
+    ],
+)
+def test_an_obstacle_is_named_before_a_program_stumbles(obstacle, status, words):
+    run = "import runpy; runpy.run_path('src/visualize_cradle_run.py', run_name='__main__')"
+    done = python("-c", f"{obstacle}; {run}")
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (status, "", 1)
+    assert done.stderr.startswith(words)
+
+
+DRAWN = """
+from src import begin
+begin.program()
+from vpython import *
+sphere().clone()
+for refused in {refused}.split():
+    try:
+        eval(refused)
+    except RuntimeError:
+        print(refused)
+"""
+REFUSED = """
+text(text='a') compound([box()]) extrusion(path=[],shape=[]) graph() gcurve() slider(bind=abs)
+scene.waitfor('click') scene.pause() scene.mouse.pick
+"""
+
+
+@with_vpython
+def test_a_program_with_a_page_draws_shapes_of_vpython_and_refuses_all_for_which_vpython_would_wait():
+    done = python("-W", "ignore", "-c", DRAWN.format(refused=repr(REFUSED)))
+    assert (done.returncode, done.stdout.split(), done.stderr) == (0, REFUSED.split(), "")
 
 
 def test_a_file_that_hides_a_module_is_named(tmp_path):
@@ -92,6 +134,7 @@ def test_a_slow_module_is_imported_once_when_it_is_used(tmp_path, monkeypatch):
     monkeypatch.delitem(sys.modules, "slow_module", raising=False)
     import_later("slow_module")
     early = import_module("slow_module")
+    assert find_spec("slow_module").name == "slow_module"  # for the next program in a session
     assert imports == []
     assert (early.value, early.value, imports) == (7, 7, [1])
     import_later("no_such_module")
@@ -145,7 +188,7 @@ def test_letters_that_the_output_lacks_are_written_out_and_without_an_output_the
         complain("a mistake")
 
 
-def test_each_signal_ends_a_program_once_with_its_status_unless_it_is_ignored(monkeypatch):
+def test_each_signal_ends_a_program_once_with_its_status_unless_it_is_ignored_or_in_a_session(monkeypatch):
     """128 + its number, as in a shell; Ctrl+C is the usual end. nohup lets a program ignore SIGHUP."""
     handlers = {}
     signals = {"SIGHUP": 1, "SIGINT": 2, "SIGQUIT": 3, "SIGTERM": 15, "SIG_IGN": "ignored"}
@@ -159,22 +202,16 @@ def test_each_signal_ends_a_program_once_with_its_status_unless_it_is_ignored(mo
         with pytest.raises(KeyboardInterrupt, match=f"^{status}$"):
             handlers[number](number, None)
         assert {*handlers.values()} == {"ignored"}  # nothing interrupts the clean-up
-
-
-def test_ctrl_c_ends_a_page_at_once_and_in_a_session_it_is_left_alone(monkeypatch):
-    handlers, done = {}, []
-    monkeypatch.setattr("support.start.early.signal", SimpleNamespace(SIGINT=2, signal=handlers.__setitem__))
-    monkeypatch.setattr("os._exit", done.append)
-    end_on_interrupt(3, first=lambda: done.append("first"))
-    handlers.pop(2)(2, None)
+    handlers.clear()
     monkeypatch.setattr(sys, "ps1", ">>> ", raising=False)  # as in IPython and python -i
-    end_on_interrupt(3)
-    assert (done, handlers) == (["first", 3], {})
+    stop_on_signals()
+    assert handlers == {}
 
 
 def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
     csv.write_text(MIXED_CSV)
     monkeypatch.setattr(pds_tester, "NC_FP", str(csv))
+    monkeypatch.setattr(pds_tester, "stop_on_signals", lambda: None)
     pds_tester.main()
     df, bad_rep, pend_list = [block.splitlines() for block in capsys.readouterr().out.split("\n\n")]
     assert (df[0].partition(":")[0], len(df)) == ("df", 1 + 1 + 3)  # the name df, a header, three pendula
@@ -195,7 +232,7 @@ def start(monkeypatch, csv):
     stand_in = SimpleNamespace(listen=lambda *given: given, Server=lambda *given: shown.append(given) or server)
     monkeypatch.setitem(sys.modules, "support.page.server", stand_in)
     monkeypatch.setattr("support.page.page.run", lambda main, viewer: shown.append(viewer))
-    monkeypatch.setattr("support.page.page.end_on_interrupt", Mock())
+    monkeypatch.setattr("support.page.page.end_on_signals", Mock())
     monkeypatch.setattr("support.page.page.what_there_is", lambda main, scope: (main, REMARK))
 
     def start(*arguments, is_double=False):

@@ -26,7 +26,7 @@ MAY_IMPORT = {
     BEGIN: {"support", "support.start"},
     PROGRAM: {"support", "support.files", "support.cradle", "support.start", "support.terminal"},
 }
-FILES = [file for folder in ("src", "support") for file in sorted((ROOT / folder).rglob("*.py"))]
+FILES = [file for folder in ("src", "support") for file in sorted((ROOT / folder).rglob("[!.]*.py"))]
 MODULES = {".".join(file.relative_to(ROOT).with_suffix("").parts): file for file in FILES}
 
 
@@ -68,6 +68,6 @@ def test_imports_have_no_circle():
 
 
 def test_only_a_start_as_a_program_changes_the_path():
-    files = [file for folder in ("src", "support", "tests") for file in (ROOT / folder).rglob("*.py")]
+    files = [file for folder in ("src", "support", "tests") for file in (ROOT / folder).rglob("[!.]*.py")]
     changing = [file.relative_to(ROOT) for file in files if "\nsys.path" in file.read_text(encoding="utf-8")]
     assert [*map(str, changing)] == [str(Path("tests/grading/begin.py"))]

@@ -2,7 +2,6 @@
 
 import json
 import random
-import re
 import signal
 import socket
 import sys
@@ -10,6 +9,7 @@ from contextlib import ExitStack, suppress
 from http.client import HTTPConnection
 from importlib.machinery import PathFinder
 from pathlib import Path
+from queue import Queue
 from types import SimpleNamespace
 from urllib.parse import urlsplit
 
@@ -190,9 +190,10 @@ print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{vis
 """
 
 
-@pytest.mark.parametrize(("name", "until"), [("browser", "a tab"), ("browser", "Ctrl+C"), ("w3m", "")])
-def test_a_browser_with_pictures_gets_a_file_that_leads_on(tmp_path, name, until):
-    """All users of a machine can read a command; only you the file. It is gone with the first tab, or with Ctrl+C."""
+@pytest.mark.parametrize(("until", "status"), [("a tab", 0), ("SIGINT", 0), ("SIGTERM", 143), ("SIGHUP", 129), ("", 0)])
+def test_a_browser_with_pictures_gets_a_file_that_leads_on(tmp_path, until, status):
+    """All users of a machine can read a command; only you the file. It goes with the first tab, or with the program."""
+    name = "browser" if until else "w3m"
     folder, visited, browser = (tmp_path / path for path in ("100% ü #1", "visited", name))
     folder.mkdir()
     browser.write_text(BROWSER.format(python=sys.executable, visited=visited))
@@ -204,38 +205,68 @@ def test_a_browser_with_pictures_gets_a_file_that_leads_on(tmp_path, name, until
             *seen, given = visited.read_text().split()
             assert seen == ["600", address, "200"]
             assert given.startswith("file://") and address.partition("key=")[2] not in given
-        if until == "Ctrl+C":
-            process.send_signal(signal.SIGINT)
+        if until.startswith("SIG"):
+            process.send_signal(getattr(signal, until))
         else:
             with Tab(urlsplit(address)) as tab:
                 tab.state("motion")  # the program would have started a browser before it swings
                 assert not [*folder.iterdir()]
-        assert end(process) == QUIETLY
+        assert end(process) == (status, "", "")
     assert (visited.exists(), [*folder.iterdir()]) == (bool(until), [])
 
 
-SESSION = """exec "{python}" -i <<'END'
+@pytest.mark.parametrize(("release", "place"), [("6.1.0-18-amd64", "file"), ("5.15.90-Microsoft-WSL2", "http")])
+def test_a_browser_that_sees_no_file_of_this_system_gets_the_address(monkeypatch, release, place):
+    opened = Queue()
+    monkeypatch.setattr("platform.release", lambda: release)
+    monkeypatch.setattr("webbrowser.get", lambda: SimpleNamespace(open=opened.put))
+    server.Server.open_browser(SimpleNamespace(address=lambda: "http", make_way=lambda: "file"))
+    assert opened.get(timeout=SECONDS) == place
+
+
+SESSION = """exec "{python}" -W ignore -i <<'END'
 import runpy, sys
-sys.argv, sys.path[0] = ["{program.name}", "{csv}", "--no-browser"], "{program.parent}"
-_ = runpy.run_path("{program}", run_name="__main__"); print("the prompt")
-sys.modules["support.page.server"].RETURN = 0.1  # s: one wait of three seconds is enough
-_ = runpy.run_path("{program}", run_name="__main__"); print("the prompt")
+def start(name, *options):
+    sys.argv = [f"{folder}/src/{{name}}.py", *options]
+    try:
+        runpy.run_path(sys.argv[0], run_name="__main__")
+    except SystemExit as ended:
+        print("status", ended.code)
+    print("the prompt")
+
+start("text_cradle_run", "--seconds", "0.01")
+with open("{folder}/src/swinging.py", "a") as file:
+    _ = file.write("\\nfrom vpython import sphere\\nsphere()\\nprint('the new file')\\n")
+
+start("text_cradle_run", "--seconds", "0.01")
+start("visualize_cradle_run", "--help")
+start("visualize_cradle_run", "--no-browser")
+start("visualize_cradle_run", "--no-browser")
 END"""
 
 
-def test_in_a_session_a_closed_tab_gives_the_prompt_back_and_a_second_run_works(csv):
-    """As in IPython. VPython keeps the objects of the first run; they are hidden."""
-    commands = SESSION.format(python=sys.executable, program=programs.PROGRAM, csv=csv)
-    with running("-c", commands, python="sh") as session:
+def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back(program):
+    """As in IPython: with changed files, with and without VPython. The page shows what a file draws, and that once."""
+    folder = program.parents[1]
+    site = folder / "support" / "page" / "server.py"
+    site.write_text(site.read_text().replace("RETURN, LOADING = 3.0", "RETURN, LOADING = 0.1"))  # s: quickly
+    with running("-c", SESSION.format(python=sys.executable, folder=folder), python="sh") as session:
+
+        def until_the_prompt():
+            return [*iter(session.stdout.readline, "the prompt\n")]
+
+        assert [line[:3] for line in until_the_prompt()] == ["t ="] * 2
+        assert [line[:3] for line in until_the_prompt()] == ["the", "t =", "t ="]
+        assert until_the_prompt()[-1] == "status 0\n"
         for _ in range(2):
-            spheres, visible, message = [], {}, {"state": {}}
+            assert session.stdout.readline() == "the new file\n"
             with Tab(urlsplit(first_lines(session))) as tab:
+                kinds, message = [], {"state": {}}
                 while "motion" not in message["state"]:  # until it swings
                     message = tab.hear()
-                    spheres += [str(cmd["idx"]) for cmd in message["cmds"] if cmd.get("cmd") == "sphere"]
-                    visible |= dict(re.findall(r'"a(\d+)t(\d)"', json.dumps(message["attrs"])))
-                assert sum(visible.get(number) != "0" for number in spheres) == 5
-            assert session.stdout.readline() == "the prompt\n"
+                    kinds += [cmd.get("cmd") for cmd in message["cmds"]]
+                assert kinds.count("sphere") == 5 + 1
+            assert until_the_prompt() == []
         assert end(session)[:2] == (0, "")
 
 

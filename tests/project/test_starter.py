@@ -11,9 +11,9 @@ from unittest.mock import Mock
 
 import pandas as pd
 import pytest
-from make_starter import make_starter
-from programs import call, python, ROOT
-from students import change, COUNTS, graded_in, write, write_tiers
+from make_starter import FILES, make_starter
+from programs import call, copy_project, python, ROOT
+from students import change, COUNTS, graded_in, put_files, write, write_tiers
 
 from grading.handout import FUNCTIONS, SUITES
 
@@ -98,6 +98,18 @@ def test_a_student_meets_no_reference_to_a_file_module_or_name_that_is_not_there
     assert (done.returncode, done.stderr) == (0, ""), done.stdout
 
 
+def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out(tmp_path, monkeypatch):
+    """A Mac puts such a file beside each one on a foreign disk; Jupyter keeps whole solutions in such a folder."""
+    shutil.copytree(ROOT / "tests", copy_project(tmp_path, "") / "tests")
+    for name in FILES:
+        shutil.copy(ROOT / name, tmp_path / name)
+    copies = ["src/._swinging.py", "src/.ipynb_checkpoints/swinging.py", "tests/grading/._grade.py", "support/.x/y.txt"]
+    put_files(tmp_path, dict.fromkeys(copies, b"\0"))
+    monkeypatch.setattr("make_starter.ROOT", tmp_path)
+    make_starter(tmp_path / "starter")
+    assert [path.name for path in (tmp_path / "starter").rglob(".*")] == [".gitignore"]
+
+
 @pytest.mark.parametrize("place", ["deep/down/new", "."])
 def test_on_a_full_disk_nothing_is_left_of_it(tmp_path, monkeypatch, place):
     """A folder that was there stays."""
@@ -174,11 +186,10 @@ def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(
 @pytest.fixture
 def run(monkeypatch, capsys):
     """A function that runs a program of a starter in this process; it returns the status, stdout and stderr."""
-    for name in ("end_on_interrupt", "stop_on_signals", "import_later"):
-        monkeypatch.setattr(f"support.start.early.{name}", lambda *_, **__: None)
+    monkeypatch.setattr("support.start.early.on_signals", lambda act: None)
 
     def taken():
-        names = [name for name in sys.modules if name.partition(".")[0] in ("begin", "src")]
+        names = [name for name in sys.modules if name.partition(".")[0] == "src"]
         return {name: sys.modules.pop(name) for name in names}
 
     def run(starter, program, *arguments):
@@ -186,6 +197,7 @@ def run(monkeypatch, capsys):
         monkeypatch.setattr("support.start.preview.SRC", starter / "src")
         monkeypatch.setattr(sys, "path", [str(starter / "src"), str(starter), *sys.path])
         monkeypatch.setattr(sys, "argv", [str(starter / program), *arguments])
+        monkeypatch.setitem(sys.modules, "src.begin", Mock())  # it would forget what the tests have imported
         return call(lambda: runpy.run_path(str(starter / program), run_name="__main__"), capsys)
 
     kept = taken()

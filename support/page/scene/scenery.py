@@ -12,9 +12,7 @@ class Scenery:
     """The light on VPython's canvas, and the frame around a cradle. Each tab has its own camera."""
 
     def __init__(self):
-        """Set soft light and a distant camera, and hide what an earlier run in this Python has left."""
-        for shape in scene.objects:
-            shape.visible = False
+        """Set soft light and a distant camera."""
         scene.autoscale = False
         scene.fov = 0.25  # rad: a distant camera; a near one distorts shapes off the centre
         scene.lights = []
