@@ -11,7 +11,7 @@ if __name__ == "__main__":
 
 import sys
 
-from src import special_cradles, swinging
+from src import special_cradles
 from src.visualize_cradle_run import main as cradle_main
 from support.cradle.cradle import Cradle
 from support.cradle.many_ticks import many_ticks
@@ -42,28 +42,26 @@ def main() -> None:
             check_record(options.record)
     except ValueError as error:
         refuse(error)
-    cradle = Cradle(cradle_main, [special_cradles, swinging], options, many_ticks)
+    cradle = Cradle(cradle_main, special_cradles, options, many_ticks)
     loop, remark = what_there_is(cradle_main, cradle.scope)
 
     try:
         stop_on_signals()
-        if options.record is not None:
+        if options.record:
             record(loop, cradle, csv, options, remark)
         elif has_terminal():
             pictures = Pictures(cradle, csv, options, remark)
             with own_screen(lambda: pictures.seen):
                 run(loop, pictures)
         else:
-            print(remark, end="\n" if remark else "", flush=True)
+            if remark:
+                print(remark, flush=True)
             run(loop, Lines(cradle, csv, options))
     except KeyboardInterrupt as stopped:
         tell_endless(stopped)
         if options.record is None:
             sys.exit(*stopped.args)
-        words = "The recording ended too early."
-        if options.record != "-":
-            words += f" {options.record} is not written."
-        complain(words)
+        complain("The recording ended too early. It is in no file.")
         sys.exit(1)
     except (Exception, SystemExit) as error:
         cause = error.__cause__ or error  # whole_file replaces every OSError, also one of a student's function

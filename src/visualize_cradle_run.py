@@ -76,8 +76,8 @@ def main(page) -> None:
 
 
 if __name__ == "__main__":
-    from src import special_cradles, swinging
+    from src import special_cradles
     from support.cradle.many_ticks import many_ticks
     from support.page.page import show_cradle
 
-    show_cradle(main, [special_cradles, swinging], many_ticks)
+    show_cradle(main, special_cradles, many_ticks)

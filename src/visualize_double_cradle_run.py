@@ -27,7 +27,7 @@ def main(page) -> None:
 
 
 if __name__ == "__main__":
-    from src import double_cradle, special_cradles
+    from src import special_cradles
     from support.page.page import show_double_cradle
 
-    show_double_cradle(main, [special_cradles, double_cradle])
+    show_double_cradle(main, special_cradles)

@@ -51,13 +51,12 @@ class Cradle:
     collide_names: Sequence[str] = ("handle_two_bobs",)  # the first one that exists lets two pendula collide
     shown_name = "handle_collision"  # One tick shows its calls
 
-    def __init__(self, main, modules, options, many_ticks=None):
-        """Find the functions that make and move the pendula in main's module, in these modules, or elsewhere in src/.
+    def __init__(self, main, special_cradles, options, many_ticks=None):
+        """Find the functions that make and move the pendula: in main's module, in special_cradles, and in all of src/.
 
         options has elastic, inelastic, e and mass from support/start/options.py. many_ticks is the fast path, or None.
         """
-        handout = [module.__dict__ for module in modules]
-        self.scope: ChainMap[str, Any] = ChainMap(main.__globals__, *handout, *loaded_modules())
+        self.scope: ChainMap[str, Any] = ChainMap(main.__globals__, special_cradles.__dict__, *loaded_modules())
         self.many_ticks, self.mass = many_ticks, options.mass
         self.collisions: dict[str, Any] = {  # name -> function that returns pendula with the e of this kind
             AS_MADE: None,

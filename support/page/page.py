@@ -19,25 +19,24 @@ UPPER_ONLY = "Only upper bobs collide, and as if nothing hung from them. So each
 
 
 @while_it_is_read()
-def show_cradle(main, modules, many_ticks=None) -> None:
+def show_cradle(main, special_cradles, many_ticks=None) -> None:
     """Show the cradle of main in the browser until the tab is closed.
 
-    modules are those of the handout with main's functions, many_ticks is the fast path, or None. While functions are
-    missing, show the cradle without them. Exits with status 2 if an option or the CSV is wrong, or if there is nothing
-    to show yet.
+    special_cradles is the handout's module, many_ticks is the fast path, or None. While functions are missing, show the
+    cradle without them. Exits with status 2 if an option or the CSV is wrong, or if there is nothing to show yet.
     """
     options = read_page_options()
-    cradle = Cradle(main, modules, options, many_ticks)
+    cradle = Cradle(main, special_cradles, options, many_ticks)
     loop, remark = what_there_is(main, cradle.scope)
     show_page(loop, cradle, options, [options.angle], remark)
 
 
 @while_it_is_read()
-def show_double_cradle(main, modules) -> None:
+def show_double_cradle(main, special_cradles) -> None:
     """Show the double cradle of main in the same way; exit with status 2 while a function is missing."""
     options = read_double_page_options()
     end_if_unwritten("pds_helper", "special_cradles", "double_cradle", "visualize_double_cradle_run")
-    cradle = DoubleCradle(main, modules, options)
+    cradle = DoubleCradle(main, special_cradles, options)
     remark = UPPER_ONLY if cradle.collide_name == "handle_two_bobs" else ""
     show_page(main, cradle, options, [options.angle, options.phi], remark)
 

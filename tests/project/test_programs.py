@@ -23,7 +23,7 @@ from whole_cradles import FIVE_CSV, go_on
 
 import pds_tester
 from grading.cradles import MIXED, MIXED_CSV
-from src import double_cradle, special_cradles, visualize_cradle_run, visualize_double_cradle_run
+from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from support.constants import R_PARAM, THETA_INIT
 from support.page.page import show_cradle, show_double_cradle
 from support.pendulum import to_lift
@@ -238,7 +238,7 @@ def start(monkeypatch, csv):
     def start(*arguments, is_double=False):
         monkeypatch.setattr(sys, "argv", ["program.py", str(csv), *arguments])
         program = visualize_double_cradle_run if is_double else visualize_cradle_run
-        (show_double_cradle if is_double else show_cradle)(program.main, [special_cradles, double_cradle])
+        (show_double_cradle if is_double else show_cradle)(program.main, special_cradles)
         (listener, _), viewer = shown
         viewer.want_cradle()
         go_on(viewer)

@@ -202,8 +202,8 @@ def test_whatever_is_right_has_its_impacts_its_sound_and_its_experiments(way, fo
         text, own = moved_to_helpers(text)
         (folder / "helpers.py").write_text(own)
     (folder / RUN).write_text(text)
-    main, modules = import_module("src.visualize_cradle_run").main, [import_module("src.special_cradles")]
-    cradle = Cradle(main, modules, SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None))
+    main, special_cradles = import_module("src.visualize_cradle_run").main, import_module("src.special_cradles")
+    cradle = Cradle(main, special_cradles, SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None))
     now, state = [100.0], {}
     tabs = SimpleNamespace(have_room=lambda: True, show=state.update, is_seen=Event(), are_gone=False)
     tabs.is_seen.set()

@@ -12,7 +12,7 @@ import pytest
 from vpython import color, mag, vector
 
 from grading.cradles import hang, R
-from src import double_cradle, special_cradles, swinging, visualize_cradle_run, visualize_double_cradle_run
+from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from src.double_cradle import make_double_pendulum
 from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
@@ -82,8 +82,8 @@ def make_live(kind=Cradle, **options) -> Cradle:
     none = {"elastic": False, "inelastic": False, "e": None, "mass": None}
     given = SimpleNamespace(**{**none, **options})
     if kind is Cradle:
-        return Cradle(visualize_cradle_run.main, [special_cradles, swinging], given, many_ticks)
-    return kind(visualize_double_cradle_run.main, [special_cradles, double_cradle], given)
+        return Cradle(visualize_cradle_run.main, special_cradles, given, many_ticks)
+    return kind(visualize_double_cradle_run.main, special_cradles, given)
 
 
 class FrameError(Exception):
