@@ -17,7 +17,7 @@ from urllib.parse import urlsplit
 import programs
 import pytest
 from programs import copy_project, end, first_lines, QUIETLY, ROOT, running, SECONDS
-from students import put_files
+from students import change, put_files
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from support.page.tabs import Changes, LOOK, Tabs
@@ -385,3 +385,21 @@ def test_neither_many_connections_nor_an_endless_request_keep_others_away(site):
             while True:
                 idle[-1].sendall(bytes(server.LARGEST_HEAD))
         assert get(site, "/")[0] == 200
+
+
+def test_the_page_names_the_function_that_does_not_return_until_it_does(tmp_path):
+    """The one with the loop, not one that it calls again and again."""
+    program, stuck = copy_project(tmp_path, FIVE_CSV) / "src" / programs.PROGRAM.name, tmp_path / "stuck"
+    begin = "    for pend_dict in pend_list:\n"
+    loop = f"    while __import__('os').path.exists({str(stuck)!r}):\n"
+    call = "        swing_update(pend_list[0], r_param, dt, g)\n"
+    change(tmp_path / "src" / "swinging.py", begin, loop + call + begin)
+    with running(program) as process:
+        with Tab(urlsplit(first_lines(process))) as tab:
+            tab.state("motion")
+            stuck.touch()
+            words = r"full_swing_update in src/swinging\.py, line \d+, has been running for 3 s and has not returned\."
+            assert re.fullmatch(words, tab.state("endless")["endless"])
+            stuck.unlink()
+            assert tab.state("endless")["endless"] == ""
+        assert end(process) == QUIETLY
