@@ -136,7 +136,10 @@ class LiveFile:
         if self.clock() < self.next_look:
             return False
         self.next_look = self.clock() + POLL
-        previous, self.candidate = self.candidate, Snapshot(self.filepath)
+        found = Snapshot(self.filepath)
+        if getattr(found.error, "errno", None) in (errno.EMFILE, errno.ENFILE):  # no more files can be open: no news
+            return False
+        previous, self.candidate = self.candidate, found
         if self.candidate != previous or self.candidate == self.current:
             return False
         self.current = self.candidate

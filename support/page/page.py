@@ -83,7 +83,7 @@ def open_page(options):
     if not ip_address(server.listener.getsockname()[0]).is_loopback:
         say("Every machine that reaches this one can open it, at this one's name, with the same port and key.")
     say("Open it yourself if no browser shows it. To end, press Ctrl+C or close the tab.")
-    end_on_signals(first=server.forget_way)
+    end_on_signals(first=server.close)
     if options.browser:
         server.open_browser()
     return server

@@ -5,12 +5,15 @@
 - The key decides who gets the page and the websocket; a program has a new one at each start. The websocket also needs
   an Origin, which a browser always sends. Files that everybody can download (VPython's and the page's) need no key.
 - It listens at 127.0.0.1 alone, unless --host says otherwise, and prints nothing that a client sends.
-- When the last tab is closed, and none begins to load within RETURN seconds, the program ends.
+- A page says goodbye when it is left. When the last tab is closed, and none begins to load within RETURN seconds, the
+  program ends. A page that is lost without a goodbye has a longer time, LOST.
+- Times are counted in looks, one each LOOK seconds: while a laptop sleeps, nobody loses time.
 """
 
 import asyncio
 import logging
 import platform
+import re
 import secrets
 import socket
 import tempfile
@@ -20,18 +23,25 @@ import webbrowser
 from _thread import interrupt_main
 from contextlib import suppress
 from importlib.util import find_spec
+from math import inf
 from pathlib import Path
+from urllib.parse import parse_qs
 
 import txaio
 from autobahn.asyncio.websocket import WebSocketServerFactory, WebSocketServerProtocol
-from autobahn.exception import Disconnected
 from autobahn.websocket.types import ConnectionDeny
 
-from support.page.tabs import Tabs
+from support.page.tabs import LOOK, Tabs
+from support.start.output import say
 
 RETURN, LOADING = 3.0, 30.0  # s that a closed tab has to come back, and a page from its request to its websocket
+LOST = 60.0  # s that a page has to come back which has said no goodbye: its line is cut, or its machine sleeps
+SILENT, SLOWEST = 10.0, 2**13  # s after which a tab that does not answer is lost; bytes/s of what is under way to it
+FAREWELL = 0.3  # s that the tabs have to hear of the end
 LEAVE = 1.0  # s that main has to end without a tab; then Ctrl+C ends it: it may be in a loop that never ends
 LARGEST_MESSAGE = 2**26  # bytes, either way; closes the websocket of a tab that sends more: it would stay in memory
+LARGEST_HEAD = 2**14  # bytes of a request
+MOST_WAITING = 64  # connections that are no websocket: when one more comes, the oldest one goes
 NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key.\n"
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".jpg": "image/jpeg", "": "text/plain"}
 VPYTHON_SCRIPT = "window.__GSlang ="  # where glowcomm.html has its fonts and its own websocket behind it
@@ -90,7 +100,9 @@ class Server:
         """Serve at this socket, made by listen."""
         self.listener, self.tabs = listener, tabs
         self.key = secrets.token_hex(12)  # short, and without signs that end an address in some terminals
-        self.until = 0.0  # on the clock of time.monotonic: a tab is expected until then
+        self.waiting: dict[Protocol, None] = {}  # the connections that are no websocket, the oldest one first
+        self.rest = inf  # s that a tab is expected yet; for ever before the first one
+        self.is_lost = self.is_missed = False  # whether a page has gone without a goodbye, and the terminal says so
         self.files, self.page = own_files(), Path(__file__).with_name("web") / "page.html"
         self.way: Path | None = None  # the file that leads a browser to the page
         ready = threading.Event()
@@ -107,8 +119,10 @@ class Server:
         factory = WebSocketServerFactory(loop=self.loop)
         factory.protocol = type("Protocol", (Protocol,), {"site": self})
         factory.setProtocolOptions(maxFramePayloadSize=LARGEST_MESSAGE, maxMessagePayloadSize=LARGEST_MESSAGE)
+        factory.setProtocolOptions(webStatus=False)
         self.loop.run_until_complete(self.loop.create_server(factory, sock=self.listener))
         self.tabs.in_server = self.loop.call_soon_threadsafe
+        self.loop.call_soon(self.look)
         self.loop.call_soon(ready.set)
         self.loop.run_forever()
 
@@ -150,8 +164,10 @@ class Server:
             if self.way:
                 self.way.unlink(missing_ok=True)
 
-    def close(self, patience=0.0) -> None:
-        """Close all tabs, wait so long (s) until they have their last messages, and stop."""
+    def close(self, patience=FAREWELL) -> None:
+        """Tell all tabs that the program has ended, wait so long (s) until they have heard it, and stop."""
+        if self.tabs.last.get("ended") is None:
+            self.tabs.in_server(self.tabs.deliver, {"ended": ""}, {})
         self.loop.call_soon_threadsafe(lambda: [tab.sendClose() for tab in [*self.tabs.tabs]])
         end = time.monotonic() + patience
         while self.tabs.tabs and time.monotonic() < end:
@@ -164,67 +180,134 @@ class Server:
         """Return whether a request with these parameters, lists by name, has the key; as quickly for each wrong key."""
         return secrets.compare_digest(parameters.get("key", [""])[0].encode(), self.key.encode())
 
-    def wait_for_tab(self, seconds) -> None:
-        """Wait so long from now on, at least: a tab was closed, or a tab loads."""
-        self.until = max(self.until, time.monotonic() + seconds)
+    def expect(self, seconds) -> None:
+        """Expect a tab for so long from now on, at least."""
+        self.rest = max(self.rest, seconds)
 
-    def end_without_tab(self) -> None:
-        """End the program when the time is over, if no tab is there by then."""
-        rest = self.until - time.monotonic()
-        if not self.tabs.tabs and rest > 0:
-            self.loop.call_later(rest, self.end_without_tab)
-        elif not self.tabs.tabs:
+    def look(self) -> None:
+        """Look at each tab, and end the program when none is there, and none is expected any more."""
+        self.loop.call_later(LOOK, self.look)
+        self.rest -= LOOK
+        self.tabs.look()
+        for tab in [*self.tabs.tabs]:
+            tab.look()
+        if self.tabs.tabs:
+            return
+        if self.rest < 0:
             self.tabs.are_gone = True
+            self.rest = inf
             self.loop.call_later(LEAVE, interrupt_main)
+        elif self.is_lost and not self.is_missed:
+            self.is_missed = True
+            cause = "its line is cut, its machine sleeps, or its browser has ended"
+            say(f"The page does not answer: {cause}. The program waits {self.rest:.0f} s for it.")
 
 
 class Protocol(WebSocketServerProtocol):
     """A connection: a request for a file or for the page, or a tab's websocket. Autobahn calls these methods."""
 
     site: Server
+    page = ""  # the name of the page, which it keeps when its line is cut
+    silent = 0.0  # s since its last sign of life
+    has_said_goodbye = False
 
-    def sendServerStatus(self, *_) -> None:  # noqa: N802  the answer to a request that asks for no websocket
-        site, name = self.site, self.http_request_path.rpartition("/")[2]
-        if name in site.files:
-            content = site.files[name]
-            self.answer("200 OK", Path(name).suffix, content if isinstance(content, bytes) else content.read_bytes())
-        elif name not in ("", "alive"):
-            self.answer("404 Not Found", "", b"")
-        elif not site.has_key(self.http_request_params):
-            self.answer("403 Forbidden", "", NO_KEY.encode())
-        elif name == "alive":
-            self.answer("200 OK", "", b"alive")
-        else:
-            site.wait_for_tab(LOADING)
-            self.answer("200 OK", ".html", site.page.read_bytes())
+    def connection_made(self, transport) -> None:
+        super().connection_made(transport)
+        self.site.waiting[self] = None
+        if len(self.site.waiting) > MOST_WAITING:
+            oldest = next(iter(self.site.waiting))
+            del self.site.waiting[oldest]
+            oldest.transport.abort()
 
-    sendRedirect = sendServerStatus  # noqa: N815  for a request with ?redirect=
+    def processHandshake(self) -> None:  # noqa: N802
+        """Answer a request that asks for no websocket: autobahn would refuse HEAD and HTTP/1.0."""
+        head, end, _ = self.data.partition(b"\r\n\r\n")
+        request = re.match(r"(GET|HEAD) ([^ ?]*)\??(\S*) HTTP/1\.", head.decode("latin-1"))
+        if len(head) > LARGEST_HEAD:
+            self.dropConnection(abort=True)
+        elif end and request and b"\nupgrade:" not in head.lower():
+            self.answer(*request.groups())
+            self.dropConnection()
+        elif end:
+            super().processHandshake()
 
-    def answer(self, status, kind, content) -> None:
+    def answer(self, method, path, query) -> None:
+        status, kind, content = self.content(path.rpartition("/")[2], parse_qs(query))
         head = [f"HTTP/1.1 {status}", f"Content-Type: {TYPES[kind]}; charset=utf-8", f"Content-Length: {len(content)}"]
         # No site that the page leads to hears of the key.
         head += ["Connection: close", "Cache-Control: no-cache", "Referrer-Policy: no-referrer", "", ""]
-        self.sendData("\r\n".join(head).encode() + content)
+        self.sendData("\r\n".join(head).encode())
+        if method == "GET":
+            self.sendData(content)
+
+    def content(self, name, parameters) -> tuple[str, str, bytes]:
+        """Return the status, the kind and the content for a path whose last part is name.
+
+        Without a point in it, it is no file: a proxy's address may lack its last slash. The page then adds it.
+        """
+        site = self.site
+        if name in site.files:
+            content = site.files[name]
+            return "200 OK", Path(name).suffix, content if isinstance(content, bytes) else content.read_bytes()
+        if "." in name:
+            return "404 Not Found", "", b""
+        if not site.has_key(parameters):
+            return "403 Forbidden", "", NO_KEY.encode()
+        if name == "alive":
+            return "200 OK", "", b"alive"
+        site.expect(LOADING)
+        return "200 OK", ".html", site.page.read_bytes()
 
     def onConnect(self, request) -> None:  # noqa: N802
         if request.origin in (None, "", "null") or not self.site.has_key(request.params):
             raise ConnectionDeny(ConnectionDeny.FORBIDDEN)
 
     def onOpen(self) -> None:  # noqa: N802
-        self.site.until = 0.0  # it is loaded
-        self.site.tabs.open(self, self.tell)
-        self.site.forget_way()
+        site, parameters = self.site, self.http_request_params
+        site.waiting.pop(self, None)
+        self.page, [has, *_] = parameters.get("page", [""])[0], parameters.get("has", [""])
+        for tab in [*site.tabs.tabs]:
+            if self.page and tab.page == self.page:  # its line was cut, and nobody has said so yet
+                site.tabs.close(tab)
+                tab.dropConnection(abort=True)
+        if site.is_missed:
+            say("The page is back.")
+        site.rest = 0.0  # it is loaded
+        site.is_lost = site.is_missed = False
+        site.tabs.open(self, self.tell, int(has) if re.fullmatch("[0-9]{1,15}", has) else 0)
+        site.forget_way()
+
+    def look(self) -> None:
+        """Give a sign of life to the tab, and ask for one; the tab is lost when it has given none for too long."""
+        self.silent += LOOK
+        if self.silent > SILENT + sum(self.site.tabs.tabs[self].under_way) / SLOWEST:
+            self.dropConnection(abort=True)
+        else:
+            self.tell(b"")
+            self.sendPing()
 
     def tell(self, message) -> None:
-        with suppress(Disconnected):  # the tab was just closed
+        if not self.transport.is_closing():
             self.sendMessage(message)
 
+    def onPong(self, _) -> None:  # noqa: N802
+        self.silent = 0.0
+
     def onMessage(self, data, is_binary) -> None:  # noqa: N802
-        if self in self.site.tabs.tabs:
+        self.silent = 0.0
+        if data == b"goodbye":
+            self.has_said_goodbye = True
+        elif self in self.site.tabs.tabs:
             self.site.tabs.receive(self, data)
 
-    def onClose(self, *_) -> None:  # noqa: N802  also of a connection that was refused
-        if self in self.site.tabs.tabs:
-            self.site.tabs.close(self)
-            self.site.wait_for_tab(RETURN)
-            self.site.end_without_tab()
+    def onClose(self, was_clean, code, reason) -> None:  # noqa: N802  also of a connection that was refused
+        site = self.site
+        site.waiting.pop(self, None)
+        if self not in site.tabs.tabs:
+            return
+        site.tabs.close(self)
+        if self.has_said_goodbye or code == self.CLOSE_STATUS_CODE_GOING_AWAY:  # Firefox's word, if you go on from it
+            site.expect(RETURN)
+        else:
+            site.expect(LOST)
+            site.is_lost = True

@@ -1,10 +1,11 @@
 """The tabs that show the cradle: what each one still has to get, and the commands that it gives.
 
-VPython keeps a list of its changes, and forgets them when they are sent. Here, each tab has a list of its own: what it
-has not got yet. The last value of an attribute counts, so a slow tab gets less often, and loses nothing. A new tab gets
-all that there is.
+VPython keeps a list of its changes, and forgets them when they are sent. Here, each change has the number of the
+delivery in which it came last, and each message the number of the last delivery in it. What a tab lacks is all with a
+later number than that of its last message. So a new tab, a slow one, and one whose line was cut are one case: it gets
+the last value of each attribute, less often maybe, and loses nothing.
 
-    to a tab    {"cmds": [...], "attrs": [...], "state": {...}}
+    to a tab    {"number": number, "cmds": [...], "attrs": [...], "state": {...}}
     from a tab  "seen" for each picture that it has drawn after a message, or [command, value, ...]
 
 cmds and attrs are VPython's (package in vpython.py, decode in glowcomm.html):
@@ -25,51 +26,61 @@ from typing import Any
 
 from vpython import baseObj, vector
 
+LOOK = 0.5  # s from one look of the server at the tabs to the next
 MOST, LARGEST = 24, 2**18  # messages under way to a tab, and bytes: a far tab needs several, a slow line not too many
 
 
 class Changes:
-    """Changes by what they change: VPython's commands and attributes, and the state."""
+    """All changes of VPython's and of the state, by what they change, the latest one last."""
 
-    def __init__(self, cmds=(), attrs=(), state=()):
-        """Take the changes in a message of VPython's, and in the state."""
-        self.drawing: dict[Any, Any] = {}  # cmds are dictionaries, attrs are texts
-        self.state: dict[str, Any] = dict(state)
+    def __init__(self):
+        """Begin with nothing."""
+        self.number = 0  # of the last delivery
+        self.drawing: dict[Any, tuple[int, Any]] = {}  # numbers and changes: cmds are dictionaries, attrs are texts
+        self.state: dict[str, tuple[int, Any]] = {}
+
+    def add(self, state, cmds=(), attrs=()) -> None:
+        """Add a delivery. A change comes last: an attribute can change another one, as axis and size do."""
+        self.number += 1
         for cmd in cmds:
             names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
-            self.put((cmd["idx"], *names), cmd)
+            self.put(self.drawing, (cmd["idx"], *names), cmd)
         for text in attrs:
-            self.put(text if text[0] == "m" else re.match(r"\w\d+.", text)[0], text)  # type: ignore[index]
+            self.put(self.drawing, text if text[0] == "m" else re.match(r"\w\d+.", text)[0], text)  # type: ignore[index]
+        for name, value in state.items():
+            self.put(self.state, name, value)
 
-    def __bool__(self):
-        return bool(self.drawing or self.state)
+    def put(self, changes, key, change) -> None:
+        """Put a change of this delivery last."""
+        changes.pop(key, None)
+        changes[key] = self.number, change
 
-    def put(self, key, change) -> None:
-        """Put a change of VPython's last: an attribute can change another one, as axis and size do."""
-        maker = (key[0], "cmd")
-        # A shape is made with its last texture: glow.min.js mixes up two that it loads.
-        if key[1] == "texture" and maker in self.drawing:
-            self.drawing[maker] = {**self.drawing[maker], **change}
-        else:
-            self.drawing.pop(key, None)
-            self.drawing[key] = change
-
-    def add(self, later) -> None:
-        """Add later changes."""
-        for key, change in later.drawing.items():
-            self.put(key, change)
-        self.state |= later.state
-
-    def message(self) -> bytes:
-        """Return them as one message."""
-        cmds = [change for change in self.drawing.values() if isinstance(change, dict)]
-        attrs = [change for change in self.drawing.values() if isinstance(change, str)]
-        parts = {"cmds": cmds, "attrs": attrs, "state": self.state}
+    def message(self, has) -> bytes:
+        """Return all that is later than the delivery with the number `has` as one message."""
+        drawing, state = later(self.drawing, has), later(self.state, has)
+        for key in [*drawing]:
+            maker = key[0], "cmd"
+            # A shape is made with its last texture: glow.min.js mixes up two that it loads.
+            if key[1] == "texture" and maker in drawing:
+                drawing[maker] = drawing[maker] | drawing.pop(key)
+        cmds = [change for change in drawing.values() if isinstance(change, dict)]
+        attrs = [change for change in drawing.values() if isinstance(change, str)]
+        parts = {"number": self.number, "cmds": cmds, "attrs": attrs, "state": state}
         return json.dumps(parts, separators=(",", ":"), default=float).encode()  # a student's number can be numpy's
 
 
+def later(changes, has) -> dict:
+    """Return the changes that are later than the delivery with the number `has`, in their order."""
+    found = []
+    for key, (number, change) in reversed(changes.items()):
+        if number <= has:
+            break
+        found.append((key, change))
+    return dict(reversed(found))
+
+
 def vpython_changes() -> dict:
-    """Return what VPython would send now, as a message; it then forgets it."""
+    """Return what VPython would send now, its cmds and attrs; it then forgets them."""
     baseObj.handle_attach()
     updates, attributes = baseObj.updates, baseObj.attrs
     baseObj.initialize()
@@ -81,19 +92,18 @@ def vpython_changes() -> dict:
 
 
 class Tab:
-    """What one tab still has to get, and how much is under way to it: the sizes of messages (bytes)."""
+    """What one tab has got, and how much is under way to it: the sizes of messages (bytes)."""
 
-    def __init__(self, send):
-        """Begin with nothing; send(message) sends bytes."""
-        self.send, self.pending = send, Changes()
+    def __init__(self, send, has):
+        """Begin with all up to the delivery with the number `has`; send(message) sends bytes."""
+        self.send, self.has = send, has
         self.under_way: deque[int] = deque()
         self.has_room = True  # for one message more
 
-    def take(self, changes) -> None:
-        """Send these changes, with those that wait, as soon as there is room; at once, why the program has ended."""
-        self.pending.add(changes)
-        if self.pending and (self.has_room or self.pending.state.get("ended")):
-            message, self.pending = self.pending.message(), Changes()
+    def take(self, changes, at_once=False) -> None:
+        """Send all that the tab lacks, if it lacks something, as soon as there is room, or at once."""
+        if self.has < changes.number and (self.has_room or at_once):
+            message, self.has = changes.message(self.has), changes.number
             self.under_way.append(len(message))
             self.send(message)
             self.measure()
@@ -103,7 +113,6 @@ class Tab:
         for _ in range(min(count, len(self.under_way))):
             self.under_way.popleft()
         self.measure()
-        self.take(Changes())
 
     def measure(self) -> None:
         """Find out whether there is room."""
@@ -111,7 +120,7 @@ class Tab:
 
 
 class Tabs:
-    """All tabs. The viewer calls have_room and show, the server calls open, close and receive in its own thread."""
+    """All tabs. The viewer calls have_room and show, the server the other methods, in its own thread."""
 
     all = Changes()  # of each start in this Python: VPython never sends a change again
 
@@ -123,6 +132,7 @@ class Tabs:
         self.last: dict = {}  # the state that the tabs have, or will have
         self.in_server = lambda function, *arguments: function(*arguments)
         self.give = lambda command, *values: None  # the viewer sets it; takes a command of a tab
+        self.endless = lambda: ""  # the viewer sets it; returns words on a function that does not return
         self.holder: Any = None  # the tab with the mouse down
         self.is_seen = Event()  # whether a tab has drawn the first picture
         self.are_gone = False  # whether the last tab was closed for good
@@ -135,21 +145,29 @@ class Tabs:
         """Send what VPython's objects have changed, and what differs in the state, a part of it or all."""
         new = {name: value for name, value in state.items() if name not in self.last or self.last[name] != value}
         self.last.update(new)
-        changes = Changes(**vpython_changes(), state=new)
-        if changes:
-            self.in_server(self.deliver, changes)
+        drawing = vpython_changes()
+        if new or drawing:
+            self.in_server(self.deliver, new, drawing)
 
-    def deliver(self, changes) -> None:
-        """Give changes to all tabs, also to those that come later; show calls it in the server's thread."""
-        self.all.add(changes)
-        for tab in [*self.tabs.values()]:
-            tab.take(changes if self.is_begun else self.all)
+    def deliver(self, state, drawing) -> None:
+        """Give changes to all tabs, also to those that come later; at once, that the program has ended, and why."""
         self.is_begun = True
+        self.all.add(state, **drawing)
+        for tab in [*self.tabs.values()]:
+            tab.take(self.all, at_once=state.get("ended") is not None)
 
-    def open(self, socket, send) -> None:
-        """Let a new tab have all that there is; send(message) sends bytes to it."""
-        self.tabs[socket] = Tab(send)
-        self.tabs[socket].take(self.all if self.is_begun else Changes())
+    def look(self) -> None:
+        """Tell the tabs of a function that does not return, and when it has; the server calls it each LOOK seconds."""
+        words = self.endless()
+        if words != self.last.get("endless", ""):
+            self.last["endless"] = words
+            self.deliver({"endless": words}, {})
+
+    def open(self, socket, send, has=0) -> None:
+        """Let a tab have all that is later than the delivery with the number `has`; send(message) sends bytes to it."""
+        self.tabs[socket] = Tab(send, has if has <= self.all.number else 0)
+        if self.is_begun:
+            self.tabs[socket].take(self.all)
 
     def close(self, socket) -> None:
         """Forget a tab; a bob that it held swings on."""
@@ -161,6 +179,7 @@ class Tabs:
         if data.startswith(b"seen"):
             self.is_seen.set()
             self.tabs[socket].seen(data.count(b"seen"))
+            self.tabs[socket].take(self.all)
             return
         try:
             command, *values = json.loads(data)

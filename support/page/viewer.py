@@ -13,6 +13,7 @@ from support.cradle.player import Player
 from support.cradle.real_time import FRAME
 from support.files.data_file import EVERY
 from support.page.chooser import Chooser, Settings
+from support.page.endless import Watch
 from support.page.graph import Graph, SPANS
 from support.page.questions import Questions
 from support.page.scene.marks import Marks
@@ -51,6 +52,7 @@ class Viewer(Player):
         self.graph = Graph(cradle.angle_keys, cradle.rate_keys)
         self.kinds, self.actions = self.make_kinds(), self.make_actions()
         tabs.give = lambda command, *values: self.commands.put((command, values))
+        tabs.endless = Watch(self).look
 
     def frame(self) -> None:
         """Do the work of one frame: show the last ticks, rest, carry out commands, and plan the next ticks."""

@@ -20,6 +20,12 @@ class MistakeError(Exception):
         self.code = function.__code__
 
 
+def is_own(filename) -> bool:
+    """Return whether a file is one of the handout's."""
+    path = Path(filename).resolve()
+    return path.parent == ROOT / "src" and path.suffix == ".py" and path.name != "text_cradle_run.py"
+
+
 def own_frames(error) -> list[traceback.FrameSummary]:
     """Return the frames of an error that are in the handout's files: none if the error did not arise in these.
 
@@ -28,8 +34,7 @@ def own_frames(error) -> list[traceback.FrameSummary]:
     if isinstance(error, MistakeError):
         return [traceback.FrameSummary(error.code.co_filename, error.code.co_firstlineno, error.code.co_name)]
     frames = traceback.extract_tb(error.__traceback__)
-    files = {*(ROOT / "src").glob("*.py")} - {ROOT / "src" / "text_cradle_run.py"}
-    own = [number for number, frame in enumerate(frames) if Path(frame.filename).resolve() in files]
+    own = [number for number, frame in enumerate(frames) if is_own(frame.filename)]
     callee = frames[own[-1] + 1] if own and own[-1] + 1 < len(frames) else None
     if callee and Path(callee.filename).name == "player.py":
         return []

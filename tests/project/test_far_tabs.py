@@ -1,4 +1,4 @@
-"""Tabs in a real Chromium, far from the program: another port, path or name, TLS, a long way, no websocket."""
+"""Tabs in real browsers, far from the program: another port, path or name, TLS, no websocket, a line that breaks."""
 
 import asyncio
 import re
@@ -9,8 +9,9 @@ import subprocess
 import threading
 from contextlib import contextmanager, suppress
 from queue import SimpleQueue
-from urllib.parse import urlsplit
+from urllib.parse import urljoin, urlsplit
 
+import programs
 import pytest
 from programs import end, first_lines, needs_vpython, new_page, open_cradle, QUIETLY, running, wait_for_moves
 
@@ -18,55 +19,80 @@ pytestmark = [pytest.mark.browser, *needs_vpython]
 
 BELOW = "/user/ann/proxy/8000/"
 ENDED, UNHEARD = "The program has ended.", "The program runs, but this page does not hear from it."
+NO_ANSWER = "The program does not answer."
 
 
-@contextmanager
-def far_tab(chromium, csv, name="127.0.0.1", prefix="/", cuts=False, tls=None, websocket="passes"):
-    """Run a program and a proxy; yield the process, a tab, and the page's address at the proxy.
+class Proxy(threading.Thread):
+    """Passes on what comes to a port of its own; while it is_cut, it ends each connection.
 
-    The proxy knows only paths with the prefix, and cuts it off, or not. A websocket passes, is asked as a page, or is
-    never answered.
+    It knows only paths with the prefix, and cuts it off, or not. A websocket passes, is asked as a page, or is never
+    answered.
     """
 
-    async def proxy():
-        server = await asyncio.start_server(serve, "127.0.0.1", 0, ssl=tls)
-        started.put((asyncio.get_running_loop(), server.sockets[0].getsockname()[1]))
-        await is_over.wait()  # asyncio.run then ends the connections
+    def __init__(self, program_port, prefix, cuts, tls, websocket):
+        super().__init__()
+        self.program_port, self.cuts, self.tls, self.websocket = program_port, cuts, tls, websocket
+        self.root = prefix.rstrip("/")
+        self.writers, self.is_cut = [], False
+        self.started, self.is_over = SimpleQueue(), asyncio.Event()
+        self.start()
+        self.loop, self.port = self.started.get()
 
-    async def serve(browser, to_browser):
+    def run(self):
+        asyncio.run(self.main())
+
+    async def main(self):
+        server = await asyncio.start_server(self.serve, "127.0.0.1", 0, ssl=self.tls)
+        self.started.put((asyncio.get_running_loop(), server.sockets[0].getsockname()[1]))
+        await self.is_over.wait()  # asyncio.run then ends the connections
+
+    def set_cut(self, is_cut):
+        self.is_cut = is_cut
+        for writer in self.writers:
+            self.loop.call_soon_threadsafe(writer.transport.abort)
+
+    def end(self):
+        self.loop.call_soon_threadsafe(self.is_over.set)
+        self.join()
+
+    async def serve(self, browser, to_browser):
+        self.writers.append(to_browser)
+        if self.is_cut:
+            to_browser.transport.abort()
         with suppress(OSError, asyncio.IncompleteReadError, asyncio.CancelledError):
             head = await browser.readuntil(b"\r\n\r\n")
-            if websocket == "is never answered" and b"Upgrade: websocket" in head:
-                await is_over.wait()
-            if websocket == "is asked as a page":
+            if self.websocket == "is never answered" and b"Upgrade: websocket" in head:
+                await self.is_over.wait()
+            if self.websocket == "is asked as a page":
                 head = re.sub(rb"(Upgrade|Connection): .*\r\n", b"", head)
             try:
-                port = near.port if head.split()[1].startswith(prefix.encode()) else 1  # where nobody answers
+                is_known = head.split()[1].startswith(self.root.encode())
+                port = self.program_port if is_known else 1  # where nobody answers
                 program, to_program = await asyncio.open_connection("127.0.0.1", port)
             except OSError:
                 to_browser.write(b"HTTP/1.1 502 Bad Gateway\r\nContent-Length: 5\r\n\r\nSorry")
                 to_browser.close()
             else:
-                to_program.write(head.replace(f" {prefix if cuts else '/'}".encode(), b" /", 1))
-                await asyncio.gather(pass_on(browser, to_program), pass_on(program, to_browser))
+                to_program.write(head.replace(f" {self.root if self.cuts else ''}".encode(), b" ", 1))
+                await asyncio.gather(self.pass_on(browser, to_program), self.pass_on(program, to_browser))
 
-    async def pass_on(reader, writer):
+    async def pass_on(self, reader, writer):
         with suppress(OSError):
             while data := await reader.read(2**16):
                 writer.write(data)
         writer.close()
 
-    started, is_over = SimpleQueue(), asyncio.Event()
-    with running(None, str(csv)) as process, new_page(chromium, ignore_https_errors=True) as page:
+
+@contextmanager
+def far_tab(browser, csv, name="127.0.0.1", prefix="/", cuts=False, tls=None, websocket="passes"):
+    """Run a program and a Proxy; yield the process, a tab, the page's address at the proxy, and the proxy."""
+    with running(None, str(csv)) as process, new_page(browser, ignore_https_errors=True) as page:
         near = urlsplit(first_lines(process))
-        (thread := threading.Thread(target=lambda: asyncio.run(proxy()))).start()
-        loop, own_port = started.get()
-        address = f"{'https' if tls else 'http'}://{name}:{own_port}{prefix}?{near.query}"
+        proxy = Proxy(near.port, prefix, cuts, tls, websocket)
         try:
-            yield process, page, address
+            yield process, page, f"{'https' if tls else 'http'}://{name}:{proxy.port}{prefix}?{near.query}", proxy
         finally:
-            loop.call_soon_threadsafe(is_over.set)
-            thread.join()
+            proxy.end()
 
 
 @pytest.fixture
@@ -82,18 +108,28 @@ def tls(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "how", [{}, {"prefix": BELOW, "cuts": True}, {"prefix": BELOW}, {"name": "cradle.localhost", "tls": "tls"}], ids=str
+    "how",
+    [
+        {},
+        {"prefix": BELOW, "cuts": True},
+        {"prefix": BELOW},
+        {"prefix": BELOW.rstrip("/"), "cuts": True},
+        {"prefix": BELOW.rstrip("/")},
+        {"name": "cradle.localhost", "tls": "tls"},
+    ],
+    ids=str,
 )
 def test_a_page_shows_the_moving_bobs_through_a_proxy_and_asks_nobody_else(chromium, csv, request, how):
     """When the program has ended, and the proxy answers in its place, the page says so."""
     how, asked = {**how, "tls": how.get("tls") and request.getfixturevalue("tls")}, []
-    with far_tab(chromium, csv, **how) as (process, page, address):
+    with far_tab(chromium, csv, **how) as (process, page, address, _):
         page.on("request", lambda request: asked.append(request.url))
         page.on("websocket", lambda websocket: asked.append(websocket.url.replace("ws", "http", 1)))
         open_cradle(page, address)
         wait_for_moves(page)
-        assert page.url == address and {*asked} > {address, address.replace("?", "ws?")}
-        assert all(url.startswith((address.partition("?")[0], "data:", "blob:")) for url in asked)
+        whole = address if "/?" in address else address.replace("?", "/?")
+        assert page.url == whole and any(url.startswith(whole.replace("?", "ws?")) for url in asked)
+        assert all(url.startswith((urljoin(address, "."), "data:", "blob:")) for url in asked)
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
         page.get_by_text(ENDED).wait_for()
@@ -101,9 +137,68 @@ def test_a_page_shows_the_moving_bobs_through_a_proxy_and_asks_nobody_else(chrom
 
 @pytest.mark.parametrize("websocket", ["is asked as a page", "is never answered"])
 def test_a_page_whose_websocket_does_not_come_through_says_so(chromium, csv, websocket):
-    with far_tab(chromium, csv, prefix=BELOW, websocket=websocket) as (_, page, address):
+    with far_tab(chromium, csv, prefix=BELOW, websocket=websocket) as (_, page, address, _):
         page.clock.install()
         page.goto(address)
-        page.clock.fast_forward("01:00")
+        page.clock.run_for("00:15")
         page.get_by_text(UNHEARD).wait_for()
         assert page.get_by_text(ENDED).count() == 0
+
+
+# What a page has of its own: camera, Sound; how often VPython has made something; whether a box shows the true state.
+OWN = """() => [scene().forward.toString(), one("#sound").checked, glowObjs.length, one("[name=arrows]").checked,
+    window.same]"""
+
+
+@pytest.mark.parametrize("browser", ["chromium", "firefox"])
+def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
+    """It is not loaded again, nothing is made twice, and the same cradle swings on; so do a question and Present.
+
+    A bob that is held swings on at once, though the mouse is still down.
+    """
+    with far_tab(request.getfixturevalue(browser), csv) as (process, page, address, proxy):
+
+        def cut_for_a_while():
+            proxy.set_cut(True)
+            page.get_by_text(NO_ANSWER).wait_for()
+            page.evaluate("one('[name=arrows]').click()")  # it is not sent
+            proxy.set_cut(False)
+            page.get_by_text(NO_ANSWER).wait_for(state="detached")
+
+        open_cradle(page, address)
+        wait_for_moves(page)
+        page.evaluate("one('#sound').click(), scene().forward = vec(-1, -0.5, -1), window.same = true")
+        before, time = page.evaluate(OWN), programs.readout(page, "t")
+        page.mouse.move(*programs.pixel(page, 3, 0))
+        page.mouse.down()
+        for theta in (20, 40):
+            page.mouse.move(*programs.pixel(page, 3, theta), steps=3)
+        programs.wait_until(lambda: programs.lifts(page)[3] == pytest.approx(40, abs=1))
+        cut_for_a_while()
+        page.mouse.move(*programs.pixel(page, 3, 30), steps=3)
+        wait_for_moves(page)
+        page.mouse.up()
+        assert page.evaluate(OWN) == before and programs.readout(page, "t") > time
+        page.get_by_role("checkbox", name="Predict first").check()
+        programs.menu(page, "Experiment").select_option("Two bobs")
+        page.locator(".question").wait_for()
+        page.keyboard.press("f")
+        cut_for_a_while()
+        assert page.locator(".presenting").count() == 1
+        page.keyboard.press("a")
+        page.locator(".question").get_by_text("You said").wait_for()
+        wait_for_moves(page)
+        process.send_signal(signal.SIGINT)
+        assert end(process)[::2] == (0, "")
+        page.get_by_text(ENDED).wait_for()
+
+
+def test_a_page_says_of_a_killed_program_only_what_it_sees_and_of_a_new_start_that_the_old_one_has_ended(page, csv):
+    with running(None, str(csv)) as process:
+        open_cradle(page, first_lines(process))
+        process.kill()
+        page.get_by_text(NO_ANSWER).wait_for()
+    port = urlsplit(page.url).port
+    with running(None, str(csv), "--port", str(port)) as process:
+        first_lines(process)
+        page.get_by_text(ENDED).wait_for()

@@ -6,7 +6,7 @@ import random
 import re
 from contextlib import suppress
 from pathlib import Path
-from unittest.mock import Mock
+from unittest.mock import Mock, patch
 
 import pytest
 from programs import on_posix, ROOT, running
@@ -334,6 +334,10 @@ def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same_also_if_it_go
     csv.write_text("new\n")
     assert [look(), look(), look()] == [False, True, False]
     assert read_cells(live_file.current) == [(1, ["new"])]
+    for number in (errno.EMFILE, errno.ENFILE):  # the program, or the machine, can open no more files
+        with patch("support.files.cradle_csv.read_file", side_effect=OSError(number, os.strerror(number))):
+            assert not (look() or look() or look())
+    assert not (look() or look())
 
 
 def test_data_can_replace_only_data(tmp_path, monkeypatch):

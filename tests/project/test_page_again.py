@@ -167,7 +167,7 @@ def test_hostile_texts_are_shown_as_texts(page, program):
         assert page.locator("s, [onerror]").count() == 0
 
 
-def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it(page, started):
+def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it_and_comes_back(page, started):
     """Chromium keeps no page here; these two events are all that a kept page gets."""
     address = page.url
     page.goto("about:blank")
@@ -175,11 +175,12 @@ def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it(page,
     wait_for_cradle(page)
     assert page.url == address
     page.evaluate("window.isKept = true")
-    page.evaluate("dispatchEvent(new PageTransitionEvent('pageshow', {persisted: true}))")
-    page.wait_for_function("() => !window.isKept")  # it is loaded again
-    wait_for_cradle(page)
+    programs.wait_for_moves(page)
+    for event in ("pagehide", "pageshow"):
+        page.evaluate(f"dispatchEvent(new PageTransitionEvent('{event}', {{persisted: true}}))")
     programs.wait_for_moves(page)
     page.evaluate("dispatchEvent(new PageTransitionEvent('pagehide', {persisted: true}))")
+    assert page.evaluate("isKept")
     assert programs.end(started) == programs.QUIETLY
 
 

@@ -2,9 +2,11 @@
 
 import json
 import random
+import re
 import signal
 import socket
 import sys
+import threading
 from contextlib import ExitStack, suppress
 from http.client import HTTPConnection
 from importlib.machinery import PathFinder
@@ -16,10 +18,10 @@ from urllib.parse import urlsplit
 import programs
 import pytest
 from programs import copy_project, end, first_lines, QUIETLY, ROOT, running, SECONDS
-from students import put_files
+from students import change, put_files
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
-from support.page.tabs import Changes, Tabs
+from support.page.tabs import Changes, LOOK, Tabs
 
 server = pytest.importorskip("support.page.server")  # it needs autobahn, which comes with VPython
 pytestmark = programs.needs_vpython
@@ -27,11 +29,11 @@ pytestmark = programs.needs_vpython
 WEB, BELOW = ROOT / "support" / "page" / "web", "/user/ann/proxy/8000/"
 
 
-def ask(page, path, query="{key}", host="127.0.0.1", **headers):
-    """Send a GET with exactly this path and query, by default with the key; return the connection and the answer."""
+def ask(page, path, query="{key}", host="127.0.0.1", method="GET", **headers):
+    """Send a request with exactly this path and query, by default the key; return the connection and the answer."""
     connection = HTTPConnection(host, page.port, timeout=SECONDS)
     headers = {name.replace("_", "-"): text for name, text in headers.items() if text is not None}
-    connection.request("GET", f"{path}?{query.format(key=page.query)}", headers=headers)
+    connection.request(method, f"{path}?{query.format(key=page.query)}", headers=headers)
     return connection, connection.getresponse()
 
 
@@ -39,6 +41,9 @@ def get(*request, **headers):
     """Return the status and the headers of the answer to a GET, and its content."""
     answer = ask(*request, **headers)[1]
     return answer.status, answer.headers, answer.read()
+
+
+PING = 0x89  # the first byte of a websocket's ping
 
 
 class Tab(ExitStack):
@@ -50,6 +55,12 @@ class Tab(ExitStack):
         self.connection, self.answer = ask(page, path, query, Upgrade="websocket", Connection="Upgrade", **headers)
         self.callback(self.connection.close)
         self.callback(self.answer.close)
+        if self.answer.status == 101:
+            self.callback(self.leave)
+
+    def leave(self):
+        with suppress(OSError):  # the program may have ended
+            self.tell(b"goodbye")
 
     def tell(self, message, kind=1):
         """Send a message; of kind 1 it is a text, of kind 2 it is bytes."""
@@ -57,11 +68,22 @@ class Tab(ExitStack):
         self.connection.sock.sendall(bytes([0x80 | kind, *size, *bytes(4)]) + message)
 
     def hear(self):
-        """Return the next message of the program, and answer that the picture is drawn."""
-        read, size = self.answer.fp.read, self.answer.fp.read(2)[1]
-        message = json.loads(read(int.from_bytes(read({126: 2, 127: 8}[size]), "big") if size > 125 else size))
-        self.tell(b"seen")
-        return message
+        """Return the next message of the program, and answer that the picture is drawn. Answer each ping before it."""
+        read = self.answer.fp.read
+        while True:
+            kind, size = read(2)
+            data = read(int.from_bytes(read({126: 2, 127: 8}[size]), "big") if size > 125 else size)
+            if kind == PING:
+                self.tell(data, kind=10)
+            elif data:  # else it is only a sign of life
+                self.tell(b"seen")
+                return json.loads(data)
+
+    def stay(self):
+        """Answer the program until it ends."""
+        with suppress(ValueError):  # no more bytes
+            while True:
+                self.hear()
 
     def state(self, *names):
         """Return the next state that has these names."""
@@ -79,7 +101,9 @@ def folder(tmp_path_factory):
 def site(folder):
     """The address of a program that has a tab from beginning to end, and prints nothing more; its query is the key."""
     program = copy_project(folder.parent, FIVE_CSV) / "src" / programs.PROGRAM.name
-    with running(program, folder=folder, patience=60 * SECONDS) as process, Tab(page := urlsplit(first_lines(process))):
+    with running(program, folder=folder, patience=60 * SECONDS) as process:
+        tab = Tab(page := urlsplit(first_lines(process)))
+        threading.Thread(target=tab.stay, daemon=True).start()
         yield page
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
@@ -166,7 +190,7 @@ def test_rubbish_changes_nothing_and_prints_nothing(site):
         assert {name: after[name] for name in KEPT} == {name: before[name] for name in KEPT}
 
 
-def test_a_tab_whose_browser_crashes_ends_the_program(csv):
+def test_the_program_waits_for_a_tab_whose_browser_crashes_and_says_so(csv):
     """In the middle of a message. Before that: a tab gets the largest cradle; one that would fill the memory ends."""
     csv.write_text(HEADER + GOOD * 1000)
     with running(None, str(csv)) as process:
@@ -178,6 +202,9 @@ def test_a_tab_whose_browser_crashes_ends_the_program(csv):
             tab.answer.fp.read()  # until the end
         with Tab(page) as tab:
             tab.connection.sock.sendall(b"\x81\xff")
+        assert process.stdout.readline().startswith("The page does not answer")
+        with Tab(page):
+            assert process.stdout.readline() == "The page is back.\n"
         assert end(process) == QUIETLY
 
 
@@ -283,44 +310,129 @@ def test_an_address_that_the_page_cannot_have_is_refused_in_one_line_and_a_port_
     server.listen("127.0.0.1", port).close()
 
 
-def test_the_program_ends_when_the_time_to_come_back_is_over(monkeypatch):
-    """A tab that loads has longer: a slow machine loads the page for seconds before it opens the websocket.
+CUT, LEFT = (False, 1006, ""), (True, 1001, "")  # how a websocket closes: its line was cut, its page was left
 
-    Before the first tab, the program waits for ever. A request without the key wins no time. Here is no network, and
-    time passes only in wait.
-    """
-    now, timers, stops = [100.0], [], []
-    loop = SimpleNamespace(call_later=lambda delay, function: timers.append((now[0] + delay, function)))
-    monkeypatch.setattr("time.monotonic", lambda: now[0])
-    monkeypatch.setattr(server, "interrupt_main", lambda: stops.append(now[0]))
+
+@pytest.fixture
+def silent_site(monkeypatch):
+    """A server without a network, and without time: site.wait(seconds) does the looks of this time."""
+    loop = SimpleNamespace(call_later=lambda delay, function: site.later.append(function))
     monkeypatch.setattr(server, "own_files", dict)
     monkeypatch.setattr(server.Server, "serve", lambda site, ready: setattr(site, "loop", loop) or ready.set())
     monkeypatch.setattr(Tabs, "all", Changes())
-    site = server.Server(None, tabs := Tabs())
+    site = server.Server(None, Tabs())
+    site.later, site.wait = [], lambda seconds: [site.look() for _ in range(round(seconds / LOOK))]
+    return site
 
-    def connection(**parameters):
-        request = {"http_request_path": "/", "http_request_params": parameters}
-        return type("Connection", (server.Protocol,), {"site": site, "sendData": lambda *_: None, **request})()
 
-    def wait(seconds, event=lambda: None):
-        now[0] += seconds
-        for timer in [timer for timer in timers if timer[0] <= now[0]]:
-            timers.remove(timer)
-            timer[1]()
-        event()
+def connection(site, **parameters):
+    """Return a connection of a request with these parameters, without a network."""
+    socket = SimpleNamespace(is_closing=lambda: True, abort=lambda: None)
+    tab = type("Connection", (server.Protocol,), {"site": site, "transport": socket})()
+    tab.http_request_params = {name: [text] for name, text in parameters.items()}
+    tab.sendPing, tab.dropConnection = lambda: None, lambda abort: tab.onClose(*CUT)
+    return tab
 
-    tab, other, stranger = connection(key=[site.key]), connection(), connection()
-    for event in (stranger.onClose, tab.onOpen, other.onOpen, other.onClose, tab.onClose):
-        wait(100, event)
-    wait(0.8 * server.RETURN, tab.sendServerStatus)
-    wait(0.9 * server.LOADING, tab.sendServerStatus)
-    assert not tabs.are_gone
-    wait(1, tab.onOpen)
-    wait(1, tab.onClose)
-    wait(server.RETURN - 0.1, stranger.sendServerStatus)
-    assert not tabs.are_gone
-    wait(0.1)
-    assert (tabs.are_gone, stops) == (True, [])  # main can end by itself
-    wait(server.LEAVE)
-    assert {*stops} == {*now}
+
+def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkeypatch, capsys):
+    """A tab that loads has longer: a slow machine loads the page for seconds before it opens the websocket.
+
+    Before the first tab, the program waits for ever. A request without the key wins no time.
+    """
+    site, stops = silent_site, []
+    monkeypatch.setattr(server, "interrupt_main", lambda: stops.append("now"))
+    tab, other, stranger = connection(site), connection(site), connection(site)
+    with_key = {"key": [site.key]}
+    for event, *how in ((stranger.onClose, *CUT), (tab.onOpen,), (other.onOpen,), (other.onClose, *LEFT)):
+        event(*how)
+        tab.onPong(b"")
+        site.wait(9)
+    tab.onMessage(b"goodbye", False)
+    tab.onClose(*CUT)
+    for seconds, request in ((0.8 * server.RETURN, with_key), (0.9 * server.LOADING, with_key), (1, {})):
+        site.wait(seconds)
+        tab.content("", request)
+    tab.onOpen()
+    tab.onClose(*LEFT)
+    site.wait(server.RETURN)
+    assert not site.tabs.are_gone
+    site.wait(LOOK)
+    assert (site.tabs.are_gone, stops) == (True, [])  # main can end by itself
+    site.later[-1]()
+    assert (stops, capsys.readouterr().out) == (["now"], "")
     assert site.key != server.Server(None, Tabs()).key  # each start has its own
+
+
+@pytest.mark.parametrize("is_silent", [False, True])
+def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys, is_silent):
+    """Its bob swings on at once. It has not lost a minute when it goes on as soon as it sees that its line is cut."""
+    site, given = silent_site, []
+    site.tabs.give = lambda command, *values: given.append(command)
+    tab, again = connection(site, page="0.5", has="7"), connection(site, page="0.5", has="9" * 5000)
+    tab.onOpen()
+    tab.onMessage(b'["grab"]', False)
+    if is_silent:
+        site.wait(server.SILENT)
+        assert given == ["grab"]
+        site.wait(LOOK)
+    else:
+        tab.onClose(*CUT)
+    assert given == ["grab", "let go"]
+    site.wait(server.LOST)
+    words = "The page does not answer: its line is cut, its machine sleeps, or its browser has ended. "
+    assert capsys.readouterr().out == f"{words}The program waits 60 s for it.\n"
+    tab.onOpen()
+    again.onOpen()  # before anything says that tab is lost
+    assert ([*site.tabs.tabs], capsys.readouterr().out) == ([again], "The page is back.\n")
+    tab.onClose(*CUT)
+    again.onClose(*CUT)
+    site.wait(server.LOST)
+    assert not site.tabs.are_gone
+    site.wait(LOOK)
+    assert site.tabs.are_gone
+
+
+@pytest.mark.parametrize("path", ["/", "", "/user/ann/proxy/8000", BELOW])
+@pytest.mark.parametrize("request_line", ["HEAD {} HTTP/1.1", "GET {} HTTP/1.0", "HEAD {} HTTP/1.0"])
+def test_a_request_in_another_way_is_answered_as_well(site, path, request_line):
+    """Without the last slash of a proxy's address; its head only; of an older version, without a Host."""
+    expected = get(site, path)
+    assert expected[::2] == (200, (WEB / "page.html").read_bytes())
+    with socket.create_connection((site.hostname, site.port), timeout=SECONDS) as client:
+        client.sendall(f"{request_line}\r\n\r\n".format(f"{path}?{site.query}").encode())
+        head, _, content = b"".join(iter(lambda: client.recv(2**16), b"")).partition(b"\r\n\r\n")
+    assert f"Content-Length: {len(expected[2])}".encode() in head
+    assert content == (expected[2] if request_line.startswith("GET") else b"")
+
+
+def test_neither_many_connections_nor_an_endless_request_keep_others_away(site):
+    """The oldest connection ends when there are too many; so does one that sends too long a head. Another one stays."""
+    with ExitStack() as stack:
+        place = site.hostname, site.port
+        idle = [stack.enter_context(socket.create_connection(place, SECONDS)) for _ in range(server.MOST_WAITING + 1)]
+        idle[-1].sendall(bytes(server.LARGEST_HEAD + 1))
+        for ended in (idle[0], idle[-1]):
+            with suppress(ConnectionResetError):
+                assert ended.recv(1) == b""
+        assert get(site, "/")[0] == 200
+        idle[2].setblocking(False)
+        with pytest.raises(BlockingIOError):
+            idle[2].recv(1)
+
+
+def test_the_page_names_the_function_that_does_not_return_until_it_does(tmp_path):
+    """The one with the loop, not one that it calls again and again."""
+    program, stuck = copy_project(tmp_path, FIVE_CSV) / "src" / programs.PROGRAM.name, tmp_path / "stuck"
+    begin = "    for pend_dict in pend_list:\n"
+    loop = f"    while __import__('os').path.exists({str(stuck)!r}):\n"
+    call = "        swing_update(pend_list[0], r_param, dt, g)\n"
+    change(tmp_path / "src" / "swinging.py", begin, loop + call + begin)
+    with running(program) as process:
+        with Tab(urlsplit(first_lines(process))) as tab:
+            tab.state("motion")
+            stuck.touch()
+            words = r"full_swing_update in src/swinging\.py, line \d+, has been running for 3 s and has not returned\."
+            assert re.fullmatch(words, tab.state("endless")["endless"])
+            stuck.unlink()
+            assert tab.state("endless")["endless"] == ""
+        assert end(process) == QUIETLY

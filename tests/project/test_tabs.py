@@ -31,10 +31,10 @@ WOOD = {"idx": 1, "texture": {"file": "wood_texture.jpg"}}
 )
 def test_changes_merge_into_one_message_with_the_result_of_all(messages, cmds, attrs):
     changes = Changes()
-    for number, message in enumerate(messages):
-        changes.add(Changes(**message, state={'a "name"': ["<b>"], "t": number}))
-    state = {'a "name"': ["<b>"], "t": len(messages) - 1}
-    assert json.loads(changes.message()) == {"cmds": cmds, "attrs": attrs, "state": state}
+    for number, message in enumerate(messages, start=1):
+        changes.add({'a "name"': ["<b>"], "t": number}, **message)
+    state = {'a "name"': ["<b>"], "t": number}
+    assert json.loads(changes.message(0)) == {"number": number, "cmds": cmds, "attrs": attrs, "state": state}
 
 
 def test_a_full_tab_gets_the_words_of_the_end_at_once_and_any_number_can_be_in_the_state(tabs):
@@ -56,10 +56,11 @@ def tabs(monkeypatch):
     return tabs
 
 
-def open_tab(tabs, name):
-    """Open a tab; return the list of the messages that it gets."""
-    messages = []
-    tabs.open(name, lambda message: messages.append(json.loads(message)))
+def open_tab(tabs, name, *messages):
+    """Open a tab that has got these messages; return the list of all that it gets."""
+    messages = [*messages]
+    has = messages[-1]["number"] if messages else 0
+    tabs.open(name, lambda message: messages.append(json.loads(message)), has)
     return messages
 
 
@@ -88,11 +89,15 @@ def test_a_tab_gets_what_has_changed_and_a_new_one_gets_everything(tabs):
     for number in range(MOST):
         tabs.show({"a": number})
     assert not tabs.have_room()
-    assert open_tab(tabs, 2) == [{"cmds": [CANVAS], "attrs": [], "state": {"t": 2, "a": MOST - 1}}]
+    last = 2 + MOST
+    everything = {"number": last, "cmds": [CANVAS], "attrs": [], "state": {"t": 2, "a": MOST - 1}}
+    assert open_tab(tabs, 2) == open_tab(tabs, 3, {"number": last + 1})[1:] == [everything]
+    cut = {"number": last, "cmds": [], "attrs": [], "state": {"a": MOST - 1}}
+    assert open_tab(tabs, 4, {"number": last - 1})[1:] == [cut]
     assert tabs.have_room()  # one tab has room
     again = open_tab(later := Tabs(), 1)
     later.show({"t": 3})
-    assert again == [{"cmds": [CANVAS], "attrs": [], "state": {"t": 3}}]
+    assert again == [{"number": last + 1, "cmds": [CANVAS], "attrs": [], "state": {"t": 3}}]
 
 
 def picture_of(messages):
@@ -113,6 +118,7 @@ def picture_of(messages):
 
 @pytest.mark.parametrize("seed", range(20))
 def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(tabs, seed):
+    """Also when a line is cut: the messages under way are lost, and the page goes on with what it has."""
     chance, shown, got = random.Random(seed), [], {}
     for number in range(400):
         cmds = {"idx": 0, "range": number}, {"idx": 0, "fov": number}
@@ -125,9 +131,11 @@ def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(tab
                 tabs.receive(name, b"seen")
         if len(got) < 3 or chance.random() < 0.03:
             got[number] = open_tab(tabs, number)
-        elif chance.random() < 0.01:
+        elif chance.random() < 0.02:
             tabs.close(gone := chance.choice([*got]))
-            del got[gone]
+            messages = got.pop(gone)
+            if chance.random() < 0.7:
+                got[number] = open_tab(tabs, number, *messages[: chance.randrange(len(messages) + 1)])
     for name, messages in got.items():
         tabs.receive(name, b"seen")
         assert picture_of(messages) == picture_of(shown)

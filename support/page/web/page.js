@@ -13,28 +13,78 @@ const make = (kind, attributes = {}, ...parts) => { // an element; texts in part
 const canDraw = !!document.createElement("canvas").getContext("webgl2");
 const address = new URL(`ws${location.search}`, location.href); // relative to the page, whatever stands before it
 address.protocol = address.protocol.replace("http", "ws");
-let socket, unseen = 0, seen = 0, nextWord = 0, openSince = Infinity, isLeft = false;
+address.searchParams.set("page", Math.random()); // the program knows the page again when its line was cut
+const QUIET = 4, LONGEST = 10, FIRST = 60; // looks without a word: to say so, to connect again, for the first message
+let socket, retry, has = 0, unseen = 0, seen = 0, nextWord = 0; // has: the number of the last message
+let silence = 0, delay = 0, isHeard = true, wasOpen = false, isDone = false;
 const wanted = new Map(); // the last command of each slider that you move
 
 const isOpen = () => socket?.readyState === WebSocket.OPEN;
-const tell = (...command) => isOpen() && socket.send(JSON.stringify(command));
+const tell = (...command) => isHeard && isOpen() && socket.send(JSON.stringify(command)); // a late drag would be wrong
 
 addEventListener("DOMContentLoaded", () => { // all scripts are there
-  socket = new WebSocket(address);
-  Object.assign(socket, { onopen: () => openSince = performance.now(), onmessage: take, onclose: explain });
-  setTimeout(() => socket.readyState === WebSocket.CONNECTING && socket.close(), 10000); // a proxy may never answer
+  connect();
+  setInterval(look, 1000);
   requestAnimationFrame(countPictures);
 });
 
+function connect() { // the program sends what is later than the last message
+  if (isDone) return;
+  clearTimeout(retry);
+  socket?.close();
+  address.searchParams.set("has", has);
+  const line = socket = new WebSocket(address);
+  line.onopen = () => wasOpen = true;
+  line.onmessage = event => line === socket && take(event);
+  line.onclose = () => line === socket && lose();
+}
+
+function lose() {
+  if (isDone) return;
+  isHeard = false;
+  silence = 0;
+  wanted.clear();
+  clearTimeout(retry);
+  retry = setTimeout(connect, delay);
+  delay = Math.min(delay + 1000, 5000);
+  explain();
+}
+
+async function explain() { // why the websocket has closed; a proxy may answer in the program's place
+  const answer = await fetch(`alive${location.search}`).then(answer => answer.text(), () => "");
+  if (answer.includes("ends with a key")) finish("ended"); // another start has another key
+  else if (answer === "alive" && !wasOpen) finish("no-websocket");
+}
+
+function look() { // each second, but seldom in a tab that nobody sees: so it counts looks, not time
+  if (isDone) return;
+  silence++;
+  if (silence > QUIET) isHeard = false;
+  if (silence > (isOpen() && !has ? FIRST : LONGEST)) lose();
+  if (!isHeard && !one(".unheard").firstChild) fill(".unheard", "unheard");
+}
+
+const hurry = () => isOpen() || connect();
+addEventListener("online", hurry);
+addEventListener("visibilitychange", hurry);
+
+function hear() {
+  [silence, delay] = [0, 0];
+  if (isHeard) return;
+  isHeard = true;
+  one(".unheard").replaceChildren();
+  for (const name in state) if (name !== "sound") update(name); // a control may show what was not sent
+}
+
 function take(event) {
+  hear();
+  if (!event.data) return; // only a sign of life
   unseen++;
-  const { state: changes, ...drawing } = JSON.parse(event.data);
+  const { number, state: changes, ...drawing } = JSON.parse(event.data);
+  has = number;
   if (canDraw) handler(decode(drawing)); // VPython's
   Object.assign(state, changes);
-  for (const name in changes) {
-    shows[name]?.(state[name]);
-    show(name);
-  }
+  for (const name in changes) update(name);
 }
 
 // For each picture that the browser has drawn, the program may send one message more. Few words are quicker than many.
@@ -49,29 +99,40 @@ function countPictures(now) {
   requestAnimationFrame(countPictures);
 }
 
-async function explain() { // why the websocket has closed
-  if (isLeft) return;
-  const lives = !state.ended && await fetch(`alive${location.search}`).then(answer => answer.text(), () => "") === "alive";
-  if (!lives) notice("over").classList.add("ended");
-  else if (performance.now() - openSince > 3000) location.reload(); // the line was cut
-  else notice("no-websocket");
-}
-
 // A browser that keeps the page for Back would keep the websocket open.
 addEventListener("pagehide", () => {
-  isLeft = true;
+  isDone = true;
+  if (isOpen()) socket.send("goodbye");
   socket?.close();
 });
-addEventListener("pageshow", event => event.persisted && location.reload());
+addEventListener("pageshow", event => {
+  if (!event.persisted) return;
+  isDone = false;
+  connect();
+});
+
+function fill(place, id) {
+  one(place).replaceChildren(one(`#${id}`).content.cloneNode(true));
+  for (const name in state) show(name);
+}
 
 function notice(id) {
-  const place = one(".notice");
-  place.replaceChildren(one(`#${id}`).content.cloneNode(true));
+  one(".unheard").replaceChildren();
+  fill(".notice", id);
+  one(".notice").classList.add(id);
   for (const part of find(".canvas, .graph, .panel > :not(.messages)")) part.inert = true;
-  for (const name in state) show(name);
-  return place;
 }
 if (!canDraw) notice("no-webgl");
+
+function finish(id) {
+  isDone = true;
+  notice(id);
+}
+
+function update(name) {
+  shows[name]?.(state[name]);
+  show(name);
+}
 
 function show(name) {
   for (const element of find(`[data-text="${name}"]`)) element.textContent = [state[name] ?? ""].flat().join("\n");
@@ -92,6 +153,7 @@ function showSlider(slider, value, text) {
   slider.setAttribute("aria-valuetext", text);
 }
 
+shows.ended = words => words !== null && finish("ended");
 shows.running = running => {
   one("[data-do=pause]").textContent = running ? "Pause" : "Run";
   for (const button of find("[data-do=step], [data-do=tick]")) button.disabled = running;

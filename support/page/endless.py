@@ -1,0 +1,52 @@
+"""Finds a function without end: the loop then asks its player nothing any more, and nothing else says why."""
+
+import sys
+import threading
+from pathlib import Path
+
+from support.page.tabs import LOOK
+from support.start.mistake import is_own
+
+ENDLESS = 3.0  # s after which a function that has not returned is named
+
+
+class Watch:
+    """Watches the loop of a player from another thread."""
+
+    def __init__(self, player):
+        """Watch this player, whose loop is in this thread."""
+        self.player, self.thread = player, threading.get_ident()
+        self.progress: tuple = ()  # what changes with each tick and each frame
+        self.looks = 0  # since this has changed last
+        self.frames: list = []  # of the handout's functions that have not returned since then, the innermost one first
+        self.words = ""
+
+    def look(self) -> str:
+        """Return which function has not returned for ENDLESS seconds, or nothing. Call it each LOOK seconds.
+
+        It counts looks, not time: a process that was stopped, or a laptop that slept, has not run.
+        """
+        progress, frames = (self.player.motion.ticks, self.player.pace.frame_start), running(self.thread)
+        if progress != self.progress:
+            self.progress, self.looks, self.frames, self.words = progress, 0, frames, ""
+            return ""
+        self.looks += 1
+        self.frames = [frame for frame in self.frames if frame in frames]
+        if self.looks * LOOK == ENDLESS and self.frames:
+            code, line = self.frames[0].f_code, self.frames[0].f_lineno
+            place = f"{code.co_name} in src/{Path(code.co_filename).name}, line {line},"
+            self.words = f"{place} has been running for {ENDLESS:.0f} s and has not returned."
+        return self.words
+
+
+def running(thread) -> list:
+    """Return the frames of the handout's functions that the player's loop in this thread is in, the innermost first.
+
+    There are none while the loop waits for the player.
+    """
+    frames, frame = [], sys._current_frames().get(thread)
+    while frame and Path(frame.f_code.co_filename).name != "player.py":
+        if is_own(frame.f_code.co_filename):
+            frames.append(frame)
+        frame = frame.f_back
+    return frames if frame else []
