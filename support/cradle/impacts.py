@@ -12,13 +12,11 @@ from math import sin
 from typing import NamedTuple
 
 from support.constants import G, R_PARAM
-from support.start.mistake import MistakeError
 
 MOST_PATHS = 12  # in a train
 TOGETHER = 20  # two bobs with more hits than this in one train stay together
 LINE = 44  # characters of a line on the page
 LONGEST_PATH = 9  # bobs: of a longer path, only the ends are shown
-UNASKED = 100_000  # ticks that a loop may do without asking whether the cradle runs: more than one does on purpose
 
 
 class Hit(NamedTuple):
@@ -44,7 +42,6 @@ class Hits:
         self.new = list[Hit]()  # hits that are not yet in the list of impacts
         self.kept = list[Hit]()  # all hits since the last call of listen
         self.calls: list[str] = []  # of the collision function, as text
-        self.unasked = 0  # ticks of the loop since it was last told to do one
         self.has_heard = False  # whether the present tick has called the function that lets two pendula collide
         self.states: list[tuple[float, float]] = []  # theta (rad) and omega (rad/s) of each pendulum before the tick
         self.replaced = ExitStack()  # puts the functions back
@@ -61,11 +58,6 @@ class Hits:
         if self.cradle.hand.held is None:
             self.replace(self.cradle.collide_name, self.note_hit)
 
-    def count_ticks(self, loop) -> None:
-        """Only count the ticks of the loop from now on, until stop; raise a MistakeError after UNASKED."""
-        self.stop()
-        self.replace(self.cradle.tick_name, partial(self.count_tick, loop))
-
     def stop(self) -> None:
         """Put the functions back."""
         self.replaced.close()
@@ -79,14 +71,6 @@ class Hits:
             for own_name in [own_name for own_name, value in module.items() if value is function]:
                 self.replaced.callback(module.__setitem__, own_name, function)
                 module[own_name] = partial(stand_in, function)
-
-    def count_tick(self, loop, tick, /, *given, **named):
-        """Call tick, or raise the error of count_ticks."""
-        self.unasked += 1
-        if self.unasked > UNASKED:
-            words = f"called {tick.__name__} {UNASKED} times, and page.is_running() was not True in between."
-            raise MistakeError(loop, words)
-        return tick(*given, **named)
 
     def note_hit(self, collide, /, *given, **named):
         """Call collide, and add a hit of two pendula to new and to kept."""

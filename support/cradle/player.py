@@ -67,8 +67,7 @@ class Player:
         self.cradle.give_back()
         self.path = self.copy.enter_context(clean_copy(self.snapshot))
         self.is_wanted = self.is_shown = False
-        self.cradle.hits.unasked = self.refused = 0
-        self.cradle.hits.count_ticks(self.loop)
+        self.refused = 0
 
     @property
     def csv(self) -> str:
@@ -106,7 +105,6 @@ class Player:
                 if self.refused > MOST_REFUSED:
                     words = "went on after page.is_running() was False. It must leave its loop then."
                     raise MistakeError(self.loop, words)
-                self.cradle.hits.count_ticks(self.loop)
                 return False
             elif self.planned and self.pace.clock() < self.deadline:
                 self.begin_part()
@@ -116,7 +114,6 @@ class Player:
                 self.frame()
         self.due -= 1
         self.motion.ticks += 1
-        self.cradle.hits.unasked = 0
         self.cradle.hits.begin_tick()
         return True
 
@@ -167,7 +164,6 @@ class Player:
         self.is_in_part = True
         self.cradle.hand.grip()
         if self.with_calls or self.looks_at_hits or not self.do_at_once(part):
-            self.cradle.hits.count_ticks(self.loop)
             self.cradle.hits.listen(self.with_calls)
             self.due = part
 

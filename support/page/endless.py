@@ -35,7 +35,10 @@ class Watch:
         if self.looks * LOOK == ENDLESS and self.frames:
             code, line = self.frames[0].f_code, self.frames[0].f_lineno
             place = f"{code.co_name} in src/{Path(code.co_filename).name}, line {line},"
-            self.words = f"{place} has been running for {ENDLESS:.0f} s and has not returned."
+            if code is self.player.loop.__code__:
+                self.words = f"{place} has not asked page.is_running() for {ENDLESS:.0f} s."
+            else:
+                self.words = f"{place} has been running for {ENDLESS:.0f} s and has not returned."
         return self.words
 
 
