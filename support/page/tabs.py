@@ -122,13 +122,10 @@ class Tab:
 class Tabs:
     """All tabs. The viewer calls have_room and show, the server the other methods, in its own thread."""
 
-    all = Changes()  # of each start in this Python: VPython never sends a change again
-
     def __init__(self):
         """Begin without a tab; the server sets in_server, which calls a function in its thread."""
-        self.all.state.clear()
+        self.all = Changes()  # VPython never sends a change again
         self.tabs: dict[Any, Tab] = {}  # by the websocket
-        self.is_begun = False  # whether this run has shown something; what an earlier one has left must not appear
         self.last: dict = {}  # the state that the tabs have, or will have
         self.in_server = lambda function, *arguments: function(*arguments)
         self.give = lambda command, *values: None  # the viewer sets it; takes a command of a tab
@@ -151,7 +148,6 @@ class Tabs:
 
     def deliver(self, state, drawing) -> None:
         """Give changes to all tabs, also to those that come later; at once, that the program has ended, and why."""
-        self.is_begun = True
         self.all.add(state, **drawing)
         for tab in [*self.tabs.values()]:
             tab.take(self.all, at_once=state.get("ended") is not None)
@@ -166,8 +162,7 @@ class Tabs:
     def open(self, socket, send, has=0) -> None:
         """Let a tab have all that is later than the delivery with the number `has`; send(message) sends bytes to it."""
         self.tabs[socket] = Tab(send, has if has <= self.all.number else 0)
-        if self.is_begun:
-            self.tabs[socket].take(self.all)
+        self.tabs[socket].take(self.all)
 
     def close(self, socket) -> None:
         """Forget a tab; a bob that it held swings on."""

@@ -21,7 +21,7 @@ from programs import copy_project, end, first_lines, QUIETLY, ROOT, running, SEC
 from students import change, put_files
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
-from support.page.tabs import Changes, LOOK, Tabs
+from support.page.tabs import LOOK, Tabs
 
 server = pytest.importorskip("support.page.server")  # it needs autobahn, which comes with VPython
 pytestmark = programs.needs_vpython
@@ -319,7 +319,6 @@ def silent_site(monkeypatch):
     loop = SimpleNamespace(call_later=lambda delay, function: site.later.append(function))
     monkeypatch.setattr(server, "own_files", dict)
     monkeypatch.setattr(server.Server, "serve", lambda site, ready: setattr(site, "loop", loop) or ready.set())
-    monkeypatch.setattr(Tabs, "all", Changes())
     site = server.Server(None, Tabs())
     site.later, site.wait = [], lambda seconds: [site.look() for _ in range(round(seconds / LOOK))]
     return site

@@ -48,7 +48,6 @@ def test_a_full_tab_gets_the_words_of_the_end_at_once_and_any_number_can_be_in_t
 @pytest.fixture
 def tabs(monkeypatch):
     """Tabs; changes has what VPython has changed, given is the list of the commands that reach the viewer."""
-    monkeypatch.setattr(Tabs, "all", Changes())
     tabs = Tabs()
     tabs.changes, tabs.given = {}, []
     monkeypatch.setattr("support.page.tabs.vpython_changes", lambda: tabs.changes)
@@ -81,7 +80,6 @@ def test_a_slow_tab_gets_a_bounded_number_of_messages_and_then_the_last_values_o
 
 
 def test_a_tab_gets_what_has_changed_and_a_new_one_gets_everything(tabs):
-    """So it does in a second start in a session: VPython keeps its objects. The state is then a new one."""
     first = open_tab(tabs, 1)
     for state, tabs.changes in (({"t": 1, "a": "b"}, {"cmds": [CANVAS]}), ({"t": 2, "a": "b"}, {}), ({"t": 2}, {})):
         tabs.show(state)
@@ -95,9 +93,6 @@ def test_a_tab_gets_what_has_changed_and_a_new_one_gets_everything(tabs):
     cut = {"number": last, "cmds": [], "attrs": [], "state": {"a": MOST - 1}}
     assert open_tab(tabs, 4, {"number": last - 1})[1:] == [cut]
     assert tabs.have_room()  # one tab has room
-    again = open_tab(later := Tabs(), 1)
-    later.show({"t": 3})
-    assert again == [{"number": last + 1, "cmds": [CANVAS], "attrs": [], "state": {"t": 3}}]
 
 
 def picture_of(messages):
