@@ -191,6 +191,8 @@ class Server:
         self.tabs.look()
         for tab in [*self.tabs.tabs]:
             tab.look()
+        if self.rest < 0:
+            self.is_lost = False
         if self.tabs.tabs:
             return
         if self.rest < 0:
@@ -265,7 +267,8 @@ class Protocol(WebSocketServerProtocol):
     def onOpen(self) -> None:  # noqa: N802
         site, parameters = self.site, self.http_request_params
         site.waiting.pop(self, None)
-        self.page, [has, *_] = parameters.get("page", [""])[0], parameters.get("has", [""])
+        self.page = parameters.get("page", [""])[0]
+        has = parameters.get("has", [""])[0]
         for tab in [*site.tabs.tabs]:
             if self.page and tab.page == self.page:  # its line was cut, and nobody has said so yet
                 site.tabs.close(tab)
@@ -287,7 +290,7 @@ class Protocol(WebSocketServerProtocol):
             self.sendPing()
 
     def tell(self, message) -> None:
-        if not self.transport.is_closing():
+        if self.state == self.STATE_OPEN and not self.transport.is_closing():
             self.sendMessage(message)
 
     def onPong(self, _) -> None:  # noqa: N802

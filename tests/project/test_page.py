@@ -185,7 +185,7 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, started):
     wait_until(lambda: shared.evaluate(colors) == [[0, 0, 1]] * 7 and values(shared)[1] == "1 of 7")
     assert shared.get_by_role("slider", name="Bobs lifted").evaluate("e => [e.value, e.max]") == ["1", "7"]
     file.write_text(FIVE_CSV + GOOD.replace("1.0", "-1", 1))
-    error = shared.locator(".error")
+    error = shared.locator(".error").first
     error.wait_for(state="visible")
     shared.set_viewport_size({"width": 1000, "height": 300})
     shared.locator("summary").scroll_into_view_if_needed()
