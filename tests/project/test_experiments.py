@@ -373,6 +373,7 @@ def check_this_world(keys=()):
 
 
 WORLDS = {  # changed constants: R_PARAM (m), G (m/s^2), DT (s), DOUBLE_DT (s); the experiments to check, or all
+    "the Moon": ("0.2 1.62 0.001 0.001", ()),
     "a long cord on the Moon": ("0.8 1.62 0.001 0.001", ()),
     "a short cord, and fast": ("0.05 25.0 0.0005 0.0005", ()),
     "the longest cord": ("2.0 9.81 0.0005 0.001", ()),
@@ -381,7 +382,7 @@ WORLDS = {  # changed constants: R_PARAM (m), G (m/s^2), DT (s), DOUBLE_DT (s); 
 }
 
 
-@pytest.mark.parametrize("world", slow_but_for(["a long cord on the Moon", "a short cord, and fast"], WORLDS))
+@pytest.mark.parametrize("world", slow_but_for(["the Moon"], WORLDS))
 def test_an_experiment_is_right_with_any_cord_gravity_and_tick(world, tmp_path):
     numbers, keys = WORLDS[world]
     file = copy_project(tmp_path, "") / "support" / "constants.py"
