@@ -213,29 +213,27 @@ class ImpactTrains:
         """Keep the last `count` trains; gap (s) is the longest time between two hits of one train."""
         self.trains: deque[Train] = deque(maxlen=count)
         self.gap = gap
+        self.clear()
 
     def clear(self) -> None:
         self.trains.clear()
+        self.latest: Train | None = None  # also while all its hits are slow, and it is not in trains
 
     def add(self, time, left, right, rightwards, is_fast=True) -> None:
         """Add the hit, at time (s), of these pendula (indices); rightwards: whether they moved to the right before."""
-        if not self.trains or time - self.trains[-1].end > self.gap:
-            if self.trains and not self.trains[-1].is_shown():  # not earlier: it could go on
-                self.trains.pop()
-            self.trains.append(Train(time))
-        train = self.trains[-1]
-        train.add(time, left + 1, right + 1, rightwards, is_fast)
-        if train.together and len(self.trains) > 1 and self.trains[-2].together:
+        if not self.latest or time - self.latest.end > self.gap:
+            self.latest = Train(time)
+        self.latest.add(time, left + 1, right + 1, rightwards, is_fast)
+        if self.latest.is_shown() and self.latest not in self.trains:
+            self.trains.append(self.latest)
+        if self.latest.together and len(self.trains) > 1 and self.trains[-2].together:
             self.trains.pop()
-            self.trains[-1].join(train)
-
-    def shown(self) -> list[Train]:
-        """Return the trains that are shown, the latest first."""
-        return [train for train in reversed(self.trains) if train.is_shown()]
+            self.trains[-1].join(self.latest)
+            self.latest = self.trains[-1]
 
     def lines(self, longest=LINE) -> list[str]:
         """Return a line for each train, the latest first, with at most `longest` characters: t = 0.71 s  1-2-3-4-5."""
-        return [in_line(f"t = {train.begin:.2f} s  {train}", longest) for train in self.shown()]
+        return [in_line(f"t = {train.begin:.2f} s  {train}", longest) for train in reversed(self.trains)]
 
 
 def in_line(text, longest) -> str:

@@ -164,8 +164,8 @@ def summary(motion) -> str:
     total = in_words(motion.percents()["energy"]).strip()
     side = "left" if angle < 0 else "right"
     line = f"t = {motion.time():.2f} s, energy {total}, bob {number} at {abs(angle):.0f} degrees {side}"
-    trains = motion.trains.shown()
-    return in_line(f"{line}, hits: {trains[0]}" if trains else line, WIDTH)
+    trains = motion.trains.trains
+    return in_line(f"{line}, hits: {trains[-1]}" if trains else line, WIDTH)
 
 
 class Recorder(Player):
