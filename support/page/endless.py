@@ -26,19 +26,24 @@ class Watch:
 
         It counts looks, not time: a process that was stopped, or a laptop that slept, has not run.
         """
-        progress, frames = (self.player.motion.ticks, self.player.pace.frame_start), running(self.thread)
+        progress = self.player.motion.ticks, self.player.pace.frame_start
+        frames = running(self.thread)
         if progress != self.progress:
-            self.progress, self.looks, self.frames, self.words = progress, 0, frames, ""
+            self.progress = progress
+            self.looks = 0
+            self.frames = frames
+            self.words = ""
             return ""
         self.looks += 1
         self.frames = [frame for frame in self.frames if frame in frames]
         if self.looks * LOOK == ENDLESS and self.frames:
-            code, line = self.frames[0].f_code, self.frames[0].f_lineno
-            place = f"{code.co_name} in src/{Path(code.co_filename).name}, line {line},"
-            if code is self.player.loop.__code__:
-                self.words = f"{place} has not asked page.is_running() for {ENDLESS:.0f} s."
+            innermost = self.frames[0]
+            name = Path(innermost.f_code.co_filename).name
+            place = f"{innermost.f_code.co_name} in src/{name}, line {innermost.f_lineno}"
+            if innermost.f_code is self.player.loop.__code__:
+                self.words = f"{place}, has not asked page.is_running() for {ENDLESS:.0f} s."
             else:
-                self.words = f"{place} has been running for {ENDLESS:.0f} s and has not returned."
+                self.words = f"{place}, has been running for {ENDLESS:.0f} s and has not returned."
         return self.words
 
 
@@ -47,7 +52,8 @@ def running(thread) -> list:
 
     There are none while the loop waits for the player.
     """
-    frames, frame = [], sys._current_frames().get(thread)
+    frames = []
+    frame = sys._current_frames().get(thread)
     while frame and Path(frame.f_code.co_filename).name != "player.py":
         if is_own(frame.f_code.co_filename):
             frames.append(frame)

@@ -46,7 +46,8 @@ class Changes:
             names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
             self.put(self.drawing, (cmd["idx"], *names), cmd)
         for text in attrs:
-            self.put(self.drawing, text if text[0] == "m" else re.match(r"\w\d+.", text)[0], text)  # type: ignore[index]
+            key = text if text[0] == "m" else re.match(r"\w\d+.", text)[0]  # type: ignore[index]
+            self.put(self.drawing, key, text)
         for name, value in state.items():
             self.put(self.state, name, value)
 

@@ -323,16 +323,17 @@ def silent_site(monkeypatch):
     monkeypatch.setattr(server, "own_files", dict)
     monkeypatch.setattr(server.Server, "serve", lambda site, ready: setattr(site, "loop", loop) or ready.set())
     site = server.Server(None, Tabs())
-    site.later, site.wait = [], lambda seconds: [site.look() for _ in range(round(seconds / LOOK))]
+    site.later = []
+    site.wait = lambda seconds: [site.look() for _ in range(round(seconds / LOOK))]
     return site
 
 
 def connection(site, **parameters):
     """Return a connection of a request with these parameters, without a network."""
-    socket = SimpleNamespace(is_closing=lambda: True, abort=lambda: None)
-    tab = type("Connection", (server.Protocol,), {"site": site, "transport": socket})()
+    tab = type("Connection", (server.Protocol,), {"site": site})()
     tab.http_request_params = {name: [text] for name, text in parameters.items()}
-    tab.state, tab.sendPing, tab.dropConnection = None, lambda: None, lambda abort: tab.onClose(*CUT)
+    tab.state = tab.STATE_CLOSED  # so nothing is sent
+    tab.dropConnection = lambda abort: tab.onClose(*CUT)
     return tab
 
 
@@ -344,19 +345,19 @@ def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkey
     site, stops = silent_site, []
     monkeypatch.setattr(server, "interrupt_main", lambda: stops.append("now"))
     tab, other, stranger = connection(site), connection(site), connection(site)
-    with_key = {"key": [site.key]}
     for event, *how in ((stranger.onClose, *CUT), (tab.onOpen,), (other.onOpen,), (other.onClose, *LEFT)):
         event(*how)
         tab.onPong(b"")
         site.wait(9)
     tab.onMessage(b"goodbye", False)
     tab.onClose(*CUT)
-    for seconds, request in ((0.8 * server.RETURN, with_key), (0.9 * server.LOADING, with_key), (1, {})):
+    for seconds in (0.8 * server.RETURN, 0.9 * server.LOADING):
         site.wait(seconds)
-        tab.content("", request)
+        tab.content("", {"key": [site.key]})
     tab.onOpen()
     tab.onClose(*LEFT)
     site.wait(server.RETURN)
+    tab.content("", {})
     assert not site.tabs.are_gone
     site.wait(LOOK)
     assert (site.tabs.are_gone, stops) == (True, [])  # main can end by itself
