@@ -4,11 +4,11 @@ support/__init__.py says what a hit, a train and a path are. Two bobs that come 
 """
 
 from collections import Counter, deque
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from functools import partial
 from inspect import signature
 from itertools import accumulate
-from math import sin
+from math import isnan, sin
 from typing import NamedTuple
 
 from support.constants import G, R_PARAM
@@ -43,13 +43,13 @@ class Hits:
         self.kept = list[Hit]()  # all hits since the last call of listen
         self.calls: list[str] = []  # of the collision function, as text
         self.has_heard = False  # whether the present tick has called the function that lets two pendula collide
-        self.states: list[tuple[float, float]] = []  # theta (rad) and omega (rad/s) of each pendulum before the tick
+        self.states: list[tuple] = []  # theta (rad) and omega (rad/s) of each pendulum before the tick
         self.replaced = ExitStack()  # puts the functions back
 
     def listen(self, calls=False) -> None:
         """Note the hits from now on, until stop, but not of a held bob; with calls, also those of shown_name.
 
-        To compare before and after a whole tick would miss hits: after a train, the inner bobs have their old velocity.
+        After a train in one tick, inner bobs have their old velocity: so each call is noted.
         """
         self.calls.clear()
         self.kept.clear()
@@ -107,29 +107,37 @@ class Hits:
         """Keep the state of a single cradle before a tick."""
         self.has_heard = False
         if self.rate_keys == ("omega",):
-            self.states = [(pend["theta"], pend["omega"]) for pend in self.cradle.pend_list]
+            self.states = [(pend.get("theta"), pend.get("omega")) for pend in self.cradle.pend_list]
 
     def end_tick(self) -> None:
-        """Add the hits of a tick of single pendula that has not called the function that lets two pendula collide.
-
-        Without a hit, omega becomes omega - g sin(theta) / R dt (handout, appendix). A hit gives each bob more or less.
-        It keeps the momentum of the two. So the momentum that the bobs up to the left one of a pair have lost has gone
-        through the hit of this pair, and that which all bobs together have lost is 0, except for rounding.
-        """
+        """Add the hits of a tick of single pendula that has not called the function that lets two pendula collide."""
         pends = self.cradle.pend_list
-        if self.has_heard or len(self.states) != len(pends) or self.cradle.hand.held is not None:
-            return
-        now = []  # the pendula as they are without a hit
-        losses = []  # of momentum, divided by r_param (kg/s)
-        rounding = 0.0
-        for pend, (theta, omega) in zip(pends, self.states, strict=True):
-            now.append({**pend, "omega": omega - G * sin(theta) / R_PARAM * self.cradle.dt})
-            losses.append(pend["mass"] * (now[-1]["omega"] - pend["omega"]))
-            rounding += 1e-12 * pend["mass"] * abs(omega)
-        passed_on = list(accumulate(losses))  # through the hit of each bob and the next one
-        if not abs(passed_on[-1]) <= rounding:  # nan, too
+        is_seen = not self.has_heard and self.cradle.hand.held is None and len(self.states) == len(pends)
+        if is_seen:
+            with suppress(KeyError, TypeError):  # a value is no number: Cradle.check says so after these ticks
+                self.add_seen_hits(pends, self.without_hits())
+
+    def without_hits(self) -> list[dict]:
+        """Return the pendula as they are after the tick if no bob was hit.
+
+        omega becomes omega - g sin(theta) / R dt (handout, appendix).
+        """
+        pull = G / R_PARAM * self.cradle.dt
+        omegas = [omega - pull * sin(theta) for theta, omega in self.states]
+        return [{**pend, "omega": omega} for pend, omega in zip(self.cradle.pend_list, omegas, strict=True)]
+
+    def add_seen_hits(self, pends, now) -> None:
+        """Add the hits that have made the pendula `pends` of the pendula `now`, which nobody has hit yet.
+
+        A hit keeps the momentum of its two bobs. So the hit of a bob and its right neighbour has passed on the momentum
+        that all bobs up to this one have lost. All bobs together have lost none, except for rounding.
+        """
+        losses = [old["mass"] * (old["omega"] - new["omega"]) for old, new in zip(now, pends, strict=True)]
+        *passed_on, lost = accumulate(losses)  # kg/s: momentum, divided by r_param
+        rounding = 1e-12 * sum(abs(pend["mass"] * pend["omega"]) for pend in now)
+        if abs(lost) > rounding or isnan(lost):
             return  # this tick is not that of the handout
-        for left, momentum in enumerate(passed_on[:-1]):
+        for left, momentum in enumerate(passed_on):
             if abs(momentum) > rounding:
                 before = now[left : left + 2]
                 after = [dict(pend) for pend in before]

@@ -15,6 +15,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime
 from support.files.cradle_csv import clean_copy
+from support.start.early import import_now
 from support.start.mistake import MistakeError
 
 ENDLESS = 1.0  # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends
@@ -191,6 +192,7 @@ class Player:
 
 def run(loop, player) -> None:
     """Run a loop (for instance main) once for each cradle; raises a MistakeError if it ends while one must go on."""
+    import_now("pandas")  # not in a student's function, which has no part in the time that it takes
     player.loop = loop
     player.want_cradle()
     try:

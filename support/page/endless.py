@@ -7,7 +7,7 @@ from pathlib import Path
 from support.page.tabs import LOOK
 from support.start.mistake import is_own
 
-ENDLESS = 3.0  # s after which a function that has not returned is named
+TOO_LONG = 3.0  # s after which a function that has not returned is named
 
 
 class Watch:
@@ -22,7 +22,7 @@ class Watch:
         self.words = ""
 
     def look(self) -> str:
-        """Return which function has not returned for ENDLESS seconds, or nothing. Call it each LOOK seconds.
+        """Return which function has not returned for TOO_LONG seconds, or nothing. Call it each LOOK seconds.
 
         It counts looks, not time: a process that was stopped, or a laptop that slept, has not run.
         """
@@ -36,14 +36,11 @@ class Watch:
             return ""
         self.looks += 1
         self.frames = [frame for frame in self.frames if frame in frames]
-        if self.looks * LOOK == ENDLESS and self.frames:
+        if self.looks * LOOK == TOO_LONG and self.frames:
             innermost = self.frames[0]
             name = Path(innermost.f_code.co_filename).name
             place = f"{innermost.f_code.co_name} in src/{name}, line {innermost.f_lineno}"
-            if innermost.f_code is self.player.loop.__code__:
-                self.words = f"{place}, has not asked page.is_running() for {ENDLESS:.0f} s."
-            else:
-                self.words = f"{place}, has been running for {ENDLESS:.0f} s and has not returned."
+            self.words = f"{place}, has been running for {TOO_LONG:.0f} s and has not returned."
         return self.words
 
 

@@ -101,8 +101,8 @@ class Server:
         self.listener, self.tabs = listener, tabs
         self.key = secrets.token_hex(12)  # short, and without signs that end an address in some terminals
         self.waiting: dict[Protocol, None] = {}  # the connections that are no websocket, the oldest one first
-        self.rest = inf  # s that a tab is expected yet; for ever before the first one
-        self.is_lost = self.is_missed = False  # whether a page has gone without a goodbye, and the terminal says so
+        self.expected = {"": inf}  # s for which a page is expected yet, by the name of a lost page; "" is any page
+        self.is_missed = False  # whether the terminal says that a page does not answer
         self.files, self.page = own_files(), Path(__file__).with_name("web") / "page.html"
         self.way: Path | None = None  # the file that leads a browser to the page
         ready = threading.Event()
@@ -180,29 +180,28 @@ class Server:
         """Return whether a request with these parameters, lists by name, has the key; as quickly for each wrong key."""
         return secrets.compare_digest(parameters.get("key", [""])[0].encode(), self.key.encode())
 
-    def expect(self, seconds) -> None:
-        """Expect a tab for so long from now on, at least."""
-        self.rest = max(self.rest, seconds)
+    def expect(self, seconds, page="") -> None:
+        """Expect the page with this name, or any page, for so long from now on, at least."""
+        self.expected[page] = max(self.expected.get(page, 0.0), seconds)
 
     def look(self) -> None:
         """Look at each tab, and end the program when none is there, and none is expected any more."""
         self.loop.call_later(LOOK, self.look)
-        self.rest -= LOOK
+        rests = {page: rest - LOOK for page, rest in self.expected.items()}
+        self.expected = {page: rest for page, rest in rests.items() if rest >= 0}
         self.tabs.look()
         for tab in [*self.tabs.tabs]:
             tab.look()
-        if self.rest < 0:
-            self.is_lost = False
-        if self.tabs.tabs:
+        if self.tabs.tabs or self.tabs.are_gone:
             return
-        if self.rest < 0:
+        if not self.expected:
             self.tabs.are_gone = True
-            self.rest = inf
             self.loop.call_later(LEAVE, interrupt_main)
-        elif self.is_lost and not self.is_missed:
+        lost = [rest for page, rest in self.expected.items() if page]
+        if lost and not self.is_missed:
             self.is_missed = True
             cause = "its line is cut, its machine sleeps, or its browser has ended"
-            say(f"The page does not answer: {cause}. The program waits {self.rest:.0f} s for it.")
+            say(f"The page does not answer: {cause}. The program waits {max(lost):.0f} s for it.")
 
 
 class Protocol(WebSocketServerProtocol):
@@ -267,16 +266,17 @@ class Protocol(WebSocketServerProtocol):
     def onOpen(self) -> None:  # noqa: N802
         site, parameters = self.site, self.http_request_params
         site.waiting.pop(self, None)
-        self.page = parameters.get("page", [""])[0]
+        self.page = parameters.get("page", [""])[0] or f"without a name, {id(self)}"
         has = parameters.get("has", [""])[0]
         for tab in [*site.tabs.tabs]:
-            if self.page and tab.page == self.page:  # its line was cut, and nobody has said so yet
+            if tab.page == self.page:  # its line was cut, and nobody has said so yet
                 site.tabs.close(tab)
                 tab.dropConnection(abort=True)
-        if site.is_missed:
+        site.expected.pop("", None)
+        rest = site.expected.pop(self.page, None)
+        if site.is_missed and rest is not None:
             say("The page is back.")
-        site.rest = 0.0  # it is loaded
-        site.is_lost = site.is_missed = False
+        site.is_missed = False
         site.tabs.open(self, self.tell, int(has) if re.fullmatch("[0-9]{1,15}", has) else 0)
         site.forget_way()
 
@@ -312,5 +312,4 @@ class Protocol(WebSocketServerProtocol):
         if self.has_said_goodbye or code == self.CLOSE_STATUS_CODE_GOING_AWAY:  # Firefox's word, if you go on from it
             site.expect(RETURN)
         else:
-            site.expect(LOST)
-            site.is_lost = True
+            site.expect(LOST, self.page)

@@ -78,6 +78,13 @@ def import_later(name) -> None:
         sys.modules[name] = Later(spec)
 
 
+def import_now(name) -> None:
+    """Import a module for which import_later has let the program wait."""
+    if isinstance(sys.modules.get(name), Later):
+        del sys.modules[name]
+        import_module(name)
+
+
 def draw_without_its_page() -> None:
     """Let VPython make objects for our page. Its own page, and a server for it, would come with the first object.
 

@@ -197,16 +197,16 @@ def test_the_program_waits_for_a_tab_whose_browser_crashes_and_says_so(csv):
     """In the middle of a message. Before that: a tab gets the largest cradle; one that would fill the memory ends."""
     csv.write_text(HEADER + GOOD * 1000)
     with running(None, str(csv)) as process:
-        page = urlsplit(first_lines(process))
+        page, named = urlsplit(first_lines(process)), "{key}&page=1"
         with Tab(page) as tab:
             assert len(tab.hear()["cmds"]) > 3000
-        with Tab(page) as tab, suppress(ConnectionResetError):
+        with Tab(page, query=named) as tab, suppress(ConnectionResetError):
             tab.connection.sock.sendall(b"\x81\xff" + (server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4))
             tab.answer.fp.read()  # until the end
-        with Tab(page) as tab:
+        with Tab(page, query=named) as tab:
             tab.connection.sock.sendall(b"\x81\xff")
         assert process.stdout.readline().startswith("The page does not answer")
-        with Tab(page):
+        with Tab(page, query=named):
             assert process.stdout.readline() == "The page is back.\n"
         assert end(process) == QUIETLY
 
@@ -398,6 +398,18 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
     assert (site.tabs.are_gone, capsys.readouterr().out) == (False, "")
     site.wait(LOOK)
     assert site.tabs.are_gone
+
+
+def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent_site):
+    lost, other = connection(silent_site, page="1"), connection(silent_site, page="2")
+    lost.onOpen()
+    lost.onClose(*CUT)
+    other.onOpen()
+    other.onClose(*LEFT)
+    silent_site.wait(server.LOST)
+    assert not silent_site.tabs.are_gone
+    silent_site.wait(LOOK)
+    assert silent_site.tabs.are_gone
 
 
 @pytest.mark.parametrize("path", ["/", "", "/user/ann/proxy/8000", BELOW])
