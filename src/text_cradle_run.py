@@ -38,7 +38,7 @@ def main() -> None:
     try:
         check_cradle(csv)
         check_lift(options.lift, csv)
-        if options.record not in (None, "-"):
+        if options.record:
             check_record(options.record)
     except ValueError as error:
         refuse(error)
@@ -54,14 +54,15 @@ def main() -> None:
             with own_screen(lambda: pictures.seen):
                 run(loop, pictures)
         else:
-            if remark:
-                print(remark, flush=True)
-            run(loop, Lines(cradle, csv, options))
+            run(loop, Lines(cradle, csv, options, remark))
     except KeyboardInterrupt as stopped:
         tell_endless(stopped)
         if options.record is None:
             sys.exit(*stopped.args)
-        complain("The recording ended too early. It is in no file.")
+        words = "The recording ended too early."
+        if options.record != "-":
+            words += f" {options.record} is not written."
+        complain(words)
         sys.exit(1)
     except (Exception, SystemExit) as error:
         cause = error.__cause__ or error  # whole_file replaces every OSError, also one of a student's function

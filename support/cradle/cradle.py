@@ -212,8 +212,9 @@ class Cradle:
         return momentum(self.pend_list, R_PARAM)
 
     def constants(self) -> str:
-        """Return the constants with which main moves the cradle, in words."""
-        r_param, dt, g = (self.scope.get(name) for name in ("R_PARAM", self.dt_name, "G"))
+        """Return the constants, in words: those of main's module, or, if it has none, those of support/constants.py."""
+        own = self.scope.maps[0]
+        r_param, dt, g = own.get("R_PARAM", R_PARAM), own.get(self.dt_name, self.dt), own.get("G", G)
         return f"main uses R_PARAM = {r_param} m (cord), {self.dt_name} = {dt} s (tick) and G = {g} m/s^2 (gravity)."
 
 

@@ -14,8 +14,8 @@ MOST_SWINGS = 3  # a measurement ends after so many small swings
 class Measurement:
     """What the bobs of an experiment do, from their release until those that have left turn back.
 
-    The bobs come in until the first fast hit. They leave when this train of hits is over, and all bobs rise. They have
-    turned back when they fall again. No time is given: it depends on the cord, on gravity, and on the angles.
+    The bobs come in until the first fast hit. They leave when this train of hits is over, and no fast bob falls. They
+    have turned back when they fall again. No time is given: it depends on the cord, on gravity, and on the angles.
     """
 
     def __init__(self, experiment: Experiment, motion):
@@ -28,31 +28,30 @@ class Measurement:
         self.energy = 100.0  # % that is left
         self.hit_time = inf  # s: the first look after a fast hit
         self.left_time = inf  # s: the first look after the train
-        self.end, self.is_over = 0.0, False  # s: the last look
+        self.end = 0.0  # s: the last look
+        self.is_over = False
         self.heights = self.cradle.heights()  # m, at the last look
         self.hits = 0  # at the last look
         self.has_turned = [False] * count
         self.fastest = max(self.cradle.top_speeds())  # m/s
 
-    def look(self) -> None:
-        """Measure this moment: look often, about a thousand times in a swing."""
-        if self.is_over:
-            return
+    def measure(self) -> None:
+        """Measure this moment, until is_over: about a thousand times in a swing."""
         self.end, self.energy = self.motion.time(), self.motion.percents()["energy"]
         heights, self.heights = self.heights, self.cradle.heights()
         falls = [now < before for now, before in zip(self.heights, heights, strict=True)]
         speeds = [R_PARAM * abs(omega) for omega in self.cradle.values("omega")]
-        if self.motion.last_fast < 0:
+        if self.motion.last_fast == -inf:
             self.befores = [*map(max, self.befores, speeds)]
         elif self.left_time == inf:
-            self.look_at_train(speeds, falls)
+            self.measure_train(speeds, falls)
         else:
             self.speeds = [*map(max, self.speeds, speeds)]
-            self.look_at_swing(falls)
+            self.measure_swing(falls)
         if self.end > MOST_SWINGS * self.cradle.period:
             self.is_over = True
 
-    def look_at_train(self, speeds, falls) -> None:
+    def measure_train(self, speeds, falls) -> None:
         """Measure the speeds (m/s) after a hit, and find out whether the train is over; falls says which bobs fall."""
         self.hit_time = min(self.hit_time, self.end)
         if self.motion.hits > self.hits:
@@ -64,7 +63,7 @@ class Measurement:
         if self.end - self.motion.last_fast > self.cradle.gap and not fast_one_falls:
             self.left_time = self.end
 
-    def look_at_swing(self, falls) -> None:
+    def measure_swing(self, falls) -> None:
         """Measure how far the bobs have swung out, and find out whether they have turned back; falls as above."""
         for i, pend in enumerate(self.cradle.pend_list):
             self.swings[i] = max(self.swings[i], degrees(pend["theta"]), key=abs)
@@ -101,6 +100,10 @@ class Measurement:
     def numbers(self) -> dict[str, str]:
         """Return the measured numbers as text, by the names that the text of an experiment can have in braces."""
         numbers = {"energy": f"{self.energy:.0f}"}
+        digits = 2  # behind the point; slow cradles need more
+        while 0 < self.fastest * 10**digits < 50:
+            digits += 1
         for i, (swing, speed, before) in enumerate(zip(self.swings, self.speeds, self.befores, strict=True), start=1):
-            numbers |= {f"swing_{i}": f"{abs(swing):.0f}", f"speed_{i}": f"{speed:.2f}", f"before_{i}": f"{before:.2f}"}
+            numbers |= {f"swing_{i}": f"{abs(swing):.0f}", f"speed_{i}": f"{speed:.{digits}f}"}
+            numbers[f"before_{i}"] = f"{before:.{digits}f}"
         return numbers

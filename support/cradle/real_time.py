@@ -61,4 +61,4 @@ class RealTime:
 
     def remark(self) -> str:
         """Return the speed that the machine reaches, as in 0.6x real time, or nothing if it keeps up."""
-        return f"{self.kept_up * self.speed:.1f}x real time" if self.kept_up < 0.95 else ""
+        return f"{self.kept_up * self.speed:.2g}x real time" if self.kept_up < 0.95 else ""

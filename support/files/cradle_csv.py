@@ -172,8 +172,9 @@ def clean_copy(filepath):
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         copy = Path(folder) / Path(str(filepath)).name
         with open(copy, "w", encoding="utf-8", newline="") as file:
-            csv.writer(file).writerow(header)
-            csv.writer(file).writerows(map(for_pandas, header, cells) for _, cells in rows)
+            writer = csv.writer(file)
+            writer.writerow(header)
+            writer.writerows(map(for_pandas, header, cells) for _, cells in rows)
         yield str(copy)
 
 

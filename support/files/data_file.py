@@ -40,7 +40,12 @@ def whole_file(filepath):
 
 
 def check_record(filepath) -> None:
-    """Raise a ValueError with a one-line message if this file exists, and has no data of a cradle to replace."""
+    """Raise a ValueError with a one-line message if this file exists, and has no data of a cradle to replace.
+
+    The name - stands for the output.
+    """
+    if filepath == "-":
+        return
     try:
         if not S_ISREG(Path(filepath).stat().st_mode):
             return  # whole_file will raise the error

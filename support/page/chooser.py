@@ -34,9 +34,12 @@ class Chooser:
         self.refused: dict[str, tuple[str, str]] = {}  # "row,column" of the table -> (the text, what is allowed)
 
     def names(self) -> list[str]:
-        """Return the names in the menu; a changed experiment has one more, so that you can choose it again."""
-        names = [YOUR_CSV, *self.experiments]
-        return [*names, self.name()] if self.is_changed else names
+        """Return the names that you can choose."""
+        return [YOUR_CSV, *self.experiments]
+
+    def menu(self) -> list[str]:
+        """Return the names in the menu: a changed experiment has one more, so that you can choose its own one again."""
+        return [*self.names(), self.name()] if self.is_changed else self.names()
 
     def name(self) -> str:
         """Return the name of what is chosen."""
@@ -54,8 +57,6 @@ class Chooser:
 
     def choose(self, name) -> None:
         """Take what has this name in the menu."""
-        if name == self.name() and self.is_changed:
-            return
         if not self.experiment:
             self.own = self.now
         self.experiment = self.experiments.get(name)

@@ -54,11 +54,11 @@ class Questions:
         """Return whether the present run is measured, and its measurement is not yet over."""
         return self.measurement is not None and not self.measurement.is_over
 
-    def has_ended_at_this_look(self) -> bool:
-        """Measure this moment; return whether the measurement ends now."""
+    def is_measured_now(self) -> bool:
+        """Measure this moment; return whether the measurement ends with it."""
         if self.measurement is None or self.measurement.is_over:
             return False
-        self.measurement.look()
+        self.measurement.measure()
         return self.measurement.is_over
 
     def predicted(self, time) -> list[float]:
@@ -82,8 +82,11 @@ class Questions:
         said = "" if self.said is None else f"You said: {in_words(experiment, self.said)}. "
         hands = ", ".join(f"{letter} {count}" for letter, count in zip(LETTERS, self.votes, strict=False))
         return {
-            **{"key": experiment.key, "name": experiment.name, "question": experiment.question},
-            **{"answers": [answer.text for answer in experiment.answers], "votes": list(self.votes)},
+            "key": experiment.key,
+            "name": experiment.name,
+            "question": experiment.question,
+            "answers": [answer.text for answer in experiment.answers],
+            "votes": list(self.votes),
             "asking": self.is_asking,
             "said": "" if self.is_asking else (said + f"Hands: {hands}." * any(self.votes)).strip(),
             "happened": what_happened(self.measurement, self.said) if self.measurement.is_over else None,

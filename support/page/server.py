@@ -35,6 +35,7 @@ from support.page.tabs import LOOK, Tabs
 from support.start.output import say
 
 RETURN, LOADING = 3.0, 30.0  # s that a closed tab has to come back, and a page from its request to its websocket
+FLICKER = 3.0  # s after which the terminal says that a page is lost
 LOST = 60.0  # s that a page has to come back which has said no goodbye: its line is cut, or its machine sleeps
 SILENT, SLOWEST = 10.0, 2**13  # s after which a tab that does not answer is lost; bytes/s of what is under way to it
 FAREWELL = 0.3  # s that the tabs have to hear of the end
@@ -42,7 +43,7 @@ LEAVE = 1.0  # s that main has to end without a tab; then Ctrl+C ends it: it may
 LARGEST_MESSAGE = 2**26  # bytes, either way; closes the websocket of a tab that sends more: it would stay in memory
 LARGEST_HEAD = 2**14  # bytes of a request
 MOST_WAITING = 64  # connections that are no websocket: when one more comes, the oldest one goes
-NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key.\n"
+NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key, new at each start.\n"
 TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".jpg": "image/jpeg", "": "text/plain"}
 VPYTHON_SCRIPT = "window.__GSlang ="  # where glowcomm.html has its fonts and its own websocket behind it
 TEXT_BROWSERS = {"www-browser", "links", "links2", "elinks", "lynx", "w3m"}  # they have no canvas
@@ -197,11 +198,11 @@ class Server:
         if not self.expected:
             self.tabs.are_gone = True
             self.loop.call_later(LEAVE, interrupt_main)
-        lost = [rest for page, rest in self.expected.items() if page]
-        if lost and not self.is_missed:
+        lost = max((rest for page, rest in self.expected.items() if page), default=inf)
+        if lost <= LOST - FLICKER and not self.is_missed:
             self.is_missed = True
             cause = "its line is cut, its machine sleeps, or its browser has ended"
-            say(f"The page does not answer: {cause}. The program waits {max(lost):.0f} s for it.")
+            say(f"A page does not answer: {cause}. The program waits {lost:.0f} s for it.")
 
 
 class Protocol(WebSocketServerProtocol):

@@ -26,17 +26,17 @@ QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on ea
 SPEEDS, SLOWLY = (0.1, 2.0), 0.1  # times real time: the ends of the slider, and of an experiment repeated slowly
 TRAINS = 5  # of impacts, a line for each
 HIT_LINES = 5  # of text, above the cradle
-LOOKS = 1000  # of a measurement, in the time of a small swing
+LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
 REST = 3.0  # s that the picture rests when an experiment has been measured
 
 
 class Viewer(Player):
     """The page with a cradle, its panel and its graph: the argument page of main."""
 
-    def __init__(self, cradle: Cradle, file, angles, lifted, tabs, **texts):
+    def __init__(self, cradle: Cradle, file, angles, lifted, tabs, remark="", **texts):
         """Play the cradle of this file (a LiveFile) as a Player does; tabs (a Tabs) show it, and texts in the state."""
         super().__init__(cradle, file.current, angles, lifted, TRAINS, EVERY)
-        self.file, self.tabs, self.texts = file, tabs, texts
+        self.file, self.tabs, self.remark, self.texts = file, tabs, remark, texts
         self.commands: SimpleQueue = SimpleQueue()  # of tabs, for the next frame; any thread can put one into it
         self.running = True
         self.speed = 1.0  # that you have set, times real time
@@ -123,13 +123,13 @@ class Viewer(Player):
         """Return after how many ticks, at most, to look at the cradle: a measurement looks a thousand times a swing."""
         longest = super().longest_part()
         if self.questions.is_measuring():
-            longest = min(longest, max(1, round(self.cradle.period / LOOKS / self.cradle.dt)))
+            longest = min(longest, max(1, round(self.cradle.period / LOOKS_A_SWING / self.cradle.dt)))
         return longest
 
     def end_part(self) -> None:
         """Look at the result of a part: measure an experiment; show One tick, or its hits."""
         super().end_part()
-        if self.questions.has_ended_at_this_look():
+        if self.questions.is_measured_now():
             self.rest_end, self.planned = self.pace.clock() + REST, 0
         if self.looks_at_hits:
             self.slow_hits.add(self.cradle.hits.kept, self.motion.time(), self.motion.least)
@@ -147,23 +147,41 @@ class Viewer(Player):
         angles = [made if angle is None else angle for angle, made in zip(self.angles, made_angles, strict=True)]
         lifted = made_lifted if self.lifted is None else min(self.lifted, count)
         return {
-            **{"title": cradle.title, "constants": cradle.constants(), **self.texts},
-            "remark": " ".join(filter(None, [self.texts.get("remark"), cradle.remark()])),
-            **{"error": self.error, "mistakes": chooser.mistakes, "ended": None},
-            **{"running": self.running, "speed": round(self.pace.speed, 2), "lifted": [lifted, count]},
+            "title": cradle.title,
+            "constants": cradle.constants(),
+            **self.texts,
+            "remark": " ".join(filter(None, [self.remark, cradle.remark()])),
+            "error": self.error,
+            "mistakes": chooser.mistakes,
+            "ended": None,
+            "running": self.running,
+            "speed": round(self.pace.speed, 2),
+            "lifted": [lifted, count],
             "angles": [(name, *ends) for name, ends in cradle.angles.items()],
             "lifts": [to_lift(angle) for angle in angles],  # degrees
             "collisions": self.collision_names(),
             "collision": self.collision_names()[[*cradle.collisions].index(cradle.collision)],
-            **{"has rule": cradle.takes_rule, "separating": self.separating},
-            **{"experiments": chooser.names(), "experiment": chooser.name()},
-            **{"ask first": self.questions.ask_first, "question": self.questions.state()},
-            **{"arrows": self.marks.has_arrows, "slow hits": self.looks_at_hits, "hit": self.slow_hits.words()},
-            **{"motion": self.readout(), "impacts": self.motion.trains.lines()},
-            **{"graphs": [*self.graph.choices], "graph": self.graph.choice},
-            **{"spans": [*SPANS], "span": self.graph.span, "curves": self.graph.state(self.motion.start_energy)},
-            **{"keys": [*cradle.angle_keys, *cradle.rate_keys], "refused": dict(chooser.refused)},
-            **{"mass": cradle.values("mass"), "e": cradle.values("e"), "tick": self.tick_lines},
+            "has rule": cradle.takes_rule,
+            "separating": self.separating,
+            "experiments": chooser.menu(),
+            "experiment": chooser.name(),
+            "ask first": self.questions.ask_first,
+            "question": self.questions.state(),
+            "arrows": self.marks.has_arrows,
+            "slow hits": self.looks_at_hits,
+            "hit": self.slow_hits.words(),
+            "motion": self.readout(),
+            "impacts": self.motion.trains.lines(),
+            "graphs": [*self.graph.choices],
+            "graph": self.graph.choice,
+            "spans": [*SPANS],
+            "span": self.graph.span,
+            "curves": self.graph.state(self.motion.start_energy),
+            "keys": [*cradle.angle_keys, *cradle.rate_keys],
+            "refused": dict(chooser.refused),
+            "mass": cradle.values("mass"),
+            "e": cradle.values("e"),
+            "tick": self.tick_lines,
             "now": {name: f"{number:.6f}" for name, number in cradle.coordinates().items()},
         }
 
@@ -219,19 +237,28 @@ class Viewer(Player):
     def make_actions(self) -> dict[str, tuple]:
         """Return, for the name of each command, what it does, and the kinds of its values."""
         return {
-            **{"pause": (self.pause,), "step": (self.do_step,), "tick": (self.do_one_tick,)},
+            "pause": (self.pause,),
+            "step": (self.do_step,),
+            "tick": (self.do_one_tick,),
             "speed": (self.set_speed, "speed"),
-            **{"lifted": (self.set_lifted, "bobs"), "lift": (self.set_lift, "cord", "degrees")},
+            "lifted": (self.set_lifted, "bobs"),
+            "lift": (self.set_lift, "cord", "degrees"),
             "collision": (self.set_collision, "collision"),
             "separating": (self.set_separating, "switch"),
-            **{"arrows": (self.show_arrows, "switch"), "slow hits": (self.slow_down_hits, "switch")},
-            **{"graph": (self.graph.show, "graph"), "span": (partial(setattr, self.graph, "span"), "span")},
+            "arrows": (self.show_arrows, "switch"),
+            "slow hits": (self.slow_down_hits, "switch"),
+            "graph": (self.graph.show, "graph"),
+            "span": (partial(setattr, self.graph, "span"), "span"),
             "experiment": (self.choose, "experiment"),
-            **{"restart": (self.restart,), "next": (lambda: self.choose(self.chooser.next_name()),)},
-            **{"ask first": (self.ask_first, "switch"), "again": (self.repeat, "switch")},
-            **{"answer": (self.answer, "text", "answer"), "vote": (self.questions.vote, "text", "count")},
+            "restart": (self.restart,),
+            "next": (lambda: self.choose(self.chooser.next_name()),),
+            "ask first": (self.ask_first, "switch"),
+            "again": (self.repeat, "switch"),
+            "answer": (self.answer, "text", "answer"),
+            "vote": (self.questions.vote, "text", "count"),
             "edit": (self.edit, "count", "column", "text"),
-            **{"grab": (self.grab, "point", "direction"), "drag": (self.drag, "point", "direction")},
+            "grab": (self.grab, "point", "direction"),
+            "drag": (self.drag, "point", "direction"),
             "let go": (self.let_go,),
         }
 

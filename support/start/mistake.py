@@ -23,7 +23,7 @@ class MistakeError(Exception):
 def is_own(filename) -> bool:
     """Return whether a file is one of the handout's."""
     path = Path(filename).resolve()
-    return path.parent == ROOT / "src" and path.suffix == ".py" and path.name != "text_cradle_run.py"
+    return path.parent == ROOT / "src" and path.name != "text_cradle_run.py"
 
 
 def own_frames(error) -> list[traceback.FrameSummary]:

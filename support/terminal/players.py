@@ -152,6 +152,12 @@ class Lines(TextPlayer):
 
     step_seconds = 0.5
 
+    def __init__(self, cradle, csv, options, remark=""):
+        """Print the remark, if there is one, above the lines; for the other arguments, see TextPlayer."""
+        super().__init__(cradle, csv, options)
+        if remark:
+            print(remark)
+
     def note(self) -> None:
         print(summary(self.motion), flush=True)
         self.motion.trains.clear()
@@ -201,12 +207,14 @@ def record(loop, cradle, csv, options, remark="") -> None:
     if options.record == "-":
         rows = writer(sys.stdout, lineterminator="\n")
         with redirect_stdout(sys.stderr):  # words are no data, also those of a student's function
-            print(remark, end="\n" if remark else "")
+            if remark:
+                print(remark)
             run(loop, Recorder(cradle, csv, options, rows, progress=lambda part: None))
         return
     with whole_file(options.record) as file, progress_bar() as progress:
         recorder = Recorder(cradle, csv, options, writer(file, lineterminator="\n"), progress)
         run(loop, recorder)
-    print(remark, end="\n" if remark else "")
+    if remark:
+        print(remark)
     rows, end = recorder.last // recorder.step + 1, recorder.motion.time()
     print(in_one_line(f"{rows} rows, from t = 0 to {end:.15g} s, are in {options.record}"))

@@ -328,7 +328,7 @@ def measured(experiment, kind):
     measurement = Measurement(experiment, player.motion)
     while not measurement.is_over:
         player.swing(max(1, round(PERIOD / 1000 / kind.dt)))
-        measurement.look()
+        measurement.measure()
     return measurement
 
 

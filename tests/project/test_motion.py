@@ -170,7 +170,7 @@ def test_a_slow_machine_shows_slow_motion(csv, cost):
     assert timed.frames == pytest.approx(20 / FRAME, rel=0.2)
     assert timed.slept > 20 / 6
     assert timed.pace.kept_up == pytest.approx(timed.motion.ticks * DT / 20, rel=0.1)
-    assert timed.pace.remark() == f"{timed.pace.kept_up:.1f}x real time"
+    assert timed.pace.remark() == f"{timed.pace.kept_up:.2g}x real time"
 
 
 @pytest.mark.parametrize(("tick", "call", "part"), [(0.1, 0.0, 1), (1e-6, 0.1, 100)])

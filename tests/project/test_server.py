@@ -193,6 +193,7 @@ def test_rubbish_changes_nothing_and_prints_nothing(site):
         assert {name: after[name] for name in KEPT} == {name: before[name] for name in KEPT}
 
 
+@pytest.mark.slow
 def test_the_program_waits_for_a_tab_whose_browser_crashes_and_says_so(csv):
     """In the middle of a message. Before that: a tab gets the largest cradle; one that would fill the memory ends."""
     csv.write_text(HEADER + GOOD * 1000)
@@ -205,7 +206,7 @@ def test_the_program_waits_for_a_tab_whose_browser_crashes_and_says_so(csv):
             tab.answer.fp.read()  # until the end
         with Tab(page, query=named) as tab:
             tab.connection.sock.sendall(b"\x81\xff")
-        assert process.stdout.readline().startswith("The page does not answer")
+        assert process.stdout.readline().startswith("A page does not answer")
         with Tab(page, query=named):
             assert process.stdout.readline() == "The page is back.\n"
         assert end(process) == QUIETLY
@@ -382,8 +383,8 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
         tab.onClose(*CUT)
     assert given == ["grab", "let go"]
     site.wait(server.LOST)
-    words = "The page does not answer: its line is cut, its machine sleeps, or its browser has ended. "
-    assert capsys.readouterr().out == f"{words}The program waits 60 s for it.\n"
+    words = "A page does not answer: its line is cut, its machine sleeps, or its browser has ended. "
+    assert capsys.readouterr().out == f"{words}The program waits 57 s for it.\n"
     tab.onOpen()
     again.onOpen()  # before anything says that tab is lost
     assert ([*site.tabs.tabs], capsys.readouterr().out) == ([again], "The page is back.\n")
@@ -440,6 +441,7 @@ def test_neither_many_connections_nor_an_endless_request_keep_others_away(site):
             idle[2].recv(1)
 
 
+@pytest.mark.slow
 def test_the_page_names_the_function_that_does_not_return_until_it_does(tmp_path):
     """The one with the loop, not one that it calls again and again."""
     program, stuck = copy_project(tmp_path, FIVE_CSV) / "src" / programs.PROGRAM.name, tmp_path / "stuck"

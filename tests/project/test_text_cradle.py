@@ -261,14 +261,14 @@ def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(main, cs
     main(*arguments, "./-")
     assert main(*arguments, "-") == (0, Path("-").read_text(), "Write next: main.\n")
     monkeypatch.setattr(players.Recorder, "note", Mock(side_effect=KeyboardInterrupt(1)))
-    assert main(*arguments, "-")[2] == "Write next: main.\nThe recording ended too early. It is in no file.\n"
+    assert main(*arguments, "-")[2] == "Write next: main.\nThe recording ended too early.\n"
 
 
 def test_a_recording_that_is_ended_early_leaves_the_old_file(main, csv, monkeypatch):
     data = csv.with_name("data.csv")
     data.write_text("t,theta_1,momentum\n")
     monkeypatch.setattr(players.Recorder, "note", Mock(side_effect=KeyboardInterrupt(143)))
-    line = "The recording ended too early. It is in no file.\n"
+    line = f"The recording ended too early. {data} is not written.\n"
     assert main(csv, "--record", data, "--seconds", "1") == (1, "", line)
     assert sorted(path.name for path in csv.parent.iterdir()) == ["cradle.csv", "data.csv"]
     assert data.read_text() == "t,theta_1,momentum\n"

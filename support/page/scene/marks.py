@@ -1,17 +1,17 @@
 """What the page draws beside the cradle, to show why it moves so: arrows, bars, ghosts and halos."""
 
-from math import hypot
+from math import hypot, pi, sqrt
 
 from vpython import arrow, box, cylinder, sphere, vector
 
-from support.constants import R_PARAM
+from support.constants import G, R_PARAM
 from support.energy import bob_motions, momentum
 from support.pendulum import arm, discard, make_shape
 
-ARROW_TIME = 0.1  # s: an arrow is as long as its bob's way in this time
+ARROW_TIME = 2 * pi * sqrt(R_PARAM / G) / 9  # s: an arrow is as long as its bob's way in a ninth of a small swing
 GREEN, YELLOW = vector(0.0, 0.62, 0.45), vector(1.0, 0.75, 0.0)  # of the arrows, and of the halos
 BAR, BELOW = 0.2, 0.17  # the height of the largest bar, and its distance from the base, in reaches of the cradle
-STILL = 0.05  # m/s: a slower bob has no arrow
+STILL = 0.035 * sqrt(R_PARAM * G)  # m/s: a slower bob has no arrow; from 2 degrees on, a bob gets as fast
 FLAT = 0.01  # the least part of that height: no shape can have the size 0
 SUM = vector(0.5, 0.5, 0.53)  # the color of the bar of the sum
 PALE, OWN = vector(0.55, 0.55, 0.55), 0.35  # of a ghost: its color, and the part of its bob's color in it

@@ -7,7 +7,7 @@ EACH = 1.2  # s that each hit is shown
 
 
 class SlowHits:
-    """The hits to show, in the order in which the function that lets two pendula collide was called."""
+    """The hits to show, in the order in which a tick has made them."""
 
     def __init__(self, cradle):
         self.cradle = cradle
@@ -48,7 +48,7 @@ class SlowHits:
         return {
             "title": f"Hit {number}: {two} {hit.left + 1} and {hit.right + 1}",
             "lines": [f"{one} {i + 1}: {self.velocity(old)} → {self.velocity(new)} m/s" for i, old, new in moves],
-            "note": f"This order is the model's: {self.cradle.collide_name} takes one pair after the other.",
+            "note": "This order is the model's: a tick takes one pair after the other.",
         }
 
     def velocity(self, pend) -> str:

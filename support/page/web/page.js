@@ -16,11 +16,13 @@ address.protocol = address.protocol.replace("http", "ws");
 address.searchParams.set("page", Math.random()); // the program knows the page again when its line was cut
 const QUIET = 4, LONGEST = 10, FIRST = 60; // looks without a word: to say so, to connect again, for the first message
 let socket, retry, has = 0, unseen = 0, seen = 0, nextWord = 0; // has: the number of the last message
-let silence = 0, delay = 0, isHeard = true, wasOpen = false, isDone = false;
+let silence = 0, delay = 0, isHeard = true, isDone = false;
 const wanted = new Map(); // the last command of each slider that you move
 
 const isOpen = () => socket?.readyState === WebSocket.OPEN;
-const tell = (...command) => isHeard && isOpen() && socket.send(JSON.stringify(command)); // a late drag would be wrong
+const tell = (...command) => { // a late drag would be wrong, but a bob that is let go must not stay in the air
+  if (isOpen() && (isHeard || command[0] === "let go")) socket.send(JSON.stringify(command));
+};
 
 addEventListener("DOMContentLoaded", () => { // all scripts are there
   connect();
@@ -34,7 +36,6 @@ function connect() { // the program sends what is later than the last message
   socket?.close();
   address.searchParams.set("has", has);
   const line = socket = new WebSocket(address);
-  line.onopen = () => wasOpen = true;
   line.onmessage = event => line === socket && take(event);
   line.onclose = () => line === socket && lose();
 }
@@ -53,7 +54,7 @@ function lose() {
 async function explain() { // why the websocket has closed; a proxy may answer in the program's place
   const answer = await fetch(`alive${location.search}`).then(answer => answer.text(), () => "");
   if (answer.includes("ends with a key")) finish("ended"); // another start has another key
-  else if (answer === "alive" && !wasOpen) finish("no-websocket");
+  else if (answer === "alive" && !isHeard) fill(".unheard", "no-websocket");
 }
 
 function look() { // each second, but seldom in a tab that nobody sees: so it counts looks, not time
@@ -69,7 +70,8 @@ addEventListener("online", hurry);
 addEventListener("visibilitychange", hurry);
 
 function hear() {
-  [silence, delay] = [0, 0];
+  silence = 0;
+  delay = 0;
   if (isHeard) return;
   isHeard = true;
   one(".unheard").replaceChildren();
@@ -106,7 +108,7 @@ addEventListener("pagehide", () => {
   socket?.close();
 });
 addEventListener("pageshow", event => {
-  if (!event.persisted) return;
+  if (!event.persisted || one(".notice").firstChild) return;
   isDone = false;
   connect();
 });
@@ -160,7 +162,10 @@ shows.running = running => {
 };
 shows.speed = speed => showSlider(one("#speed"), speed, `${speed.toFixed(1)}x`);
 shows.lifted = lifted => showSlider(one("#lifted"), lifted, `${lifted[0]} of ${lifted[1]}`);
+let lifts; // the names and ends of the sliders that are there
 shows.angles = angles => {
+  if (lifts === JSON.stringify(angles)) return;
+  lifts = JSON.stringify(angles);
   for (const old of find(".lift")) old.remove();
   angles.forEach(([name, min, max], number) => one(".after-lifts").before(
     make("label", { className: "lift", htmlFor: `lift-${number}` }, name),

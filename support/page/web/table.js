@@ -14,7 +14,10 @@ function build() {
 function editor(row, column) {
   const field = make("input", { type: "text", inputMode: "decimal", size: 6, ariaLabel: `${column} of pendulum ${row + 1}` });
   const words = make("div", { className: "failed", role: "alert" });
-  field.addEventListener("change", () => tell("edit", row, column, field.value));
+  field.addEventListener("change", () => {
+    tell("edit", row, column, field.value);
+    if (!isHeard) field.value = field.defaultValue; // it was not sent
+  });
   fields[`${row},${column}`] = { row, column, field, words };
   return make("td", {}, field, words);
 }
