@@ -62,6 +62,16 @@ def test_the_first_picture_has_all_bobs_with_their_textures(page, program):
         wait_until(lambda: page.evaluate("window.bobsAtFirst") == 5)
 
 
+def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
+    lost = iter(["questions.js"])
+    page.route("**/questions.js", lambda route: route.abort() if next(lost, None) else route.continue_())
+    with programs.running(program) as process:
+        page.goto(programs.first_lines(process))
+        page.get_by_text("A part of this page did not arrive. It loads again by itself.").wait_for()
+        page.wait_for_function("() => 'question' in shows")
+        programs.wait_for_moves(page)
+
+
 def picture_of(page):
     """Return a picture of the canvas (PNG)."""
     programs.draw(page, True)
