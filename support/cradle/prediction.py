@@ -7,7 +7,7 @@ from support.cradle.motion import LEAST
 from support.files.experiments import Experiment
 
 NEAR = 10.0  # degrees: an answer is right if no bob swings farther from what it predicts
-STILL = 1e-4  # of the fastest bob's speed: a slower bob does not move
+STILL = 1e-3  # of the fastest bob's speed: a slower bob does not move, but for the gap to the next one
 MOST_SWINGS = 3  # a measurement ends after so many small swings
 
 

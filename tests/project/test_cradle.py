@@ -126,21 +126,21 @@ def test_the_speed_of_a_double_hit_is_that_of_the_nearest_bobs(swing, theta, phi
     assert player.motion.fastest == pytest.approx(closer, rel=0.01)
 
 
-@pytest.mark.parametrize("name", ["newton_cradle_tick", "handle_two_bobs"])
-def test_functions_with_the_handouts_own_parameters_work(swing, monkeypatch, name):
-    """main passes no approaching_only if one of the two functions does not take it."""
-    function = vars(visualize_cradle_run)[name]
-    assert (swing().cradle.takes_rule, swing().separating) == (True, False)
-    own = {
-        "newton_cradle_tick": lambda pend_list, r_param, dt, g: function(pend_list, r_param, dt, g),
-        "handle_two_bobs": lambda pend1, pend2, r_param: function(pend1, pend2, r_param),
-    }[name]
-    monkeypatch.setattr(visualize_cradle_run, name, own)
+@pytest.mark.parametrize("value", [0.5, None, "0"])
+def test_a_strange_tick_that_calls_nothing_has_no_hits_and_a_wrong_value_is_named(swing, monkeypatch, value):
+    """Hits that nobody has called are seen only in a tick that keeps the momentum."""
+
+    def tick(pend_list, *_):
+        pend_list[0]["omega"] = value
+
+    monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", tick)
     player = swing()
-    assert (player.cradle.takes_rule, player.separating, player.rule) == (False, True, {})
-    player.swing(5000)
-    assert vars(visualize_cradle_run)[name] is own  # it is in its place again after the ticks
-    assert player.motion.trains.trains
+    if value == 0.5:
+        player.swing(10)
+        assert player.motion.hits == 0
+    else:
+        with pytest.raises(MistakeError, match=f"tick set omega of pendulum 1 to {value!r}; it must be a finite"):
+            player.swing(10)
 
 
 def test_each_call_that_changes_a_velocity_is_a_hit(swing):

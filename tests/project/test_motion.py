@@ -65,6 +65,7 @@ def lines(*trains, pause=DT):
 def test_a_long_pause_ends_a_train():
     """The latest train comes first."""
     assert lines([0, 1, 2], pause=0.9 * GAP) == ["t = 0.00 s  1-2-3-4"]
+    assert lines([SLOW[0], SLOW[0], 0, 1, 2], pause=0.9 * GAP) == ["t = 0.01 s  1-2-3-4"]  # from its first fast hit on
     assert lines([0, 1, 2], pause=2 * GAP) == ["t = 0.02 s  3-4", "t = 0.01 s  2-3", "t = 0.00 s  1-2"]
 
 

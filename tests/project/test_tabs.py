@@ -37,12 +37,13 @@ def test_changes_merge_into_one_message_with_the_result_of_all(messages, cmds, a
     assert json.loads(changes.message(0)) == {"number": number, "cmds": cmds, "attrs": attrs, "state": state}
 
 
-def test_a_full_tab_gets_the_words_of_the_end_at_once_and_any_number_can_be_in_the_state(tabs):
+@pytest.mark.parametrize("words", ["NameError", ""])
+def test_a_full_tab_hears_of_the_end_at_once_and_any_number_can_be_in_the_state(tabs, words):
     sent = open_tab(tabs, 1)
     for number in range(MOST):
         tabs.show({"mass": [Fraction(1, 2)], "t": number})
-    tabs.show({"ended": "NameError"})
-    assert (sent[0]["state"]["mass"], sent[-1]["state"]) == ([0.5], {"ended": "NameError"})
+    tabs.show({"ended": words})
+    assert (sent[0]["state"]["mass"], sent[-1]["state"]) == ([0.5], {"ended": words})
 
 
 @pytest.fixture

@@ -270,6 +270,7 @@ def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(csv, 
         assert (bob.pos - axle).value == pytest.approx([cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0])
         assert wall.state["motion"]["energy"] == "100.00 %"
         assert not paused or drawn(wall)["total"][-1][1] == pytest.approx(100)  # the graph has the same scale
+        assert len({*recorded(wall, "total")}) == len(wall.viewer.graph.rows)  # a row for each time
         assert not any(pend[key] for key in kind.rate_keys)
         after()
     assert wall.lifts() == [0, 0, 0, 0, 45]
