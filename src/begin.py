@@ -14,9 +14,10 @@ def program(needs_vpython=True) -> None:
 
     refuse_unfit()
     # Not earlier: a file can hide what this imports.
-    from support.start.early import draw_without_its_page, end_on_signals, import_later
+    from support.start.early import draw_without_its_page, end_on_signals, import_later, put_main_into
 
     end_on_signals()  # the imports of a program take a moment; without this, Ctrl+C would print a traceback
+    put_main_into("src")
     import_later("pandas")  # it takes longest: the page imports it while the browser loads
     if needs_vpython:
         draw_without_its_page()
@@ -32,7 +33,7 @@ def forget_earlier_program() -> None:
     """
     names = {file.partition(".")[0] for file in os.listdir(os.path.dirname(__file__))}  # also imported without "src."
     names.difference_update(getattr(sys, "stdlib_module_names", ()))  # a file that hides one is refused later
-    names.update(("src", "support", "vpython"))
+    names |= {"src", "support", "vpython"}
     for module in [*sys.modules]:
         if module.partition(".")[0] in names:
             del sys.modules[module]

@@ -3,7 +3,6 @@
 import sys
 from collections import ChainMap
 from collections.abc import Mapping, Sequence
-from functools import partial
 from inspect import signature
 from itertools import accumulate
 from math import pi, sqrt
@@ -18,7 +17,7 @@ from support.cradle.impacts import Hits
 from support.energy import bob_motions, energies, momentum
 from support.files.cradle_csv import read_cells
 from support.pendulum import cord_angles, discard
-from support.start.mistake import check_made, check_numbers, MistakeError
+from support.start.mistake import check_list, check_made, check_numbers, MistakeError
 
 AS_MADE = "as in the CSV"  # how bobs collide: each pendulum keeps its own e
 
@@ -26,13 +25,15 @@ SRC = Path(__file__).resolve().parents[2] / "src"
 
 
 def loaded_modules() -> list[dict[str, Any]]:
-    """Return the names in each module of src/ that is imported, also in those that you have added."""
+    """Return the names in each imported module of src/, and of files that you have added there or beside it."""
     found = []
     for module in [*sys.modules.values()]:
         names = getattr(module, "__dict__", {})  # not module.__file__: that would import a deferred module
         file = Path(names.get("__file__") or "")
-        if file.parent.name == SRC.name and file.resolve().parent == SRC:
-            found.append(names)
+        if SRC.name in file.parts or file.parent.name == SRC.parent.name:
+            folders = file.resolve().parents
+            if SRC in folders or SRC.parent == folders[0]:
+                found.append(names)
     return found
 
 
@@ -56,12 +57,16 @@ class Cradle:
 
         options has elastic, inelastic, e and mass from support/start/options.py. many_ticks is the fast path, or None.
         """
-        self.scope: ChainMap[str, Any] = ChainMap(main.__globals__, special_cradles.__dict__, *loaded_modules())
+        own = getattr(main, "__globals__", None)
+        if own is None:  # a decorator has made main of a class
+            own = vars(sys.modules[main.__module__])
+        self.scope: ChainMap[str, Any] = ChainMap(own, special_cradles.__dict__, *loaded_modules())
         self.many_ticks, self.mass = many_ticks, options.mass
-        self.collisions: dict[str, Any] = {  # name -> function that returns pendula with the e of this kind
-            AS_MADE: None,
-            "elastic, e = 1": self.scope["elastic_newton_cradle"],
-            "perfectly inelastic, e = 0": self.scope["inelastic_newton_cradle"],
+        # By its name, a function that returns pendula with the e of this kind, and its arguments behind the file.
+        self.collisions: dict[str, Any] = {
+            AS_MADE: (None,),
+            "elastic, e = 1": (self.scope["elastic_newton_cradle"],),
+            "perfectly inelastic, e = 0": (self.scope["inelastic_newton_cradle"],),
         }
         self.collision = AS_MADE
         if options.elastic:
@@ -70,7 +75,7 @@ class Cradle:
             self.collision = "perfectly inelastic, e = 0"
         if options.e is not None:
             self.collision = f"e = {options.e:g}"
-            self.collisions[self.collision] = partial(self.scope["uniform_e_newton_cradle"], e_val=options.e)
+            self.collisions[self.collision] = self.scope["uniform_e_newton_cradle"], options.e
         self.pend_list: list = []
         self.places: dict[tuple[float, ...], int] = {}  # the place (m) of each pendulum's axle -> its index
         self.period = 2 * pi * sqrt(R_PARAM / G)  # s: of a small swing
@@ -100,8 +105,7 @@ class Cradle:
         self.count = len(pend_list)
         self.known_keys = {*read_cells(csv)[0][1], *keys, "objects"}
         if self.mass is not None:
-            cradle = self.scope["uniform_mass_newton_cradle"](csv, self.mass)
-            self.adopt("mass", [pend["mass"] for pend in cradle])
+            self.adopt("mass", self.scope["uniform_mass_newton_cradle"], csv, self.mass)
         self.es = self.values("e")
         self.collide(self.collision, csv)
         self.note_lifts()
@@ -128,15 +132,26 @@ class Cradle:
         # The release angles (rad), and the number of lifted pendula.
         self.as_made = [first, *(angle - first for angle in others)], [*lifted, False].index(False)
 
-    def adopt(self, key, values) -> None:
-        """Set pend[key] of each pendulum to its value in values, from left to right."""
-        for pend, value in zip(self.pend_list, values, strict=False):  # main may have read a different file
-            pend[key] = value
+    def adopt(self, key, make, *arguments) -> None:
+        """Set pend[key] of each pendulum to that of the pendula that the function make returns for these arguments.
+
+        Raises a MistakeError if it returns no list of pendula, or if a value is no finite number.
+        """
+        made = make(*arguments)
+        check_list(make, made, "return a list of dictionaries; it returned")
+        check_numbers(make, made, [key])
+        for pend, other in zip(self.pend_list, made, strict=False):  # main may have read a different file
+            pend[key] = other[key]
 
     def collide(self, collision, csv) -> None:
         """Set how bobs collide from now on (a key of collisions); csv is the path of the cradle's file."""
-        self.collision, make = collision, self.collisions[collision]
-        self.adopt("e", [pend["e"] for pend in make(csv)] if make else self.es)
+        self.collision = collision
+        make, *arguments = self.collisions[collision]
+        if make:
+            self.adopt("e", make, csv, *arguments)
+        else:
+            for pend, e in zip(self.pend_list, self.es, strict=True):
+                pend["e"] = e
 
     def release(self, angles, lifted) -> None:
         """Lift the first `lifted` pendula to these angles (rad); the others hang, or give way to them. All are at rest.
@@ -212,10 +227,9 @@ class Cradle:
         return momentum(self.pend_list, R_PARAM)
 
     def constants(self) -> str:
-        """Return the constants, in words: those of main's module, or, if it has none, those of support/constants.py."""
-        own = self.scope.maps[0]
-        r_param, dt, g = own.get("R_PARAM", R_PARAM), own.get(self.dt_name, self.dt), own.get("G", G)
-        return f"main uses R_PARAM = {r_param} m (cord), {self.dt_name} = {dt} s (tick) and G = {g} m/s^2 (gravity)."
+        """Return the constants with which the energy and all speeds are computed, in words."""
+        cord, tick, gravity = f"R_PARAM = {R_PARAM} m", f"{self.dt_name} = {self.dt} s", f"G = {G} m/s^2"
+        return f"support/constants.py has {cord} (cord), {tick} (tick) and {gravity} (gravity)."
 
 
 class DoubleCradle(Cradle):

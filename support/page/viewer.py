@@ -136,7 +136,7 @@ class Viewer(Player):
             if self.slow_hits.waiting:
                 self.planned = 0
         if self.before is not None:
-            calls = self.cradle.hits.calls or [f"{self.cradle.shown_name} was not called."]
+            calls = self.cradle.hits.calls or [f"No call of {self.cradle.shown_name} was seen."]
             self.tick_lines = [*self.changes(self.before, self.cradle.coordinates()), *calls]
             self.before = None
 

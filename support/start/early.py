@@ -78,6 +78,11 @@ def import_later(name) -> None:
         sys.modules[name] = Later(spec)
 
 
+def put_main_into(package) -> None:
+    """Let the started file be a module of this package, so that `from .swinging import ...` works in it, too."""
+    sys.modules["__main__"].__package__ = package
+
+
 def import_now(name) -> None:
     """Import a module for which import_later has let the program wait."""
     if isinstance(sys.modules.get(name), Later):

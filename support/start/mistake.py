@@ -16,8 +16,9 @@ class MistakeError(Exception):
 
     def __init__(self, function, words):
         """Name the function in the message, before words, which describe the mistake."""
-        super().__init__(f"{function.__name__} {words}")
-        self.code = function.__code__
+        name = getattr(function, "__name__", type(function).__name__)  # a decorator can make it of a class
+        super().__init__(f"{name} {words}")
+        self.code = getattr(function, "__code__", None)
 
 
 def is_own(filename) -> bool:
@@ -31,7 +32,7 @@ def own_frames(error) -> list[traceback.FrameSummary]:
 
     Return none as well if main called the player and the player failed.
     """
-    if isinstance(error, MistakeError):
+    if isinstance(error, MistakeError) and error.code:
         return [traceback.FrameSummary(error.code.co_filename, error.code.co_firstlineno, error.code.co_name)]
     frames = traceback.extract_tb(error.__traceback__)
     own = [number for number, frame in enumerate(frames) if is_own(frame.filename)]
@@ -61,9 +62,15 @@ def tell_mistake(error) -> str:
 
 
 def tell_endless(error) -> None:
-    """Say where Ctrl+C (a KeyboardInterrupt) has stopped a function without end; run marks one that is not late."""
-    for frame in own_frames(error)[-1:] if getattr(error, "is_late", True) else ():
-        say(f"{Path(frame.filename).name}, line {frame.lineno}: does a loop in {frame.name} never end?", sys.stderr)
+    """Say where Ctrl+C (a KeyboardInterrupt) has stopped functions that have not returned, the innermost one first.
+
+    Say nothing if run has marked that the loop was not late.
+    """
+    frames = own_frames(error)
+    if frames and getattr(error, "is_late", True):
+        names = " or ".join(dict.fromkeys(frame.name for frame in reversed(frames) if frame.name != "<module>"))
+        place = f"{Path(frames[-1].filename).name}, line {frames[-1].lineno}"
+        say(f"{place}: does a loop in {names} never end?", sys.stderr)
 
 
 def check_made(make, pend_list, keys, parts) -> None:
@@ -71,17 +78,22 @@ def check_made(make, pend_list, keys, parts) -> None:
 
     keys are those of a pendulum's numbers, parts is the number of its objects.
     """
-    if not (isinstance(pend_list, list) and pend_list and all(isinstance(pend, dict) for pend in pend_list)):
-        found = "an empty list" if pend_list == [] else f"a {type(pend_list).__name__}"
-        found = "None. Is a return missing?" if pend_list is None else f"{found}."
-        must = "must return a list of dictionaries, and main must show it; page.show got"
-        raise MistakeError(make, f"{must} {found}")
+    check_list(make, pend_list, "return a list of dictionaries, and main must show it; page.show got")
     check_numbers(make, pend_list, keys)
     for number, pend in enumerate(pend_list, start=1):
         objects = pend.get("objects")
         if not isinstance(objects, tuple) or len(objects) != parts:
             found = f"a {type(objects).__name__}" if "objects" in pend else "nothing"
             raise MistakeError(make, f"set objects of pendulum {number} to {found}; it must be a tuple of parts.")
+
+
+def check_list(make, pend_list, must) -> None:
+    """Raise a MistakeError if pend_list is no list of dictionaries; must says what the function make must do."""
+    if not (isinstance(pend_list, list) and pend_list and all(isinstance(pend, dict) for pend in pend_list)):
+        found = "an empty list." if pend_list == [] else f"a {type(pend_list).__name__}."
+        if pend_list is None:
+            found = "None. Is a return missing?"
+        raise MistakeError(make, f"must {must} {found}")
 
 
 def check_numbers(function, pend_list, keys) -> None:

@@ -6,7 +6,6 @@ import shlex
 import subprocess
 import sys
 from math import inf, sqrt
-from numbers import Real
 from pathlib import Path
 
 from support import constants
@@ -33,7 +32,7 @@ class OneLineParser(argparse.ArgumentParser):
     def parse_known_args(self, args=None, namespace=None):
         for word in sys.argv[1:] if args is None else args:
             if word.startswith("-") and word.endswith("=--"):  # up to Python 3.12, its value would be an empty list
-                self.error(f"found {word!r}, allowed after = is a value")
+                self.error(f"found {word!r}, allowed is no -- after =")
         return super().parse_known_args(args, namespace)
 
     def error(self, message):
@@ -61,7 +60,7 @@ def check_constants() -> None:
     """Exit with status 2 and one line if a constant is out of its range."""
     for name, (least, most, unit) in CONSTANTS.items():
         found = getattr(constants, name)
-        if not (isinstance(found, Real) and type(found) is not bool and least <= float(found) <= most):
+        if not (isinstance(found, (int, float)) and type(found) is not bool and least <= found <= most):
             words = f"allowed is a number from {least:g} to {most:g} ({unit})"
             refuse(f"support/constants.py, {name}: found {found!r}, {words}")
     # s, in whole microseconds: with longer ticks, the energy grows quickly.

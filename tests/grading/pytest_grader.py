@@ -52,7 +52,7 @@ def pytest_configure(config):
         raise pytest.UsageError("Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks.")
     for word in map(str, config.invocation_params.args):
         if word.startswith("-") and word.endswith("=--"):  # up to Python 3.12, its value is an empty list
-            raise pytest.UsageError(f"found {word!r}, allowed after = is a value")
+            raise pytest.UsageError(f"found {word!r}, allowed is no -- after =")
     is_off = config.option.no_search or config.option.grade_json is not None
     config.grading = Grading(None if is_off else partial(search, config))
     RAN.clear()

@@ -12,7 +12,7 @@ from programs import slow_but_for
 from whole_cradles import check_places, distances, FIVE_CSV, hang_double, HEADER, make_swing, PERIOD, thetas
 
 from grading.cradles import MIXED_CSV, R, row
-from src import visualize_cradle_run
+from src import special_cradles, visualize_cradle_run
 from support import pendulum
 from support.constants import DOUBLE_DT, G, R_PARAM
 from support.cradle.cradle import Cradle, DoubleCradle
@@ -124,6 +124,16 @@ def test_the_speed_of_a_double_hit_is_that_of_the_nearest_bobs(swing, theta, phi
     after, touching = distances(player.cradle.pend_list), BUFFER * 2 * player.cradle.bobs()[0].radius
     closer = (before[after.index(min(after))] - min(after)) * touching / DOUBLE_DT
     assert player.motion.fastest == pytest.approx(closer, rel=0.01)
+
+
+def test_a_function_that_returns_no_pendula_with_the_e_of_the_options_is_named(swing, monkeypatch):
+    def elastic_newton_cradle(_):
+        pass
+
+    monkeypatch.setattr(special_cradles, "elastic_newton_cradle", elastic_newton_cradle)
+    words = "elastic_newton_cradle must return a list of dictionaries; it returned None. Is a return missing?"
+    with pytest.raises(MistakeError, match=re.escape(words)):
+        swing(elastic=True)
 
 
 @pytest.mark.parametrize("value", [0.5, None, "0"])

@@ -145,7 +145,7 @@ SAID = {  # what a student does to the folder, a command of Python, and a line t
     "a folder hides a module": (hides("pandas/__init__.py"), PYTEST, "pandas hides the module pandas from Python"),
     "no support": (lambda path: (path / "support").rename(path / "src/support"), PYTEST, "support is not beside src"),
     "a file without a program": (str, ("src/swinging.py",), "This file has only functions. Type pytest to check them,"),
-    "no value": (str, (*PYTEST, "--grade-json=--"), "found '--grade-json=--', allowed after = is a value"),
+    "no value": (str, (*PYTEST, "--grade-json=--"), "found '--grade-json=--', allowed is no -- after ="),
     "no tier": (str, (*PYTEST, "--tier", "E"), "argument --tier: found 'E', allowed is D, C, B, A or honor"),
 }
 

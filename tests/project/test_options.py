@@ -53,7 +53,7 @@ def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
     ("name", "value", "allowed"),
     [
         *(("DT", value, "from 1e-06 to 0.001 (s)") for value in (0, 1, "0.0001", float("nan"))),
-        *(("R_PARAM", value, "from 0.05 to 100 (m)") for value in (0, -0.2, True)),
+        *(("R_PARAM", value, "from 0.05 to 100 (m)") for value in (0, -0.2, True, 10**400)),
         ("DOUBLE_DT", 0, "from 1e-06 to 0.001 (s)"),
         ("G", -9.81, "from 0.1 to 100 (m/s^2)"),
         *(("THETA_INIT", value, "from -3.1416 to 0 (rad)") for value in (-45, 0.1)),
@@ -119,7 +119,7 @@ BAD = [  # a program, an option, its bad values, and what is allowed
             for value in values
         ),
         *(
-            (program, f"{option}=--", f"found '{option}=--', allowed after = is a value")
+            (program, f"{option}=--", f"found '{option}=--', allowed is no -- after =")
             for program, option, *_ in [*BAD, ("page", "--host")]
         ),
         ("page", "--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),

@@ -116,6 +116,15 @@ def test_a_program_with_a_page_draws_shapes_of_vpython_and_refuses_all_for_which
     assert (done.returncode, done.stdout.split(), done.stderr) == (0, REFUSED.split(), "")
 
 
+def test_a_started_file_may_import_its_neighbours_with_a_point(tmp_path):
+    """As it may when pytest imports it."""
+    folder = copy_project(tmp_path, FIVE_CSV)
+    for file in (folder / "src").glob("*_run.py"):
+        file.write_text(file.read_text().replace("from src.", "from .").replace("from .text", "from src.text"))
+    done = python("src/text_cradle_run.py", "--seconds", 0.01, folder=folder)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 def test_a_file_that_hides_a_module_is_named(tmp_path):
     """test.py is no mistake, because nobody needs Python's module test; neither is a file that is no module."""
     folder = put_files(copy_project(tmp_path, FIVE_CSV), {"test.py": "x = 1\n", "random.csv": "x = 1\n"})

@@ -53,6 +53,15 @@ def counted(function):
 
 
 """
+CLASS = """
+class Counted:
+    def __init__(self, function):
+        self.function = function
+    def __call__(self, *given):
+        return self.function(*given)
+
+
+"""
 COPIES = """    for i in range(len(pend_list) - 1):
         left, right = dict(pend_list[i]), dict(pend_list[i + 1])
         handle_two_bobs(left, right, r_param)
@@ -151,6 +160,7 @@ WAYS = {  # the changes: (old text, new text) in the file with main
     "new dictionaries behind the tick": [(PAIRS, PAIRS + "    pend_list[:] = [dict(pend) for pend in pend_list]\n")],
     "copies that collide": [(PAIRS, COPIES)],
     "a tick without the other function": [(PAIRS, ALONE)],
+    "a main in a class": [("def main(page)", f"{CLASS}@Counted\ndef main(page)")],
     "a loop in a function": [
         (
             "    while page.is_running():",
