@@ -185,6 +185,14 @@ class Server:
         """Expect the page with this name, or any page, for so long from now on, at least."""
         self.expected[page] = max(self.expected.get(page, 0.0), seconds)
 
+    def leave(self, page) -> None:
+        """Hear that the page with this name is left, before or after its websocket has ended."""
+        for tab in self.tabs.tabs:
+            if tab.page == page:
+                tab.has_said_goodbye = True
+        if self.expected.pop(page, None) is not None:
+            self.expect(RETURN)
+
     def look(self) -> None:
         """Look at each tab, and end the program when none is there, and none is expected any more."""
         self.loop.call_later(LOOK, self.look)
@@ -224,7 +232,7 @@ class Protocol(WebSocketServerProtocol):
     def processHandshake(self) -> None:  # noqa: N802
         """Answer a request that asks for no websocket: autobahn would refuse HEAD and HTTP/1.0."""
         head, end, _ = self.data.partition(b"\r\n\r\n")
-        request = re.match(r"(GET|HEAD) ([^ ?]*)\??(\S*) HTTP/1\.", head.decode("latin-1"))
+        request = re.match(r"(GET|HEAD|POST) ([^ ?]*)\??(\S*) HTTP/1\.", head.decode("latin-1"))
         if len(head) > LARGEST_HEAD:
             self.dropConnection(abort=True)
         elif end and request and b"\nupgrade:" not in head.lower():
@@ -239,7 +247,7 @@ class Protocol(WebSocketServerProtocol):
         # No site that the page leads to hears of the key.
         head += ["Connection: close", "Cache-Control: no-cache", "Referrer-Policy: no-referrer", "", ""]
         self.sendData("\r\n".join(head).encode())
-        if method == "GET":
+        if method != "HEAD":
             self.sendData(content)
 
     def content(self, name, parameters) -> tuple[str, str, bytes]:
@@ -257,6 +265,9 @@ class Protocol(WebSocketServerProtocol):
             return "403 Forbidden", "", NO_KEY.encode()
         if name == "alive":
             return "200 OK", "", b"alive"
+        if name == "goodbye":
+            site.leave(parameters.get("page", [""])[0])
+            return "200 OK", "", b""
         site.expect(LOADING)
         return "200 OK", ".html", site.page.read_bytes()
 
@@ -299,9 +310,7 @@ class Protocol(WebSocketServerProtocol):
 
     def onMessage(self, data, is_binary) -> None:  # noqa: N802
         self.silent = 0.0
-        if data == b"goodbye":
-            self.has_said_goodbye = True
-        elif self in self.site.tabs.tabs:
+        if self in self.site.tabs.tabs:
             self.site.tabs.receive(self, data)
 
     def onClose(self, was_clean, code, reason) -> None:  # noqa: N802  also of a connection that was refused

@@ -61,7 +61,7 @@ class Tab(ExitStack):
     def leave(self):
         """Say goodbye, and wait until it is heard: a socket that closes with unread bytes takes it back."""
         with suppress(OSError):  # the program may have ended
-            self.tell(b"goodbye")
+            self.tell(b"\x03\xe9", kind=8)  # it goes away
             self.connection.sock.shutdown(socket.SHUT_WR)
             self.answer.fp.read()
 
@@ -350,8 +350,8 @@ def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkey
         event(*how)
         tab.onPong(b"")
         site.wait(9)
-    tab.onMessage(b"goodbye", False)
     tab.onClose(*CUT)
+    tab.content("goodbye", {"key": [site.key], "page": [tab.page]})
     for seconds in (0.8 * server.RETURN, 0.9 * server.LOADING):
         site.wait(seconds)
         tab.content("", {"key": [site.key]})

@@ -104,7 +104,7 @@ function countPictures(now) {
 // A browser that keeps the page for Back would keep the websocket open.
 addEventListener("pagehide", () => {
   isDone = true;
-  if (isOpen()) socket.send("goodbye");
+  navigator.sendBeacon(`goodbye${address.search}`); // not by the websocket: what is on its way here can take it back
   socket?.close();
 });
 addEventListener("pageshow", event => {
