@@ -72,7 +72,7 @@ def test_two_equal_bobs_keep_part_of_the_energy(e):
     assert hits >= 5
 
 
-@pytest.mark.parametrize(("release", "seconds"), slow_but_for([(45, 10)], [(45, 10), (5, 60), (30, 60), (60, 60)]))
+@pytest.mark.parametrize(("release", "seconds"), slow_but_for([(45, 10)], [(45, 10), (5, 60), (60, 60)]))
 def test_five_equal_elastic_bobs_keep_the_energy(release, seconds):
     """From release (degrees), the last bob rises as high as the first one was, and those between hardly move."""
     pend_list = make_row(5, -radians(release))
@@ -86,14 +86,17 @@ def test_five_equal_elastic_bobs_keep_the_energy(release, seconds):
     assert max(highest[1:4]) < 1.5
 
 
-@pytest.mark.parametrize(("dt", "most"), slow_but_for([(DT, 0.6)], [(DT, 0.6), (DT / 10, 0.06)]))
-def test_the_outer_bobs_are_where_an_exact_cradle_has_them(dt, most):
-    """A tick of dt (s) leaves them off by at most `most` degrees, root mean square, in ten seconds."""
+EXACT = [(DT, 10, 0.6), (DT / 10, 5, 0.03)]
+
+
+@pytest.mark.parametrize(("dt", "seconds", "most"), slow_but_for(EXACT[:1], EXACT))
+def test_the_outer_bobs_are_where_an_exact_cradle_has_them(dt, seconds, most):
+    """A tick of dt (s) leaves them off by at most `most` degrees, root mean square, in this time."""
     move = partial(advance, make_row(5, THETA_INIT), dt=dt)
-    assert apart(outer_angles(move, 10), outer_angles(ExactCradle().advance, 10)) <= most
+    assert apart(outer_angles(move, seconds), outer_angles(ExactCradle().advance, seconds)) <= most
 
 
-@pytest.mark.parametrize(("count", "seconds", "rel"), slow_but_for([(2, 10, 0.02)], [(2, 10, 0.02), (5, 60, 0.1)]))
+@pytest.mark.parametrize(("count", "seconds", "rel"), slow_but_for([(2, 10, 0.02)], [(2, 10, 0.02), (5, 40, 0.1)]))
 def test_each_elastic_hit_adds_the_energy_that_the_tick_explains(count, seconds, rel):
     """Semi-implicit Euler keeps E - dt/2 m g R omega sin(theta), but for a small rest.
 
