@@ -8,7 +8,7 @@ from support.files.experiments import Experiment
 
 NEAR = 10.0  # degrees: an answer is right if no bob swings farther from what it predicts
 STILL = 1e-3  # of the fastest bob's speed: a slower bob does not move, but for the gap to the next one
-MOST_SWINGS = 3  # a measurement ends after so many small swings
+MOST_SWINGS = 3  # small swings: a measurement takes no longer than these
 
 
 class Measurement:
@@ -20,7 +20,9 @@ class Measurement:
 
     def __init__(self, experiment: Experiment, motion):
         """Begin with the cradle of this Motion, which has just been released."""
-        self.experiment, self.motion, self.cradle = experiment, motion, motion.cradle
+        self.experiment = experiment
+        self.motion = motion
+        self.cradle = motion.cradle
         count = len(experiment.angles)
         self.befores = [0.0] * count  # m/s: the largest speeds before the first fast hit
         self.speeds = [0.0] * count  # m/s: the largest speeds after the last hit of the train

@@ -266,7 +266,7 @@ class Protocol(WebSocketServerProtocol):
         if name == "alive":
             return "200 OK", "", b"alive"
         if name == "goodbye":
-            site.leave(parameters.get("page", [""])[0])
+            site.leave(parameters.get("page", ["no name"])[0])
             return "200 OK", "", b""
         site.expect(LOADING)
         return "200 OK", ".html", site.page.read_bytes()

@@ -23,7 +23,7 @@ NO_ANSWER = "The program does not answer."
 
 
 class Proxy(threading.Thread):
-    """Passes on what comes to a port of its own; while it is_cut, it ends each connection.
+    """Passes on all data that reach its own port; while is_cut is True, it ends each connection.
 
     It knows only paths with the prefix, and cuts it off, or not. A websocket passes, is asked as a page, or is never
     answered.
