@@ -16,6 +16,7 @@ import pandas as pd
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.files.cradle_csv import check_cradle, clean_copy, Snapshot
+from support.start.checks_command import checks_command
 from support.start.early import stop_on_signals
 from support.start.mistake import tell_endless, tell_mistake
 from support.start.output import refuse, while_it_is_read
@@ -55,7 +56,7 @@ def main() -> None:
         for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
             print(f"  {pendulum}")
         if not (isinstance(pend_list, list) and all(isinstance(pendulum, dict) for pendulum in pend_list)):
-            print("But this is no list of dictionaries. Type pytest: it says what is wrong.")
+            print(f"But this is no list of dictionaries. Type {checks_command()}: it says what is wrong.")
 
 
 if __name__ == "__main__":

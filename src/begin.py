@@ -25,6 +25,13 @@ def program(needs_vpython=True) -> None:
         import support.headless_vpython  # noqa: F401
 
 
+def no_program() -> None:
+    """Say how the functions of a file without a program are checked, and exit with status 1."""
+    from support.start.checks_command import checks_command
+
+    sys.exit(f"This file has only functions. Type {checks_command()} to check them, or start src/text_cradle_run.py.")
+
+
 def forget_earlier_program() -> None:
     """Let Python import again what an earlier program has left in a session (IPython, python -i).
 

@@ -43,7 +43,7 @@ def main() -> None:
     except ValueError as error:
         refuse(error)
     cradle = Cradle(cradle_main, special_cradles, options, many_ticks)
-    loop, remark = what_there_is(cradle_main, cradle.scope)
+    loop, remark = what_there_is(cradle_main, cradle)
 
     try:
         stop_on_signals()

@@ -10,3 +10,10 @@ Words
     part     ticks of a frame that are done without a look at the cradle
     lift     the angle of a cord from straight down, positive outwards, away from the other pendula (degrees)
 """
+
+
+def load_tests(*_) -> None:
+    """Say how checks are run: python -m unittest calls this, and finds none of them."""
+    from support.start.checks_command import checks_command
+
+    raise SystemExit(f"unittest does not find the checks. Type {checks_command()} to run them.")

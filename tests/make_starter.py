@@ -28,7 +28,13 @@ PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at
 
 # What a file without a program says if a student starts it.
 NO_PROGRAM = """if __name__ == "__main__":
-    raise SystemExit("This file has only functions. Type pytest to check them, or start src/text_cradle_run.py.")
+    import os
+    import sys
+
+    sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
+    from src import begin
+
+    begin.no_program()
 
 """
 

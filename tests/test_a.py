@@ -1,7 +1,9 @@
 """A checks: the tick, and the program that makes a cradle and lets it run."""
 
 if __name__ == "__main__":
-    raise SystemExit("These are checks. Type pytest to run them.")
+    from grading.begin import refuse_to_run
+
+    refuse_to_run()
 
 from math import pi
 from pathlib import Path
@@ -9,15 +11,39 @@ from tempfile import TemporaryDirectory
 
 from grading.comparing import same
 from grading.cradles import csv_of, each, hang, LEFT_OVER, left_over, MIXED, MIXED_CSV, R, row, shapes, touching
-from grading.grader import check, expect, result_of
-from grading.messages import Wanted
+from grading.grader import check, expect, result_of, steps
+from grading.messages import shown, Wanted
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import show_pendulum
 
+steps(
+    "newton_cradle_tick",
+    "full_swing_update once; then a loop, in which handle_two_bobs gets each pendulum and the next one.",
+    "for i in range(len(books)):  # i is 0, then 1, ...; books[i] is a book",
+    "sort_pages(book, 3)  # nothing comes back: the call changes the book",
+)
+steps(
+    "main",
+    "make_newton_cradle makes pend_list; page.show shows it, once; in the while loop, newton_cradle_tick moves it.",
+    "books = read_all(path)  # calls a function, and stores its result",
+    "sort_pages(book, 3)  # nothing comes back: the call changes the book",
+)
 
-def check_tick(pend_list, wanted, *, dt=1e-9, g=9.81):
+
+def check_tick(pend_list, wanted, *, dt=1e-9, g=9.81, help="", results=()):
     """Check omega of each pendulum after a tick, with this dt (s) without visible motion."""
-    expect("newton_cradle_tick", pend_list, R, dt, g, wanted=wanted, **each(pend_list, "omega"))
+    options = {"help": help, "results": results, **each(pend_list, "omega")}
+    expect("newton_cradle_tick", pend_list, R, dt, g, wanted=wanted, **options)
+
+
+def check_row(*omegas):
+    """Check a tick of equal elastic pendula that touch: the two of a pair exchange their omegas."""
+    steps, now = [], [*omegas]
+    for i in range(len(now) - 1):
+        now[i], now[i + 1] = now[i + 1], now[i]
+        steps.append(f"{i} and {i + 1}: {shown(now)}")
+    words = "All bobs touch, the masses are equal, and e is 1: the two of a pair exchange their omegas."
+    check_tick(touching(*omegas), now, help=f"{words} After the pair {'; '.join(steps)}.")
 
 
 @check("newton_cradle_tick")
@@ -25,31 +51,36 @@ def test_a_tick_swings_all_pendula():
     """Update the swings of all the pendula."""
     pend_list = [hang(theta=pi / 6, omega=2.0, axle=(i * 1.0, 0, 0), r_param=0.5) for i in range(3)]
     states = each(pend_list, "omega", "theta")
-    expect("newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, wanted=[(1.0, pi / 6 + 0.1)] * 3, **states)
+    twice = "This is the result if all pendula swing twice. Call full_swing_update once, and outside of the loop."
+    results = [([(-0.167920715, 0.606806704)] * 3, twice)]
+    wanted = [(1.0, pi / 6 + 0.1)] * 3
+    expect("newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, wanted=wanted, results=results, **states)
 
 
 @check("newton_cradle_tick")
 def test_each_pendulum_is_handled_with_the_one_after_it():
     """For each pendulum (except the last) handle the pairwise interaction of that pendulum and the one after it."""
-    check_tick(touching(1.0, 2.0, 3.0), [2.0, 3.0, 1.0])
-    check_tick(touching(3.0, 0.0), [0.0, 3.0])
-    check_tick(touching(3.0, 0.0, 0.0, 0.0, 0.0), [0.0, 0.0, 0.0, 0.0, 3.0])
-    check_tick(touching(0.0, 3.0, 0.0), [3.0, 0.0, 0.0])  # the second pair finds both at rest
-    check_tick(touching(0.0, 0.0, 3.0), [0.0, 3.0, 0.0])  # from the right, a hit moves one place per tick
-    check_tick(touching(0.0, 0.0, -3.0), [0.0, -3.0, 0.0])
-    check_tick(touching(-1.0, -2.0, -3.0), [-2.0, -3.0, -1.0])
+    check_row(1.0, 2.0, 3.0)
+    check_row(3.0, 0.0)
+    check_row(3.0, 0.0, 0.0, 0.0, 0.0)
+    check_row(0.0, 3.0, 0.0)  # the second pair finds both at rest
+    check_row(0.0, 0.0, 3.0)  # from the right, a hit moves one place per tick
+    check_row(0.0, 0.0, -3.0)
+    check_row(-1.0, -2.0, -3.0)
 
 
 @check("newton_cradle_tick")
 def test_only_neighbours_are_pairs():
     """In a pairwise manner, we only consider the collision of two pendula."""
-    check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0])
+    words = "These large bobs all touch, but only neighbours are pairs."
+    results = [([3.0, 2.0, 1.0], "This is the result if all pairs collide.")]
+    check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0], help=words, results=results)
 
 
 @check("newton_cradle_tick")
 def test_a_cradle_may_have_any_number_of_pendula():
     """Feel free to play around with the values and the number of pendulums."""
-    check_tick([hang(theta=pi / 6, omega=2.0)], [0.75], dt=0.1, g=10.0)
+    check_tick([hang(theta=pi / 6, omega=2.0)], [0.75], dt=0.1, g=10.0, help="There is one pendulum, and no pair.")
     check_tick([], [])
     check_tick(touching(*[1.0] * 6, 0.0), [*[1.0] * 5, 0.0, 1.0])
     check_tick(touching(4e-8, *[0.0] * 39), [*[0.0] * 39, 4e-8])
@@ -61,12 +92,13 @@ def test_the_pairs_use_masses_and_restitution():
     pend_list = touching(4.0, 0.0, 0.0)
     for pend, e, mass in zip(pend_list, (0.5, 0.25, 1.0), (1.0, 3.0, 3.0), strict=True):
         pend.update(e=e, mass=mass)
-    check_tick(pend_list, [-0.5, 0.5625, 0.9375])
+    words = "All bobs touch. After the pair 0 and 1: [-0.5, 1.5, 0]; 1 and 2: [-0.5, 0.5625, 0.9375]."
+    check_tick(pend_list, [-0.5, 0.5625, 0.9375], help=words)
     # In the order of the list: these pendula are not sorted by place, angle, mass, e or omega.
     pend_list = [
-        hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.1, 0, 0), radius=R / 3),
+        hang(axle=(0.1, 0, 0), radius=R / 3),
         hang(theta=0.05, omega=4.0, mass=3.0, e=0.5, axle=(0.2, 0, 0), radius=R / 3),
-        hang(theta=-0.05, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0, 0), radius=R / 3),
+        hang(theta=-0.05, axle=(0.0, 0, 0), radius=R / 3),
     ]
     check_tick(pend_list, [6.0, 1.25, 2.25])
 
@@ -76,17 +108,19 @@ def test_bobs_that_do_not_touch_are_left_alone():
     """The Newton's cradle is defined by the collisions between its pendula."""
     pend_list = row(3)
     pend_list[0]["omega"] = -1.0
-    check_tick(pend_list, [-1.0, 0.0, 0.0])
+    check_tick(pend_list, [-1.0, 0.0, 0.0], help="No bobs touch here.")
 
 
 @check("newton_cradle_tick")
 def test_swings_come_before_collisions():
     """Performs a single timestep or tick of the Newton's cradle."""
-    check_tick(touching(2.0, 0.0), [0.0, 2.0])
+    check_row(2.0, 0.0)
     pend_list = [hang(theta=-0.1, omega=1.0, radius=R / 8), hang(axle=(R / 4, 0, 0), radius=R / 8)]
-    check_tick(pend_list, [0.0, 1.0], dt=0.1, g=0.0)
+    words = "These bobs touch only after the swing. All pendula swing first, then the pairs collide."
+    check_tick(pend_list, [0.0, 1.0], dt=0.1, g=0.0, help=words)
     pend_list = [hang(radius=R / 8), hang(theta=0.1, omega=-1.0, axle=(R / 4, 0, 0), radius=R / 8)]
-    check_tick(pend_list, [-1.0, 0.0], dt=0.1, g=0.0)
+    words = "The second bob swings to the first one. All pendula swing first, then the pairs collide."
+    check_tick(pend_list, [-1.0, 0.0], dt=0.1, g=0.0, help=words)
 
 
 @check("newton_cradle_tick")
@@ -132,8 +166,9 @@ class Page:
         self.change(self.shown[-1])
 
     def is_running(self):
-        self.states += [(pend["omega"], pend["theta"]) for cradle in self.shown[-1:] for pend in cradle[:1]]
-        self.is_shown = next(self.answers, False)
+        if self.is_shown:
+            self.states += [(pend["omega"], pend["theta"]) for pend in self.shown[-1][:1]]
+            self.is_shown = next(self.answers, False)
         return self.is_shown
 
 
@@ -166,7 +201,9 @@ def test_the_cradle_is_made_and_shown():
     ]
     what = "theta and cord length of each pendulum on the page"
     words = f"({THETA_INIT:g}, {R_PARAM:g}) for the first one, (0, {R_PARAM:g}) for the others"
-    expect("main", page, wanted=Wanted(words, is_made, like=[[]]), see=see, what=what, notes=notes)
+    results = [([], "main has not called page.show: the page has no cradle.")]
+    options = {"see": see, "what": what, "notes": notes, "results": results}
+    expect("main", page, wanted=Wanted(words, is_made, like=[[]]), **options)
 
 
 @check("main")

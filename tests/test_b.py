@@ -1,14 +1,33 @@
 """B checks: two pendula knock into each other."""
 
 if __name__ == "__main__":
-    raise SystemExit("These are checks. Type pytest to run them.")
+    from grading.begin import refuse_to_run
+
+    refuse_to_run()
 
 from itertools import cycle, product
 from math import pi
 
 from grading.comparing import same
 from grading.cradles import hang
-from grading.grader import check, expect, result_of
+from grading.grader import check, expect, result_of, steps
+from grading.messages import shown
+from support.pendulum import contact_distance
+
+steps(
+    "handle_collision",
+    "both omegas become linear velocities; the two formulas of the appendix use these, never each other; both results "
+    "become angular again.",
+    "area = 2 * (width + height)  # each product needs its *",
+    "return low, high  # gives two values back, in this order",
+)
+steps(
+    "handle_two_bobs",
+    "mass, omega and bob of both, e of pend1; if the bobs are close, handle_collision gives the new omegas; each "
+    "pendulum stores its own.",
+    "title, pages, price = book['facts']  # takes a tuple apart",
+    "low, high = prices(book)  # stores the two results of one call",
+)
 
 # The arguments e, omega1, omega2, m1, m2, and the result; by hand from the two formulas of the appendix.
 HIT, AFTER = (0.7, 3.0, -4.0, 2.0, 8.0), (-6.52, -1.62)
@@ -39,24 +58,84 @@ COLLISIONS = [
 ]
 
 
+# Mistakes in the formulas for the first hit: what they are, the wrong first result, and the wrong second one.
+FORMULAS = [
+    ("e is missing.", -8.2, -1.2),
+    ("the sign before e is wrong.", 1.32, -3.58),
+    ("the mass before e is wrong: m2 in the first one, m1 in the second one.", -3.58, 1.32),
+    ("the mass before e is missing.", -3.09, -2.11),
+    ("e multiplies only a part of the difference of the velocities: it needs brackets.", -3.88, -1.78),
+    ("only the end is divided by the sum of the masses: brackets are missing around all of it.", -29.92, -25.02),
+    ("only m1 divides: the sum of the masses needs brackets.", -12.6, 11.9),
+    ("both divisions count only for the end: all of it needs brackets.", -14.32, -9.42),
+    ("nothing divides by the sum of the masses.", -65.2, -16.2),
+    ("the velocity is linear. Convert it back to an angular one.", -2.608, -0.648),
+    ("v1 and v2 are exchanged in the momenta.", -2.32, 2.58),
+]
+RESULTS = [((first, AFTER[1]), f"This is the result if, in the first formula, {words}") for words, first, _ in FORMULAS]
+RESULTS += [
+    ((AFTER[0], second), f"This is the result if, in the second formula, {words}") for words, _, second in FORMULAS
+]
+RESULTS += [((first, second), f"This is the result if, in both formulas, {words}") for words, first, second in FORMULAS]
+RESULTS += [
+    ((-8.14, -0.09), "This is the result if omega1 is not converted: r_param multiplies it, too."),
+    ((-14.68, -5.58), "This is the result if omega2 is not converted: r_param multiplies it, too."),
+    (
+        (-16.3, -4.05),
+        "This is the result if the omegas are not converted to linear velocities, but the end is converted back.",
+    ),
+    (
+        (-1.0432, -0.2592),
+        "This is the result if r_param multiplies twice. At the end, convert back: divide by r_param.",
+    ),
+    (
+        (-6.52, -6.52),
+        "Both results are the right one of the first bob. The second one comes from the second formula, with + m1 e.",
+    ),
+    (
+        (-6.52, -2.9528),
+        "This is the result with the new velocity of the first bob behind e in the second formula. Use the old one.",
+    ),
+    (
+        (-6.52, -4.8568),
+        "This is the result with the new velocity of the first bob in all of the second formula. Use the old one.",
+    ),
+    ((-4.0, 3.0), "These are the two omegas of the call, exchanged. So it is only for equal masses and e = 1."),
+]
+
+
+def check_hit(wanted, e, omega1, omega2, m1, m2, r_param, **options):
+    """Check the result of handle_collision. A student reads the parts of the formulas, which follow from the result."""
+    v1, v2 = r_param * omega1, r_param * omega2
+    right = [
+        ("v1", v1),
+        ("v2", v2),
+        ("m1 v1 + m2 v2", m1 * v1 + m2 * v2),
+        ("v1 - v2", v1 - v2),
+        ("v1_new", r_param * wanted[0]),
+        ("v2_new", r_param * wanted[1]),
+    ]
+    expect("handle_collision", e, omega1, omega2, m1, m2, r_param, wanted=wanted, right=right, **options)
+
+
 @check("handle_collision")
 def test_handle_collision():
     """Returns a tuple of the new angular velocities of both bobs."""
-    expect("handle_collision", *HIT, 0.4, wanted=AFTER)
+    check_hit(AFTER, *HIT, 0.4, results=RESULTS)
 
 
 @check("handle_collision")
 def test_collisions_from_elastic_to_inelastic():
     """If e = 0, it is a perfectly inelastic collision; if e = 1, elastic."""
     for arguments, wanted in COLLISIONS:
-        expect("handle_collision", *arguments, 0.4, wanted=wanted)
+        check_hit(wanted, *arguments, 0.4)
 
 
 @check("handle_collision")
 def test_the_cord_length_does_not_matter():
     """Convert omega to linear velocities v = R omega, and back."""
     for r_param in (0.2, 1.0, 3.0):
-        expect("handle_collision", *HIT, r_param, wanted=AFTER)
+        check_hit(AFTER, *HIT, r_param)
 
 
 @check("handle_collision")
@@ -87,10 +166,22 @@ def pair(apart=1.0, radius1=0.5, radius2=0.5, **values):
     return pend1, hang(r_param=4 * apart, axle=(apart, 0, 0), radius=radius2, **two)
 
 
-def check_pair(wanted, apart=1.0, *radii, **values):
+def check_pair(wanted, apart=1.0, *radii, results=(), **values):
     """Check the omegas of two such pendula after the call."""
     pend1, pend2 = pair(apart, *radii, **values)
-    expect("handle_two_bobs", pend1, pend2, 4 * apart, wanted=wanted, **omegas(pend1, pend2))
+    options = {"help": help_for(pend1, pend2, 4 * apart, wanted), "results": results}
+    expect("handle_two_bobs", pend1, pend2, 4 * apart, wanted=wanted, **options, **omegas(pend1, pend2))
+
+
+def help_for(pend1, pend2, r_param, wanted) -> str:
+    """Return whether the bobs of these pendula touch, and what handle_collision gives then, in words."""
+    bob1, bob2 = pend1["objects"][1], pend2["objects"][1]
+    apart, reach = (bob1.pos - bob2.pos).mag, contact_distance(bob1.radius, bob2.radius)
+    words = f"{shown(apart)} m apart, and they touch up to {shown(reach)} m."
+    if apart > reach:
+        return f"These bobs do not touch: they are {words}"
+    values = pend1["e"], pend1["omega"], pend2["omega"], pend1["mass"], pend2["mass"], r_param
+    return f"These bobs touch: they are {words} handle_collision{shown(values)} gives {shown(wanted)}."
 
 
 def omegas(pend1, pend2):
@@ -101,7 +192,9 @@ def omegas(pend1, pend2):
 @check("handle_two_bobs")
 def test_masses_and_omegas_are_those_of_each():
     """For each pendulum dictionary, get the masses, bobs and angular velocity (omega)."""
-    check_pair((1.125, 1.625), omega1=3.0, mass1=2.0, e1=0.25, omega2=1.0, mass2=6.0, e2=0.25)
+    again = "This is the result if handle_collision is called again after pend1 has changed. Call it once, for both."
+    results = [((1.125, 1.0390625), again), ((1.40625, 1.53125), "This is the result with the product of both e.")]
+    check_pair((1.125, 1.625), omega1=3.0, mass1=2.0, e1=0.25, omega2=1.0, mass2=6.0, e2=0.25, results=results)
     check_pair((-0.5, 1.5), mass2=3.0)
     check_pair((2.5, 4.5), mass1=3.0)
     check_pair((-0.5, 2.5), omega2=-2.0)
@@ -199,4 +292,5 @@ def test_earlier_calls_do_not_matter():
     """Handles the pairwise interactions between two bobs."""
     pend1, pend2 = pair()
     for wanted in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
-        expect("handle_two_bobs", pend1, pend2, 4.0, wanted=wanted, **omegas(pend1, pend2))
+        words = help_for(pend1, pend2, 4.0, wanted)
+        expect("handle_two_bobs", pend1, pend2, 4.0, wanted=wanted, help=words, **omegas(pend1, pend2))

@@ -1,15 +1,31 @@
 """C checks: one pendulum swings, then all pendula swing."""
 
 if __name__ == "__main__":
-    raise SystemExit("These are checks. Type pytest to run them.")
+    from grading.begin import refuse_to_run
+
+    refuse_to_run()
 
 from math import cos, pi, sin
 
 from vpython import vector
 
 from grading.cradles import each, hang, LEFT_OVER, left_over, R, shapes, touching
-from grading.grader import check, expect
+from grading.grader import check, expect, steps
 from grading.messages import Wanted
+
+steps(
+    "angle_update",
+    "the acceleration from g, theta and r_param; omega plus its change in dt; theta plus its change, with the new "
+    "omega; return both.",
+    "area = 2 * (width + height)  # each product needs its *",
+    "return low, high  # gives two values back, in this order",
+)
+steps(
+    "full_swing_update",
+    "one loop over pend_list calls swing_update for each pendulum.",
+    "for book in books:  # the indented lines below run once for each book",
+    "sort_pages(book, 3)  # nothing comes back: the call changes the book",
+)
 
 # The arguments omega, theta, r_param, dt, g, and the result; by hand from the two formulas of the appendix.
 STEP, AFTER = (3.0, 5 * pi / 6, 0.4, 0.1, 8.0), (2.0, 5 * pi / 6 + 0.2)  # omega falls by 1
@@ -33,17 +49,47 @@ STEPS = [
 ]
 
 
+# Wrong results of the first step, and what they are.
+DEGREES = "This is the result with degrees. theta is in radians already, as sin() takes it. Do not convert it."
+RESULTS = [
+    ((2.0, 2.917993878), "This is the result with the old omega in the change of theta. Take the new one."),
+    ((4.0, 3.017993878), "This is the result with + in front of the acceleration. Gravity pulls the bob back down: -."),
+    ((2.908647, 2.908858878), DEGREES),
+    ((4.429753, 3.060968878), DEGREES),
+    ((4.732051, 3.091198878), "This is the result with cos in place of sin."),
+    ((-2.235988, 2.394394878), "This is the result with theta in place of its sine."),
+    ((-7.0, 1.917993878), "This is the result without dt in the change of omega."),
+    ((2.0, 4.617993878), "This is the result without dt in the change of theta."),
+    ((2.6, 2.877993878), "This is the result without r_param: the acceleration is divided by it."),
+    ((2.84, 2.901993878), "This is the result if r_param multiplies. The acceleration is divided by it."),
+    ((2.55652, 2.917993878), "This is the result if theta changes first. omega changes first, then theta."),
+    ((-1.0, 2.517993878), "This is the result without the old omega: the new one is the old one plus its change."),
+    ((-10.0, 1.617993878), "This is the acceleration in place of the new omega: the old omega plus acceleration * dt."),
+    ((2.0, 2.867993878), "This is the result with an average. Only the new omega moves theta: no 1/2 a t^2."),
+]
+
+
+def check_step(arguments, wanted, **options):
+    """Check the result of angle_update. A student reads the parts of both formulas, which follow from the result."""
+    omega, theta, _, dt, _ = arguments
+    omega_new, theta_new = wanted
+    right = [("sin(theta)", sin(theta)), ("omega_new", omega_new), ("theta_new", theta_new)]
+    if dt:
+        right.insert(1, ("acceleration", (omega_new - omega) / dt))
+    expect("angle_update", *arguments, wanted=wanted, right=right, **options)
+
+
 @check("angle_update")
 def test_angle_update():
     """Takes in theta and omega and updates them for a given timestep dt."""
-    expect("angle_update", *STEP, wanted=AFTER)
+    check_step(STEP, AFTER, results=RESULTS)
 
 
 @check("angle_update")
 def test_angle_update_of_other_swings():
     """Theta is the angle formed by the cord normal to the axle."""
     for arguments, wanted in STEPS:
-        expect("angle_update", *arguments, wanted=wanted)
+        check_step(arguments, wanted)
 
 
 # theta, omega, mass and e of pendula, and their omega and theta after 0.1 s with g = 10 m/s^2 and cords of 0.5 m. The

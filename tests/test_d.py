@@ -1,7 +1,9 @@
 """D checks: a CSV becomes a pend_list, and its pendula get VPython objects."""
 
 if __name__ == "__main__":
-    raise SystemExit("These are checks. Type pytest to run them.")
+    from grading.begin import refuse_to_run
+
+    refuse_to_run()
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -13,11 +15,34 @@ from tempfile import TemporaryDirectory
 from vpython import box, color, cylinder, sphere, textures, vector
 
 from grading.cradles import csv_of, LEFT_OVER, left_over, MIXED, MIXED_CSV, R, shapes
-from grading.grader import check, expect
+from grading.grader import check, expect, steps, WrongError
 from grading.messages import Wanted
-from grading.own_process import working_in
+from grading.students_code import working_in
 from support.constants import COLOR_MAP, TEXTURE_MAP
 from support.pendulum import arm, make_pendulum
+
+LOOP = "for book in books:  # the indented lines below run once for each book"
+STORE = "book['pages'] = 160  # stores a value in a key; == only compares"
+CALL = "return prices(path, 20)  # returns the result of a call"
+
+steps(
+    "extract_and_convert",
+    "read_csv gives df, to_dict gives bad_rep, and pend_list gets each value of bad_rep. Return pend_list.",
+    "books.append(book)  # puts one more element at the end of the list",
+    "shelf.values()  # all values of a dictionary, without its keys",
+)
+for key in ("mass", "e"):
+    words = f"pend_list comes from extract_and_convert; each pendulum gets the new {key}; pend_list is returned."
+    steps(f"uniform_{key}_newton_cradle", words, LOOP, STORE)
+for kind in ("elastic", "inelastic"):
+    words = f"uniform_e_newton_cradle makes the pend_list, with the e of an {kind} collision; pend_list is returned."
+    steps(f"{kind}_newton_cradle", words, CALL)
+steps(
+    "make_newton_cradle",
+    "for each pendulum: theta, omega, axle_pos, color, texture, and objects (from make_pendulum).",
+    "for i in range(len(books)):  # i is 0, then 1, ...; books[i] is a book",
+    STORE,
+)
 
 # Equal rows, also the first and the last one, zeros, e = 0 and e = 1, many digits, and more rows than columns.
 SEVEN = [
@@ -68,11 +93,30 @@ def values_of(first, key):
     return lambda last: ([pend[key] for pend in first], [pend[key] for pend in last])
 
 
+def converts_assistants() -> bool:
+    """Return whether extract_and_convert takes the names of the columns from the file."""
+    with files("assistants.csv") as folder:
+        try:
+            expect("extract_and_convert", str(folder / "assistants.csv"), wanted=ASSISTANTS)
+        except WrongError:
+            return False
+    return True
+
+
 @check("extract_and_convert")
 def test_pend_list_is_a_list_of_dictionaries():
     """Each pendulum is represented by a dictionary in a list called pend_list."""
+    whole = "A value of bad_rep is a whole pendulum already: append that one."
+    results = [
+        ([0, 1, 2], "These are the keys of bad_rep. The pendula are its values."),
+        ([value for row in MIXED for value in row.values()], f"These are the single values of the file. {whole}"),
+        (
+            [{key: value} for row in MIXED for key, value in row.items()],
+            f"This is a dictionary for each value of the file. {whole}",
+        ),
+    ]
     with files("mixed.csv") as folder:
-        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=THREE)
+        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=THREE, results=results)
 
 
 @check("extract_and_convert")
@@ -91,14 +135,11 @@ def test_the_file_given_is_read():
         (folder / "one.csv").write_text(csv_of([ONE, {**ONE, "mass": 4.0}]))
         what = "each mass from the first call, each mass from this call with a new file"
         both = {"see": values_of(first, "mass"), "what": what}
-        expect("extract_and_convert", "one.csv", wanted=([3.0], [3.0, 4.0]), **both)
-
-
-@check("extract_and_convert", others_wait=False)
-def test_any_csv_is_converted():
-    """The very first line in a CSV file contains the names of each attribute."""
-    with files("assistants.csv") as folder:
-        expect("extract_and_convert", str(folder / "assistants.csv"), wanted=ASSISTANTS)
+        words = (
+            "Your extract_and_convert does not convert a CSV with other columns. With the file's own names, it would."
+        )
+        notes = [(lambda _: not converts_assistants(), words)]
+        expect("extract_and_convert", "one.csv", wanted=([3.0], [3.0, 4.0]), notes=notes, **both)
 
 
 def check_uniform(function, *arguments, **changed):
@@ -141,9 +182,9 @@ def test_inelastic():
     check_uniform("inelastic_newton_cradle", e=0)
 
 
-def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6):
-    """Check what see(pend) returns for each pendulum of the cradle from file."""
-    options = {"wanted": wanted, "what": what, "see": lambda pend_list: [*map(see, pend_list)]}
+def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6, **words):
+    """Check what see(pend) returns for each pendulum of the cradle from file. words are options of expect."""
+    options = {"wanted": wanted, "what": what, "see": lambda pend_list: [*map(see, pend_list)], **words}
     with files(file) as folder, working_in(folder):
         expect("make_newton_cradle", file, r_param, theta_init, **options)
 
@@ -189,7 +230,12 @@ def test_objects_are_axle_bob_and_cord():
         return len({id(bob) for _, bob, _ in found}) == len(found)
 
     wanted = Wanted("an axle, a bob and a cord for each", lambda found: all(map(is_one, found)) and are_own(found))
-    expect_cradle(lambda pend: pend["objects"], "the value of objects in each pendulum", wanted)
+
+    def is_shared(found):
+        return is_one(found[0]) and found[0][1] is found[-1][1]
+
+    results = [(is_shared, "All pendula have the same objects. Make them inside the loop.")]
+    expect_cradle(lambda pend: pend["objects"], "the value of objects in each pendulum", wanted, results=results)
 
     def strays(pend_list):
         return left_over(old, [part for pend in pend_list for part in pend["objects"]])
@@ -209,7 +255,8 @@ def test_axle_positions():
         ("seven.csv", 7, R, 0.1, 0.08),
     ):
         wanted = [vector(-0.1 + apart * i, height, 0) for i in range(count)]
-        expect_cradle(lambda pend: pend["objects"][0].pos, "position of each axle", wanted, file, r_param)
+        words = f"Here, the axles are r_param/4 = {apart:g} m apart, and r_param/5 = {height:g} m high."
+        expect_cradle(lambda pend: pend["objects"][0].pos, "position of each axle", wanted, file, r_param, help=words)
 
 
 @check("make_newton_cradle")
@@ -222,7 +269,13 @@ def test_bobs_hang_from_their_axles():
 
     what = "position from the axle (m) of each bob"
     bobs = [arm(theta, R) for theta in (0.6, 0, 0)]
-    expect_cradle(place, what, bobs)
+
+    def are_lifted(found):
+        return len({(round(one.x, 6), round(one.y, 6)) for one in found}) == 1 and 0.2 < found[1].x < R
+
+    lifted = "All bobs are lifted. make_pendulum must get the theta of each pendulum, and not theta_init each time."
+    words = "make_pendulum hangs the bob at the angle theta that it gets."
+    expect_cradle(place, what, bobs, results=[(are_lifted, lifted)], help=words)
     expect_cradle(place, what, [arm(theta, 1.0) for theta in (-0.3, 0, 0)], r_param=1.0, theta_init=-0.3)
 
     def ends(pend):  # from the axle, the upper one first

@@ -1,7 +1,9 @@
 """Honor roll checks: the objects of a double pendulum, and its swing."""
 
 if __name__ == "__main__":
-    raise SystemExit("These are checks. Type pytest to run them.")
+    from grading.begin import refuse_to_run
+
+    refuse_to_run()
 
 from itertools import product
 from math import pi
@@ -9,16 +11,32 @@ from math import pi
 from vpython import box, cylinder, sphere, textures, vector
 
 from grading.cradles import LEFT_OVER, left_over, shapes
-from grading.grader import check, expect
+from grading.grader import check, expect, steps
 from grading.messages import Wanted
 from support.pendulum import arm, make_pendulum
+
+steps(
+    "make_double_pendulum",
+    "make_pendulum for the upper one; make_bob_and_cord from the upper bob, with the angle from straight down; five "
+    "objects are returned.",
+    "title, pages, price = book['facts']  # takes a tuple apart",
+    "return low, high  # gives two values back, in this order",
+)
+steps(
+    "double_angle_update",
+    "alpha, beta and their rates; double_accelerations; the new rates, then the new angles; back to theta and phi.",
+    "low, high = prices(book)  # stores the two results of one call",
+    "return low, high  # gives two values back, in this order",
+)
 
 AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
 
 
-def check_double_pendulum(see, what, theta, phi, wanted, cord=CORD, texture=textures.wood):
+def check_double_pendulum(see, what, theta, phi, wanted, cord=CORD, texture=textures.wood, help=""):
     """Check what see(objects) returns for a double pendulum."""
-    expect("make_double_pendulum", AXLE, cord, theta, phi, RED, texture, wanted=wanted, see=see, what=what)
+    words = f"From straight down, the upper cord is at {theta:g}, and the lower one at {theta + phi:g}."
+    options = {"wanted": wanted, "see": see, "what": what, "help": help or words}
+    expect("make_double_pendulum", AXLE, cord, theta, phi, RED, texture, **options)
 
 
 @check("make_double_pendulum")
@@ -30,7 +48,8 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
         return isinstance(found, tuple) and len(found) == 5 and all(map(isinstance, found, kinds))
 
     wanted = Wanted("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one, like=(None,) * 5)
-    check_double_pendulum(None, "", 0.7, 0.4, wanted)
+    order = "Five objects come back, in this order: axle, bob1, cord1, bob2, cord2."
+    check_double_pendulum(None, "", 0.7, 0.4, wanted, help=order)
     old = shapes()
     check_double_pendulum(lambda objects: left_over(old, objects), theta=0.7, phi=0.4, **LEFT_OVER)
 
@@ -98,11 +117,16 @@ ACCELERATIONS = [
 def test_both_angles_are_updated():
     """Define a double_angle_update() that updates both angles of the pendulum."""
     state = 3.0, -2.0, 0.6, -0.4
-    expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state)  # with dt = 0, nothing moves
+    rest = "With dt = 0, nothing moves."
+    counted = "This is the result if phi counts from straight down. It counts from the upper cord; omega_phi, too."
+    results = [((3.0, 1.0, 0.6, 0.2), counted)]
+    expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state, help=rest, results=results)
     slow = 4e-8, -4e-8, 0.6, -0.4
-    expect("double_angle_update", *slow, LENGTH, 0.0, G, wanted=slow)
+    expect("double_angle_update", *slow, LENGTH, 0.0, G, wanted=slow, help=rest)
     straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity, it turns evenly
-    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 0.9, 0.0))
+    words = "Both cords are in one line, and there is no gravity: the pendulum turns evenly."
+    turned = {"wanted": (3.0, 0.0, 0.9, 0.0), "help": words}
+    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, **turned)
     expect("double_angle_update", 3, 0, 1, 0, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 1.3, 0.0))  # whole numbers
     for omega, before, after, phi in [*((20.0, 11.0, 13.0, i * pi) for i in (2, 4, -6)), (-20.0, -11.0, -13.0, 0.0)]:
         turned = omega, 0.0, after, phi
@@ -118,7 +142,18 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
             return tuple(round((new - old) / DT, 2) + 0 for new, old in zip(found[:2], state[:2], strict=True))
 
         what = "change of omega_theta / dt, change of omega_phi / dt"
-        expect("double_angle_update", *state, length, DT, g, wanted=wanted, see=see, what=what)
+        omega_theta, omega_phi, theta, phi = state
+        angles = f"alpha = {theta:g}, beta = {theta + phi:g}"
+        rates = f"their rates are {omega_theta:g} and {omega_theta + omega_phi:g}"
+        words = f"Here, {angles}, {rates}, k = g/R = {g / length:g}, and mu = m2/(m1 + m2) = 0.5."
+        options = {"see": see, "what": what, "results": RESULTS, "help": words}
+        expect("double_angle_update", *state, length, DT, g, wanted=wanted, **options)
+
+
+# Wrong accelerations of the first state, and what they are.
+SINGLE = "These are the accelerations of two single pendula. Each one pulls at the other: call double_accelerations."
+BETA = "This is beta'' in place of that of phi. phi is beta - alpha: subtract alpha''."
+RESULTS = [((-10.0, -17.32), SINGLE), ((-10.0, -10.0), SINGLE), ((-5.71, -17.14), BETA)]
 
 
 # theta, phi, m1, m2, and the state 0.1 s after release, with g = 9.81 m/s^2, from the exact equations.
@@ -137,12 +172,14 @@ SWINGS = [
 def test_a_tenth_of_a_second_of_swinging():
     """The two pendula oscillate with the angles theta and phi."""
     for (theta, phi, *masses), end in SWINGS:
-
-        def is_near(found, end=end):
-            return len(found) == 4 and all(abs(value - right) < 0.005 for value, right in zip(found, end, strict=True))
-
-        wanted = Wanted(f"within 0.005 of ({', '.join(f'{value:.3f}' for value in end)})", is_near, like=end)
+        wanted = tuple(within(0.005, value) for value in end)
         what = "omega_theta, omega_phi, theta, phi"
+        right = [("k", 9.81 / LENGTH), ("mu", masses[1] / sum(masses))]
         # The steps are short enough for every method of the first order.
         arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, *masses
-        expect("double_angle_update", *arguments, wanted=wanted, what=what, times=200)
+        expect("double_angle_update", *arguments, wanted=wanted, what=what, times=200, right=right)
+
+
+def within(distance, value) -> Wanted:
+    """Return the expectation of a number near a value."""
+    return Wanted(f"within {distance:g} of {value:.3f}", lambda found: abs(found - value) < distance, like=value)

@@ -18,6 +18,7 @@ from support.energy import bob_motions, energies, momentum
 from support.files.cradle_csv import read_cells
 from support.pendulum import cord_angles, discard
 from support.start.mistake import check_list, check_made, check_numbers, MistakeError
+from support.start.preview import unwritten_in
 
 AS_MADE = "as in the CSV"  # how bobs collide: each pendulum keeps its own e
 
@@ -35,6 +36,9 @@ def loaded_modules() -> list[dict[str, Any]]:
             if SRC in folders or SRC.parent == folders[0]:
                 found.append(names)
     return found
+
+
+UNIFORM_E = "uniform_e_newton_cradle"
 
 
 class Cradle:
@@ -63,19 +67,25 @@ class Cradle:
         self.scope: ChainMap[str, Any] = ChainMap(own, special_cradles.__dict__, *loaded_modules())
         self.many_ticks, self.mass = many_ticks, options.mass
         # By its name, a function that returns pendula with the e of this kind, and its arguments behind the file.
-        self.collisions: dict[str, Any] = {
-            AS_MADE: (None,),
-            "elastic, e = 1": (self.scope["elastic_newton_cradle"],),
-            "perfectly inelastic, e = 0": (self.scope["inelastic_newton_cradle"],),
-        }
+        self.collisions: dict[str, Any] = {AS_MADE: (None,)}
         self.collision = AS_MADE
-        if options.elastic:
-            self.collision = "elastic, e = 1"
-        if options.inelastic:
-            self.collision = "perfectly inelastic, e = 0"
+        self.needs = {"extract_and_convert", self.make_name}  # functions without which there is no picture
+        unwritten = unwritten_in("special_cradles")
+        for kind, name, is_chosen in (
+            ("elastic, e = 1", "elastic_newton_cradle", options.elastic),
+            ("perfectly inelastic, e = 0", "inelastic_newton_cradle", options.inelastic),
+        ):
+            if not {name, UNIFORM_E} & {*unwritten}:
+                self.collisions[kind] = (self.scope[name],)
+            if is_chosen:
+                self.collision = kind
+                self.needs |= {name, UNIFORM_E}
         if options.e is not None:
             self.collision = f"e = {options.e:g}"
-            self.collisions[self.collision] = self.scope["uniform_e_newton_cradle"], options.e
+            self.collisions[self.collision] = self.scope[UNIFORM_E], options.e
+            self.needs.add(UNIFORM_E)
+        if self.mass is not None:
+            self.needs.add("uniform_mass_newton_cradle")
         self.pend_list: list = []
         self.places: dict[tuple[float, ...], int] = {}  # the place (m) of each pendulum's axle -> its index
         self.period = 2 * pi * sqrt(R_PARAM / G)  # s: of a small swing

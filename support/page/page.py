@@ -27,7 +27,7 @@ def show_cradle(main, special_cradles, many_ticks=None) -> None:
     """
     options = read_page_options()
     cradle = Cradle(main, special_cradles, options, many_ticks)
-    loop, remark = what_there_is(main, cradle.scope)
+    loop, remark = what_there_is(main, cradle)
     show_page(loop, cradle, options, [options.angle], remark)
 
 

@@ -6,6 +6,7 @@ from math import isfinite
 from numbers import Real
 from pathlib import Path
 
+from support.start.checks_command import checks_command
 from support.start.output import say
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -53,7 +54,8 @@ def tell_mistake(error) -> str:
         text, words = "".join(report.stack.format()) + f"{error}\n", str(error)
     else:
         text, words = "".join(report.format()), " ".join("".join(report.format_exception_only()).split())
-    text += "Type pytest: it says more about mistakes.\n" * bool(own_frames(error))
+    if own_frames(error):
+        text += f"Type {checks_command()}: it says more about mistakes.\n"
     say(text, sys.stderr, end="")  # the page says it, too
     last = report.stack[-1]
     path = Path(last.filename).resolve()

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import discard
+from support.start.checks_command import checks_command
 from support.start.output import refuse
 
 SRC = Path(__file__).resolve().parents[2] / "src"
@@ -34,39 +35,57 @@ def stubs_in(source) -> dict[str, tuple[int, bool]]:
     return found
 
 
-def missing_in(*modules) -> str:
-    """Return the names of the functions in these modules of src/ that are not written yet, each with its file."""
+def unwritten_in(module) -> dict[str, tuple[int, bool]]:
+    """Return what stubs_in returns for a module of src/; without its file, or if Python cannot compile it, nothing."""
+    file = SRC / f"{module}.py"
+    with suppress(OSError, SyntaxError, ValueError):  # the import of the file shows why
+        return stubs_in(file.read_bytes())
+    return {}
+
+
+def missing_in(*modules, names=None) -> str:
+    """Return the functions in these modules of src/ that are not written yet, each with its file, in words.
+
+    names are those of the functions that matter; without names, all do.
+    """
     places = []
-    for file in filter(Path.is_file, (SRC / f"{module}.py" for module in modules)):
-        with suppress(SyntaxError, ValueError):  # a file that Python cannot compile: its import shows why
-            found = stubs_in(file.read_bytes()).items()
-            names = [f"{name} (delete line {line})" if has_code else name for name, (line, has_code) in found]
-            places += [f"{', '.join(names)} in src/{file.name}"] * bool(names)
+    for module in modules:
+        found = []
+        for name, (line, has_code) in unwritten_in(module).items():
+            if names is None or name in names:
+                found.append(f"{name} (delete line {line})" if has_code else name)
+        if found:
+            places.append(f"{', '.join(found)} in src/{module}.py")
     return "; ".join(places)
 
 
-def end_if_unwritten(*modules) -> None:
+def end_if_unwritten(*modules, names=None) -> None:
     """If functions in these modules of src/ are missing, name them in one line, and exit with status 2."""
-    missing = missing_in(*modules)
+    missing = missing_in(*modules, names=names)
     if missing:
         refuse(f"There is no cradle to see yet. Write first: {missing}.")
 
 
-def what_there_is(main, scope) -> tuple:
-    """Return main and no remark, or a simpler loop and a remark that names the missing functions; or exit.
+def what_there_is(main, cradle) -> tuple:
+    """Return main and no remark, or a simpler loop and a remark that names the missing functions.
 
-    scope has the handout's functions by their names.
+    Exit if functions are missing without which there is no picture: cradle.needs has their names.
     """
-    end_if_unwritten("pds_helper", "special_cradles")
-    swings, collides = missing_in("swinging"), missing_in("visualize_cradle_run")
+    end_if_unwritten("pds_helper", "special_cradles", names=cradle.needs)
+    others, swings = missing_in("special_cradles"), missing_in("swinging")
+    collides = missing_in("visualize_cradle_run")
+    loop, now, words = main, "", ""
     if swings:
-        return preview(scope), f"Write next: {swings}. Then the pendula swing."
-    if collides:
-        words = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
-        if "handle_" in collides:
-            words = "Then the bobs collide. If no pendulum swings, type pytest."
-        return preview(scope, True, "handle_" not in collides), f"Write next: {collides}. {words}"
-    return main, ""
+        loop, now = preview(cradle.scope), swings
+        words = "Then the pendula swing."
+    elif collides:
+        has_handled = "handle_" not in collides
+        loop, now = preview(cradle.scope, True, has_handled), collides
+        words = f"Then the bobs collide. If no pendulum swings, type {checks_command()}."
+        if has_handled:
+            words = f"Here are the first two pendula alone: their bobs collide. If not, type {checks_command()}."
+    missing = "; ".join(place for place in (others, now) if place)
+    return loop, f"Write next: {missing}. {words}".strip() if missing else ""
 
 
 def preview(scope, swings=False, collides=False):

@@ -15,3 +15,9 @@ from support.start.unfit import refuse_unfit  # noqa: E402
 refuse_unfit()
 
 import support.headless_vpython  # noqa: E402, F401
+from support.start.checks_command import checks_command  # noqa: E402
+
+
+def refuse_to_run() -> None:
+    """Say how checks are run, and exit with status 1."""
+    sys.exit(f"These are checks. Type {checks_command()} to run them.")

@@ -10,40 +10,31 @@ import io
 import keyword
 import linecache
 import re
+import sys
 import tokenize
+import traceback
 from contextlib import suppress
 from difflib import get_close_matches
 from itertools import pairwise
-from textwrap import dedent
+from pathlib import Path
 
-from grading.handout import FUNCTIONS, IMPORTS
-from grading.hints import CODE, ERRORS, FORMS, MEANING, OTHER_VALUE
-
-LOOPS = ast.For, ast.While
-ENDS = ast.Return, ast.Raise, ast.Break, ast.Continue
-IN_LOOPS = {"full_swing_update": "tick in a loop", "make_newton_cradle": "new cradle"}
-CONSTANTS = {"R_PARAM": "r_param", "DT": "dt", "G": "g", "THETA_INIT": "theta_init"}
-MOST_CODE = 8_000  # characters of a function in which facts are looked for
+from grading.handout import FUNCTIONS, IMPORTS, is_students
+from grading.hints import BOTH_VERSIONS, CONFLICT, ERRORS, FORMS, MEANING, NEWER, OTHER_FORMS
 
 
-def words_for(error, result, wrong, code, function, search) -> tuple[str, int]:
-    """Return the words for a mistake, and the line that they name, or 0: from the first evidence that there is.
+def words_for(error, result, wrong, code, function) -> str:
+    """Return the words for a mistake: from the first evidence that there is.
 
     error is the StoppedError of the function, or None; result has the words for its exact result, and wrong is the
-    sentence that says what is wrong. code is the function's, and search() looks for a change. A file that cannot be
-    compiled, or a function that is not written, has its words before.
+    sentence that says what is wrong. code is the function's.
     """
-    found = (
+    return (
         of_parameters(code.parameters, function, error)  # the check's own call does not fit
         or (error and error.hint)  # Python raised an error: its type, its own attributes, the line's tree
         or result  # the exact result of a known mistake
-        or search()  # one change with which all checks pass
         or (error and error.meaning)
-        or of_code(code, function)
         or next((words for pattern, words in FORMS.values() if re.search(pattern, wrong)), "")
-        or (OTHER_VALUE if not error and FUNCTIONS[function].tier == "D" and " of pend_list[" in wrong else "")
     )
-    return (found, 0) if isinstance(found, str) else (found[1], found[0])
 
 
 def of_parameters(parameters, function, error) -> str:
@@ -52,6 +43,19 @@ def of_parameters(parameters, function, error) -> str:
     is_moved = sorted(own) == sorted(given) and own != given
     is_unfit = error and error.kind == "TypeError" and not error.places and f"{function}()" in (error.text or "")
     return f"The line def has changed. It must be: def {function}({', '.join(given)}):" if is_moved or is_unfit else ""
+
+
+def nearest_name(error) -> str:
+    """Return which name is nearest to one that does not exist, in the words of Python 3.12, or ""."""
+    name, names = getattr(error, "name", None) or "", []
+    if isinstance(error, NameError) and error.__traceback__:
+        frame = [frame for frame, _ in traceback.walk_tb(error.__traceback__)][-1]
+        names = [*frame.f_locals, *frame.f_globals]
+    elif isinstance(error, AttributeError):
+        names = dir(error.obj)
+    lower = {each.lower(): each for each in reversed(names)}
+    near = get_close_matches(name.lower(), lower, n=1, cutoff=0.8)
+    return f". Did you mean: '{lower[near[0]]}'?" if near else ""
 
 
 class Seen:
@@ -70,18 +74,44 @@ class Seen:
         self.in_brackets = any(getattr(node.slice, "id", "") == self.name for node in brackets)
         self.has_map = any(getattr(node.value, "id", "") in ("COLOR_MAP", "TEXTURE_MAP") for node in brackets)
         self.adds = any(isinstance(getattr(node.slice, "op", None), ast.Add) for node in brackets)
+        parts = [node for node in nodes if isinstance(node, ast.Attribute)]
+        self.behind_dot = next((one.attr for one in parts if getattr(one.value, "id", "") == self.name), "")
+        self.globals = frame.f_globals if frame else {}
+        self.nearest = nearest_name(error)
         self.texts = [node.value for node in nodes if isinstance(node, ast.Constant)]
         self.is_taken = frame is not None and callable(frame.f_globals.get(self.name))
         self.is_given = self.function in FUNCTIONS and self.name in IMPORTS[FUNCTIONS[self.function].file].split()
 
     @property
+    def other_form(self) -> str:
+        """What the file is that Python cannot read, if it is no Python."""
+        with suppress(OSError, TypeError):
+            text = Path(self.error.filename).read_text(encoding="utf-8", errors="replace").lstrip("\ufeff \n\t")
+            if any(line.startswith(CONFLICT) for line in text.splitlines()):
+                return BOTH_VERSIONS
+            compact = "".join(text[:100].split())
+            return next((words for begin, words in OTHER_FORMS.items() if compact.startswith(begin)), "")
+        return ""
+
+    @property
+    def newer(self) -> str:
+        """What in the line only a newer Python reads."""
+        line, own = (self.error.text or "").strip(), f"{sys.version_info[0]}.{sys.version_info[1]}"
+        for version, pattern, words in NEWER:
+            if sys.version_info < version and re.search(pattern, line):
+                return f"Python {version[0]}.{version[1]} and later ones read {words}. This is Python {own}."
+        return ""
+
+    @property
     def takes(self) -> str:
         """Which values the function takes that was called with others, if the student's code knows it."""
         name = self.text.partition("(")[0].rpartition(".")[2]
-        called = self.frame.f_globals.get(name) if self.frame else None
+        called = {**self.frame.f_globals, **self.frame.f_locals}.get(name) if self.frame else None
         with suppress(TypeError, ValueError):
             names = [*inspect.signature(called).parameters]
-            return f"{name} takes {len(names)} value{'s' * (len(names) != 1)}, in this order: {', '.join(names)}."
+            if len(names) == 1:
+                return f"{name} takes 1 value: {names[0]}."
+            return f"{name} takes {len(names)} values, in this order: {', '.join(names)}."
         return ""
 
     @property
@@ -90,7 +120,8 @@ class Seen:
         found: list[str] = []
         with suppress(tokenize.TokenError, SyntaxError):
             for token in tokenize.generate_tokens(io.StringIO((self.error.text or "").strip()).readline):
-                found += [token.string] * (token.type in (tokenize.NAME, tokenize.NUMBER, tokenize.OP))
+                if token.type in (tokenize.NAME, tokenize.NUMBER, tokenize.OP):
+                    found.append(token.string)
         return found if self.text.startswith("invalid syntax") else []
 
     @property
@@ -114,13 +145,11 @@ def of_error(error, frames, function) -> tuple[str, str]:
 
     frames are the student's (frame, line) pairs that it has passed. What the function calls is right.
     """
-    names = [frame.f_code.co_name for frame, _ in frames]
-    own = len(names) - 1 - names[::-1].index(function) if function in names else len(names) - 1
-    called = names[own + 1] if own + 1 < len(names) else ""
-    if called in FUNCTIONS or called == "swing_update":
-        code = frames[own + 1][0].f_code
+    own = [i for i, (frame, _) in enumerate(frames) if is_students(frame.f_code.co_name, function)]
+    if own and own[-1] + 1 < len(frames):
+        code = frames[own[-1] + 1][0].f_code
         given = ", ".join(code.co_varnames[: code.co_argcount])
-        return "", f"This line calls {called} with a value that it cannot use. It takes, in this order: {given}."
+        return "", f"This line calls {code.co_name} with a value that it cannot use. It takes, in this order: {given}."
     seen = Seen(error, *(frames[-1] if frames else (None, 0)))
     meaning = next((words for kind, words in MEANING.items() if isinstance(error, kind)), "")
     if isinstance(error, SyntaxError) and seen.text != "invalid syntax":
@@ -140,109 +169,3 @@ def nodes_of(frame, line) -> list:
         return []
     first, last = (line, line) if hasattr(around[-1], "body") else (around[-1].lineno, around[-1].end_lineno)
     return [node for node in nodes if first <= getattr(node, "lineno", 0) <= last]
-
-
-def of_code(code, function) -> str:
-    """Return the first fact of hints.CODE about a function, or ""."""
-    with suppress(SyntaxError, ValueError, IndexError, AttributeError, RecursionError, MemoryError):  # also no function
-        tree = ast.parse(dedent(code.source[:MOST_CODE])).body[0]
-        found = {name: (line, what) for name, line, what in [*facts(tree, function)][::-1]}
-        for name, (names, words) in CODE.items():
-            if name in found and function in (names.split() or [function]):
-                line, what = found[name]
-                return words.format(what, line=line + code.line - 1)
-    return ""
-
-
-def is_idle(node) -> bool:
-    """Return whether a statement changes no result: a docstring, a print, or an if that only raises an error."""
-    if isinstance(node, ast.If):
-        return not node.orelse and isinstance(node.body[0], ast.Raise)
-    value = node.value if isinstance(node, ast.Expr) else None
-    return isinstance(value, ast.Constant) or getattr(getattr(value, "func", None), "id", "") == "print"
-
-
-def working(node, above=()):
-    """Yield the nodes in a node that change something, each with the nodes around it."""
-    for child in ast.iter_child_nodes(node):
-        if not is_idle(child):
-            yield child, (*above, node)
-            yield from working(child, (*above, node))
-
-
-def facts(function, name):
-    """Yield facts about a function (its tree): the name of the row, the line, and what is named."""
-    pairs = [*working(function)]
-    nodes = [node for node, _ in pairs]
-    stores = [node for node in nodes if isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Store)]
-    yield from line_facts(pairs)
-    yield from name_facts(function, [node for node in nodes if isinstance(node, ast.Name)])
-    names = {*(one.attr for one in nodes if isinstance(one, ast.Attribute)), *map(id_of, nodes)}
-    calls = [one for one in nodes if isinstance(one, ast.Call)]
-    called = {id_of(one.func) or getattr(one.func, "attr", "") for one in calls}
-    reads = [one.lineno for one in calls if id_of(one.func) == "extract_and_convert"]
-    yield from (("read again", line, "") for line in reads[1:])
-    made = max((one.lineno for one in calls if id_of(one.func) == "make_pendulum"), default=1e9)
-    late = [one.lineno for one in stores if getattr(one.slice, "value", "") == "theta" and one.lineno > made]
-    yield from (("late theta", line, "") for line in late)
-    numbers = {one.value for one in nodes if isinstance(one, ast.Constant)}
-    returned = [one.value for one in nodes if isinstance(one, ast.Return)]
-    for row, is_so in (
-        ("no return", FUNCTIONS[name].returns and all(getattr(one, "value", one) is None for one in returned)),
-        ("no swing", "swing_update" not in called),
-        ("no tick", not {"full_swing_update", "swing_update"} & called),
-        ("not stored", "update" not in names and "omega" not in {getattr(one.slice, "value", "") for one in stores}),
-        ("no radius", "radius" not in names),
-        ("no 1.05", not {1.05, 0.05} & numbers and "BUFFER" not in names),
-    ):
-        if is_so:
-            yield row, function.lineno, ""
-
-
-def id_of(node) -> str:
-    """Return the name that a node is, or ""."""
-    return getattr(node, "id", "")
-
-
-def line_facts(pairs):
-    """Yield facts about lines, blocks and loops, as facts does."""
-    stores = [one.id for one, _ in pairs if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store)]
-    inside = [one for loop, _ in pairs if isinstance(loop, LOOPS) for one in ast.walk(loop)]
-    used = {id_of(one) for use in inside if isinstance(use, (ast.Compare, ast.Subscript)) for one in ast.walk(use)}
-    for node, above in pairs:
-        value, loops = getattr(node, "value", None), [one for one in above if isinstance(one, LOOPS)]
-        if isinstance(node, ast.Expr) and isinstance(value, ast.Compare):
-            yield "compared", node.lineno, ""
-        if isinstance(node, ast.Expr) and isinstance(value, (ast.Name, ast.Attribute)):
-            yield "only named", node.lineno, ast.unparse(value)
-        if isinstance(node, LOOPS) and loops:
-            yield "two loops", node.lineno, ""
-        if isinstance(node, ast.For) and isinstance(getattr(getattr(node.iter, "slice", None), "value", None), int):
-            yield "one element", node.lineno, ast.unparse(node.iter)
-        called = id_of(node.func) if isinstance(node, ast.Call) else ""
-        if called in IN_LOOPS and loops:
-            yield IN_LOOPS[called], node.lineno, ""
-        block = getattr(above[-1], "body", ()) if isinstance(node, ast.stmt) else ()
-        if node in block and any(isinstance(one, ENDS) for one in block[: block.index(node)]):
-            yield "never runs", node.lineno, ""
-        name = id_of(node.targets[0]) if isinstance(node, ast.Assign) else ""
-        elements = [one for one in loops if name and name == id_of(getattr(one, "target", None))]
-        is_pend = any("range" not in ast.unparse(one.iter) for one in elements)
-        if is_pend or name and isinstance(value, ast.Dict) and name in map(id_of, value.values):
-            yield "new value", node.lineno, name
-        if stores.count(name) == 1 and name in used and isinstance(value, ast.Constant) and not loops:
-            yield "counter", node.lineno, name
-
-
-def name_facts(function, names):
-    """Yield facts about the names in a function, as facts does."""
-    arguments = [one.arg for one in function.args.args]
-    for one in arguments:
-        first = {type(node.ctx): node.lineno for node in sorted(names, key=lambda node: -node.lineno) if node.id == one}
-        if ast.Load not in first and not (one == "r_param" and function.name.startswith("handle")):
-            yield "no parameter", function.lineno, one
-        if first.get(ast.Store, 1e9) < first.get(ast.Load, 1e9):
-            yield "lost parameter", first[ast.Store], one
-    for node in names:
-        if CONSTANTS.get(node.id) in arguments:
-            yield "constant", node.lineno, node.id

@@ -1,19 +1,31 @@
 """The grade from the outcomes of the checks, for people and for a gradebook."""
 
-import re
 from collections import Counter
+from itertools import chain
 from textwrap import wrap
+from typing import NamedTuple
 
-from grading.grader import checks, FAILED, FAULT, PASSED, WAITING
+from grading.grader import checks, FAILED, FAULT, PASSED, STEPS, WAITING
 from grading.handout import FUNCTIONS, highest, SUITES
-from grading.hints import PYTHON, STEPS
 from support.start.output import in_one_line
 from support.start.preview import missing_in
 
-PRINTED = 10  # lines that are shown of what a solution has printed
+PRINTED = 5  # lines that are shown of what a solution has printed
+SCREEN = 40  # lines of a screen; the first one has the dots of pytest, and the last one its counts
+MOST_ROWS = 16  # of the trace table
+MORE = " " * 7  # in front of the lines of the next step
 BOOKS = "In Python, with books:"
-NUMBERS = r" (is|are) (-?[\d.]\S*|vector\(.*\)), not | wrong\.$"  # in a sentence about numbers
-LAST = 9  # lines of the next step; below it, pytest has one more
+# Ranks of what is said, among those of the rows of a trace table.
+ALWAYS = -1
+FACTS = 0.15
+WORDS = 5
+
+
+class Part(NamedTuple):
+    """Lines of the next step. If there is no room for all parts, those of the highest rank are left out."""
+
+    rank: float
+    lines: list[str]
 
 
 def grade(outcomes) -> dict:
@@ -28,18 +40,21 @@ def grade(outcomes) -> dict:
         if states:
             counts = {"passed": states[PASSED], "waiting": states[WAITING], "failed": states[FAILED] + states[FAULT]}
             tiers[tier] = {**counts, "points": states[PASSED], "of": len(checks(tier=tier))}
-    points, most = ({tier: counts[key] for tier, counts in tiers.items()} for key in ("points", "of"))
-    step, more = next_step(outcomes)
+    points = {tier: counts["points"] for tier, counts in tiers.items()}
+    most = {tier: counts["of"] for tier, counts in tiers.items()}
+    step, parts = next_step(outcomes)
+    more = "\n".join(line for part in parts for line in part.lines)
     return {"tiers": tiers, "grade": highest(points, most), "next": step, "more": more}
 
 
 def made_checks(outcomes) -> list:
     """Return the checks that have an outcome, in the order of the handout."""
-    return [check for tier in SUITES for check in checks(tier=tier) if check.name in outcomes]
+    every = chain.from_iterable(checks(tier=tier) for tier in SUITES)
+    return [check for check in every if check.name in outcomes]
 
 
-def next_step(outcomes) -> tuple[str, str]:
-    """Return the next step, and more words about it.
+def next_step(outcomes) -> tuple[str, list[Part]]:
+    """Return the next step, and more about it.
 
     It is a file that Python cannot read, else the first function with a mistake, else the first that is not written.
     """
@@ -47,25 +62,49 @@ def next_step(outcomes) -> tuple[str, str]:
     for check in [*mistakes_in(outcomes), *made]:
         function, outcome = FUNCTIONS[check.function], outcomes[check.name]
         if outcome.state == FAULT:
-            return f"show your teacher the grader's fault in {check.name}", ""
+            return f"show your teacher the grader's fault in {check.name}", []
         if outcome.state == FAILED:
             step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
-            dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
-            hint = outcome.hint or (STEPS.get(check.name, "") if re.search(NUMBERS, outcome.wrong) else "")
-            lines = [f"{outcome.wrong}{dot} {hint}".strip(), *[outcome.values] * bool(outcome.values)]
-            lines += [STEPS[check.function], BOOKS]
-            lines += [f"  {code}" for code, names in PYTHON.items() if check.function in names.split()]
-            return step, "\n".join(lines)
+            return step, explanation(check, outcome)
         if outcome.is_unwritten:
-            return f"{check.function} in {outcome.place}", f"read in the handout: {function.read}"
+            return f"{check.function} in {outcome.place}", explanation(check, outcome)
     for check in made:
         if outcomes[check.name].state == WAITING:
-            return f"{outcomes[check.name].cause}, which {check.function} waits for", ""
+            return f"{outcomes[check.name].cause}, which {check.function} waits for", []
     for tier in SUITES:
         if len([check for check in made if check.tier == tier]) < len(checks(tier=tier)):
-            return f"run all checks of tier {tier}", ""
+            return f"run all checks of tier {tier}", []
     left = missing_in("double_cradle", "visualize_double_cradle_run")  # without checks
-    return "all functions with a check are right", f"The double cradle still needs {left}." * bool(left)
+    more = [Part(ALWAYS, [f"The double cradle still needs {left}."])] if left else []
+    return "all functions with a check are right", more
+
+
+def explanation(check, outcome) -> list[Part]:
+    """Return what a student reads about a check that is not passed, in this order."""
+    if outcome.is_unwritten:
+        read = f"Read in the handout: {FUNCTIONS[check.function].read}."
+        return [Part(ALWAYS, [read]), *step_parts(check.function)]
+    dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
+    parts = [Part(ALWAYS, [f"{outcome.wrong}{dot} {outcome.hint}".strip()])]  # an error, or the exact result
+    if outcome.cause:  # a file that Python cannot read: nothing else matters
+        return parts
+    if outcome.help:
+        parts.append(Part(FACTS, [outcome.help]))
+    if outcome.rows:
+        parts.append(Part(ALWAYS, ["Your code, line by line:"]))
+        best = sorted(outcome.rows, key=lambda row: row[0])[:MOST_ROWS]
+        parts += [Part(rank, lines) for rank, lines in outcome.rows if [rank, lines] in best]
+    parts += [Part(FACTS, [fact]) for fact in outcome.facts]
+    return [*parts, *step_parts(check.function)]
+
+
+def step_parts(function) -> list[Part]:
+    """Return the steps of a function, and lines of Python that show what it needs."""
+    words, python = STEPS[function]
+    parts = [Part(WORDS, [f"The steps: {words}"])]
+    if python:
+        parts.append(Part(WORDS + 1, [BOOKS, *(f"{MORE}  {line}" for line in python)]))
+    return parts
 
 
 def mistakes_in(outcomes) -> list:
@@ -87,41 +126,72 @@ def words(outcomes, printed, columns, note) -> list[tuple[str, str]]:
         rows = [in_one_line(row) for row in printed.get(first.name, "").splitlines()]
         if len(rows) > PRINTED:
             rows[PRINTED:] = [f"... ({len(rows)} lines in all)"]
-        lines = [(rule(first.title, "_", columns), "red"), *((f"printed     {row}", "") for row in rows), *message]
+        lines = [(rule(first.title, "_", columns), "red")]
+        lines += [(shorten(f"printed     {row}", columns), "") for row in rows] + message
     made = [] if lines else made_checks(outcomes)
     places = {check.function: outcomes[check.name].place for check in made if outcomes[check.name].place}
-    lines += [(rule("Not written yet", "=", columns), "")] * bool(places)
+    if places:
+        lines.append((rule("Not written yet", "=", columns), ""))
     lines += [(f"{function} in {place}", "yellow") for function, place in places.items()]
-    return [*lines, (rule("Grade", "=", columns), ""), *table(outcomes, columns, note)]
+    lines.append((rule("Grade", "=", columns), ""))
+    return [*lines, *table(outcomes, columns, note, SCREEN - 2 - len(lines))]
+
+
+def shorten(text, columns) -> str:
+    """Return a text in so many columns; a long one is cut off."""
+    return text if len(text) <= columns else f"{text[: columns - 3]}..."
 
 
 def rule(title, sign, columns) -> str:
-    """Return a title with a line of signs on both sides; a long title is cut off."""
-    title = title if len(title) <= columns - 4 else f"{title[: columns - 7]}..."
-    return f" {title} ".center(columns, sign)
+    """Return a title with a line of signs on both sides."""
+    return f" {shorten(title, columns - 4)} ".center(columns, sign)
 
 
-def table(outcomes, columns, note="") -> list[tuple[str, str]]:
-    """Return the grade of outcomes as lines of text, each with its color.
+def table(outcomes, columns, note="", room=SCREEN) -> list[tuple[str, str]]:
+    """Return the grade of outcomes as lines of text, each with its color. There is room for so many lines.
 
     Without the first tier, they say which tiers are complete, in place of the grade.
     """
     graded = grade(outcomes)
-    rows, verdict = [(f"{'tier':<12}{'passed':>8}{'waiting':>9}{'failed':>8}{'points':>10}", "bold")], []
+    rows = [(f"{'tier':<12}{'passed':>8}{'waiting':>9}{'failed':>8}{'points':>10}", "bold")]
+    verdict = []
     for tier, counts in graded["tiers"].items():
-        is_complete = counts["points"] == counts["of"]
         points = f"{counts['points']}/{counts['of']}"
         line = f"{tier:<12}{counts['passed']:>8}{counts['waiting']:>9}{counts['failed']:>8}{points:>10}"
-        rows.append((line, "green" if is_complete else "red" if counts["failed"] else "yellow"))
-        verdict.append(f"Tier {tier} is {'' if is_complete else 'not '}complete.")
+        if counts["points"] == counts["of"]:
+            rows.append((line, "green"))
+            verdict.append(f"Tier {tier} is complete.")
+        else:
+            rows.append((line, "red" if counts["failed"] else "yellow"))
+            verdict.append(f"Tier {tier} is not complete.")
     if next(iter(SUITES)) in graded["tiers"]:
         verdict = [f"Grade: {graded['grade'] or 'none yet'}."]
     causes = Counter(each.cause for each in outcomes.values() if each.state == WAITING and not each.place)
     rows += [(f"{n} check{'s wait' if n > 1 else ' waits'} for {cause}", "yellow") for cause, n in causes.items()]
     hints = [*(one.hint for one in outcomes.values() if one.state == PASSED), note]
-    notes = sum((wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=" " * 7) for hint in hints), [])
-    lines = [("Next:  ", f"{graded['next']}."), *((" " * 7, line) for line in graded["more"].split("\n"))]
-    steps = [wrap(line, columns, initial_indent=begin, subsequent_indent=" " * 7) for begin, line in lines]
-    while len(steps) > 2 and (sum(map(len, steps)) > LAST or steps[-1] == [f"{' ' * 7}{BOOKS}"]):
-        steps.pop()
-    return [*rows, *((line, "bold") for line in [*verdict, *notes, *sum(steps, [])])]
+    notes = sum((wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=MORE) for hint in hints), [])
+    above = [*rows, *((line, "bold") for line in [*verdict, *notes])]
+    step, parts = next_step(outcomes)
+    lines = wrap(f"Next:  {step}.", columns, subsequent_indent=MORE)
+    parts = [Part(part.rank, wrapped(part.lines, columns)) for part in parts]
+    for part in fitting(parts, room - len(above) - len(lines)):
+        lines += part.lines
+    return [*above, *((line, "bold") for line in lines)]
+
+
+def wrapped(lines, columns) -> list[str]:
+    """Return lines in columns; those that are indented already, as in a trace table, stay as they are."""
+    found = []
+    for line in lines:
+        found += [line] if line.startswith(" ") else wrap(line, columns, initial_indent=MORE, subsequent_indent=MORE)
+    return found
+
+
+def fitting(parts, room) -> list[Part]:
+    """Return the parts for which there is room, those of the lowest ranks, in their order."""
+    kept = []
+    for i in sorted(range(len(parts)), key=lambda i: (parts[i].rank, i)):
+        if parts[i].rank == ALWAYS or len(parts[i].lines) <= room:
+            kept.append(i)
+            room -= len(parts[i].lines)
+    return [parts[i] for i in sorted(kept)]

@@ -9,21 +9,23 @@ import importlib
 import re
 import traceback
 from collections.abc import Callable
+from contextlib import redirect_stderr, redirect_stdout, suppress
 from errno import ENOSPC
+from io import StringIO
 from textwrap import wrap
 from typing import Any, NamedTuple
-from unittest.mock import patch
 
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.comparing import both, fits, mistake_in, OTHER_FORM, words_of
+from grading.comparing import are_pendula, both, fits, is_exchanged, mistake_in, number_of, OTHER_FORM, words_of
 from grading.evidence import words_for
-from grading.handout import FUNCTIONS, needed, SUITES
-from grading.hints import RESULTS
+from grading.handout import FUNCTIONS, is_students, needed, SUITES
+from grading.line_by_line import Explained, WrongCall
 from grading.messages import about, Call, COLUMNS, damage, end_of, error_lines, message, plain, PlainFile, shown
-from grading.own_process import code_of, MissingError, OwnProcess, working_in
 from grading.raised import Place, StoppedError
+from grading.students_code import code_of, MissingError, StudentsCode, working_in
+from grading.watch import EndlessError, Watch
 from support.start.output import in_one_line
 
 
@@ -33,19 +35,18 @@ class Check(NamedTuple):
     tier: str
     function: str  # the name of the function that is checked
     ask: Callable  # calls the function; raises WrongError or WaitError
-    others_wait: bool  # for it, if their functions use this one
 
 
 CHECKS: dict[str, Check] = {}  # by name, in the order of the suites
 
 
-def check(function, others_wait=True) -> Callable:
-    """Return a decorator that makes a check of this function; if it fails and others_wait, those that use it wait."""
+def check(function) -> Callable:
+    """Return a decorator that makes a check of this function."""
 
     def add(ask):
         ask.is_check = True
         own = ask.__name__, ask.__doc__, FUNCTIONS[function].tier
-        CHECKS[ask.__name__] = Check(*own, function, ask, others_wait)
+        CHECKS[ask.__name__] = Check(*own, function, ask)
         return ask
 
     return add
@@ -65,6 +66,8 @@ class WrongError(Exception):
         """lines are (label, text) pairs, result has the words for the exact result, and raised is what stopped it."""
         super().__init__(wrong)
         self.call, self.lines, self.result, self.raised = call, lines, result, raised
+        self.help = ""  # what the check says about this call
+        self.right: tuple = ()  # pairs of a part of the handout's formula, and its value in this call
 
 
 class WaitError(Exception):
@@ -76,22 +79,52 @@ class WaitError(Exception):
         self.place, self.raised = place, raised
 
 
-runner = OwnProcess()
-KNOWN: list[tuple] = []  # the rows of hints.RESULTS for the current check
+class Steps(NamedTuple):
+    """How to write a function, in words, and lines of Python about books that show what it needs."""
+
+    words: str
+    python: tuple[str, ...]
+
+
+STEPS: dict[str, Steps] = {}  # by the function
+
+
+def steps(function, words, *python) -> None:
+    """Give the steps of a function, for students who have not written it, or have written something wrong."""
+    STEPS[function] = Steps(words, python)
+
+
+runner = StudentsCode()
 NOTES: list[str] = []  # sentences for a student whose solution is right
 
 
-def expect(function, *arguments, wanted, see=None, what="", notes=(), times=1) -> Any:
+def expect(function, *arguments, help="", right=(), **expected) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
+
+    help    a sentence about this call, for a student whose result is wrong
+    right   pairs of a part of the handout's formula, and its value in this call
+    The other options are those of compared.
+    """
+    try:
+        return compared(function, *arguments, **expected)
+    except WrongError as error:
+        error.help, error.right = help, right
+        raise
+
+
+def compared(function, *arguments, wanted, see=None, what="", results=(), notes=(), times=1) -> Any:
+    """Do what expect does.
 
     wanted  the right value: a Wanted, or a value for same
     see     returns the value to compare, from the result or the arguments; without see, it is the result
     what    the name of this value, in words
+    results pairs of a wrong result, or a test of it, and words about it
     notes   pairs of a test of a right result, and a sentence
     times   the number of calls; a result gives the first arguments of the next one
     """
     call = Call(function, tuple(map(plain, arguments)), times)
-    expected, returns = ("expected", about(what, wanted)), FUNCTIONS[function].returns
+    words = number_of(wanted) if are_pendula(wanted) and not what else about(what, wanted)
+    expected, returns = ("expected", words), FUNCTIONS[function].returns
     result = run(call, arguments, expected)
     has_changed = any(isinstance(one, PlainFile) and plain(one.path) != one for one in call.arguments)
     if has_changed or runner.has_written and function != "main":  # the handout lets main write into NC_FP
@@ -106,15 +139,19 @@ def expect(function, *arguments, wanted, see=None, what="", notes=(), times=1) -
         found = see(result) if see else result
     except OTHER_FORM as error:
         form = f"This has the wrong form ({type(error).__name__}: {error})."
-        lines = [("came back", [*shown(result).split("\n") * bool(returns), form]), expected]
+        came_back = [*shown(result).split("\n"), form] if returns else form
+        lines = [("came back", came_back), expected]
         is_key = isinstance(error, KeyError)
         sentence = f"A pendulum has no key {error}." if is_key else f"{what or 'The result'} cannot be read."
         for i, one in enumerate(result if isinstance(result, list) else ()):
             sentence = sentence if isinstance(one, dict) else mistake_in(f"pend_list[{i}]", one, {})
-        raise WrongError(sentence, call, lines, words_of(result, KNOWN)) from None
+        raise WrongError(sentence, call, lines, words_of(result, results)) from None
     if not fits(found, wanted):
         sentence = mistake_in(what or returns, found, wanted)
-        raise WrongError(sentence, call, both(what, found, wanted), words_of(found, KNOWN))
+        words = words_of(found, results)
+        if not words and is_exchanged(found, wanted):
+            words = "These are the right values, in another order."
+        raise WrongError(sentence, call, both(what, found, wanted), words)
     NOTES.extend(sentence for test, sentence in notes if fits(found, test))
     return result
 
@@ -150,8 +187,8 @@ def run(call, arguments, expected) -> Any:
 
 
 def place_of(raised, function) -> Place | None:
-    """Return the place of an error in a student's files, in this function if it has passed it; None if it has none."""
-    own = [place for place in raised.places if place.function == function] or raised.places
+    """Return the innermost place of an error in what the student wrote for this function; None if it has none."""
+    own = [place for place in raised.places if is_students(place.function, function)] or raised.places
     return own[-1] if own else None
 
 
@@ -165,7 +202,9 @@ class Outcome(NamedTuple):
     hint: str = ""  # of a check that passes, a note
     cause: str = ""  # the functions or the file that a check waits for, or the file that makes it fail
     wrong: str = ""  # in a sentence
-    values: str = ""  # of the names in the line that stopped, in words
+    help: str = ""  # of the check
+    rows: list = []  # of the trace tables, as pairs of a rank and lines; a low rank comes first  # noqa: RUF012
+    facts: list = []  # sentences about what was seen  # noqa: RUF012
 
     @property
     def is_unwritten(self) -> bool:
@@ -175,9 +214,7 @@ class Outcome(NamedTuple):
 class Grading:
     """The outcomes of the checks. Each check is made once."""
 
-    def __init__(self, search=None):
-        """search looks for a change of the first function that fails with which its checks pass, as one_change does."""
-        self.search = search
+    def __init__(self):
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
         self.hung: set[str] = set()  # functions that went over a limit: they are not called again
         self.broken: dict[str, str] = {}  # files that cannot be imported, and the file that is the cause
@@ -196,32 +233,29 @@ class Grading:
         waits = [name for name in needed(check.function) if self.is_wrong(name)]
         if waits:
             # Find out whether the function is written; skip this if a function hangs.
-            with patch.object(self, "search", None):  # what this call says is not shown
-                outcome = None if self.hung else self.make(checks(function=check.function)[0])
+            outcome = None if self.hung else self.make(checks(function=check.function)[0])
             is_own = outcome and (outcome.is_unwritten or outcome.cause in self.broken.values())
             return outcome if is_own else waiting(", ".join(waits))
         return waiting(check.function) if check.function in self.hung else self.make(check)
 
     def is_wrong(self, function) -> bool:
-        """Return whether the function is not written, or one of its own checks fails for which others wait."""
-        outcomes = [self.judge(check) for check in checks(function=function) if check.others_wait]
+        """Return whether the function is not written, or one of its own checks fails."""
+        outcomes = [self.judge(check) for check in checks(function=function)]
         return any(each.is_unwritten or each.state in (FAILED, FAULT) and not each.cause for each in outcomes)
 
     def make(self, check) -> Outcome:
         """Make a check, and return its outcome."""
         NOTES.clear()
-        KNOWN[:] = RESULTS.get(check.name, {}).values()
         if FUNCTIONS[check.function].file in self.broken:
             return waiting(self.broken[FUNCTIONS[check.function].file])
         try:
-            with limits.patience(limits.PATIENCE), limits.without_ends(), working_in(runner.folder.name):
-                check.ask()
+            ask(check)
         except WrongError as error:
             return self.failed(check, error)
         except WaitError as error:
             return self.broken_by(check, error) if error.raised else waiting(str(error), error.place)
         except BaseException as error:
-            if limits.PRESSED.is_set() or getattr(error, "errno", 0) == ENOSPC:
+            if limits.PRESSED.is_set() or limits.DEBUGGED.is_set() or getattr(error, "errno", 0) == ENOSPC:
                 raise
             lines = ["This is a fault of the grader, not of your code. Please show it to your teacher."]
             return Outcome(FAULT, "\n".join([*lines, traceback.format_exc(limit=-3).rstrip()]))
@@ -229,7 +263,8 @@ class Grading:
 
     def failed(self, check, error) -> Outcome:
         """Return the outcome of a check that raised this WrongError. The first one of a function has a hint."""
-        raised, file, code = error.raised, FUNCTIONS[check.function].file, code_of(check.function)
+        raised, code = error.raised, code_of(check.function)
+        file = FUNCTIONS[check.function].file
         place = place_of(raised, check.function) if raised else None
         if raised and raised.limit:
             self.hung.add(check.function)
@@ -237,21 +272,20 @@ class Grading:
         others = [name for name in code.names if name in earlier and not self.hung and self.is_wrong(name)]
         if others:  # the function uses others than those that the handout asks for
             return waiting(", ".join(others))
-        search, self.search = None if self.hung else self.search, None
-        wrong, hint, line = error_lines(raised)[0] if raised and not raised.limit else f"{error}", "", 0
+        wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
         before = [self.outcomes[each.name] for each in checks(function=check.function) if each.name in self.outcomes]
+        hint, seen = "", None
         if not any(each.state == FAILED for each in before):
-            known, at = (raised, error.result, f"{error}"), place.line if place else 0
-            hint, line = words_for(*known, code, check.function, lambda: search and search(check, at))
-        values = f"Here, {place.values}." if place and place.values and not line else ""
-        if line or not place:
-            line = line or code.line
-            place = f"{file}, line {line}" if line else file
-        index = re.search(r"pend_list\[(\d+)\]", f"{error}")
-        called = error.call.lines(int(index[1]) if index else 0)
+            hint = words_for(raised, error.result, f"{error}", code, check.function)
+            seen = line_by_line(check, error)
+        line = place.line if place else seen and seen.line or code.line
+        place = f"{file}, line {line}" if line else file
+        called = error.call.lines(index_in(f"{error}") or 0)
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
         text = message([("wrong", f"{error}"), ("called", called), *error.lines, ("read", read)])
-        return Outcome(FAILED, text, f"{place}", in_one_line(hint), wrong=wrong, values=in_one_line(values))
+        rows = [[row.rank, row.lines] for row in seen.rows] if seen else []
+        facts = seen.facts if seen else []
+        return Outcome(FAILED, text, f"{place}", in_one_line(hint), "", wrong, error.help, rows, facts)
 
     def broken_by(self, check, error) -> Outcome:
         """Return the outcome of a check whose file cannot be imported: the first one fails, and the others wait."""
@@ -260,14 +294,58 @@ class Grading:
         self.broken[FUNCTIONS[check.function].file] = file
         if not is_first:
             return waiting(file)
-        hint, wrong, place, code = raised.hint or raised.meaning, raised.limit or error_lines(raised)[0], file, []
+        hint = raised.hint or raised.meaning
+        wrong = raised.limit or error_lines(raised)[0]
+        place, code = file, []
         own = [each for each in raised.places if each.function in ("", "<module>")]
         for each in ([each for each in own if each.file == file] or own)[-1:]:
             place, code = f"{each}", [f"    {each.code}"]
+            if raised.mark:
+                code.append(f"    {raised.mark}")
             if own[-1] is not raised.places[-1]:
                 hint = "This line stands outside of all functions, so it runs when Python reads the file. Remove it."
         lines = [f"{place}:", *code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
         return Outcome(FAILED, "\n".join(lines), place, hint, file, wrong)
+
+
+def ask(check) -> None:
+    """Let a check call the student's functions, within limits."""
+    runner.count = 0
+    with limits.patience(limits.PATIENCE), limits.without_ends(), working_in(runner.folder.name):
+        check.ask()
+
+
+def line_by_line(check, error) -> Explained | None:
+    """Make a check that fails once more, and watch the call that is wrong; return None if nothing is certain.
+
+    error is the WrongError of the check. The student's code prints nothing.
+    """
+    raised = error.raised
+    if limits.DEBUGGED.is_set() or isinstance(raised and raised.error, MemoryError):
+        return None
+    runner.watch = Watch(is_endless=bool(raised and raised.limit))
+    runner.watched = runner.count
+    try:
+        with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
+            ask(check)
+    except WrongError as again:
+        is_same = (f"{again}", again.call.lines()) == (f"{error}", error.call.lines())
+        if runner.watch.runs and (is_same or isinstance(runner.watch.error, EndlessError)):
+            index = index_in(f"{error}")
+            with suppress(Exception):  # a student's values may say nothing of themselves
+                call = WrongCall(check.function, f"{error}", runner.watch, runner.arguments, index, error.right)
+                return call.explained()
+    except (WaitError, KeyboardInterrupt):
+        pass
+    finally:
+        runner.watch = None
+    return None
+
+
+def index_in(sentence) -> int | None:
+    """Return the index of the pendulum in question, as a sentence has it: "bob[2] is ..."."""
+    found = re.search(r"\b(?:pend_list|axle|bob)\[(\d+)\]", sentence)
+    return int(found[1]) if found else None
 
 
 def waiting(cause, place="") -> Outcome:

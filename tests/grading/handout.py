@@ -20,6 +20,12 @@ class Function(NamedTuple):
     calls: tuple[str, ...] = ()  # the other functions here that it uses
     reads: tuple[str, ...] = ()  # keys of a pendulum that messages show
     returns: str = ""  # names of what it returns; without, it returns nothing
+    given: tuple[str, ...] = ()  # functions that it uses, and that are there
+
+    @property
+    def uses(self) -> tuple[str, ...]:
+        """The functions that it calls itself."""
+        return self.given or self.calls
 
 
 SPECIAL, SWINGING = "src/special_cradles.py", "src/swinging.py"
@@ -31,9 +37,9 @@ COLLISIONS = "Handling Collisions (B Tests), and Appendix: Conservation Laws"
 RUNNING, CHALLENGE = "Running the Simulation (A Tests)", "Honor Roll Challenge"
 
 
-def maker(parameters, uses) -> Function:
-    """Return a function that makes a pend_list from a CSV, and uses this other function."""
-    return Function("D", SPECIAL, parameters, CREATION, (uses,), returns="pend_list")
+def maker(parameters, uses, *given) -> Function:
+    """Return a function that makes a pend_list from a CSV, and uses this other function, and those that are given."""
+    return Function("D", SPECIAL, parameters, CREATION, (uses,), returns="pend_list", given=given)
 
 
 # In the order of the handout.
@@ -43,10 +49,16 @@ FUNCTIONS = {
     "uniform_e_newton_cradle": maker("relative_filepath, e_val", "extract_and_convert"),
     "elastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
     "inelastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
-    "make_newton_cradle": maker("relative_filepath, r_param, theta_init", "extract_and_convert"),
+    "make_newton_cradle": maker("relative_filepath, r_param, theta_init", "extract_and_convert", "make_pendulum"),
     "angle_update": Function("C", SWINGING, "omega, theta, r_param, dt, g", SWING, returns="omega_new, theta_new"),
     "full_swing_update": Function(
-        "C", SWINGING, "pend_list, r_param, dt, g", SWING, ("angle_update",), ("theta", "omega")
+        "C",
+        SWINGING,
+        "pend_list, r_param, dt, g",
+        SWING,
+        ("angle_update",),
+        ("theta", "omega"),
+        given=("swing_update",),
     ),
     "handle_collision": Function(
         *("B", RUN, "e, omega1, omega2, m1, m2, r_param", COLLISIONS), returns="new_omega1, new_omega2"
@@ -62,11 +74,19 @@ FUNCTIONS = {
     "make_double_pendulum": Function(
         *(HONOR, DOUBLE, "axle_pos, r_param, theta, phi, color, texture", CHALLENGE),
         returns="axle, bob1, cord1, bob2, cord2",
+        given=("make_pendulum",),
     ),
     "double_angle_update": Function(
         *(HONOR, DOUBLE, "omega_theta, omega_phi, theta, phi, r_param, dt, g, m1, m2", CHALLENGE),
         returns="omega_theta, omega_phi, theta, phi",
+        given=("double_accelerations",),
     ),
+}
+
+# The functions that a starter provides in src/ beside these.
+GIVEN = {
+    *("write_to_csv", "swing_update", "make_double_newton_cradle"),
+    *("double_accelerations", "double_swing_update", "double_cradle_tick"),
 }
 
 # The names that the files of the handout import.
@@ -83,3 +103,8 @@ def needed(function) -> list[str]:
     """Return all functions that this one uses, directly or not, in the order of the handout."""
     found = {name for called in FUNCTIONS[function].calls for name in (called, *needed(called))}
     return [name for name in FUNCTIONS if name in found]
+
+
+def is_students(name, function) -> bool:
+    """Return whether a student wrote a function of this name for this one of the handout: itself, or a helper."""
+    return name == function or name not in FUNCTIONS and name not in GIVEN

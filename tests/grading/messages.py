@@ -21,6 +21,7 @@ FILE, ROWS = 8, 4  # lines of the longest file that is shown whole, and lines sh
 LINES = 5  # lines shown of a result, and of an expected value
 MOST_CHARACTERS, MOST_PARTS = 300, 10_000  # shown of a text, and of a value
 
+SHAPES = {box: "an axle", sphere: "a bob", cylinder: "a cord"}
 FORMS = {list: "a list", tuple: "a tuple", dict: "a dictionary", str: "text", bool: "a bool", type(None): "None"}
 
 
@@ -59,7 +60,10 @@ class Call(NamedTuple):
         for name, value in zip(function.parameters.split(", "), self.arguments, strict=False):
             is_long = value and isinstance(value, (PlainFile, dict, list))
             words.append(name if is_long else f"{name}={shown(value)}")
-            below += value_lines(name, value, function.reads, index) if is_long else []
+            if is_long:
+                below += value_lines(name, value, function.reads, index)
+                if isinstance(value, PlainFile) and self.function != "extract_and_convert":
+                    below = [f"{name} is the path of {Path(value.path).name}"]  # the pendula say what is in it
         return [*wrap(f"{self.function}({', '.join(words)})", COLUMNS - LABEL), *below]
 
 
@@ -87,8 +91,9 @@ def value_lines(name, value, keys, index=0) -> list[str]:
     if isinstance(value, list):
         some = [0, 1, max(2, index)][: len(value)]
         lines = [line for i in some for line in value_lines(f"{name}[{i}]", value[i], keys)]
-        return [*lines, *[f"... ({len(value)} in all)"] * (len(value) > len(some))]
-    return [f"{name}: " + ", ".join(f"{key} {shown(value[key])}" for key in keys if key in value)]
+        return [*lines, f"... ({len(value)} in all)"] if len(value) > len(some) else lines
+    digits = {"bob": 4}
+    return [f"{name}: " + ", ".join(f"{key} {shown(value[key], digits.get(key, 6))}" for key in keys if key in value)]
 
 
 def damage(before, names, arguments):
@@ -103,8 +108,10 @@ def damage(before, names, arguments):
             now = plain(value)
             lost = [] if not isinstance(now, dict) else sorted(old.keys() - now.keys() - {"axle", "bob", "radius"})
             if not isinstance(now, dict) or lost or "objects" in now or "bob" not in now:
-                words = f"without {lost[0]}" if lost else "with other objects" if isinstance(now, dict) else shown(now)
-                yield f"{name}: {words}"
+                if lost:
+                    yield f"{name}: without {lost[0]}"
+                else:
+                    yield f"{name}: {'with other objects' if isinstance(now, dict) else shown(now)}"
 
 
 def shown(value, digits=6) -> str:
@@ -122,7 +129,9 @@ def shown(value, digits=6) -> str:
 def form_of(value) -> str:
     """Return the form of a value in words."""
     words = [words for kind, words in FORMS.items() if isinstance(value, kind)]
-    return words[0] if words else "a number" if isinstance(value, Real) else f"a {type(value).__name__}"
+    if words:
+        return words[0]
+    return "a number" if isinstance(value, Real) else f"a {type(value).__name__}"
 
 
 def text_of(value, digits, parts) -> str:
@@ -134,16 +143,20 @@ def text_of(value, digits, parts) -> str:
         return f"{value + 0:.{digits}g}"  # no -0
     if isinstance(value, vector):
         return f"vector({', '.join(text_of(number, digits, parts) for number in value.value)})"
-    if isinstance(value, (box, sphere, cylinder)):
-        return "an axle" if isinstance(value, box) else "a bob" if isinstance(value, sphere) else "a cord"
+    if type(value) in SHAPES:
+        return SHAPES[type(value)]
     if isinstance(value, dict):
-        rows = [[text_of(each, digits, parts) for each in pair] for pair in islice(value.items(), MOST_ELEMENTS)]
-        return "{" + joined([f"{key}: {part}" for key, part in rows], value, value.values()) + "}"
+        rows = []
+        for key, part in islice(value.items(), MOST_ELEMENTS):
+            rows.append(f"{text_of(key, digits, parts)}: {text_of(part, digits, parts)}")
+        return "{" + joined(rows, value, value.values()) + "}"
     if isinstance(value, (list, tuple)):
         has_dictionaries = isinstance(value, list) and any(isinstance(part, dict) for part in value)
         most = DICTIONARIES if has_dictionaries else MOST_ELEMENTS
         text = joined([text_of(part, digits, parts) for part in value[:most]], value, value)
-        return f"[{text}]" if isinstance(value, list) else f"({text}{',' * (len(value) == 1)})"
+        if isinstance(value, list):
+            return f"[{text}]"
+        return f"({text},)" if len(value) == 1 else f"({text})"
     text = repr(value)
     return text if len(text) <= MOST_CHARACTERS else text[:MOST_CHARACTERS] + "..."
 
@@ -173,7 +186,9 @@ def message(pairs) -> str:
     """Return pairs of a label and a sentence (or a list of lines) as one text, without those that have no text."""
     rows = []
     for label, text in pairs:
-        lines = wrap(text, COLUMNS - LABEL) if isinstance(text, str) else "\n".join(text).split("\n")
+        lines = []
+        for line in [text] if isinstance(text, str) else "\n".join(text).split("\n"):
+            lines += wrap(line, COLUMNS - LABEL) or [""]
         rows += [f"{label if i == 0 else '':<{LABEL}}{line}" for i, line in enumerate(lines) if text]
     return "\n".join(rows)
 
@@ -181,8 +196,9 @@ def message(pairs) -> str:
 def own_lines(places) -> list[str]:
     """Return places in a student's own files as lines of text."""
     lines = []
-    for file, line, function, code, _ in places:
-        lines += [f"{file}, line {line}{', in ' * bool(function)}{function}", f"    {code}"]
+    for file, line, function, code in places:
+        place = f"{file}, line {line}"
+        lines += [f"{place}, in {function}" if function else place, f"    {code}"]
     return lines if len(lines) <= 4 else [*lines[:2], "...", *lines[-2:]]
 
 

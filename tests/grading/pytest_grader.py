@@ -8,7 +8,6 @@ import os
 import sys
 import threading
 from argparse import ArgumentTypeError
-from functools import partial
 from pathlib import Path
 from shutil import get_terminal_size
 from unittest.mock import patch
@@ -20,10 +19,10 @@ import pytest
 from grading.grade import grade, made_checks, words
 from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import SUITES
-from grading.search import one_change
 from support.constants import NC_FP
 from support.files.cradle_csv import check_cradle
 from support.files.data_file import whole_file
+from support.start.checks_command import checks_command
 
 OUTCOME = "outcome of a check"  # the name under which a report has it
 RAN: dict[str, Outcome] = {}  # the outcomes of this run's checks, by name, as they are reported
@@ -35,8 +34,6 @@ def pytest_addoption(parser):
     text = "run the graded suite of one tier only: D, C, B, A or honor"
     group.addoption("--tier", type=tier_name, metavar="TIER", help=text)
     group.addoption("--grade-json", metavar="FILE", help="write the grade to FILE")
-    text = "do not look for a change with which the checks of a wrong function pass (at most 6 s)"
-    group.addoption("--no-search", action="store_true", help=text)
 
 
 def tier_name(text) -> str:
@@ -53,25 +50,16 @@ def pytest_configure(config):
     for word in map(str, config.invocation_params.args):
         if word.startswith("-") and word.endswith("=--"):  # up to Python 3.12, its value is an empty list
             raise pytest.UsageError(f"found {word!r}, allowed is no -- after =")
-    is_off = config.option.no_search or config.option.grade_json is not None
-    config.grading = Grading(None if is_off else partial(search, config))
+    config.grading = Grading()
     RAN.clear()
     for word in config.args:
         if not Path(word.partition("::")[0]).exists():
-            raise pytest.UsageError(f"found {word!r}, which is no file. Type pytest, or for one tier: pytest --tier C")
+            command = checks_command()
+            words = f"Type {command}, or for one tier: {command} --tier C"
+            raise pytest.UsageError(f"found {word!r}, which is no file. {words}")
     file = config.option.grade_json
     if file is not None and (Path(file).is_dir() or not Path(file).parent.is_dir()):
         raise pytest.UsageError(f"--grade-json: found {file!r}, allowed is a file in a folder that is there")
-
-
-def search(config, check, line):
-    """Look for one change with which all checks of a function pass, and say so."""
-    terminal = config.pluginmanager.get_plugin("terminalreporter")
-    if terminal:  # a process of xdist's has none
-        with config.pluginmanager.get_plugin("capturemanager").global_and_fixture_disabled():
-            words = f"Looking for one change with which all checks of {check.function} pass ..."
-            terminal.write_line("\n" * bool(terminal.stats) + words)
-    return one_change(check, line)
 
 
 def pytest_ignore_collect(collection_path, config):
@@ -173,7 +161,8 @@ def pytest_terminal_summary(terminalreporter, config):
     for line, color in words_of_run(config):
         terminalreporter.line(line, **{color: True} if color else {})
     if not RAN and config.session.exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED:
-        terminalreporter.write_line(f"The checks are not here. Type: cd {config.rootpath} && pytest", red=True)
+        where = "" if Path.cwd() == config.rootpath else f"cd {config.rootpath} && "
+        terminalreporter.write_line(f"The checks are not here. Type: {where}{checks_command()}", red=True)
     if hasattr(config, "not_written"):
         terminalreporter.write_line(config.not_written, red=True)
 

@@ -3,7 +3,6 @@
 import re
 import traceback
 from contextlib import suppress
-from difflib import get_close_matches
 from linecache import getline, getlines
 from pathlib import Path
 from typing import NamedTuple
@@ -11,10 +10,8 @@ from typing import NamedTuple
 from grading.begin import ROOT
 
 from grading import limits
-from grading.evidence import of_error
+from grading.evidence import nearest_name, of_error
 from grading.handout import FUNCTIONS
-from grading.messages import MOST_CHARACTERS
-from grading.values import values_at
 from support.start.preview import stubs_in
 
 ENDLESS, ENDING = "Does a loop in it ever end?", "This line ends the whole program. Remove it; return ends a function."
@@ -28,7 +25,6 @@ class Place(NamedTuple):
     line: int
     function: str  # "" for a line that is no Python
     code: str
-    values: str = ""  # of the names in it, in words
 
     def __str__(self):
         return f"{self.file}, line {self.line}"
@@ -39,7 +35,8 @@ class StoppedError(Exception):
 
     def __init__(self, error, function):
         """function is "" if the error stopped the import."""
-        self.function, self.kind = function, type(error).__name__
+        self.error, self.function = error, function
+        self.kind = type(error).__name__
         try:
             self.text = error.msg if isinstance(error, SyntaxError) else f"{error}{nearest_name(error)}"
         except Exception:
@@ -49,6 +46,7 @@ class StoppedError(Exception):
         self.ends = isinstance(error, (SystemExit, KeyboardInterrupt))  # it ends the whole program
         self.culprit = culprit_of(error, f"{self.text}", self.places)  # the file of src/ that made an import fail
         self.stub, self.hint = stub_of(error)  # the function that is not written yet, and the words, if they are known
+        self.mark = mark_of(error)  # a line below the code that Python cannot read
         self.meaning = ""  # what an error of this kind means
         if self.ends:
             self.hint = ENDLESS if self.limit else ENDING
@@ -57,17 +55,15 @@ class StoppedError(Exception):
                 self.hint, self.meaning = of_error(error, frames, function)
 
 
-def nearest_name(error) -> str:
-    """Return which name is nearest to one that does not exist, in the words of Python 3.12, or ""."""
-    name, names = getattr(error, "name", None) or "", []
-    if isinstance(error, NameError) and error.__traceback__:
-        frame = [frame for frame, _ in traceback.walk_tb(error.__traceback__)][-1]
-        names = [*frame.f_locals, *frame.f_globals]
-    elif isinstance(error, AttributeError):
-        names = dir(error.obj)
-    lower = {each.lower(): each for each in reversed(names)}
-    near = get_close_matches(name.lower(), lower, n=1, cutoff=0.8)
-    return f". Did you mean: '{lower[near[0]]}'?" if near else ""
+def mark_of(error) -> str:
+    """Return a line with a mark below the place in the code that Python cannot read, or ""."""
+    if not isinstance(error, SyntaxError) or not error.text or not error.offset:
+        return ""
+    code = error.text.rstrip()
+    begin = error.offset - 1 - (len(code) - len(code.lstrip()))
+    is_in_line = error.end_lineno == error.lineno and (error.end_offset or 0) > error.offset
+    width = error.end_offset - error.offset if is_in_line else 1
+    return " " * begin + "^" * width if 0 <= begin <= len(code) else ""
 
 
 def own_places(error) -> tuple[tuple[Place, ...], list]:
@@ -79,10 +75,7 @@ def own_places(error) -> tuple[tuple[Place, ...], list]:
     # ROOT is resolved, for example to the share behind a drive on Windows. "<string>" is no file.
     files = [(Path(place.file).resolve(), place, at) for place, at in places if Path(place.file).is_absolute()]
     own = [each for each in files if each[0].is_relative_to(ROOT / "src")][:MOST_PLACES]
-    found = []
-    for file, place, at in own:
-        values = values_at(at, place.line, isinstance(error, NameError)) if at else ""
-        found.append(place._replace(file=file.relative_to(ROOT).as_posix(), values=values[:MOST_CHARACTERS]))
+    found = [place._replace(file=file.relative_to(ROOT).as_posix()) for file, place, _ in own]
     return tuple(found), [(at, place.line) for _, place, at in own if at]
 
 

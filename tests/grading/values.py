@@ -1,66 +1,118 @@
-"""The values in a student's code where it stopped, in words."""
+"""The values in a student's code, in a few words."""
 
-import ast
 import os
-from contextlib import suppress
-from itertools import islice
-from numbers import Real
-from types import ModuleType
+from types import BuiltinFunctionType, FrameType, FunctionType, MethodType, ModuleType
 
+from pandas import DataFrame
 from vpython import box, cylinder, sphere, vector
 
-from grading.evidence import nodes_of
 from grading.messages import form_of, shown
 
-SHORT, MOST_VALUES, MOST_KEYS = 50, 160, 7  # characters of a value that is shown whole, and of all values; keys
+SHORT = 48  # characters of a value that is shown whole
+SHAPES = box, sphere, cylinder
+MOST_ELEMENTS = 5  # shown of a tuple
+MOST_KEYS = 3  # shown of a dictionary
 
 
-def in_words(value) -> str:
-    """Return a value in a few words: "a list of 3 pendula"."""
-    if isinstance(value, dict) and value:
-        keys = ", ".join([*map(shown, islice(value, MOST_KEYS)), *["..."] * (len(value) > MOST_KEYS)])
-        return "a pendulum (a dictionary)" if "mass" in value else f"a dictionary with the keys {keys}"
-    if isinstance(value, list) and value:
-        are_pendula = all(isinstance(one, dict) and "mass" in one for one in value[:20])
-        one, more = ("pendulum", "pendula") if are_pendula else ("element", "elements")
-        return f"a list of {len(value)} {one if len(value) == 1 else more}"
+def kind_of(shape) -> str:
+    """Return which part of a pendulum a shape is."""
+    return shown(shape).partition(" ")[2]
+
+
+def names_in(frame: FrameType) -> dict[int, str]:
+    """Return the code that gives each dictionary and each list of a frame, by their ids: "pend_list[1]"."""
+    found: dict[int, str] = {}
+    parameters = frame.f_code.co_varnames[: frame.f_code.co_argcount]
+    names = frame.f_locals
+    for name in parameters:
+        if type(names.get(name)) in (dict, list):
+            found.setdefault(id(names[name]), name)
+    for name, value in names.items():
+        for key, one in elements_of(value):
+            if type(one) is dict:
+                found.setdefault(id(one), f"{name}[{key!r}]")
+    for name, value in names.items():
+        if type(value) in (dict, list):
+            found.setdefault(id(value), name)
+    return found
+
+
+def elements_of(value) -> list[tuple]:
+    """Return the indexes and elements of a list or a tuple, or the keys and values of a dictionary of dictionaries."""
+    if type(value) in (list, tuple):
+        return [*enumerate(value)]
+    return [*value.items()] if type(value) is dict else []
+
+
+def in_words(value, names=None) -> str:
+    """Return a value in a few words: "a list of 3 pendula". names is from names_in."""
+    names = names or {}
+    if isinstance(value, dict):
+        return names.get(id(value)) or dictionary_in_words(value)
+    if isinstance(value, list):
+        text = list_in_words(value, names)
+        return f"{names[id(value)]}, {text}" if id(value) in names else text
+    if isinstance(value, tuple) and len(value) <= MOST_ELEMENTS:
+        return tuple_in_words(value, names)
+    if isinstance(value, vector):
+        return f"({', '.join(shown(number, 4) for number in value.value)})"
+    return object_in_words(value) or plain_in_words(value)
+
+
+def tuple_in_words(value, names) -> str:
+    """Return a short tuple; shapes alone are named without their places."""
+    if value and all(isinstance(one, SHAPES) for one in value):
+        return f"({', '.join(kind_of(one) for one in value)})"
+    return f"({', '.join(in_words(one, names) for one in value)})"
+
+
+def object_in_words(value) -> str:
+    """Return a value that has no short text of its own, or ""."""
+    if isinstance(value, SHAPES):
+        return f"{kind_of(value)} at {in_words(value.pos)}"
+    if isinstance(value, DataFrame):
+        return f"a table of {len(value)} rows"
+    if isinstance(value, (FunctionType, BuiltinFunctionType, type)):
+        return f"the function {value.__name__}: a call has ( )"
+    if isinstance(value, MethodType):
+        return f"the method {value.__name__}: a call has ( )"
+    if isinstance(value, ModuleType):
+        return f"the module {value.__name__}"
+    return ""
+
+
+def plain_in_words(value) -> str:
+    """Return a number, a text, or another value: its form, if its text is long."""
     if isinstance(value, str) and os.path.isfile(value):
         return f"the path of {os.path.basename(value)}"
     text = shown(value)
-    if len(text) > SHORT or "\n" in text or " at 0x" in text:
-        return form_of(value)
-    return f"the text {text}" if isinstance(value, str) else text
+    is_long = len(text) > SHORT or "\n" in text or " at 0x" in text
+    return form_of(value) if is_long else text
 
 
-def value_of(node, names):
-    """Return the value of a name, an element or a part of an object; raise a LookupError if it is none of these."""
-    if isinstance(node, ast.Name):
-        return names[node.id]
-    if isinstance(node, ast.Constant):
-        return node.value
-    whole = value_of(node.value, names) if isinstance(node, (ast.Subscript, ast.Attribute)) else None
-    if isinstance(node, ast.Subscript) and type(whole) in (dict, list, tuple):
-        return whole[value_of(node.slice, names)]
-    if isinstance(node, ast.Attribute) and isinstance(whole, (box, sphere, cylinder, vector)):
-        return getattr(whole, node.attr)
-    raise LookupError
+def dictionary_in_words(value) -> str:
+    """Return a dictionary with its first keys."""
+    if not value:
+        return "{ }, empty"
+    parts = []
+    for key in [*value][:MOST_KEYS]:
+        part = value[key]
+        parts.append(f"{shown(key)}: {'{...}' if isinstance(part, dict) else in_words(part)}")
+    if len(value) > MOST_KEYS:
+        parts.append("...")
+    return f"{{{', '.join(parts)}}}"
 
 
-def values_at(frame, line, only_names) -> str:
-    """Return the values of the names and elements in this line of a frame, in words, or only all names of the frame."""
-    if only_names:
-        return f"these names have a value: {', '.join(islice(frame.f_locals, 12))}"
-    found, inner, text = {}, set(), ""
-    with suppress(Exception):  # a line of no file
-        for node in nodes_of(frame, line):
-            if isinstance(getattr(node, "ctx", None), ast.Load) and node not in inner:
-                with suppress(LookupError, TypeError, AttributeError):
-                    found.setdefault(ast.unparse(node), value_of(node, frame.f_locals))
-                    inner.update(ast.walk(node))
-    for name, value in sorted(found.items(), key=lambda pair: isinstance(pair[1], Real)):  # numbers last
-        with suppress(Exception):  # a value that says nothing of itself
-            if not callable(value) and not isinstance(value, ModuleType):
-                text += f"{', ' * bool(text)}{name} is {in_words(value)}"
-        if len(text) > MOST_VALUES:
-            return f"{text}, ..."
-    return text
+def list_in_words(value, names) -> str:
+    """Return a short list of plain values whole, and of another one how many elements it has."""
+    if not value:
+        return "[ ], empty"
+    if all(isinstance(one, dict) and "mass" in one for one in value):
+        is_one = len(value) > 1 and len({id(one) for one in value}) == 1
+        same = ", all the same one" if is_one else ""
+        return "a list of 1 pendulum" if len(value) == 1 else f"a list of {len(value)} pendula{same}"
+    if len(value) <= MOST_ELEMENTS and not any(isinstance(one, (dict, list, tuple)) for one in value):
+        text = f"[{', '.join(in_words(one, names) for one in value)}]"
+        if len(text) <= SHORT:
+            return text
+    return "a list of 1 element" if len(value) == 1 else f"a list of {len(value)} elements"

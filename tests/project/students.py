@@ -9,9 +9,10 @@ from make_starter import make_starter
 from programs import python
 from wrong_solutions import PLAIN
 
-from grading.handout import FUNCTIONS
+from grading.grader import checks
+from grading.handout import FUNCTIONS, SUITES
 
-COUNTS = {"D": 16, "C": 6, "B": 12, "A": 12, "Honor roll": 7}  # checks of each tier
+COUNTS = {tier: len(checks(tier=tier)) for tier in SUITES}
 
 CALLS = "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "newton_cradle_tick(pend_list, R_PARAM, DT, G)"
 

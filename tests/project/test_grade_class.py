@@ -282,15 +282,22 @@ def test_a_class_is_graded_goes_on_and_forgets_who_is_gone(solved, starter, tmp_
     took = "took swinging-1.py as swinging.py, left swinging.py"
     assert [row["problems"] for row in rows.values()] == ["", "", "", f"{NONE}src/a.txt", took]
     assert rows["bea"]["next"].startswith("angle_update in src/swinging.py, line ")
-    for student, words in [("ann", "Grade: Honor roll."), ("bea", "Grade: D."), ("eve", "UTF-8")]:
+    for student, words in [("ann", "Grade: Honor roll."), ("bea", "Your code, line by line:"), ("eve", "UTF-8")]:
         assert words in (out / f"{student}.txt").read_text(encoding="utf-8")
-    assert "    1  The sign of gravity is wrong. Gravity pulls the bob back down. (angle_update)\n" in printed
+    assert (
+        "    1  This is the result with + in front of the acceleration. Gravity pulls the bob back down: -. (angle_update)\n"
+        in printed
+    )
     assert "Honor roll           1\n" in printed
     assert os.name == "nt" or stat.S_IMODE(out.stat().st_mode) == 0o700
     result = json.loads((tmp_path / "gradescope" / "bea" / "results.json").read_text())
     (test,) = (test for test in result["tests"] if test["name"].startswith("C: angle_update: Takes in"))
     assert (test["score"], test["max_score"], "wrong       omega_new is 4, not 2." in test["output"]) == (0, 1, True)
-    assert result["score"] == sum(test["score"] for test in result["tests"]) == 35
+    assert (
+        result["score"]
+        == sum(test["score"] for test in result["tests"])
+        == COUNTS["D"] + COUNTS["B"] + COUNTS["Honor roll"]
+    )
     assert result["max_score"] == sum(COUNTS.values())
 
     whole, *others = sorted((out / "results.jsonl").read_text().splitlines())  # the first one is ann's
@@ -469,4 +476,5 @@ def test_the_autograder_grades_a_solution_and_holds_no_answers(tmp_path, main, s
         subprocess.run(["bash", tmp_path / "source" / "setup.sh"], check=True, capture_output=True)
     subprocess.run(["bash", tmp_path / "run_autograder"], check=True, capture_output=True, timeout=2 * SECONDS)
     results = json.loads((tmp_path / "results" / "results.json").read_text())
-    assert (results["score"], results["max_score"]) == (4, sum(COUNTS.values()))
+    convert = len(checks(function="extract_and_convert"))
+    assert (results["score"], results["max_score"]) == (convert, sum(COUNTS.values()))

@@ -1,6 +1,11 @@
 """The output of `pytest` in a student's folder, on 80 columns: missing functions, and mistakes."""
 
+import os
 import re
+import subprocess
+import sys
+from contextlib import suppress
+from pathlib import Path
 from textwrap import dedent
 
 import pytest
@@ -8,7 +13,7 @@ from programs import python, slow_but_for
 from students import change, write
 from wrong_solutions import PLAIN
 
-from grading.grade import table
+from grading.grade import SCREEN, table
 from grading.grader import checks, FAILED, FAULT, Outcome, PASSED
 from grading.handout import FUNCTIONS, SUITES
 
@@ -42,7 +47,7 @@ def test_with_x_a_fresh_starter_stops_at_the_first_function(starter):
     assert rows[-1].startswith("1 waiting in ")
 
 
-def test_a_mistake_is_told_on_a_screen_and_again_in_the_last_ten_lines(starter):
+def test_a_mistake_is_told_on_a_screen(starter):
     """pytest shows only the printed lines of the first mistake. Above the next step is a note about the CSV."""
     body = PLAIN["make_newton_cradle"].replace("r_param, pend['theta']", "r_param, theta_init")
     body = "for i in range(25):\n    print('row', i)\n" + dedent(body)
@@ -51,24 +56,26 @@ def test_a_mistake_is_told_on_a_screen_and_again_in_the_last_ten_lines(starter):
     change(starter / "src/visualize_cradle_run.py", "page.csv,", "__import__('support.constants').constants.NC_FP,")
     status, rows = run(starter)
     assert status == 1
-    assert len(rows) <= 40 + 11 + 3  # with the printed lines and the note
+    assert len(rows) <= SCREEN
     shown = section(rows, "Use one relevant helper function to create the tuple of objects.")
-    assert shown[:11] == [*(f"printed     row {i}" for i in range(10)), "printed     ... (25 lines in all)"]
+    assert shown[:6] == [*(f"printed     row {i}" for i in range(5)), "printed     ... (25 lines in all)"]
     assert "called      make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.6)" in shown
     assert not [row for row in rows if "collision" in row and "printed" in row]
-    number = (starter / "src/special_cradles.py").read_text().partition("def make_newton_cradle")[0].count("\n") + 1
-    last, whole = (" ".join(row.strip() for row in part) for part in (rows[-10:], rows))
+    before = (starter / "src/special_cradles.py").read_text().partition("make_pendulum(axle_pos")[0]
+    number = before.count("\n") + 1
+    whole = " ".join(row.strip() for row in rows)
     for words in (
         f"Next:  make_newton_cradle in src/special_cradles.py, line {number}.",
         "(m) of bob[1] is vector(0.225857, -0.330134, 0), not vector(0, -0.4, 0).",
         "All bobs are lifted. make_pendulum must get the theta of each pendulum, and not",
     ):
-        assert words in last
+        assert words in whole
     assert "Note:  your CSV has a mistake. newton_cradle_pends.csv, line 3, column color: found 'grey'" in whole
 
 
 WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5, not 6.")
 ERROR = WRONG._replace(wrong="E: f.", hint="Do.")
+SEEN = WRONG._replace(help="It is so.", rows=[[0, ["    7  a = 5"]]], facts=["No line has set it."])
 
 
 @pytest.mark.parametrize(
@@ -80,7 +87,11 @@ ERROR = WRONG._replace(wrong="E: f.", hint="Do.")
         ("B", WRONG._replace(hint="Do."), ["Next:  handle_collision in a.py, line 7.", "       A is 5, not 6. Do."]),
         ("B", ERROR, ["       The steps: both omegas become linear velocities; the two formulas of the"]),
         ("A", WRONG._replace(wrong="A."), ["       In Python, with books:"]),
-        ("C", WRONG, ["       A is 5, not 6. With omega = 3, theta = 2.61799, r_param = 0.4, dt = 0.1"]),
+        (
+            "C",
+            SEEN,
+            ["       It is so.", "       Your code, line by line:", "    7  a = 5", "       No line has set it."],
+        ),
     ],
 )
 def test_the_grade_and_the_next_step(tiers, outcome, words):
@@ -95,7 +106,7 @@ MAIN = 'if __name__ == "__main__":\n    from'
 BROKEN = {  # a file and what is put into it, and the words that pytest prints about it, and no others
     "a bracket": (
         *("special_cradles", "    return pend_list", "    x = (1"),
-        "src/special_cradles.py, line {}: x = (1 SyntaxError: '(' was never closed",
+        "src/special_cradles.py, line {}: x = (1 ^ SyntaxError: '(' was never closed",
     ),
     "a circle": (
         *("swinging", "from support", f"{CIRCLE}\nfrom support"),
@@ -130,6 +141,50 @@ def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter,
     assert last.startswith("1 failed, ")
 
 
+PYTHON = Path(sys.executable).as_posix()
+
+
+NO_PYTHON = {  # the content of a file, and what pytest says about it
+    "<!DOCTYPE html>\n<html>": "This file is no Python: it is a web page. Download the file itself.",
+    "{\\rtf1 def": "This file is no Python: it is a text of a word processor (RTF). Save it as plain text.",
+    "x = 1\n<<<<<<< HEAD\nx = 2\n=======\n": "This file is no Python: it is two versions, which git has put together.",
+    "d = {'a': 1}\nx = f'{d['a']}'\n": "Python 3.12 and later ones read the same quotes inside of the { } of an f-string.",
+    "x = sin 2\n": "A function needs ( ) around its values: sin(2).",
+}
+
+
+@pytest.mark.parametrize("content", slow_but_for([*NO_PYTHON][:1], NO_PYTHON))
+def test_a_file_that_is_no_python_is_named_as_what_it_is(starter, content):
+    if "f'" in content and sys.version_info >= (3, 12):
+        pytest.skip("this Python reads it")
+    (starter / "src/swinging.py").write_text(content)
+    _, rows = run(starter, "--tier", "C")
+    assert NO_PYTHON[content] in " ".join(rows)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no pty")
+@pytest.mark.parametrize("debug", ["breakpoint()", "import pdb; pdb.set_trace()"])
+def test_a_debugger_has_its_prompt_in_a_terminal(starter, debug):
+    """Without a terminal, breakpoint does nothing: the other tests have none."""
+    write(starter, *FUNCTIONS, angle_update=f"if g == 8: {debug}\n{dedent(PLAIN['angle_update'])}")
+    status, rows = run(starter, "--tier", "C")
+    assert status == 0, rows
+    ours, theirs = os.openpty()
+    command = [sys.executable, *PYTEST, "--tier", "C"]
+    with subprocess.Popen(command, cwd=starter, stdin=theirs, stdout=theirs, stderr=theirs) as process:
+        os.close(theirs)
+        seen = b""
+        while b"(Pdb) " not in seen:
+            seen += os.read(ours, 1000)
+        os.write(ours, b"p omega\nc\n")
+        with suppress(OSError):  # the terminal is closed
+            while True:
+                seen += os.read(ours, 1000)
+    os.close(ours)
+    assert (process.returncode, b"3.0" in seen, b"Tier C is complete." in seen) == (0, True, True)
+
+
 def hides(name):
     return lambda folder: (folder / name).parent.mkdir(exist_ok=True) or (folder / name).touch()
 
@@ -140,11 +195,13 @@ SAID = {  # what a student does to the folder, a command of Python, and a line t
     "no assert": (str, ("-O", *PYTEST), "Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out"),
     "no folder": (str, (*PYTEST, "--grade-json", "no/a.json"), "--grade-json: found 'no/a.json', allowed is a file in"),
     "its folder": (str, (*PYTEST, "--grade-json", "src"), "--grade-json: found 'src', allowed is a file in a folder"),
-    "no checks": (str, (*PYTEST, "src"), "The checks are not here. Type: cd {} && pytest"),
+    "no checks": (str, (*PYTEST, "src"), f"The checks are not here. Type: {PYTHON} -m pytest"),
+    "unittest": (str, ("-m", "unittest"), f"unittest does not find the checks. Type {PYTHON} -m pytest to run them."),
+    "a suite": (str, ("tests/test_d.py",), f"These are checks. Type {PYTHON} -m pytest to run them."),
     "a test hides a module": (hides("tests/statistics.py"), PYTEST, "tests/statistics.py hides the module statistics"),
     "a folder hides a module": (hides("pandas/__init__.py"), PYTEST, "pandas hides the module pandas from Python"),
     "no support": (lambda path: (path / "support").rename(path / "src/support"), PYTEST, "support is not beside src"),
-    "a file without a program": (str, ("src/swinging.py",), "This file has only functions. Type pytest to check them,"),
+    "a file without a program": (str, ("src/swinging.py",), f"This file has only functions. Type {PYTHON} -m pytest"),
     "no value": (str, (*PYTEST, "--grade-json=--"), "found '--grade-json=--', allowed is no -- after ="),
     "no tier": (str, (*PYTEST, "--tier", "E"), "argument --tier: found 'E', allowed is D, C, B, A or honor"),
 }

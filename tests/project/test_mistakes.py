@@ -87,7 +87,7 @@ def check_end(status, stderr, name):
     """Check that a program has ended with this mistake, and that stderr has no line of support/."""
     file, _, _, function, line, error = MISTAKES[name]
     *_, place, text, last, more = [each for each in stderr.splitlines() if not re.fullmatch(r"[ ^~]+", each)]
-    assert more == "Type pytest: it says more about mistakes."
+    assert re.fullmatch(r"Type .*\bpytest: it says more about mistakes\.", more)
     assert re.search(rf'{file.name}", line \d+, in {function}$', place)
     assert (status, line in text, last[: len(error)], "support" in stderr) == (1, True, error, False)
 

@@ -27,6 +27,7 @@ from src import special_cradles, visualize_cradle_run, visualize_double_cradle_r
 from support.constants import R_PARAM, THETA_INIT
 from support.page.page import show_cradle, show_double_cradle
 from support.pendulum import to_lift
+from support.start.checks_command import checks_command
 from support.start.early import import_later, stop_on_signals
 from support.start.output import complain, say, while_it_is_read
 
@@ -217,6 +218,9 @@ def test_each_signal_ends_a_program_once_with_its_status_unless_it_is_ignored_or
     assert handlers == {}
 
 
+MORE = f"Type {checks_command()}: it says more about mistakes."
+
+
 def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
     csv.write_text(MIXED_CSV)
     monkeypatch.setattr(pds_tester, "NC_FP", str(csv))
@@ -230,7 +234,7 @@ def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
     assert "does a loop in extract_and_convert never end?" in call(pds_tester.main, capsys)[2]
     monkeypatch.setattr("src.pds_helper.pd", Mock(**{"read_csv.side_effect": KeyError("mas")}))
     status, _, stderr = call(pds_tester.main, capsys)
-    assert (status, stderr.splitlines()[-2:]) == (1, ["KeyError: 'mas'", "Type pytest: it says more about mistakes."])
+    assert (status, stderr.splitlines()[-2:]) == (1, ["KeyError: 'mas'", MORE])
 
 
 @pytest.fixture

@@ -16,6 +16,7 @@ BEGIN, PROGRAM = "src.begin", "src.text_cradle_run"
 # The other rooms that the modules of a room, or one module, may import.
 MAY_IMPORT = {
     "support": set(),
+    "support.__init__": {"support.start"},
     "support.files": {"support"},
     "support.start": {"support", "support.files"},
     "support.cradle": {"support", "support.files", "support.start"},

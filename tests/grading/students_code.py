@@ -14,7 +14,9 @@ from unittest.mock import patch
 
 from grading import limits
 from grading.handout import FUNCTIONS
+from grading.instrument import watched
 from grading.raised import StoppedError
+from grading.watch import Watch
 
 # The CSV that solutions read instead of the shipped one; each pendulum has another mass.
 SHIPPED_CSV = "mass,e,theta,omega,color,texture\n" + "".join(f"{i}.25,0.5,0.0,0.0,cyan,none\n" for i in range(1, 6))
@@ -33,8 +35,8 @@ class MissingError(Exception):
     """A file lacks the function that the handout asks for."""
 
 
-class OwnProcess:
-    """Finds and calls the student's functions.
+class StudentsCode:
+    """Finds and calls the student's functions, in the process of the grader.
 
     They find a CSV of the grader in place of newton_cradle_pends.csv: yours may have a mistake, and stays as it is.
     """
@@ -44,6 +46,10 @@ class OwnProcess:
         self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
         self.shipped.write_text(SHIPPED_CSV)
         self.has_written = False  # whether the last call has changed this CSV, which was then put back
+        self.count = 0  # of the calls since the check began
+        self.watch: Watch | None = None  # for the call with the number watched
+        self.watched = 0
+        self.arguments: tuple = ()  # of the watched call
 
     def find(self, function) -> Callable:
         """Return a function of the handout; raise a MissingError if its file lacks it. Errors of its import pass."""
@@ -56,13 +62,21 @@ class OwnProcess:
     def run(self, function, arguments, times=1) -> Any:
         """Call a function of the handout, and return its result; raise a StoppedError if it or its import fails."""
         solution = None
+        self.count += 1
         try:
             with limits.limited_memory():
                 solution = self.find(function)
+                if self.watch and self.count == self.watched:
+                    with watched(function, self.watch):
+                        return self.repeated(solution, function, arguments, times)
                 return self.repeated(solution, function, arguments, times)
         except MissingError:
             raise
         except BaseException as error:  # also SystemExit
+            if limits.DEBUGGED.is_set() and type(error).__name__ in ("BdbQuit", "Exit"):
+                raise  # somebody has ended the debugger, and with it pytest
+            if self.watch:
+                self.watch.error = error
             raise StoppedError(error, "" if solution is None else function) from None
         finally:
             self.put_back()
@@ -70,6 +84,9 @@ class OwnProcess:
     def repeated(self, solution, function, arguments, times) -> Any:
         """Call a solution this number of times; return the last result. Each one begins the next call's arguments."""
         for _ in range(times):
+            if self.watch:
+                self.watch.begin(arguments)
+                self.arguments = arguments
             result = solution(*arguments)
             if FUNCTIONS[function].returns and isinstance(result, tuple):
                 arguments = (*result, *arguments[len(result) :])

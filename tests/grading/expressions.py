@@ -1,0 +1,159 @@
+"""The expressions in a statement that was watched: their values, in words."""
+
+import ast
+import builtins
+from contextlib import suppress
+
+from grading.messages import shown
+from grading.values import in_words, names_in
+
+# The parts of an expression whose values are noted. Into the others nobody looks: they may run later, or many times.
+PARTS = ast.Call, ast.Subscript, ast.Attribute, ast.BinOp, ast.UnaryOp, ast.Compare, ast.BoolOp
+AS_THEY_ARE = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.JoinedStr
+
+MOST_KEYS = 8  # that are shown of a dictionary
+SIGNS = {
+    ast.Lt: "<",
+    ast.LtE: "<=",
+    ast.Gt: ">",
+    ast.GtE: ">=",
+    ast.Eq: "==",
+    ast.NotEq: "!=",
+    ast.In: "in",
+    ast.NotIn: "not in",
+    ast.Is: "is",
+    ast.IsNot: "is not",
+}
+
+
+def is_part(node) -> bool:
+    """Return whether the value of a node is noted."""
+    return isinstance(node, PARTS) and isinstance(getattr(node, "ctx", ast.Load()), ast.Load)
+
+
+def place_of(node) -> tuple[int, ...]:
+    """Return the place of a node in its file."""
+    return node.lineno, node.col_offset, node.end_lineno, node.end_col_offset
+
+
+def targets_of(node) -> list[ast.expr]:
+    """Return the places that get a value in a statement, each one of a tuple alone."""
+    targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
+    found = []
+    for target in targets:
+        if isinstance(target, (ast.Tuple, ast.List)):
+            found += target.elts
+        elif target is not None:
+            found.append(target)
+    return found
+
+
+def names_in_head(node) -> set[str]:
+    """Return the names that a statement or an expression uses, without those of the statements in it."""
+    names, left = set(), [node]
+    while left:
+        one = left.pop()
+        if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Load):
+            names.add(one.id)
+        left += [child for child in ast.iter_child_nodes(one) if not isinstance(child, (ast.stmt, ast.ExceptHandler))]
+    return names
+
+
+def operations_in(node) -> list[ast.expr]:
+    """Return the parts in a statement, without those of the statements in it, in the order in which they run."""
+    found = []
+    for child in ast.iter_child_nodes(node):
+        if not isinstance(child, (ast.stmt, ast.ExceptHandler, *AS_THEY_ARE)):
+            found += operations_in(child)
+    if is_part(node):
+        found.append(node)
+    return found
+
+
+class Values:
+    """The values in a statement: those of its parts that were noted, and those of the names in its frame."""
+
+    def __init__(self, frame, parts):
+        """parts has the noted values, by their places."""
+        self.frame, self.parts = frame, parts
+        self.names = names_in(frame)
+
+    def of(self, node):
+        """Return the value of a node; raise a LookupError if it is not known."""
+        if place_of(node) in self.parts:
+            return self.parts[place_of(node)]
+        if isinstance(node, ast.Constant):
+            return node.value
+        if isinstance(node, ast.Name):
+            return self.of_name(node.id)
+        if isinstance(node, ast.Tuple):
+            return tuple(self.of(one) for one in node.elts)
+        if isinstance(node, ast.Subscript):
+            return self.of(node.value)[self.of(node.slice)]
+        if isinstance(node, ast.Attribute):
+            return getattr(self.of(node.value), node.attr)
+        raise LookupError
+
+    def of_name(self, name):
+        """Return the value of a name. A name of the function has no value before a line gives it one."""
+        code = self.frame.f_code
+        if name in self.frame.f_locals or name in code.co_varnames or name in code.co_cellvars:
+            return self.frame.f_locals[name]
+        return {**vars(builtins), **self.frame.f_globals}[name]
+
+    def stopped_at(self, statement) -> list[str]:
+        """Return the values of the operation at which a statement was stopped, in words."""
+        for node in operations_in(statement):
+            try:
+                self.of(node)
+            except Exception:  # this operation did not come to its end
+                parts = [child for child in ast.iter_child_nodes(node) if isinstance(child, ast.expr)]
+                with suppress(Exception):
+                    return [self.operand(part) for part in parts if self.is_operand(part)]
+                return []
+        return []
+
+    def is_operand(self, node) -> bool:
+        """Return whether the value of a part of an operation says something."""
+        return not isinstance(node, ast.Constant) and not callable(self.of(node))
+
+    def operand(self, node) -> str:
+        """Return the value of a part of an operation, in words; of a dictionary, its keys."""
+        code, value = ast.unparse(node), self.of(node)
+        if isinstance(value, dict):
+            return f"the keys of {code} are {', '.join(map(shown, [*value][:MOST_KEYS])) or 'none'}"
+        return f"{code} is {in_words(value, self.names_but(node))}"
+
+    def names_but(self, node) -> dict[int, str]:
+        """Return the names of dictionaries and lists, without the one that is this node."""
+        code = ast.unparse(node)
+        return {key: name for key, name in self.names.items() if name != code}
+
+    def condition(self, node, value) -> str:
+        """Return a condition that has this value: both sides of each comparison, and whether it is true."""
+        try:
+            text = self.words(node)
+        except LookupError:
+            text = ""
+        if text in ("True", "False", ""):
+            return f"{bool(value)}"
+        if isinstance(node, (ast.Compare, ast.BoolOp)):
+            return f"{text} {bool(value)}"
+        return f"{text}, so {bool(value)}"
+
+    def words(self, node) -> str:
+        """Return a condition, or a part of it, with values in place of the code."""
+        if isinstance(node, ast.Compare):
+            text = self.words(node.left)
+            for sign, side in zip(node.ops, node.comparators, strict=True):
+                text += f" {SIGNS[type(sign)]} {self.words(side)}"
+            return text
+        if isinstance(node, ast.BoolOp):
+            parts = []
+            for one in node.values:
+                with suppress(LookupError):  # it was not needed
+                    parts.append(self.words(one))
+            return (" and " if isinstance(node.op, ast.And) else " or ").join(parts)
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+            return f"not {self.words(node.operand)}"
+        return in_words(self.of(node), self.names_but(node))

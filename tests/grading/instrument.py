@@ -1,0 +1,190 @@
+"""Other code for a student's functions, which does the same, and hands its values to a Watch (watch.py).
+
+All lines keep their numbers, and nothing is computed twice.
+"""
+
+import ast
+import linecache
+import sys
+from collections import defaultdict
+from contextlib import contextmanager, ExitStack
+from copy import deepcopy
+from pathlib import Path
+from types import CodeType, FunctionType
+from unittest.mock import patch
+
+from grading.begin import ROOT
+
+from grading.expressions import AS_THEY_ARE, is_part, place_of
+from grading.handout import is_students
+from grading.watch import LOOPS, Statement
+
+SRC = ROOT / "src"
+WATCH = "__watch__"  # the name under which the changed code finds the Watch
+STORING = ast.Assign, ast.AugAssign, ast.AnnAssign, ast.Expr
+
+
+def hand(method, *arguments) -> ast.Call:
+    """Return the code that hands these to a method of the Watch: nodes, or plain values."""
+    nodes = [one if isinstance(one, ast.AST) else ast.Constant(one) for one in arguments]
+    return ast.Call(ast.Attribute(ast.Name(WATCH, ast.Load()), method, ast.Load()), nodes, [])
+
+
+def line_with(node, method, number) -> ast.Expr:
+    """Return a statement that calls a method of the Watch, at the first line of a node."""
+    end = {"end_lineno": node.lineno, "end_col_offset": node.col_offset}
+    return ast.Expr(hand(method, number), lineno=node.lineno, col_offset=node.col_offset, **end)
+
+
+class Parts(ast.NodeTransformer):
+    """Hands the values of the parts of an expression to the Watch."""
+
+    def __init__(self, number, receiver=None):
+        """number is that of the statement; a method of receiver (a node, or None) is called in it."""
+        self.number, self.receiver = number, receiver
+
+    def visit(self, node):
+        if isinstance(node, AS_THEY_ARE):
+            return node
+        new = self.generic_visit(node)
+        if isinstance(node, ast.Call):
+            new.func = hand("function", self.number, new.func)
+        if is_part(node):
+            new = hand("part", self.number, place_of(node), new)
+        return hand("receiver", self.number, new) if node is self.receiver else new
+
+
+class Changer:
+    """Changes the code of functions, and collects their statements in a Watch."""
+
+    def __init__(self, watch):
+        self.statements = watch.statements
+
+    def function(self, node) -> None:
+        """Change a function (its def)."""
+        number = self.add(node, len(self.statements), ())
+        node.body = [line_with(node, "enter", number), *self.block(node.body, number, ())]
+
+    def add(self, node, owner, loops) -> int:
+        """Note a statement; return its number."""
+        self.statements.append(Statement(deepcopy(node), owner, loops))
+        return len(self.statements) - 1
+
+    def block(self, nodes, owner, loops) -> list[ast.stmt]:
+        """Return the changed statements of a block. owner is the number of the function, loops are those around it."""
+        changed = []
+        for node in nodes:
+            if isinstance(node, ast.FunctionDef):
+                self.function(node)
+                changed.append(node)
+            elif isinstance(node, (ast.AsyncFunctionDef, ast.ClassDef)) or is_idle(node):
+                changed.append(node)
+            else:
+                changed += self.statement(node, owner, loops)
+        return changed
+
+    def statement(self, node, owner, loops) -> list[ast.stmt]:
+        """Return the statements that take the place of this one."""
+        number = self.add(node, owner, loops)
+        if isinstance(node, LOOPS):
+            loops = (*loops, number)
+        self.expressions(node, number)
+        self.blocks(node, owner, loops)
+        if isinstance(node, LOOPS):
+            node.body.insert(0, line_with(node, "turn", number))
+        if isinstance(node, (ast.If, ast.While, ast.Assert)):
+            node.test = hand("test", number, node.test)
+            return [node]
+        if isinstance(node, ast.Return) and node.value:
+            node.value = hand("gives", number, node.value)
+            return [node]
+        if isinstance(node, STORING) and node.value:
+            node.value = hand("value", number, node.value)
+            return [node, line_with(node, "done", number)]
+        if isinstance(node, (ast.For, ast.Try, ast.Match)):
+            return [node]
+        return [line_with(node, "ran", number), node]
+
+    def expressions(self, node, number) -> None:
+        """Let the expressions of a statement hand their parts to the Watch."""
+        receiver = None
+        if isinstance(node, ast.Expr) and isinstance(getattr(node.value, "func", None), ast.Attribute):
+            receiver = node.value.func.value
+        parts = Parts(number, receiver)
+        for name, child in ast.iter_fields(node):
+            if isinstance(child, ast.expr) and name != "annotation":
+                setattr(node, name, parts.visit(child))
+        if isinstance(node, ast.Assign):
+            node.targets = [parts.visit(one) for one in node.targets]
+        if isinstance(node, ast.With):
+            for item in node.items:
+                item.context_expr = parts.visit(item.context_expr)
+
+    def blocks(self, node, owner, loops) -> None:
+        """Change the blocks of a statement."""
+        for name in ("body", "orelse", "finalbody"):
+            if getattr(node, name, None):
+                setattr(node, name, self.block(getattr(node, name), owner, loops))
+        for handler in getattr(node, "handlers", []):
+            number = self.add(handler, owner, loops)
+            handler.body = [line_with(handler, "caught", number), *self.block(handler.body, owner, loops)]
+        for case in getattr(node, "cases", []):
+            case.body = self.block(case.body, owner, loops)
+
+
+def is_idle(node) -> bool:
+    """Return whether a statement changes nothing: a docstring, or a print."""
+    value = node.value if isinstance(node, ast.Expr) else None
+    return isinstance(value, ast.Constant) or getattr(getattr(value, "func", None), "id", "") == "print"
+
+
+@contextmanager
+def watched(function, watch):
+    """In the body of the with statement, all functions that the student wrote for this one are watched."""
+    by_file = defaultdict(list)
+    for each in {*own_functions(function)}:
+        by_file[each.__code__.co_filename].append(each)
+    with ExitStack() as stack:
+        for file, functions in by_file.items():
+            codes = changed_codes(file, {each.__code__.co_name for each in functions}, watch)
+            for each in functions:
+                code = codes.get((each.__code__.co_name, each.__code__.co_firstlineno))
+                if code and code.co_freevars == each.__code__.co_freevars:
+                    stack.callback(setattr, each, "__code__", each.__code__)
+                    each.__code__ = code
+                    stack.enter_context(patch.dict(each.__globals__, {WATCH: watch}))
+        yield
+
+
+def own_functions(function):
+    """Yield this function of the handout, and the student's own helpers: functions and methods in the files of src/."""
+    modules = [module for name, module in [*sys.modules.items()] if name.startswith("src.")]
+    for module in modules:
+        values = [*vars(module).values()]
+        for one in [*values]:
+            if isinstance(one, type) and one.__module__ == module.__name__:
+                values += vars(one).values()
+        for one in values:
+            if isinstance(one, FunctionType) and is_watched(one.__code__, function):
+                yield one
+
+
+def is_watched(code, function) -> bool:
+    """Return whether code is in a file of src/, and a student wrote it for this function."""
+    return Path(code.co_filename).is_relative_to(SRC) and is_students(code.co_name, function)
+
+
+def changed_codes(file, names, watch) -> dict[tuple, CodeType]:
+    """Return the changed code of the functions with these names in a file, by their names and first lines."""
+    tree = ast.parse("".join(linecache.getlines(file)))
+    blocks = [tree.body, *(node.body for node in tree.body if isinstance(node, ast.ClassDef))]
+    changer = Changer(watch)
+    for node in [node for block in blocks for node in block]:
+        if isinstance(node, ast.FunctionDef) and node.name in names:
+            changer.function(node)
+    found, codes = {}, [compile(ast.fix_missing_locations(tree), file, "exec", dont_inherit=True)]
+    while codes:
+        code = codes.pop()
+        found[code.co_name, code.co_firstlineno] = code
+        codes += [one for one in code.co_consts if isinstance(one, CodeType)]
+    return found

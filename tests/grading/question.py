@@ -1,0 +1,150 @@
+"""The value in question: where the value that a sentence of the grader names comes from, in a call that was watched."""
+
+import ast
+import re
+from collections.abc import Iterable
+
+from grading.expressions import names_in_head, operations_in, targets_of
+from grading.handout import FUNCTIONS
+from grading.values import in_words
+from grading.watch import Run, Store, Watch
+
+# What a sentence of comparing.py is about: a value of a pendulum, the keys of one, or a part of its objects.
+PEND = r"(?P<pend>(?P<name>pend\w*)(?:\[(?P<index>\d+)\])?)"
+VALUE = re.compile(rf"(?P<key>\w+) of {PEND} ")
+KEYS = re.compile(rf"{PEND} (?:misses|must not have) the key ")
+OBJECT = re.compile(r"(?P<what>\w+).* of (?:the )?(?P<part>axle|bob|cord)(?:\[| of pend_list\[)\d+\]")
+MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parameters
+
+
+class Question:
+    """Finds the lines that have set the value in question. facts are sentences about it."""
+
+    def __init__(self, function, sentence, watch: Watch, main: Run, arguments):
+        """main is the call of the function. sentence says what is wrong, arguments are those of the call."""
+        self.function, self.sentence = FUNCTIONS[function], sentence
+        self.watch, self.main = watch, main
+        self.values = dict(zip(self.function.parameters.split(", "), arguments, strict=False))
+        if main.has_result:
+            self.values[self.function.returns] = main.result
+        self.facts: list[str] = []
+        self.lines: list[int] = self.found()  # the last one is where to look
+
+    def found(self) -> list[int]:
+        """Return the lines that have set the value, or without such a line, those that give the result."""
+        for pattern, search in ((VALUE, self.of_value), (KEYS, self.of_keys), (OBJECT, self.of_object)):
+            match = pattern.match(self.sentence)
+            if match:
+                return search(match)
+        return self.of_result()
+
+    def pendulum(self, match) -> dict | None:
+        """Return the pendulum that a sentence names, if it is there."""
+        found = self.values.get(match["name"])
+        if match["index"]:
+            index = int(match["index"])
+            found = found[index] if isinstance(found, (list, tuple)) and index < len(found) else None
+        return found if isinstance(found, dict) else None
+
+    def of_value(self, match) -> list[int]:
+        """Return the lines for a value of a pendulum: "theta of pend_list[0]"."""
+        pend = self.pendulum(match)
+        key, name = match["key"], match["pend"]
+        if pend is None:
+            return self.of_result()
+        lines = [*self.lines_of_list(), *self.lines_with_key(key)]
+        stores = [store for store in self.watch.stores if store.place is pend and store.key == key]
+        if stores:
+            steps = ", then ".join(f"to {store.text} in line {store.line}" for store in stores[-3:])
+            self.facts.append(f"{key} of {name} was set {steps}.")
+            return [*lines, *lines_in(stores), first_with_last_value(stores)]
+        _, before, giver = self.watch.known.get(id(pend), (pend, {}, ""))
+        if key in before and before[key] is pend.get(key):
+            given = f": it is {in_words(pend[key])}, as {giver} gave it" if giver else ""
+            self.facts.append(f"No line of your function has set {key} of {name}{given}.")
+        return lines
+
+    def lines_of_list(self) -> list[int]:
+        """Return the lines that have set the name that is returned."""
+        node = self.returned()
+        if node and isinstance(node.value, ast.Name):
+            return lines_in(self.stores_of([node.value.id]))
+        return []
+
+    def lines_with_key(self, key) -> list[int]:
+        """Return the lines that store something under a key, also if they never ran."""
+        found = []
+        for statement in self.watch.statements:
+            for target in targets_of(statement.node):
+                if isinstance(target, ast.Subscript) and getattr(target.slice, "value", None) == key:
+                    found.append(statement.node.lineno)
+        return found
+
+    def of_keys(self, match) -> list[int]:
+        """Return the lines for a pendulum with other keys: those that store something in it."""
+        pend = self.pendulum(match)
+        return lines_in(store for store in self.watch.stores if store.place is pend)
+
+    def of_object(self, match) -> list[int]:
+        """Return the lines for a place or the looks of an object: those that set what make_pendulum gets for it."""
+        parameter = match["what"] if match["what"] in MAKE_PENDULUM else "theta"
+        if match["part"] == "axle":
+            parameter = "axle_pos"
+        for run, node in self.statements_that_ran():
+            for call in [one for one in operations_in(node) if isinstance(one, ast.Call)]:
+                given = dict(zip(MAKE_PENDULUM, call.args, strict=False))
+                given |= {option.arg: option.value for option in call.keywords}
+                if getattr(call.func, "id", "") == "make_pendulum" and parameter in given:
+                    return lines_in(self.stores_of(names_in_head(given[parameter]), run)) or [node.lineno]
+        return []
+
+    def of_result(self) -> list[int]:
+        """Return the lines for a result: those that set the wrong part of it, and those that give it."""
+        node = self.returned()
+        names = self.function.returns.split(", ")
+        wrong = [i for i, name in enumerate(names) if re.match(rf"(\w+ of )?{name} (is|are|has) ", self.sentence)]
+        if not node or not node.value:
+            return []
+        part = node.value
+        if wrong and isinstance(part, ast.Tuple) and len(part.elts) == len(names):
+            part = part.elts[wrong[0]]
+        stores = self.stores_of(names_in_head(part))
+        lines = [*lines_in(stores), first_with_last_value(stores)] if stores else []
+        if not isinstance(part, ast.Name):
+            return [*lines, node.lineno]
+        if wrong and not lines and part.id in self.values:
+            self.facts.append(f"{names[wrong[0]]} is your {part.id}, and no line of your function has set it.")
+        return lines or [node.lineno]
+
+    def statements_that_ran(self) -> Iterable[tuple[Run, ast.stmt]]:
+        """Yield each call that was watched, with each of its statements that ran."""
+        for run in self.watch.runs.values():
+            for number in run.seen:
+                yield run, self.watch.statements[number].node
+
+    def returned(self) -> ast.Return | None:
+        """Return the statement that gave the result of the function."""
+        for run, node in self.statements_that_ran():
+            if run is self.main and isinstance(node, ast.Return):
+                return node
+        return None
+
+    def stores_of(self, names, run=None) -> list[Store]:
+        """Return what was stored under names of a call; without run, of the function's own call."""
+        place = run or self.main
+        return [store for store in self.watch.stores if store.place is place and store.key in names]
+
+
+def first_with_last_value(stores) -> int:
+    """Return the line that has given a place its last value; lines that have given it again do not count."""
+    last = stores[-1]
+    for store in reversed(stores):
+        if store.text != last.text or store.key != last.key:
+            break
+        last = store
+    return last.line
+
+
+def lines_in(stores) -> list[int]:
+    """Return the lines of stores, each once."""
+    return [*dict.fromkeys(store.line for store in stores)]

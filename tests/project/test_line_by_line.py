@@ -1,0 +1,223 @@
+"""A wrong call, line by line: the trace table of the student's code, and the sentences below it."""
+
+import pytest
+from right_solutions import RIGHT
+from test_graded_suites import failures, on_linux, outcomes_of, patient, solve  # noqa: F401  two are fixtures
+from wrong_solutions import PLAIN
+
+from grading import limits
+from grading.grader import PASSED, runner
+from grading.instrument import watched
+from grading.students_code import StudentsCode
+from grading.watch import Watch
+
+
+def seen(solve, function, version):  # noqa: F811
+    """Return the first failure of a wrong solution, and its tables as a text with single spaces."""
+    solve(function, version)
+    first = failures(function)[0]
+    return first, " ".join(" ".join(" ".join(lines) for _, lines in first.rows).split())
+
+
+TWO_MISTAKES = """\
+    # linear
+    v1 = omega1*r_param
+    v2 = omega2*r_param  # the second one
+    new1 = (m1*v1 + m2*v2 - m2*e*(v1-v2))/(m1+m2)
+    new2 = (m1*v1 + m2*v2 + m1*e*(v1-v2))/m1+m2
+    print(new1)
+    return new1, new2"""
+COUNTER = """\
+    pend_list = extract_and_convert(relative_filepath)
+    i = 0
+    for pend in pend_list:
+        pend['omega'] = 0
+        if i == 0:
+            pend['theta'] = theta_init
+            i += 1
+        else:
+            pend['theta'] = 0
+        axle_pos = vector((-0.1+r_param/4 * i), r_param/5, 0)
+        color, texture = COLOR_MAP[pend['color']], TEXTURE_MAP[pend['texture']]
+        pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)
+    return pend_list"""
+ROWS = {  # a function, a wrong version, and rows of its tables; the numbers of the lines are those of the function
+    "two mistakes, without the comments and the print": (
+        *("handle_collision", TWO_MISTAKES),
+        [
+            "3 v1 = omega1*r_param v1 = 1.2",
+            "4 v2 = omega2*r_param v2 = -1.6",
+            "5 new1 = (m1*v1 + m2*v2 - m2*e*(v1-v2))/(m1+m2) new1 = -2.608",
+            "6 new2 = (m1*v1 + m2*v2 + m1*e*(v1-v2))/m1+m2 new2 = 4.76",
+            "8 return new1, new2 gives (-2.608, 4.76)",
+        ],
+    ),
+    "a row has the turns in which its line ran": (
+        *("make_newton_cradle", COUNTER),
+        [
+            "3 i = 0 i = 0",
+            "4 for pend in pend_list: pend_list[0] | pend_list[1] | pend_list[2]",
+            "6 if i == 0: 0 == 0 True | 1 == 0 False | 1 == 0 False",
+            "8 i += 1 1 | - | -",
+            "(-0.025, 0.06, 0), in each turn",
+        ],
+    ),
+    "of many turns the first two, the one in question, and the last one": (
+        *("full_swing_update", "for i in range(len(pend_list)):\n  if i != 5: swing_update(pend_list[i], r_param, dt, g)"),
+        ["2 for i in range(len(pend_list)): 0 | 1 | ... | 5 | ... | 9 (10 turns)"],
+    ),
+    "what a called function got and gave": (
+        *("handle_two_bobs", ("e = pend1", "e = pend2")),
+        ["handle_collision got e = 1, omega1 = 4, omega2 = 0, m1 = 1, m2 = 1", "8 pend1['omega'] = new_omega1 0"],
+    ),
+    "what a called function has changed": (
+        *("newton_cradle_tick", ("pend_list[i + 1]", "pend_list[i]")),
+        ["turn 2: handle_two_bobs got pend1 = pend_list[1], pend2 = pend_list[1]; it set omega"],
+    ),
+    "lines that never ran": (
+        *("handle_collision", "if m1 < m2:\n    return omega1, omega2\nelse:\n    w = 5\nreturn omega2, omega1"),
+        ["2 if m1 < m2: 2 < 8 True", "5 w = 5 (never ran)", "6 return omega2, omega1 (never ran)"],
+    ),
+    "the line that stopped, and the values in it": (
+        *("handle_two_bobs", "for i in range(3):\n    bob = pend1['objects']['bob']"),
+        ["2 for i in range(3): 0", "3 bob = pend1['objects']['bob'] <- stops here: TypeError"],
+    ),
+    "the keys of a dictionary that lacks one": (
+        *("handle_two_bobs", "return pend1['radius']"),
+        ["the keys of pend1 are 'mass', 'e', 'theta', 'omega', 'color', 'texture', 'objects'"],
+    ),
+    "a value that was not taken apart": (
+        *("handle_two_bobs", "axle, bob = pend1['objects']"),
+        ["the value is (axle, bob, cord)"],
+    ),
+    "a helper has a table of its own": (
+        *("angle_update", "def pull(a):\n    return g * sin(a)\nnew = omega - pull(theta)\nreturn new, theta + new * dt"),
+        ["pull got a = 2.61799", "Your function pull, called there:", "3 return g * sin(a) gives 4"],
+    ),
+    "the helper that stopped": (
+        *("angle_update", "def pull(a):\n    b = None\n    return b * a\nreturn omega + pull(theta), theta"),
+        ["5 return omega + pull(theta), theta <- stops here: TypeError", "4 return b * a <- stops here: TypeError", "b is None"],
+    ),
+    "an error that an except hides": (
+        *("angle_update", "try:\n    a = omega / 0\nexcept ZeroDivisionError:\n    a = 0\nreturn a, theta"),
+        ["2 try: 3 a = omega / 0 stopped: ZeroDivisionError", "line 3 stopped with ZeroDivisionError: float division by zero; this except hides it"],
+    ),
+    "conditions": (
+        *("angle_update", "a = []\nwhile not a and 2 > len(a) > -1:\n    a.append(g)\nif a:\n    pass\nreturn a[0], theta"),
+        ["not [ ], empty and 2 > 0 > -1 True | not [8] False", "5 if a: [8], so True", "4 a.append(g) [8]"],
+    ),
+    "a value that no name gets": (
+        *("elastic_newton_cradle", "uniform_e_newton_cradle(relative_filepath, 1)\nreturn []"),
+        ["gives a list of 3 pendula, and no name gets it"],
+    ),
+    "the same dictionary again and again": (
+        *("extract_and_convert", "pend, pend_list = {}, []\nfor i in range(3):\n    pend['mass'] = i\n    pend_list.append(pend)\nreturn pend_list"),
+        ["a list of 1 pendulum | a list of 2 pendula, all the same one | a list of 3 pendula, all the same one"],
+    ),
+    "a function that is not called": (
+        *("main", "pend_list = make_newton_cradle\npage.show(pend_list)"),
+        ["the function make_newton_cradle: a call has ( )"],
+    ),
+    "the first value that is certainly not the formula's": (
+        *("angle_update", ("-g * sin(theta) / r_param * dt", "0 * dt")),
+        ["2 omega_new = omega + 0 * dt omega_new = 3 <- 2 is right here"],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ROWS)
+def test_the_rows_say_what_each_line_gave(solve, name):  # noqa: F811
+    function, version, rows = ROWS[name]
+    _, found = seen(solve, function, version)
+    assert [row for row in rows if row not in found] == [], found
+
+
+FACTS = {  # a function, a wrong version, the line to look at, and a sentence about what was seen
+    "set": ("full_swing_update", "for p in pend_list:\n    p['omega'] = 5\n    p['omega'] = 5.0", 3, "omega of pend_list[0] was set to 5 in line 3, then to 5 in line 4."),
+    "not set": ("handle_two_bobs", "omega = 5", 1, "No line of your function has set omega of pend1."),
+    "given": ("uniform_e_newton_cradle", ("['e'] = e_val", "['mass'] = e_val"), 4, "mass of pend_list[0] was set to 0.0625 in line 4."),
+    "as it was": ("elastic_newton_cradle", "return uniform_e_newton_cradle(relative_filepath, 0)", 2, "No line of your function has set e of pend_list[0]: it is 0, as uniform_e_newton_cradle gave it."),
+    "a parameter": ("handle_collision", "return omega1, omega2", 2, "new_omega1 is your omega1, and no line of your function has set it."),
+    "no call": ("full_swing_update", "pass", 1, "No line of your function calls swing_update."),
+    "the formula": ("angle_update", "return 1, 1", 2, "Right here: sin(theta) = 0.5, acceleration = -10, omega_new = 2, theta_new = 2.81799."),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FACTS)
+def test_a_sentence_says_where_the_value_in_question_comes_from(solve, name):  # noqa: F811
+    function, version, line, fact = FACTS[name]
+    first, _ = seen(solve, function, version)
+    assert fact in first.facts
+    assert first.place.endswith(f", line {line}")
+
+
+@pytest.mark.parametrize(("function", "way"), [(name, way) for name in PLAIN for way in ("plainly", *RIGHT[name])])
+def test_a_watched_function_does_what_it_does_unwatched(solve, monkeypatch, function, way):  # noqa: F811
+    repeated = StudentsCode.repeated
+
+    def watched_call(self, solution, name, *others):
+        with watched(name, Watch()):
+            return repeated(self, solution, name, *others)
+
+    solve(function, RIGHT[function].get(way, PLAIN[function]))
+    monkeypatch.setattr(StudentsCode, "repeated", watched_call)
+    outcomes = outcomes_of(function, users=False)
+    assert {outcome.state for outcome in outcomes.values()} == {PASSED}
+
+
+def test_an_endless_loop_is_shown_at_its_line_and_its_prints_appear_once(solve, monkeypatch, capsys):  # noqa: F811
+    monkeypatch.setattr(limits, "PATIENCE", 0.5)
+    _, rows = seen(solve, "angle_update", "print('begin')\ni = 0\nwhile i < 3:\n    j = i\nreturn i, j")
+    assert "4 while i < 3: 0 < 3 True, in each turn (1000 turns) <- still here after 1000 turns" in rows
+    assert "6 return i, j (never ran)" in rows
+    assert capsys.readouterr().out == "begin\n"
+
+
+def test_a_call_that_gives_something_else_the_second_time_has_no_table(solve):  # noqa: F811
+    first, _ = seen(solve, "angle_update", "import random; return random.random(), theta")
+    assert (first.rows, first.facts) == ([], [])
+
+
+def test_under_a_debugger_and_over_the_limit_of_memory_there_is_no_table(solve, monkeypatch):  # noqa: F811
+    monkeypatch.setattr(limits, "is_debugged", lambda: True)
+    first, _ = seen(solve, "angle_update", "return 1, 1")
+    assert (first.rows, first.facts) == ([], [])
+
+
+@on_linux
+def test_over_the_limit_of_memory_there_is_no_table(solve, monkeypatch):  # noqa: F811
+    monkeypatch.setattr(limits, "MOST_MEMORY", 20)
+    first, _ = seen(solve, "angle_update", "rows = [omega]\nfor row in rows: rows.append(row)")
+    assert (first.rows, first.facts) == ([], [])
+
+
+ODD = """\
+class Odd:
+    def __eq__(self, other): raise ValueError
+    __hash__ = None
+    def __bool__(self): raise ValueError
+    def __repr__(self): raise ValueError
+    def __getattr__(self, name): raise ValueError
+odd = Odd()
+row = {1: odd}
+row[2] = [odd] * 9
+{}
+return odd, row"""
+
+
+@pytest.mark.parametrize(
+    "line", ["if row[1] is odd: pass", "row[1] == 5", "if odd: pass", "odd.x", "def f(a=odd): pass"]
+)
+def test_values_that_say_nothing_of_themselves_change_nothing(solve, line):  # noqa: F811
+    """The table is there, and the failure is that of the student's code."""
+    first, rows = seen(solve, "angle_update", ODD.replace("{}", line))
+    assert rows
+    assert "fault" not in first.message
+
+
+def test_nothing_is_left_of_the_watch(solve):  # noqa: F811
+    first, _ = seen(solve, "angle_update", "return 1, 1")
+    function = runner.find("angle_update")
+    assert first.rows
+    assert "__watch__" not in function.__globals__
+    assert "__watch__" not in function.__code__.co_names
