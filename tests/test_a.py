@@ -92,7 +92,8 @@ def test_the_pairs_use_masses_and_restitution():
     pend_list = touching(4.0, 0.0, 0.0)
     for pend, e, mass in zip(pend_list, (0.5, 0.25, 1.0), (1.0, 3.0, 3.0), strict=True):
         pend.update(e=e, mass=mass)
-    words = "All bobs touch. After the pair 0 and 1: [-0.5, 1.5, 0]; 1 and 2: [-0.5, 0.5625, 0.9375]."
+    pairs = "After the pair 0 and 1: [-0.5, 1.5, 0]; 1 and 2: [-0.5, 0.5625, 0.9375]."
+    words = f"All bobs touch, and e is that of the left one. {pairs}"
     check_tick(pend_list, [-0.5, 0.5625, 0.9375], help=words)
     # In the order of the list: these pendula are not sorted by place, angle, mass, e or omega.
     pend_list = [

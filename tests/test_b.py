@@ -69,7 +69,7 @@ FORMULAS = [
     ("only m1 divides: the sum of the masses needs brackets.", -12.6, 11.9),
     ("both divisions count only for the end: all of it needs brackets.", -14.32, -9.42),
     ("nothing divides by the sum of the masses.", -65.2, -16.2),
-    ("the velocity is linear. Convert it back to an angular one.", -2.608, -0.648),
+    ("the linear velocity is returned: divide it by r_param.", -2.608, -0.648),
     ("v1 and v2 are exchanged in the momenta.", -2.32, 2.58),
 ]
 RESULTS = [((first, AFTER[1]), f"This is the result if, in the first formula, {words}") for words, first, _ in FORMULAS]
@@ -177,11 +177,12 @@ def help_for(pend1, pend2, r_param, wanted) -> str:
     """Return whether the bobs of these pendula touch, and what handle_collision gives then, in words."""
     bob1, bob2 = pend1["objects"][1], pend2["objects"][1]
     apart, reach = (bob1.pos - bob2.pos).mag, contact_distance(bob1.radius, bob2.radius)
-    words = f"{shown(apart)} m apart, and they touch up to {shown(reach)} m."
+    words = f"the magnitude of the difference of their positions is {shown(apart)} m"
     if apart > reach:
-        return f"These bobs do not touch: they are {words}"
+        return f"These bobs do not touch: {words}, more than {shown(reach)} m."
     values = pend1["e"], pend1["omega"], pend2["omega"], pend1["mass"], pend2["mass"], r_param
-    return f"These bobs touch: they are {words} handle_collision{shown(values)} gives {shown(wanted)}."
+    gives = f"handle_collision{shown(values)} gives {shown(wanted)}"
+    return f"These bobs touch: {words}, at most {shown(reach)} m. {gives}."
 
 
 def omegas(pend1, pend2):

@@ -146,7 +146,7 @@ def of_error(error, frames, function) -> tuple[str, str]:
     frames are the student's (frame, line) pairs that it has passed. What the function calls is right.
     """
     own = [i for i, (frame, _) in enumerate(frames) if is_students(frame.f_code.co_name, function)]
-    if own and own[-1] + 1 < len(frames):
+    if own and own[-1] + 1 < len(frames) and not isinstance(error, FileNotFoundError):
         code = frames[own[-1] + 1][0].f_code
         given = ", ".join(code.co_varnames[: code.co_argcount])
         return "", f"This line calls {code.co_name} with a value that it cannot use. It takes, in this order: {given}."

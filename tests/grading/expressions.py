@@ -59,6 +59,12 @@ def names_in_head(node) -> set[str]:
     return names
 
 
+def keys_in_head(node) -> set:
+    """Return the constants in [ ] from which a statement or an expression takes a value."""
+    parts = [one for one in operations_in(node) if isinstance(one, ast.Subscript)]
+    return {one.slice.value for one in parts if isinstance(one.slice, ast.Constant)}
+
+
 def operations_in(node) -> list[ast.expr]:
     """Return the parts in a statement, without those of the statements in it, in the order in which they run."""
     found = []

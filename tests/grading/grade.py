@@ -7,18 +7,22 @@ from typing import NamedTuple
 
 from grading.grader import checks, FAILED, FAULT, PASSED, STEPS, WAITING
 from grading.handout import FUNCTIONS, highest, SUITES
+from support.start.checks_command import checks_command
 from support.start.output import in_one_line
 from support.start.preview import missing_in
 
 PRINTED = 5  # lines that are shown of what a solution has printed
 SCREEN = 40  # lines of a screen; the first one has the dots of pytest, and the last one its counts
 MOST_ROWS = 16  # of the trace table
+MOST_CAUSES = 3  # for which checks wait
 MORE = " " * 7  # in front of the lines of the next step
+LINE_BY_LINE = "Your code, line by line:"
 BOOKS = "In Python, with books:"
 # Ranks of what is said, among those of the rows of a trace table.
 ALWAYS = -1
 FACTS = 0.15
 WORDS = 5
+NEVER = 100
 
 
 class Part(NamedTuple):
@@ -26,6 +30,7 @@ class Part(NamedTuple):
 
     rank: float
     lines: list[str]
+    is_row: bool = False  # of a trace table
 
 
 def grade(outcomes) -> dict:
@@ -73,7 +78,8 @@ def next_step(outcomes) -> tuple[str, list[Part]]:
             return f"{outcomes[check.name].cause}, which {check.function} waits for", []
     for tier in SUITES:
         if len([check for check in made if check.tier == tier]) < len(checks(tier=tier)):
-            return f"run all checks of tier {tier}", []
+            name = tier.split()[0]
+            return f"run the checks of tier {name}: {checks_command()} --tier {name}", []
     left = missing_in("double_cradle", "visualize_double_cradle_run")  # without checks
     more = [Part(ALWAYS, [f"The double cradle still needs {left}."])] if left else []
     return "all functions with a check are right", more
@@ -91,9 +97,9 @@ def explanation(check, outcome) -> list[Part]:
     if outcome.help:
         parts.append(Part(FACTS, [outcome.help]))
     if outcome.rows:
-        parts.append(Part(ALWAYS, ["Your code, line by line:"]))
+        parts.append(Part(ALWAYS, [LINE_BY_LINE]))
         best = sorted(outcome.rows, key=lambda row: row[0])[:MOST_ROWS]
-        parts += [Part(rank, lines) for rank, lines in outcome.rows if [rank, lines] in best]
+        parts += [Part(rank if [rank, lines] in best else NEVER, lines, True) for rank, lines in outcome.rows]
     parts += [Part(FACTS, [fact]) for fact in outcome.facts]
     return [*parts, *step_parts(check.function)]
 
@@ -167,15 +173,21 @@ def table(outcomes, columns, note="", room=SCREEN) -> list[tuple[str, str]]:
     if next(iter(SUITES)) in graded["tiers"]:
         verdict = [f"Grade: {graded['grade'] or 'none yet'}."]
     causes = Counter(each.cause for each in outcomes.values() if each.state == WAITING and not each.place)
-    rows += [(f"{n} check{'s wait' if n > 1 else ' waits'} for {cause}", "yellow") for cause, n in causes.items()]
+    for cause, n in causes.most_common(MOST_CAUSES):
+        rows.append((f"{n} check{'s wait' if n > 1 else ' waits'} for {cause}", "yellow"))
     hints = [*(one.hint for one in outcomes.values() if one.state == PASSED), note]
     notes = sum((wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=MORE) for hint in hints), [])
     above = [*rows, *((line, "bold") for line in [*verdict, *notes])]
     step, parts = next_step(outcomes)
     lines = wrap(f"Next:  {step}.", columns, subsequent_indent=MORE)
-    parts = [Part(part.rank, wrapped(part.lines, columns)) for part in parts]
-    for part in fitting(parts, room - len(above) - len(lines)):
+    parts = [part._replace(lines=wrapped(part.lines, columns)) for part in parts]
+    shown = fitting(parts, room - len(above) - len(lines))
+    left_out = sum(part.is_row for part in parts) - sum(part.is_row for part in shown)
+    for part in shown:
         lines += part.lines
+    if left_out:
+        words = "1 line is left out" if left_out == 1 else f"{left_out} lines are left out"
+        lines = [line.replace(LINE_BY_LINE, f"Your code, line by line ({words}):") for line in lines]
     return [*above, *((line, "bold") for line in lines)]
 
 
@@ -191,7 +203,7 @@ def fitting(parts, room) -> list[Part]:
     """Return the parts for which there is room, those of the lowest ranks, in their order."""
     kept = []
     for i in sorted(range(len(parts)), key=lambda i: (parts[i].rank, i)):
-        if parts[i].rank == ALWAYS or len(parts[i].lines) <= room:
+        if parts[i].rank == ALWAYS or parts[i].rank != NEVER and len(parts[i].lines) <= room:
             kept.append(i)
             room -= len(parts[i].lines)
     return [parts[i] for i in sorted(kept)]

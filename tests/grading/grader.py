@@ -148,6 +148,8 @@ def compared(function, *arguments, wanted, see=None, what="", results=(), notes=
         raise WrongError(sentence, call, lines, words_of(result, results)) from None
     if not fits(found, wanted):
         sentence = mistake_in(what or returns, found, wanted)
+        if not what:
+            sentence = re.sub(rf"^{returns} (is|has) ", r"The result \1 ", sentence)
         words = words_of(found, results)
         if not words and is_exchanged(found, wanted):
             words = "These are the right values, in another order."
@@ -183,14 +185,18 @@ def run(call, arguments, expected) -> Any:
         place = f"{place_of(raised, call.function) or file}"
         raise WaitError(f"you to write {raised.stub} in {place}", place)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
-    raise WrongError(sentence, call, [end_of(raised), expected], raised=raised)
+    raise WrongError(sentence, call, [end_of(raised, raised.places), expected], raised=raised)
 
 
 def place_of(raised, function) -> Place | None:
     """Return the innermost place of an error in what the student wrote for this function; None if it has none."""
+    if not raised:
+        return None
     own = [place for place in raised.places if is_students(place.function, function)] or raised.places
     return own[-1] if own else None
 
+
+NOTHING_SEEN = Explained(0, [], [])
 
 PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
 
@@ -262,30 +268,34 @@ class Grading:
         return Outcome(PASSED, hint=" ".join(NOTES))
 
     def failed(self, check, error) -> Outcome:
-        """Return the outcome of a check that raised this WrongError. The first one of a function has a hint."""
+        """Return the outcome of a check that raised this WrongError. The first one of a function has words about it."""
         raised, code = error.raised, code_of(check.function)
-        file = FUNCTIONS[check.function].file
-        place = place_of(raised, check.function) if raised else None
         if raised and raised.limit:
             self.hung.add(check.function)
         earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
         others = [name for name in code.names if name in earlier and not self.hung and self.is_wrong(name)]
         if others:  # the function uses others than those that the handout asks for
             return waiting(", ".join(others))
-        wrong = error_lines(raised)[0] if raised and not raised.limit else f"{error}"
         before = [self.outcomes[each.name] for each in checks(function=check.function) if each.name in self.outcomes]
-        hint, seen = "", None
+        hint, seen = "", NOTHING_SEEN
         if not any(each.state == FAILED for each in before):
             hint = words_for(raised, error.result, f"{error}", code, check.function)
             seen = line_by_line(check, error)
-        line = place.line if place else seen and seen.line or code.line
-        place = f"{file}, line {line}" if line else file
+        place, lines, wrong = place_of(raised, check.function), error.lines, f"{error}"
+        if raised and not raised.limit:
+            wrong = error_lines(raised)[0]
+        elif raised and seen.line:  # where the clock has stopped it is chance
+            place, lines = None, [end_of(raised, ()), *lines[1:]]
+        line = place.line if place else seen.line or code.line
+        file = FUNCTIONS[check.function].file
+        where = f"{file}, line {line}" if line else file
         called = error.call.lines(index_in(f"{error}") or 0)
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
-        text = message([("wrong", f"{error}"), ("called", called), *error.lines, ("read", read)])
-        rows = [[row.rank, row.lines] for row in seen.rows] if seen else []
-        facts = seen.facts if seen else []
-        return Outcome(FAILED, text, f"{place}", in_one_line(hint), "", wrong, error.help, rows, facts)
+        text = message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)])
+        rows = [[row.rank, row.lines] for row in seen.rows]
+        return Outcome(
+            FAILED, text, where, in_one_line(hint), "", wrong, "" if raised else error.help, rows, seen.facts
+        )
 
     def broken_by(self, check, error) -> Outcome:
         """Return the outcome of a check whose file cannot be imported: the first one fails, and the others wait."""
@@ -315,31 +325,31 @@ def ask(check) -> None:
         check.ask()
 
 
-def line_by_line(check, error) -> Explained | None:
-    """Make a check that fails once more, and watch the call that is wrong; return None if nothing is certain.
+def line_by_line(check, error) -> Explained:
+    """Make a check that fails once more, and watch the call that is wrong. The student's code prints nothing.
 
-    error is the WrongError of the check. The student's code prints nothing.
+    error is the WrongError of the check. Return NOTHING_SEEN if something else happens now, under a debugger, and if
+    the function took too much memory.
     """
     raised = error.raised
     if limits.DEBUGGED.is_set() or isinstance(raised and raised.error, MemoryError):
-        return None
-    runner.watch = Watch(is_endless=bool(raised and raised.limit))
-    runner.watched = runner.count
+        return NOTHING_SEEN
+    watch = Watch(is_endless=bool(raised and raised.limit))
+    runner.watch, runner.watched = watch, runner.count
     try:
         with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
             ask(check)
     except WrongError as again:
         is_same = (f"{again}", again.call.lines()) == (f"{error}", error.call.lines())
-        if runner.watch.runs and (is_same or isinstance(runner.watch.error, EndlessError)):
-            index = index_in(f"{error}")
+        if watch.runs and (is_same or isinstance(watch.error, EndlessError)):
             with suppress(Exception):  # a student's values may say nothing of themselves
-                call = WrongCall(check.function, f"{error}", runner.watch, runner.arguments, index, error.right)
-                return call.explained()
-    except (WaitError, KeyboardInterrupt):
+                index = index_in(f"{error}")
+                return WrongCall(check.function, f"{error}", watch, runner.arguments, index, error.right).explained()
+    except WaitError:
         pass
     finally:
         runner.watch = None
-    return None
+    return NOTHING_SEEN
 
 
 def index_in(sentence) -> int | None:

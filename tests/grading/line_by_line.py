@@ -5,7 +5,7 @@ from math import isclose
 from numbers import Real
 from typing import NamedTuple
 
-from grading.expressions import names_in_head, targets_of
+from grading.expressions import keys_in_head, names_in_head, targets_of
 from grading.handout import FUNCTIONS
 from grading.messages import shown
 from grading.question import lines_in, Question
@@ -52,7 +52,9 @@ class WrongCall:
             rank = min((row.rank for row in below), default=0)
             rows.append(Row(rank, [f"{' ' * INDENT}Your function {self.name_of(helper)}, called there:"]))
             rows += below
-        facts = [*self.question.facts, *self.missing_calls()]
+        facts = [*self.question.facts]
+        if not self.watch.error:
+            facts += [*self.early_return(), *self.nothing_returned(), *self.missing_calls()]
         if self.right and not self.watch.error:
             facts.append(f"Right here: {', '.join(f'{name} = {shown(value)}' for name, value in self.right)}.")
         where = (
@@ -94,11 +96,8 @@ class WrongCall:
             for node in own:
                 if node.lineno == line:
                     found[line] = depth
-                    names = names_in_head(node)
-                    setting = [
-                        one.lineno for one in own if names & {getattr(each, "id", "") for each in targets_of(one)}
-                    ]
-                    lines = [*lines_in(self.question.stores_of(names, run)), *setting]
+                    lines = lines_in(self.question.stores_of(names_in_head(node), run))
+                    lines += [one.lineno for one in own if sets_what_is_used(one, node)]
                     left += [(one, depth + 1) for one in lines]
                 elif hasattr(node, "body") and node.lineno < line <= node.end_lineno:
                     left.append((node.lineno, depth + 1))
@@ -124,12 +123,29 @@ class WrongCall:
 
     def missing_calls(self) -> list[str]:
         """Return a sentence for each function that the handout tells to use, and that no line names."""
-        if self.watch.error:
-            return []
         definitions = [self.watch.statements[run.definition].node for run in self.runs]
         names = {getattr(one, "id", "") for node in definitions for one in ast.walk(node)}
         missing = [name for name in FUNCTIONS[self.function].uses if name not in names]
         return [f"No line of your function calls {name}." for name in missing]
+
+    def early_return(self) -> list[str]:
+        """Return a sentence about a return that has ended a loop."""
+        for number, seen in self.main.seen.items():
+            statement = self.watch.statements[number]
+            if isinstance(statement.node, ast.Return) and statement.loops:
+                loop = self.watch.statements[statement.loops[-1]].node.lineno
+                words = f"Line {statement.node.lineno} returns in turn {seen[-1].turn} of the loop in line {loop}"
+                return [f"{words}, and so ends it."]
+        return []
+
+    def nothing_returned(self) -> list[str]:
+        """Return a sentence about a function that must return something, and has not."""
+        if self.main.has_result or not FUNCTIONS[self.function].returns:
+            return []
+        own = [one.node for one in self.watch.statements if one.owner == self.main.definition]
+        if any(isinstance(node, ast.Return) and node.value for node in own):
+            return ["No return with a value has run."]
+        return ["Your function has no return with a value."]
 
     def departures(self) -> dict[int, str]:
         """Return the first line whose value is certainly not that of the handout's formula, with the right value.
@@ -146,6 +162,15 @@ class WrongCall:
                     if plain_name(store.key) == plain_name(name) and not is_near:
                         return {store.line: f"{shown(value)} is right here"}
         return {}
+
+
+def sets_what_is_used(one, node) -> bool:
+    """Return whether a statement gives a value to a name, or to a key, that another one uses."""
+    targets = targets_of(one)
+    names = {target.id for target in targets if isinstance(target, ast.Name)}
+    slices = [target.slice for target in targets if isinstance(target, ast.Subscript)]
+    keys = {part.value for part in slices if isinstance(part, ast.Constant)}
+    return bool(names & names_in_head(node) or keys & keys_in_head(node))
 
 
 def words_of(error) -> tuple[str, bool]:

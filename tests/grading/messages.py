@@ -202,12 +202,12 @@ def own_lines(places) -> list[str]:
     return lines if len(lines) <= 4 else [*lines[:2], "...", *lines[-2:]]
 
 
-def end_of(raised) -> tuple[str, list[str]]:
-    """Return, as (label, lines), how a call was stopped: by an error of its own, or by the grader at a limit."""
+def end_of(raised, places) -> tuple[str, list[str]]:
+    """Return, as (label, lines), how a call was stopped, and at these places: by an error, or by the grader."""
     if not raised.limit:
         return "it raised", error_lines(raised)
     end = f"nothing, within {limits.PATIENCE:g} s; it was" if raised.ends else f"nothing; it {raised.limit} and was"
-    return "came back", [f"{end} stopped here:", *own_lines(raised.places)] if raised.places else [f"{end} stopped."]
+    return "came back", [f"{end} stopped here:", *own_lines(places)] if places else [f"{end} stopped."]
 
 
 def error_lines(raised) -> list[str]:

@@ -3,6 +3,7 @@
 import ast
 import re
 from collections.abc import Iterable
+from typing import Any
 
 from grading.expressions import names_in_head, operations_in, targets_of
 from grading.handout import FUNCTIONS
@@ -13,6 +14,7 @@ from grading.watch import Run, Store, Watch
 PEND = r"(?P<pend>(?P<name>pend\w*)(?:\[(?P<index>\d+)\])?)"
 VALUE = re.compile(rf"(?P<key>\w+) of {PEND} ")
 KEYS = re.compile(rf"{PEND} (?:misses|must not have) the key ")
+IN_EACH = re.compile(r"the value of (?P<key>\w+) in each pendulum ")
 OBJECT = re.compile(r"(?P<what>\w+).* of (?:the )?(?P<part>axle|bob|cord)(?:\[| of pend_list\[)\d+\]")
 MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parameters
 
@@ -32,10 +34,15 @@ class Question:
 
     def found(self) -> list[int]:
         """Return the lines that have set the value, or without such a line, those that give the result."""
-        for pattern, search in ((VALUE, self.of_value), (KEYS, self.of_keys), (OBJECT, self.of_object)):
+        for pattern, search in (
+            (VALUE, self.of_value),
+            (KEYS, self.of_keys),
+            (OBJECT, self.of_object),
+            (IN_EACH, lambda match: self.lines_with_key(match["key"])),
+        ):
             match = pattern.match(self.sentence)
             if match:
-                return search(match)
+                return search(match) or self.of_result()
         return self.of_result()
 
     def pendulum(self, match) -> dict | None:
@@ -52,7 +59,8 @@ class Question:
         key, name = match["key"], match["pend"]
         if pend is None:
             return self.of_result()
-        lines = [*self.lines_of_list(), *self.lines_with_key(key)]
+        setting = self.lines_with_key(key, name)
+        lines = [*self.lines_of_list(), *setting]
         stores = [store for store in self.watch.stores if store.place is pend and store.key == key]
         if stores:
             steps = ", then ".join(f"to {store.text} in line {store.line}" for store in stores[-3:])
@@ -62,7 +70,28 @@ class Question:
         if key in before and before[key] is pend.get(key):
             given = f": it is {in_words(pend[key])}, as {giver} gave it" if giver else ""
             self.facts.append(f"No line of your function has set {key} of {name}{given}.")
-        return lines
+        if setting:
+            return [*lines, *self.conditions_around(setting[-1])]
+        return [*lines, *self.lines_without_effect()] or self.of_result()
+
+    def conditions_around(self, line) -> list[int]:
+        """Return the line of the innermost condition that was not true, and has a line in it."""
+        found = []
+        for run, number in self.statements_that_ran():
+            node = self.node(number)
+            is_around = isinstance(node, (ast.If, ast.While)) and node.lineno < line <= node.end_lineno
+            if is_around and run.seen[number][-1].words[0][1].endswith("False"):
+                found.append(node.lineno)
+        return found[-1:]
+
+    def lines_without_effect(self) -> list[int]:
+        """Return the lines with a value that no name got."""
+        found = []
+        for run, number in self.statements_that_ran():
+            words = [text for _, text in run.seen[number][-1].words]
+            if isinstance(self.node(number), ast.Expr) and any(text.startswith("gives") for text in words):
+                found.append(self.node(number).lineno)
+        return found
 
     def lines_of_list(self) -> list[int]:
         """Return the lines that have set the name that is returned."""
@@ -71,14 +100,19 @@ class Question:
             return lines_in(self.stores_of([node.value.id]))
         return []
 
-    def lines_with_key(self, key) -> list[int]:
-        """Return the lines that store something under a key, also if they never ran."""
-        found = []
+    def lines_with_key(self, key, name="") -> list[int]:
+        """Return the lines that store something under a key, also if they never ran.
+
+        If there are some for the pendulum with this name, return these only.
+        """
+        found, own = [], []
         for statement in self.watch.statements:
             for target in targets_of(statement.node):
                 if isinstance(target, ast.Subscript) and getattr(target.slice, "value", None) == key:
                     found.append(statement.node.lineno)
-        return found
+                    if ast.unparse(target.value) == name:
+                        own.append(statement.node.lineno)
+        return own or found
 
     def of_keys(self, match) -> list[int]:
         """Return the lines for a pendulum with other keys: those that store something in it."""
@@ -90,7 +124,8 @@ class Question:
         parameter = match["what"] if match["what"] in MAKE_PENDULUM else "theta"
         if match["part"] == "axle":
             parameter = "axle_pos"
-        for run, node in self.statements_that_ran():
+        for run, number in self.statements_that_ran():
+            node = self.node(number)
             for call in [one for one in operations_in(node) if isinstance(one, ast.Call)]:
                 given = dict(zip(MAKE_PENDULUM, call.args, strict=False))
                 given |= {option.arg: option.value for option in call.keywords}
@@ -104,29 +139,39 @@ class Question:
         names = self.function.returns.split(", ")
         wrong = [i for i, name in enumerate(names) if re.match(rf"(\w+ of )?{name} (is|are|has) ", self.sentence)]
         if not node or not node.value:
-            return []
+            return self.lines_with_calls()
         part = node.value
         if wrong and isinstance(part, ast.Tuple) and len(part.elts) == len(names):
             part = part.elts[wrong[0]]
         stores = self.stores_of(names_in_head(part))
         lines = [*lines_in(stores), first_with_last_value(stores)] if stores else []
-        if not isinstance(part, ast.Name):
+        if not isinstance(part, ast.Name) or self.sentence.startswith("The result "):
             return [*lines, node.lineno]
         if wrong and not lines and part.id in self.values:
             self.facts.append(f"{names[wrong[0]]} is your {part.id}, and no line of your function has set it.")
         return lines or [node.lineno]
 
-    def statements_that_ran(self) -> Iterable[tuple[Run, ast.stmt]]:
-        """Yield each call that was watched, with each of its statements that ran."""
+    def lines_with_calls(self) -> list[int]:
+        """Return the first line of the function that has called a function of src/."""
+        for run, number in self.statements_that_ran():
+            if run is self.main and any(one.calls for one in run.seen[number]):
+                return [self.node(number).lineno]
+        return []
+
+    def node(self, number) -> Any:
+        return self.watch.statements[number].node
+
+    def statements_that_ran(self) -> Iterable[tuple[Run, int]]:
+        """Yield each call that was watched, with the number of each of its statements that ran."""
         for run in self.watch.runs.values():
             for number in run.seen:
-                yield run, self.watch.statements[number].node
+                yield run, number
 
     def returned(self) -> ast.Return | None:
         """Return the statement that gave the result of the function."""
-        for run, node in self.statements_that_ran():
-            if run is self.main and isinstance(node, ast.Return):
-                return node
+        for run, number in self.statements_that_ran():
+            if run is self.main and isinstance(self.node(number), ast.Return):
+                return self.node(number)
         return None
 
     def stores_of(self, names, run=None) -> list[Store]:

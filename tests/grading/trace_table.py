@@ -98,7 +98,7 @@ class Table:
         return found
 
     def code_of(self, line) -> str:
-        """Return the code of the statement that begins at a line, in one line, without comments; of a block the head."""
+        """Return the code of the statement at a line, in one line and without comments; of a block, its head."""
         texts = [without_comment(self.source(line))]
         if line in self.by_line:
             node = self.node(self.by_line[line][0])
@@ -164,8 +164,10 @@ class Table:
                 below += self.watch.values_in(self.run, number).stopped_at(self.node(number))
                 if not below and number in self.run.values:  # its value was not taken apart
                     below.append(f"the value is {in_words(self.run.values[number], names_in(self.run.frame))}")
-            below += [f"{called.name} got {called.got}" for called in calls]
-        return Said(0, f"{said.beside}  <- {self.stop.words}".strip(), (*below, *said.below))
+            count = self.count_of(number)
+            turn = f"turn {count}: " if count > 1 else ""
+            below += [f"{turn}{called.name} got {called.got}" for called in calls]
+        return Said(0, f"{said.beside}  <- {self.stop.words}".strip(), (*below, *said.below[-1:]))
 
     def never_ran(self, line) -> str:
         """Return what is said beside a line that did not come to its end in any turn."""
@@ -217,7 +219,7 @@ class Table:
 
     def calls(self, seen: list[Seen], count) -> list[str]:
         """Return what the functions got and gave that a statement has called, in the turns that are shown."""
-        shown = self.shown_turns(count)
+        shown = [1, count]
         if count > 2 and self.index is not None:
             shown = [min(self.index + 1, count)]
         lines = []

@@ -83,7 +83,7 @@ def object_in_words(value) -> str:
 
 def plain_in_words(value) -> str:
     """Return a number, a text, or another value: its form, if its text is long."""
-    if isinstance(value, str) and os.path.isfile(value):
+    if isinstance(value, str) and (os.path.isabs(value) or os.path.isfile(value)):
         return f"the path of {os.path.basename(value)}"
     text = shown(value)
     is_long = len(text) > SHORT or "\n" in text or " at 0x" in text

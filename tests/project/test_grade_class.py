@@ -284,10 +284,8 @@ def test_a_class_is_graded_goes_on_and_forgets_who_is_gone(solved, starter, tmp_
     assert rows["bea"]["next"].startswith("angle_update in src/swinging.py, line ")
     for student, words in [("ann", "Grade: Honor roll."), ("bea", "Your code, line by line:"), ("eve", "UTF-8")]:
         assert words in (out / f"{student}.txt").read_text(encoding="utf-8")
-    assert (
-        "    1  This is the result with + in front of the acceleration. Gravity pulls the bob back down: -. (angle_update)\n"
-        in printed
-    )
+    hint = "This is the result with + in front of the acceleration. Gravity pulls the bob back down: -."
+    assert f"    1  {hint} (angle_update)\n" in printed
     assert "Honor roll           1\n" in printed
     assert os.name == "nt" or stat.S_IMODE(out.stat().st_mode) == 0o700
     result = json.loads((tmp_path / "gradescope" / "bea" / "results.json").read_text())

@@ -9,7 +9,7 @@ from pathlib import Path
 from textwrap import dedent
 
 import pytest
-from programs import python, slow_but_for
+from programs import python, ROOT, slow_but_for
 from students import change, write
 from wrong_solutions import PLAIN
 
@@ -81,9 +81,9 @@ SEEN = WRONG._replace(help="It is so.", rows=[[0, ["    7  a = 5"]]], facts=["No
 @pytest.mark.parametrize(
     ("tiers", "outcome", "words"),  # of the checks of the last tier; those of the others are passed
     [
-        ("DB", Outcome(PASSED), ["Grade: D.", "Next:  run all checks of tier C."]),
+        ("DB", Outcome(PASSED), ["Grade: D.", "Next:  run the checks of tier C: pytest --tier C."]),
         ("DC", Outcome(FAULT), ["Grade: D.", "Next:  show your teacher the grader's fault in test_angle_update."]),
-        ("C", Outcome(PASSED), ["Tier C is complete.", "Next:  run all checks of tier D."]),
+        ("C", Outcome(PASSED), ["Tier C is complete.", "Next:  run the checks of tier D: pytest --tier D."]),
         ("B", WRONG._replace(hint="Do."), ["Next:  handle_collision in a.py, line 7.", "       A is 5, not 6. Do."]),
         ("B", ERROR, ["       The steps: both omegas become linear velocities; the two formulas of the"]),
         ("A", WRONG._replace(wrong="A."), ["       In Python, with books:"]),
@@ -94,7 +94,8 @@ SEEN = WRONG._replace(help="It is so.", rows=[[0, ["    7  a = 5"]]], facts=["No
         ),
     ],
 )
-def test_the_grade_and_the_next_step(tiers, outcome, words):
+def test_the_grade_and_the_next_step(monkeypatch, tiers, outcome, words):
+    monkeypatch.setattr("grading.grade.checks_command", lambda: "pytest")
     outcomes = {check.name: Outcome(PASSED) for tier in tiers for check in checks(tier=tier)}
     outcomes |= {check.name: outcome for check in checks(tier=tiers[-1])}
     lines = [line for line, _ in table(outcomes, COLUMNS)]
@@ -148,7 +149,7 @@ NO_PYTHON = {  # the content of a file, and what pytest says about it
     "<!DOCTYPE html>\n<html>": "This file is no Python: it is a web page. Download the file itself.",
     "{\\rtf1 def": "This file is no Python: it is a text of a word processor (RTF). Save it as plain text.",
     "x = 1\n<<<<<<< HEAD\nx = 2\n=======\n": "This file is no Python: it is two versions, which git has put together.",
-    "d = {'a': 1}\nx = f'{d['a']}'\n": "Python 3.12 and later ones read the same quotes inside of the { } of an f-string.",
+    "d = {'a': 1}\nx = f'{d['a']}'\n": "Python 3.12 and later ones read the same quotes inside of the { } of an",
     "x = sin 2\n": "A function needs ( ) around its values: sin(2).",
 }
 
@@ -160,6 +161,32 @@ def test_a_file_that_is_no_python_is_named_as_what_it_is(starter, content):
     (starter / "src/swinging.py").write_text(content)
     _, rows = run(starter, "--tier", "C")
     assert NO_PYTHON[content] in " ".join(rows)
+
+
+README = (ROOT / "tests/README.md").read_text(encoding="utf-8")
+SHOWN = {  # a function, and the body whose screen the README shows
+    "handle_collision": """\
+        # linear
+        v1 = omega1*r_param
+        v2 = omega2*r_param  # the second one
+        new1 = (m1*v1 + m2*v2 - m2*e*(v1-v2))/(m1+m2)
+        new2 = (m1*v1 + m2*v2 + m1*e*(v1-v2))/m1+m2
+        print(new1)
+        return new1, new2""",
+    "newton_cradle_tick": """\
+        full_swing_update(pend_list, r_param, dt, g)
+        for i in range(len(pend_list)):
+            handle_two_bobs(pend_list[i], pend_list[i+1], r_param)""",
+}
+
+
+@pytest.mark.parametrize("function", SHOWN)
+def test_the_readme_shows_a_real_screen(starter, function):
+    write(starter, *FUNCTIONS, **{function: SHOWN[function]})
+    _, rows = run(starter)
+    begin = 1 if function == "handle_collision" else [row[:5] for row in rows].index("Next:")
+    screen = "\n".join(f"    {row}".rstrip() for row in rows[begin:-1])
+    assert f"\n{screen}\n" in README, screen
 
 
 @pytest.mark.slow

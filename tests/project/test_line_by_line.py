@@ -1,8 +1,11 @@
 """A wrong call, line by line: the trace table of the student's code, and the sentences below it."""
 
+from textwrap import dedent
+
 import pytest
+from programs import slow_but_for
 from right_solutions import RIGHT
-from test_graded_suites import failures, on_linux, outcomes_of, patient, solve  # noqa: F401  two are fixtures
+from test_graded_suites import failures, on_linux, outcomes_of, patient, solve, WRONG  # noqa: F401  two are fixtures
 from wrong_solutions import PLAIN
 
 from grading import limits
@@ -163,6 +166,24 @@ def test_a_watched_function_does_what_it_does_unwatched(solve, monkeypatch, func
     monkeypatch.setattr(StudentsCode, "repeated", watched_call)
     outcomes = outcomes_of(function, users=False)
     assert {outcome.state for outcome in outcomes.values()} == {PASSED}
+
+
+HARMLESS = f"""\
+'A docstring about sin, cos, round and return.'
+# {" ".join(PLAIN)}: R_PARAM, THETA_INIT, DT and G are constants; pend_list[i + 1] == append = while
+print(1.05, "and never")
+"""
+
+
+@pytest.mark.parametrize(("function", "words"), slow_but_for([*WRONG][::9], WRONG))
+def test_harmless_lines_change_no_word(solve, function, words):  # noqa: F811
+    version = WRONG[function, words]
+    source = dedent(version if isinstance(version, str) else PLAIN[function].replace(*version))
+    told = []
+    for lines in ("\n" * HARMLESS.count("\n"), HARMLESS):
+        first, rows = seen(solve, function, lines + source)
+        told.append([first.hint, first.wrong, rows, first.facts])
+    assert told[0] == told[1]
 
 
 def test_an_endless_loop_is_shown_at_its_line_and_its_prints_appear_once(solve, monkeypatch, capsys):  # noqa: F811

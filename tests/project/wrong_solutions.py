@@ -108,7 +108,7 @@ HINTED = {
         "This is one number. A loop,": ("for pend in bad_rep.values():", "for i, pend in bad_rep:"),
         "Python cannot do this with values": ("append(pend)", "append(0, pend)"),
         "There is no element with this": ("append(pend)", "__getitem__(0); pend_list[0].append(pend)"),
-        "pend_list must be a list of all": ("return pend_list", "return pend_list[0]"),
+        "The result must be the list of": ("return pend_list", "return pend_list[0]"),
         "A function needs ( ) around": "exec('a = sin theta')",
         "A sign is missing between omega": "exec('a = omega dt')",
         "Python has no ++: i +=": "exec('a++')",
@@ -148,9 +148,10 @@ HINTED = {
     "angle_update": {
         "You calculate with text, or with": ("sin(theta)", "sin('theta')"),
         "sin is there without math. in": ("sin(theta)", "math.sin(theta)"),
+        "The R of the handout is r_param.": ("/ r_param", "/ R"),
         "No line that ran has given omega_neww a value.": ("(omega_new, ", "(omega_neww, "),
         "This is the acceleration in place": ("omega + -g * sin(theta) / r_param * dt", "-g * sin(theta) / r_param"),
-        "Return the values themselves, with commas": ("theta_new =", "return omega_new\n        theta_new ="),
+        "Return all values, with commas between": ("theta_new =", "return omega_new\n        theta_new ="),
         "This is the result with the old omega in": ("theta + omega_new", "theta + omega"),
         "This is the result if theta changes first. omega": "theta += omega * dt; return omega - g * sin(theta) / r_param * dt, theta",
         "This is the result with + in front of": ("+ -g", "+ g"),
@@ -165,6 +166,7 @@ HINTED = {
         "This is the result with an average. Only the": ("theta + omega_new * dt", "theta + (omega + omega_new) / 2 * dt"),
     },
     "full_swing_update": {
+        "A pendulum became something else. A": "for i in range(len(pend_list)): pend_list[i] = swing_update(pend_list[i], r_param, dt, g)",
         "angle_update takes 5 values, in this": ("swing_update", "angle_update"),
     },
     "handle_collision": {
@@ -205,9 +207,10 @@ HINTED = {
     },
     "main": {
         "A line of your function gives DT": ("pend_list = make", "DT = DT\n        pend_list = make"),
+        "page.csv has the path of the": ("page.csv", "NC_FP"),
         "main has not called page.show: the": ("page.show(pend_list)", "page.show"),
     },
-    "make_double_pendulum": {"Return the values themselves, with commas": ("return (axle, bob1, cord1, bob2, cord2)", "return [axle, bob1, cord1, bob2, cord2]")},
+    "make_double_pendulum": {"Return all values, with commas between": ("return (axle, bob1, cord1, bob2, cord2)", "return [axle, bob1, cord1, bob2, cord2]")},
     "double_angle_update": {
         "The value below / is 0": ("g / r_param", "1 / (r_param / g)"),
         "This is beta'' in place of": ("v = v + dv", "v = v + (dv + du)"),
@@ -247,7 +250,6 @@ OTHERS = {
     "full_swing_update": {
         "no swing": "for pend in pend_list: pend['theta'] += pend['omega'] * dt",
         "Your code makes axles, bobs or": ("swing_update(", "import support.pendulum as p; p.make_pendulum(vector(0, 0, 0), r_param, 0, vector(1, 1, 1), None); swing_update("),
-        "Change the pendulum itself. A function": "for i in range(len(pend_list)): pend_list[i] = swing_update(pend_list[i], r_param, dt, g)",
         "five at most": ("in pend_list", "in pend_list[:5]"),
         "bobs that shrink": ("r_param, dt, g)", "r_param, dt, g); pend['objects'][1].radius *= 0.99"),
     },
@@ -314,7 +316,7 @@ FORMULAS = {
     "nothing divides by the sum": (" / (m1 + m2)", "", " / (m1 + m2)", ""),
     "both divisions count only for the end:": ("2)) / (m1 + m2)", "2) / (m1 + m2) / r_param) * r_param", "2)) / (m1 + m2)", "2) / (m1 + m2) / r_param) * r_param"),
     "v1 and v2 are exchanged": ("m1*v1 + m2*v2", "m1*v2 + m2*v1", "m1*v1 + m2*v2", "m1*v2 + m2*v1"),
-    "the velocity is linear.": ("2))", "2)) * r_param", "2))", "2)) * r_param"),
+    "the linear velocity is returned:": ("2))", "2)) * r_param", "2))", "2)) * r_param"),
 }
 for words, (old1, new1, old2, new2) in FORMULAS.items():
     _, _, first, second, *_ = PLAIN["handle_collision"].splitlines()
