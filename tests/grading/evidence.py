@@ -58,7 +58,7 @@ def nearest_name(error) -> str:
     return f". Did you mean: '{lower[near[0]]}'?" if near else ""
 
 
-class Seen:
+class Evidence:
     """What an error says of itself, and what is in the line of the student's that raised it."""
 
     def __init__(self, error, frame, line):
@@ -150,7 +150,7 @@ def of_error(error, frames, function) -> tuple[str, str]:
         code = frames[own[-1] + 1][0].f_code
         given = ", ".join(code.co_varnames[: code.co_argcount])
         return "", f"This line calls {code.co_name} with a value that it cannot use. It takes, in this order: {given}."
-    seen = Seen(error, *(frames[-1] if frames else (None, 0)))
+    seen = Evidence(error, *(frames[-1] if frames else (None, 0)))
     meaning = next((words for kind, words in MEANING.items() if isinstance(error, kind)), "")
     if isinstance(error, SyntaxError) and seen.text != "invalid syntax":
         meaning = ""  # Python says it better

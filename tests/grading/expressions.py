@@ -4,8 +4,10 @@ import ast
 import builtins
 from contextlib import suppress
 
+from vpython import vector
+
 from grading.messages import shown
-from grading.values import in_words, names_in
+from grading.values import in_words, names_in, SHAPES
 
 # The parts of an expression whose values are noted. Into the others nobody looks: they may run later, or many times.
 PARTS = ast.Call, ast.Subscript, ast.Attribute, ast.BinOp, ast.UnaryOp, ast.Compare, ast.BoolOp
@@ -38,11 +40,14 @@ def place_of(node) -> tuple[int, ...]:
 
 def targets_of(node) -> list[ast.expr]:
     """Return the places that get a value in a statement, each one of a tuple alone."""
-    targets = node.targets if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
+    left = [*node.targets] if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
     found = []
-    for target in targets:
+    while left:
+        target = left.pop(0)
         if isinstance(target, (ast.Tuple, ast.List)):
-            found += target.elts
+            left = [*target.elts, *left]
+        elif isinstance(target, ast.Starred):
+            left.insert(0, target.value)
         elif target is not None:
             found.append(target)
     return found
@@ -83,6 +88,7 @@ class Values:
         """parts has the noted values, by their places."""
         self.frame, self.parts = frame, parts
         self.names = names_in(frame)
+        self.can_change = False  # whether a method that is called in a condition may have changed something
 
     def of(self, node):
         """Return the value of a node; raise a LookupError if it is not known."""
@@ -94,10 +100,16 @@ class Values:
             return self.of_name(node.id)
         if isinstance(node, ast.Tuple):
             return tuple(self.of(one) for one in node.elts)
-        if isinstance(node, ast.Subscript):
-            return self.of(node.value)[self.of(node.slice)]
-        if isinstance(node, ast.Attribute):
-            return getattr(self.of(node.value), node.attr)
+        if isinstance(node, (ast.Subscript, ast.Attribute)):
+            return self.taken(self.of(node.value), node)
+        raise LookupError
+
+    def taken(self, whole, node):
+        """Return an element or an attribute of a whole. Of a class that the student wrote, this could change it."""
+        if isinstance(node, ast.Subscript) and type(whole) in (dict, list, tuple):
+            return whole[self.of(node.slice)]
+        if isinstance(node, ast.Attribute) and isinstance(whole, (*SHAPES, vector)):
+            return getattr(whole, node.attr)
         raise LookupError
 
     def of_name(self, name):
@@ -137,10 +149,11 @@ class Values:
 
     def condition(self, node, value) -> str:
         """Return a condition that has this value: both sides of each comparison, and whether it is true."""
-        try:
+        text = ""
+        calls = [one for one in operations_in(node) if isinstance(one, ast.Call)]
+        self.can_change = any(isinstance(one.func, ast.Attribute) for one in calls)
+        with suppress(Exception):  # its words are not known
             text = self.words(node)
-        except LookupError:
-            text = ""
         if text in ("True", "False", ""):
             return f"{bool(value)}"
         if isinstance(node, (ast.Compare, ast.BoolOp)):
@@ -155,11 +168,16 @@ class Values:
                 text += f" {SIGNS[type(sign)]} {self.words(side)}"
             return text
         if isinstance(node, ast.BoolOp):
+            is_and = isinstance(node.op, ast.And)
             parts = []
             for one in node.values:
-                with suppress(LookupError):  # it was not needed
-                    parts.append(self.words(one))
-            return (" and " if isinstance(node.op, ast.And) else " or ").join(parts)
+                parts.append(self.words(one))
+                if bool(self.of(one)) != is_and:
+                    break  # Python has not looked at the others
+            return (" and " if is_and else " or ").join(parts)
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
             return f"not {self.words(node.operand)}"
-        return in_words(self.of(node), self.names_but(node))
+        value = self.of(node)
+        if isinstance(value, (list, dict)) and self.can_change:
+            raise LookupError  # it may have been another one when Python looked at it
+        return in_words(value, self.names_but(node))

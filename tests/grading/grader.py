@@ -7,6 +7,7 @@ the changed arguments, with the expected ones. The code of the function does not
 
 import importlib
 import re
+import sys
 import traceback
 from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout, suppress
@@ -196,6 +197,7 @@ def place_of(raised, function) -> Place | None:
     return own[-1] if own else None
 
 
+DEEPER = 4
 NOTHING_SEEN = Explained(0, [], [])
 
 PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
@@ -286,9 +288,10 @@ class Grading:
             wrong = error_lines(raised)[0]
         elif raised and seen.line:  # where the clock has stopped it is chance
             place, lines = None, [end_of(raised, ()), *lines[1:]]
-        line = place.line if place else seen.line or code.line
-        file = FUNCTIONS[check.function].file
+        line, file = seen.line or code.line, FUNCTIONS[check.function].file
         where = f"{file}, line {line}" if line else file
+        if place:
+            where = f"{place}"
         called = error.call.lines(index_in(f"{error}") or 0)
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
         text = message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)])
@@ -336,6 +339,8 @@ def line_by_line(check, error) -> Explained:
         return NOTHING_SEEN
     watch = Watch(is_endless=bool(raised and raised.limit))
     runner.watch, runner.watched = watch, runner.count
+    depth = sys.getrecursionlimit()
+    sys.setrecursionlimit(DEEPER * depth)  # the changed code needs more calls
     try:
         with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
             ask(check)
@@ -345,10 +350,11 @@ def line_by_line(check, error) -> Explained:
             with suppress(Exception):  # a student's values may say nothing of themselves
                 index = index_in(f"{error}")
                 return WrongCall(check.function, f"{error}", watch, runner.arguments, index, error.right).explained()
-    except WaitError:
-        pass
+    except Exception:
+        return NOTHING_SEEN  # also a WaitError
     finally:
         runner.watch = None
+        sys.setrecursionlimit(depth)
     return NOTHING_SEEN
 
 

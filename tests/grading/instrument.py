@@ -1,26 +1,33 @@
 """Other code for a student's functions, which does the same, and hands its values to a Watch (watch.py).
 
-All lines keep their numbers, and nothing is computed twice.
+All lines keep their numbers. Of these lines in a function,
+
+    while i < 3:
+        a = b[i]
+
+this becomes (with the place of b[i] in the file in place of PLACE):
+
+    __watch__.begin_statement(1)
+    while __watch__.test(1, i < 3):
+        __watch__.turn(1)
+        __watch__.begin_statement(2)
+        a = __watch__.value(2, __watch__.part(2, PLACE, b[i]))
+        __watch__.done(2)
 """
 
 import ast
 import linecache
 import sys
-from collections import defaultdict
-from contextlib import contextmanager, ExitStack
+from contextlib import contextmanager
 from copy import deepcopy
-from pathlib import Path
 from types import CodeType, FunctionType
-from unittest.mock import patch
-
-from grading.begin import ROOT
 
 from grading.expressions import AS_THEY_ARE, is_part, place_of
-from grading.handout import is_students
+from grading.handout import FUNCTIONS, is_students, module_of
 from grading.watch import LOOPS, Statement
 
-SRC = ROOT / "src"
 WATCH = "__watch__"  # the name under which the changed code finds the Watch
+TRIES = ast.Try, getattr(ast, "TryStar", ast.Try)  # except* is there from Python 3.11 on
 STORING = ast.Assign, ast.AugAssign, ast.AnnAssign, ast.Expr
 
 
@@ -65,19 +72,19 @@ class Changer:
         number = self.add(node, len(self.statements), ())
         node.body = [line_with(node, "enter", number), *self.block(node.body, number, ())]
 
-    def add(self, node, owner, loops) -> int:
+    def add(self, node, owner, loops, is_shown=True) -> int:
         """Note a statement; return its number."""
-        self.statements.append(Statement(deepcopy(node), owner, loops))
+        self.statements.append(Statement(deepcopy(node), owner, loops, is_shown))
         return len(self.statements) - 1
 
     def block(self, nodes, owner, loops) -> list[ast.stmt]:
         """Return the changed statements of a block. owner is the number of the function, loops are those around it."""
         changed = []
         for node in nodes:
-            if isinstance(node, ast.FunctionDef):
-                self.function(node)
-                changed.append(node)
-            elif isinstance(node, (ast.AsyncFunctionDef, ast.ClassDef)) or is_idle(node):
+            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) or is_idle(node):
+                self.add(node, owner, loops, is_shown=False)
+                if isinstance(node, ast.FunctionDef):
+                    self.function(node)
                 changed.append(node)
             else:
                 changed += self.statement(node, owner, loops)
@@ -90,20 +97,21 @@ class Changer:
             loops = (*loops, number)
         self.expressions(node, number)
         self.blocks(node, owner, loops)
+        begin = line_with(node, "begin_statement", number)
         if isinstance(node, LOOPS):
             node.body.insert(0, line_with(node, "turn", number))
         if isinstance(node, (ast.If, ast.While, ast.Assert)):
             node.test = hand("test", number, node.test)
-            return [node]
-        if isinstance(node, ast.Return) and node.value:
+        elif isinstance(node, ast.For):
+            node.iter = hand("value", number, node.iter)
+        elif isinstance(node, ast.Return) and node.value:
             node.value = hand("gives", number, node.value)
-            return [node]
-        if isinstance(node, STORING) and node.value:
+        elif isinstance(node, STORING) and node.value:
             node.value = hand("value", number, node.value)
-            return [node, line_with(node, "done", number)]
-        if isinstance(node, (ast.For, ast.Try, ast.Match)):
-            return [node]
-        return [line_with(node, "ran", number), node]
+            return [begin, node, line_with(node, "done", number)]
+        elif not isinstance(node, TRIES):
+            return [line_with(node, "ran", number), node]
+        return [begin, node]
 
     def expressions(self, node, number) -> None:
         """Let the expressions of a statement hand their parts to the Watch."""
@@ -123,8 +131,10 @@ class Changer:
     def blocks(self, node, owner, loops) -> None:
         """Change the blocks of a statement."""
         for name in ("body", "orelse", "finalbody"):
+            # The else of a loop stands outside of its turns.
+            around = loops[:-1] if name == "orelse" and isinstance(node, LOOPS) else loops
             if getattr(node, name, None):
-                setattr(node, name, self.block(getattr(node, name), owner, loops))
+                setattr(node, name, self.block(getattr(node, name), owner, around))
         for handler in getattr(node, "handlers", []):
             number = self.add(handler, owner, loops)
             handler.body = [line_with(handler, "caught", number), *self.block(handler.body, owner, loops)]
@@ -140,38 +150,38 @@ def is_idle(node) -> bool:
 
 @contextmanager
 def watched(function, watch):
-    """In the body of the with statement, all functions that the student wrote for this one are watched."""
-    by_file = defaultdict(list)
-    for each in {*own_functions(function)}:
-        by_file[each.__code__.co_filename].append(each)
-    with ExitStack() as stack:
-        for file, functions in by_file.items():
-            codes = changed_codes(file, {each.__code__.co_name for each in functions}, watch)
-            for each in functions:
-                code = codes.get((each.__code__.co_name, each.__code__.co_firstlineno))
-                if code and code.co_freevars == each.__code__.co_freevars:
-                    stack.callback(setattr, each, "__code__", each.__code__)
-                    each.__code__ = code
-                    stack.enter_context(patch.dict(each.__globals__, {WATCH: watch}))
+    """In the body of the with statement, the student's functions for this one have other code, which is watched."""
+    functions = {*own_functions(function)}
+    kept = {each: each.__code__ for each in functions}
+    for file in {each.__code__.co_filename for each in functions}:
+        own = [each for each in functions if each.__code__.co_filename == file]
+        codes = changed_codes(file, {each.__code__.co_name for each in own}, watch)
+        for each in own:
+            code = codes.get((each.__code__.co_name, each.__code__.co_firstlineno))
+            if code and code.co_freevars == each.__code__.co_freevars:
+                each.__code__ = code
+                each.__globals__[WATCH] = watch
+    try:
         yield
+    finally:
+        for each, code in kept.items():
+            each.__code__ = code
+            each.__globals__.pop(WATCH, None)
 
 
 def own_functions(function):
-    """Yield this function of the handout, and the student's own helpers: functions and methods in the files of src/."""
-    modules = [module for name, module in [*sys.modules.items()] if name.startswith("src.")]
-    for module in modules:
-        values = [*vars(module).values()]
-        for one in [*values]:
-            if isinstance(one, type) and one.__module__ == module.__name__:
-                values += vars(one).values()
-        for one in values:
-            if isinstance(one, FunctionType) and is_watched(one.__code__, function):
-                yield one
-
-
-def is_watched(code, function) -> bool:
-    """Return whether code is in a file of src/, and a student wrote it for this function."""
-    return Path(code.co_filename).is_relative_to(SRC) and is_students(code.co_name, function)
+    """Yield this function of the handout, and the student's own functions and methods in its file."""
+    module = sys.modules[module_of(FUNCTIONS[function].file)]
+    code = getattr(getattr(module, function, None), "__code__", None)
+    file = code.co_filename if code else ""
+    values = [*vars(module).values()]
+    for one in [*values]:
+        if isinstance(one, type) and one.__module__ == module.__name__:
+            values += vars(one).values()
+    for one in values:
+        code = one.__code__ if isinstance(one, FunctionType) else None
+        if code and code.co_filename == file and is_students(code.co_name, function):
+            yield one
 
 
 def changed_codes(file, names, watch) -> dict[tuple, CodeType]:

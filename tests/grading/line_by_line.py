@@ -12,8 +12,6 @@ from grading.question import lines_in, Question
 from grading.trace_table import INDENT, Row, Stop, Table
 from grading.watch import EndlessError, Run, Watch
 
-ACCELERATIONS = "acc", "accel", "angacc", "angularacceleration", "accelerationangular", "dotomega", "omegadot"
-
 
 class Explained(NamedTuple):
     """What was seen of a wrong call."""
@@ -69,7 +67,7 @@ class WrongCall:
         """Return where the watched calls were stopped, the outer one first."""
         found, error = {}, self.watch.error
         step = error.__traceback__ if error else None
-        while step:
+        while step and not (found and isinstance(error, RecursionError)):  # of these, the outer call is enough
             run = self.watch.runs.get(step.tb_frame)
             if run:
                 found[run] = Stop(step.tb_lineno, *words_of(error))
@@ -123,8 +121,8 @@ class WrongCall:
 
     def missing_calls(self) -> list[str]:
         """Return a sentence for each function that the handout tells to use, and that no line names."""
-        definitions = [self.watch.statements[run.definition].node for run in self.runs]
-        names = {getattr(one, "id", "") for node in definitions for one in ast.walk(node)}
+        nodes = [one for run in self.runs for one in ast.walk(self.watch.statements[run.definition].node)]
+        names = {getattr(one, kind, "") for one in nodes for kind in ("id", "attr", "name")}
         missing = [name for name in FUNCTIONS[self.function].uses if name not in names]
         return [f"No line of your function calls {name}." for name in missing]
 
@@ -148,20 +146,22 @@ class WrongCall:
         return ["Your function has no return with a value."]
 
     def departures(self) -> dict[int, str]:
-        """Return the first line whose value is certainly not that of the handout's formula, with the right value.
+        """Return the first line that gives a returned name a value that the handout's formula does not give.
 
-        It is certain if the student gives the value the name that it has in the formula, and gives it no other value.
+        It is certain only if the name that is returned has this value, and the formula has the result.
         """
-        for store in sorted(self.watch.stores, key=lambda store: store.line):
-            if not isinstance(store.place, Run) or not isinstance(store.value, Real):
+        node = self.question.returned()
+        parts = node.value.elts if node and isinstance(node.value, ast.Tuple) else []
+        names = FUNCTIONS[self.function].returns.split(", ")
+        found = {}
+        for part, name in zip(parts, names, strict=False):
+            right = dict(self.right).get(name)
+            stores = self.question.stores_of([getattr(part, "id", "")], self.main)
+            if right is None or not stores or not isinstance(stores[-1].value, Real):
                 continue
-            others = self.question.stores_of([store.key], store.place)
-            if {other.text for other in others} == {store.text}:
-                for name, value in self.right:
-                    is_near = isclose(store.value, value, rel_tol=1e-6, abs_tol=1e-9)
-                    if plain_name(store.key) == plain_name(name) and not is_near:
-                        return {store.line: f"{shown(value)} is right here"}
-        return {}
+            if not isclose(stores[-1].value, right, rel_tol=1e-6, abs_tol=1e-9):
+                found[stores[-1].line] = f"{shown(right)} is right here"
+        return dict(sorted(found.items())[:1])
 
 
 def sets_what_is_used(one, node) -> bool:
@@ -180,9 +180,3 @@ def words_of(error) -> tuple[str, bool]:
     if isinstance(error, KeyboardInterrupt):
         return "stopped here", False
     return f"stops here: {type(error).__name__}", True
-
-
-def plain_name(name) -> str:
-    """Return a name without what people write in different ways: v1_new and new_v1."""
-    plain = "".join(sorted(name.lower().split("_")))
-    return "acceleration" if plain in ACCELERATIONS else plain

@@ -5,7 +5,7 @@ import re
 from collections.abc import Iterable
 from typing import Any
 
-from grading.expressions import names_in_head, operations_in, targets_of
+from grading.expressions import AS_THEY_ARE, names_in_head, operations_in, targets_of
 from grading.handout import FUNCTIONS
 from grading.values import in_words
 from grading.watch import Run, Store, Watch
@@ -16,6 +16,7 @@ VALUE = re.compile(rf"(?P<key>\w+) of {PEND} ")
 KEYS = re.compile(rf"{PEND} (?:misses|must not have) the key ")
 IN_EACH = re.compile(r"the value of (?P<key>\w+) in each pendulum ")
 OBJECT = re.compile(r"(?P<what>\w+).* of (?:the )?(?P<part>axle|bob|cord)(?:\[| of pend_list\[)\d+\]")
+UNSEEN = {"update", "setdefault", "pop", "clear", "map", "setattr", "exec", "vars", "__setitem__"}
 MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parameters
 
 
@@ -62,17 +63,28 @@ class Question:
         setting = self.lines_with_key(key, name)
         lines = [*self.lines_of_list(), *setting]
         stores = [store for store in self.watch.stores if store.place is pend and store.key == key]
-        if stores:
+        if stores and stores[-1].value is pend.get(key):
             steps = ", then ".join(f"to {store.text} in line {store.line}" for store in stores[-3:])
             self.facts.append(f"{key} of {name} was set {steps}.")
             return [*lines, *lines_in(stores), first_with_last_value(stores)]
         _, before, giver = self.watch.known.get(id(pend), (pend, {}, ""))
         if key in before and before[key] is pend.get(key):
-            given = f": it is {in_words(pend[key])}, as {giver} gave it" if giver else ""
-            self.facts.append(f"No line of your function has set {key} of {name}{given}.")
+            before = f"as {giver} gave it" if giver else "as before the call"
+            words = f"still {in_words(pend[key])}, {before}"
+            if self.can_set_unseen():
+                self.facts.append(f"{key} of {name} is {words}.")
+            else:
+                self.facts.append(f"No line of your function has set {key} of {name}: it is {words}.")
         if setting:
             return [*lines, *self.conditions_around(setting[-1])]
         return [*lines, *self.lines_without_effect()] or self.of_result()
+
+    def can_set_unseen(self) -> bool:
+        """Return whether a line can set a value in a way that is not watched, as p.update(e=0) in a comprehension."""
+        nodes = [one for run in self.watch.runs.values() for one in ast.walk(self.node(run.definition))]
+        names = {getattr(one, kind, "") for one in nodes for kind in ("id", "attr")}
+        has_union = any(isinstance(one, ast.AugAssign) and isinstance(one.op, ast.BitOr) for one in nodes)
+        return has_union or bool(names & UNSEEN) or any(isinstance(one, AS_THEY_ARE) for one in nodes)
 
     def conditions_around(self, line) -> list[int]:
         """Return the line of the innermost condition that was not true, and has a line in it."""
@@ -97,7 +109,7 @@ class Question:
         """Return the lines that have set the name that is returned."""
         node = self.returned()
         if node and isinstance(node.value, ast.Name):
-            return lines_in(self.stores_of([node.value.id]))
+            return lines_in(self.stores_of([node.value.id], self.main))
         return []
 
     def lines_with_key(self, key, name="") -> list[int]:
@@ -143,13 +155,19 @@ class Question:
         part = node.value
         if wrong and isinstance(part, ast.Tuple) and len(part.elts) == len(names):
             part = part.elts[wrong[0]]
-        stores = self.stores_of(names_in_head(part))
+        stores = self.stores_of(names_in_head(part), self.main)
         lines = [*lines_in(stores), first_with_last_value(stores)] if stores else []
         if not isinstance(part, ast.Name) or self.sentence.startswith("The result "):
             return [*lines, node.lineno]
-        if wrong and not lines and part.id in self.values:
+        if wrong and part.id in self.values and not self.is_set(part.id):
             self.facts.append(f"{names[wrong[0]]} is your {part.id}, and no line of your function has set it.")
         return lines or [node.lineno]
+
+    def is_set(self, name) -> bool:
+        """Return whether a line of the function can give a name another value."""
+        nodes = [*ast.walk(self.node(self.main.definition))]
+        names = {one.id for one in nodes if isinstance(one, ast.Name) and not isinstance(one.ctx, ast.Load)}
+        return name in names or any(getattr(one, "name", "") == name for one in nodes)
 
     def lines_with_calls(self) -> list[int]:
         """Return the first line of the function that has called a function of src/."""
@@ -174,10 +192,9 @@ class Question:
                 return self.node(number)
         return None
 
-    def stores_of(self, names, run=None) -> list[Store]:
-        """Return what was stored under names of a call; without run, of the function's own call."""
-        place = run or self.main
-        return [store for store in self.watch.stores if store.place is place and store.key in names]
+    def stores_of(self, names, run) -> list[Store]:
+        """Return what was stored under these names of a call."""
+        return [store for store in self.watch.stores if store.place is run and store.key in names]
 
 
 def first_with_last_value(stores) -> int:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from unittest.mock import patch
 
 from grading import limits
-from grading.handout import FUNCTIONS
+from grading.handout import FUNCTIONS, module_of
 from grading.instrument import watched
 from grading.raised import StoppedError
 from grading.watch import Watch
@@ -117,8 +117,3 @@ def working_in(folder):
         yield
     finally:
         os.chdir(before)
-
-
-def module_of(file) -> str:
-    """Return the module name of a file of the project."""
-    return file.removesuffix(".py").replace("/", ".")

@@ -8,6 +8,7 @@ from contextlib import suppress
 from textwrap import wrap
 from typing import NamedTuple
 
+from grading.instrument import TRIES
 from grading.values import in_words, names_in
 from grading.watch import LOOPS, Run, Seen, Watch
 
@@ -50,19 +51,24 @@ class Table:
     """The trace table of one call of a function that the student wrote."""
 
     def __init__(self, watch: Watch, run: Run, stop: Stop | None, needed: dict[int, int], marks: dict[int, str], index):
-        """needed has the lines that matter, with the numbers of steps that lead to them. marks has what is right, by
+        """needed has the lines that matter, with the numbers of steps that lead to them.
 
-        the line that departs from it. index is that of the pendulum in question, or None.
+        marks has what is right, by the line that departs from it. index is that of the pendulum in question, or None.
         """
         self.watch, self.run, self.stop = watch, run, stop
         self.needed, self.marks, self.index = needed, marks, index
         self.file = run.frame.f_code.co_filename
         self.by_line: dict[int, list[int]] = {}  # the numbers of the statements that begin in a line
         for number, statement in enumerate(watch.statements):
-            if statement.owner == run.definition != number:
+            is_own = statement.owner == run.definition != number
+            if is_own and (statement.is_shown or self.is_stopped_in(statement.node)):
                 self.by_line.setdefault(statement.node.lineno, []).append(number)
         columns = [len(self.source(line)) - len(self.source(line).lstrip()) for line in self.by_line]
         self.first_column = min(columns, default=0)
+
+    def is_stopped_in(self, node) -> bool:
+        """Return whether the call was stopped in a statement."""
+        return self.stop is not None and node.lineno <= self.stop.line <= node.end_lineno
 
     def node(self, number) -> ast.AST:
         return self.watch.statements[number].node
@@ -102,8 +108,10 @@ class Table:
         texts = [without_comment(self.source(line))]
         if line in self.by_line:
             node = self.node(self.by_line[line][0])
-            body = getattr(node, "body", None)
-            last = body[0].lineno - 1 if isinstance(body, list) else node.end_lineno
+            body = getattr(node, "body", None) or getattr(node, "cases", None)
+            last = node.end_lineno
+            if isinstance(body, list):
+                last = getattr(body[0], "lineno", line + 1) - 1
             for number in range(line + 1, last + 1):
                 if body and texts[-1].endswith(":"):
                     break  # comments and prints follow
@@ -114,8 +122,8 @@ class Table:
 
     def said(self, line) -> Said | None:
         """Return what is said of a line with statements; None if it comes after the line that has stopped."""
-        numbers = self.by_line[line]
-        if isinstance(self.node(numbers[0]), ast.Try):
+        numbers = [number for number in self.by_line[line] if not isinstance(self.node(number), TRIES)]
+        if not numbers:
             return Said(ABOVE)
         found = [self.said_of(number, line) for number in numbers]
         if self.stop and line == self.begin_of(self.stop.line):
@@ -123,7 +131,7 @@ class Table:
         elif not any(found):
             if self.stop and self.stop.is_error and line > self.stop.line and self.run.is_whole:
                 return None
-            said = Said(ABOVE, self.never_ran(line))
+            said = Said(ABOVE, self.never_ran(line, numbers))
         else:
             said = together([one for one in found if one])
         if line in self.marks:
@@ -138,6 +146,8 @@ class Table:
         """Return what is said of a statement, or None if it did not come to its end."""
         seen, node = self.run.seen.get(number), self.node(number)
         count = self.count_of(number)
+        if not self.run.is_whole:
+            count = max(0, count - 1)  # the last turn was not watched to its end
         if not seen:
             is_empty = isinstance(node, LOOPS) and number in self.run.values and not self.stop
             return Said(VALUES, "no turn") if is_empty else None
@@ -169,16 +179,21 @@ class Table:
             below += [f"{turn}{called.name} got {called.got}" for called in calls]
         return Said(0, f"{said.beside}  <- {self.stop.words}".strip(), (*below, *said.below[-1:]))
 
-    def never_ran(self, line) -> str:
+    def never_ran(self, line, numbers) -> str:
         """Return what is said beside a line that did not come to its end in any turn."""
         for stopped, kind in self.run.hidden.items():
             if line == self.begin_of(stopped):
                 return f"stopped: {kind}"
-        return "(never ran)" if self.run.is_whole else "(not watched so far)"
+        if not self.run.is_whole:
+            return "(not watched further)"
+        return "(did not come to its end)" if self.run.begun.intersection(numbers) else "(never ran)"
 
     def begin_of(self, line) -> int:
-        """Return the first line of the statement in which a line is; 0 if it is in none."""
-        return max((begin for begin in self.by_line if begin <= line), default=0)
+        """Return the first line of the innermost statement in which a line is; 0 if it is in none."""
+        found = [0]
+        for begin, numbers in self.by_line.items():
+            found += [begin for number in numbers if begin <= line <= self.node(number).end_lineno]
+        return max(found)
 
     # --- the turns of a loop ---
 
@@ -194,7 +209,11 @@ class Table:
     def in_turns_of(self, seen: list[Seen], count, is_loop) -> str:
         """Return what a statement gave, in each turn of its loop that is shown."""
         by_turn = {one.turn: self.cell(one) for one in seen}
-        count = max(count, *by_turn)  # the condition of a while comes once more
+        turns = count
+        if seen[0].is_condition_of_loop:  # it comes once more at each end
+            by_turn = {i: self.cell(one) for i, one in enumerate(seen, start=1)}
+            count = len(seen)
+            turns = count if self.stop and not self.stop.is_error else turns
         is_in_each = len(by_turn) == count
         if is_in_each and not any(one.words for one in seen):
             return ""
@@ -208,7 +227,11 @@ class Table:
         if len(text) > LONG and self.index is not None and self.index < count:
             turn = self.index + 1
             return f"turn {turn}: {by_turn.get(turn, '-')}"
-        return f"{text}  ({count} turns)" if is_loop and count > FEW else text
+        if not is_loop or count <= FEW:
+            return text
+        if not self.run.is_whole:
+            return f"{text}  (more than {turns} turns: not watched further)"
+        return f"{text}  ({turns} turns)"
 
     def cell(self, one: Seen) -> str:
         """Return what a statement gave in one turn."""
@@ -236,7 +259,10 @@ class Table:
 
 def together(found: list[Said]) -> Said:
     """Return what is said of several statements in a line."""
-    beside = "; ".join(dict.fromkeys(one.beside for one in found if one.beside))
+    texts = dict.fromkeys(one.beside for one in found if one.beside)
+    if len(texts) > 1:  # whether a line ran in a turn stands in the others, too
+        texts = {text: None for text in texts if {*text.split(" | ")} - {"ran", "-", "..."}}
+    beside = "; ".join(texts)
     return Said(min(one.rank for one in found), beside, tuple(text for one in found for text in one.below))
 
 

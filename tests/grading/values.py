@@ -1,6 +1,7 @@
 """The values in a student's code, in a few words."""
 
 import os
+from itertools import islice
 from types import BuiltinFunctionType, FrameType, FunctionType, MethodType, ModuleType
 
 from pandas import DataFrame
@@ -11,6 +12,7 @@ from grading.messages import form_of, shown
 SHORT = 48  # characters of a value that is shown whole
 SHAPES = box, sphere, cylinder
 MOST_ELEMENTS = 5  # shown of a tuple
+MOST_NAMED = 50  # elements of a list that have a name
 MOST_KEYS = 3  # shown of a dictionary
 
 
@@ -38,10 +40,10 @@ def names_in(frame: FrameType) -> dict[int, str]:
 
 
 def elements_of(value) -> list[tuple]:
-    """Return the indexes and elements of a list or a tuple, or the keys and values of a dictionary of dictionaries."""
+    """Return the first indexes and elements of a list or a tuple, or keys and values of a dictionary."""
     if type(value) in (list, tuple):
-        return [*enumerate(value)]
-    return [*value.items()] if type(value) is dict else []
+        return [*enumerate(value[:MOST_NAMED])]
+    return [*islice(value.items(), MOST_NAMED)] if type(value) is dict else []
 
 
 def in_words(value, names=None) -> str:

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 from grading.begin import ROOT
 
-from grading.expressions import targets_of, Values
+from grading.expressions import names_in_head, targets_of, Values
 from grading.values import in_words, names_in
 
 MOST_TURNS = 1000  # of a loop, in a function that went over the limit of time: then it is stopped
@@ -36,6 +36,7 @@ class Statement:
     node: Any  # of the syntax tree as the student wrote it
     owner: int  # the number of the function's own statement: its def
     loops: tuple[int, ...]  # the numbers of the loops around it, the outer one first
+    is_shown: bool  # in a table, if no error stops it: a print and an inner function are not
 
 
 @dataclass
@@ -55,6 +56,7 @@ class Seen:
     turn: int  # of the innermost loop around it; for a loop, its own one; 0 without a loop
     words: list[tuple[str, str]]  # the code of a place, or "", and its value as text
     calls: list[Called] = field(default_factory=list)
+    is_condition_of_loop: bool = False  # of a while
 
 
 class Store(NamedTuple):
@@ -73,9 +75,11 @@ class Run:
     def __init__(self, definition, frame):
         """definition is the number of its def."""
         self.definition, self.frame = definition, frame
-        self.turns: defaultdict[int, int] = defaultdict(int)  # by the number of the loop
+        self.turns: defaultdict[int, int] = defaultdict(int)  # by the number of the loop, all of the call
+        self.turns_now: defaultdict[int, int] = defaultdict(int)  # since the loop began the last time
         self.seen: defaultdict[int, list[Seen]] = defaultdict(list)  # by the number of the statement
-        # Of the statements that have not come to their ends, by their numbers:
+        # Of the statements that have begun, and not come to their ends, by their numbers:
+        self.begun: set[int] = set()
         self.values: dict[int, Any] = {}  # the value of the expression
         self.parts: defaultdict[int, dict] = defaultdict(dict)  # the values of its parts, by their places
         self.calls: defaultdict[int, list[Called]] = defaultdict(list)
@@ -146,6 +150,14 @@ class Watch:
         self.runs[frame] = Run(number, frame)
 
     @noting
+    def begin_statement(self, run, number):
+        """A statement begins: forget what is left of it from a turn in which an error has stopped it."""
+        run.begun.add(number)
+        run.turns_now[number] = 0
+        for kept in (run.values, run.parts, run.calls, run.before):
+            kept.pop(number, None)
+
+    @noting
     def part(self, run, number, place, value):
         """A part of a statement's expression has this value."""
         run.parts[number][place] = value
@@ -173,7 +185,9 @@ class Watch:
         run.turns[number] += 1
         if isinstance(self.statements[number].node, ast.For):
             self.end(run, number, self.stored(run, number))
-        if self.is_endless and run.turns[number] >= MOST_TURNS:
+        run.turns_now[number] += 1
+        can_be_endless = isinstance(self.statements[number].node, ast.While) or type(run.values.get(number)) is list
+        if self.is_endless and can_be_endless and run.turns_now[number] >= MOST_TURNS:
             run.turns[number] -= 1  # the others are whole
             raise EndlessError
 
@@ -207,7 +221,7 @@ class Watch:
         while step.tb_next and step.tb_frame is not run.frame:
             step = step.tb_next
         run.hidden[step.tb_lineno] = type(error).__name__
-        words = f"line {step.tb_lineno} stopped with {type(error).__name__}: {error}; this except hides it"
+        words = f"line {step.tb_lineno} stopped with {type(error).__name__}: {error}; this except takes it"
         self.end(run, number, [("", words)])
 
     def function(self, number, function):
@@ -228,7 +242,7 @@ class Watch:
             finally:
                 called.run = self.run_after(count, function)
             changes = self.changes(run, number, called, pendula, before)
-            called.gave = gave_in_words(result, changes, bool(pendula), names_in(run.frame))
+            called.gave = gave_in_words(result, changes, names_in(run.frame))
             self.know([result], function.__name__)
             return result
 
@@ -252,18 +266,22 @@ class Watch:
         statement = self.statements[number]
         loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
         turn = run.turns[loops[-1]] if loops else 0
-        if isinstance(statement.node, ast.While):
-            turn += 1  # its condition comes before the turn
-        run.seen[number].append(Seen(turn, words, run.calls.pop(number, [])))
+        is_condition = isinstance(statement.node, ast.While)
+        run.seen[number].append(Seen(turn, words, run.calls.pop(number, []), is_condition))
+        run.begun.discard(number)
         run.parts.pop(number, None)
-        run.values.pop(number, None)
+        if not isinstance(statement.node, ast.For):
+            run.values.pop(number, None)
 
     def stored(self, run, number) -> list[tuple[str, str]]:
         """Return what a statement has stored where, in words, and keep it in stores."""
         node, values = self.statements[number].node, self.values_in(run, number)
-        found = []
-        for target in targets_of(node):
+        found, targets = [], targets_of(node)
+        new_names = {target.id for target in targets if isinstance(target, ast.Name)}
+        for target in targets:
             code = ast.unparse(target)
+            if new_names & names_in_head(target):
+                continue  # a[i], i = 5, 1: now, i is another one
             with suppress(LookupError, TypeError, AttributeError):
                 value = values.of(target)
                 text = in_words(value, values.names_but(target))
@@ -294,10 +312,11 @@ class Watch:
     def lost(self, run, number) -> list[tuple[str, str]]:
         """Return the value of an expression that no name gets, in words: None, and what a call got, is not lost."""
         node, value = self.statements[number].node, run.values.get(number)
-        if not isinstance(node, ast.Expr) or value is None:
+        if not isinstance(node, ast.Expr) or isinstance(node.value, ast.NamedExpr) or value is None:
             return []
         values = self.values_in(run, number)
-        for argument in getattr(node.value, "args", []):
+        options = [option.value for option in getattr(node.value, "keywords", [])]
+        for argument in [*getattr(node.value, "args", []), *options]:
             with suppress(LookupError):
                 if values.of(argument) is value:
                     return []
@@ -322,13 +341,11 @@ class Watch:
         return words
 
 
-def gave_in_words(result, changes, has_pendula, names) -> str:
+def gave_in_words(result, changes, names) -> str:
     """Return the result of a call, and what it has changed, in words."""
     if result is not None:
         return " and ".join([f"gave {in_words(result, names)}", *changes])
-    if changes:
-        return " and ".join(changes)
-    return "changed nothing" if has_pendula else "gave None"
+    return " and ".join(changes) or "gave None"
 
 
 def got_by(function, arguments, options, frame) -> str:

@@ -11,7 +11,6 @@ from wrong_solutions import PLAIN
 from grading import limits
 from grading.grader import PASSED, runner
 from grading.instrument import watched
-from grading.students_code import StudentsCode
 from grading.watch import Watch
 
 
@@ -93,6 +92,24 @@ ROWS = {  # a function, a wrong version, and rows of its tables; the numbers of 
         *("handle_two_bobs", "axle, bob = pend1['objects']"),
         ["the value is (axle, bob, cord)"],
     ),
+    "a guard, and a loop in a loop": (
+        *("angle_update", "a, n = None, 0\nif a is not None and a['x'] > 1: pass\nfor i in range(2):\n    for j in range(2): n += 1\nelse: n = 0\nreturn n, theta"),
+        ["3 if a is not None and a['x'] > 1: pass None is not None False", "5 for j in range(2): n += 1 0 | 1 | 0 | 1; 1 | 2 | 3 | 4", "n = 0"],
+    ),
+    "no turn": (*("angle_update", "for i in range(0): g = i\nreturn omega, theta"), ["2 for i in range(0): g = i no turn"]),
+    "match": (
+        *("angle_update", "match g:\n    case 8:\n        a = 1\n    case _:\n        a = 2\nreturn a, theta"),
+        ["2 match g: 4 a = 1 a = 1 <- 2 is right here 6 a = 2 (never ran)"],
+    ),
+    "an error in a print": (*("angle_update", "a = 5\nprint(a / 0)"), ["2 a = 5 a = 5 3 print(a / 0) <- stops here: ZeroDivisionError"]),
+    "an error that nobody told": (
+        *("angle_update", "from contextlib import suppress\nwith suppress(Exception):\n    a = g / 0\nreturn 1, 1"),
+        ["4 a = g / 0 (did not come to its end)"],
+    ),
+    "a long loop": (
+        *("angle_update", "for i in range(20000): a = i\nreturn a, theta"),
+        ["turns: not watched further)", "3 return a, theta (not watched further)"],
+    ),
     "a helper has a table of its own": (
         *("angle_update", "def pull(a):\n    return g * sin(a)\nnew = omega - pull(theta)\nreturn new, theta + new * dt"),
         ["pull got a = 2.61799", "Your function pull, called there:", "3 return g * sin(a) gives 4"],
@@ -103,7 +120,7 @@ ROWS = {  # a function, a wrong version, and rows of its tables; the numbers of 
     ),
     "an error that an except hides": (
         *("angle_update", "try:\n    a = omega / 0\nexcept ZeroDivisionError:\n    a = 0\nreturn a, theta"),
-        ["2 try: 3 a = omega / 0 stopped: ZeroDivisionError", "line 3 stopped with ZeroDivisionError: float division by zero; this except hides it"],
+        ["2 try: 3 a = omega / 0 stopped: ZeroDivisionError", "line 3 stopped with ZeroDivisionError: float division by zero; this except takes it"],
     ),
     "conditions": (
         *("angle_update", "a = []\nwhile not a and 2 > len(a) > -1:\n    a.append(g)\nif a:\n    pass\nreturn a[0], theta"),
@@ -137,10 +154,13 @@ def test_the_rows_say_what_each_line_gave(solve, name):  # noqa: F811
 
 FACTS = {  # a function, a wrong version, the line to look at, and a sentence about what was seen
     "set": ("full_swing_update", "for p in pend_list:\n    p['omega'] = 5\n    p['omega'] = 5.0", 3, "omega of pend_list[0] was set to 5 in line 3, then to 5 in line 4."),
-    "not set": ("handle_two_bobs", "omega = 5", 1, "No line of your function has set omega of pend1."),
+    "not set": ("handle_two_bobs", "omega = 5", 1, "No line of your function has set omega of pend1: it is still 3, as before the call."),
     "given": ("uniform_e_newton_cradle", ("['e'] = e_val", "['mass'] = e_val"), 4, "mass of pend_list[0] was set to 0.0625 in line 4."),
-    "as it was": ("elastic_newton_cradle", "return uniform_e_newton_cradle(relative_filepath, 0)", 2, "No line of your function has set e of pend_list[0]: it is 0, as uniform_e_newton_cradle gave it."),
+    "as it was": ("elastic_newton_cradle", "return uniform_e_newton_cradle(relative_filepath, 0)", 2, "No line of your function has set e of pend_list[0]: it is still 0, as uniform_e_newton_cradle gave it."),
     "a parameter": ("handle_collision", "return omega1, omega2", 2, "new_omega1 is your omega1, and no line of your function has set it."),
+    "perhaps set": ("elastic_newton_cradle", "pend_list = uniform_e_newton_cradle(relative_filepath, 0)\n[p.update(e=0) for p in pend_list]\nreturn pend_list", 3, "e of pend_list[0] is still 0, as uniform_e_newton_cradle gave it."),
+    "a return in a loop": ("uniform_mass_newton_cradle", ("        return", "            return"), 4, "Line 5 returns in turn 1 of the loop in line 3, and so ends it."),
+    "no return": ("uniform_mass_newton_cradle", ("        return pend_list", ""), 2, "Your function has no return with a value."),
     "no call": ("full_swing_update", "pass", 1, "No line of your function calls swing_update."),
     "the formula": ("angle_update", "return 1, 1", 2, "Right here: sin(theta) = 0.5, acceleration = -10, omega_new = 2, theta_new = 2.81799."),
 }  # fmt: skip
@@ -155,17 +175,13 @@ def test_a_sentence_says_where_the_value_in_question_comes_from(solve, name):  #
 
 
 @pytest.mark.parametrize(("function", "way"), [(name, way) for name in PLAIN for way in ("plainly", *RIGHT[name])])
-def test_a_watched_function_does_what_it_does_unwatched(solve, monkeypatch, function, way):  # noqa: F811
-    repeated = StudentsCode.repeated
-
-    def watched_call(self, solution, name, *others):
-        with watched(name, Watch()):
-            return repeated(self, solution, name, *others)
-
+def test_a_watched_function_does_what_it_does_unwatched(solve, function, way):  # noqa: F811
     solve(function, RIGHT[function].get(way, PLAIN[function]))
-    monkeypatch.setattr(StudentsCode, "repeated", watched_call)
-    outcomes = outcomes_of(function, users=False)
+    watch = Watch()
+    with watched(function, watch):
+        outcomes = outcomes_of(function, users=False)
     assert {outcome.state for outcome in outcomes.values()} == {PASSED}
+    assert watch.runs
 
 
 HARMLESS = f"""\

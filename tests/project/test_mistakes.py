@@ -1,6 +1,7 @@
 """The programs run the handout's functions as they are written: a change shows, and a mistake is named in its place."""
 
 import csv
+import os
 import re
 import runpy
 import sys
@@ -10,13 +11,14 @@ from types import SimpleNamespace
 from unittest.mock import Mock, patch
 
 import pytest
-from programs import call, copy_project, end, first_lines, running
+from programs import call, copy_project, end, first_lines, ROOT, running
 from students import change
 from whole_cradles import FIVE_CSV, make_swing
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.cradle.motion import Motion
 from support.start import mistake
+from support.start.checks_command import checks_command
 
 SWINGING, RUN, SPECIAL = map(Path, ("src/swinging.py", "src/visualize_cradle_run.py", "src/special_cradles.py"))
 SWING, OMEGA = "    full_swing_update(pend_list, r_param, dt, g)\n", "    omega_new = omega -"
@@ -115,3 +117,32 @@ def test_a_mistake_ends_the_process_of_the_browser_program_and_its_page_says_so(
     page.get_by_text("To start it again, type this command").wait_for()
     assert "The program has ended. NameError: name 'omegaa'" in page.locator(".notice").inner_text()
     assert page.locator(".canvas").evaluate("canvas => canvas.inert")
+
+
+PYTHON, BESIDE = sys.executable, os.path.join(os.path.dirname(sys.executable), "pytest")
+
+
+@pytest.mark.parametrize(
+    ("started", "script", "on_path", "has_pytest", "folder", "command"),
+    [
+        (".venv/bin/python", "pds_tester.py", None, True, ROOT, ".venv/bin/python -m pytest"),
+        ("python3", "pds_tester.py", BESIDE, True, ROOT, "pytest"),  # an environment that is switched on
+        ("python3", "pds_tester.py", "/usr/bin/pytest", True, ROOT, "python3 -m pytest"),  # of another Python
+        ("/a b/python", "pds_tester.py", None, True, ROOT, '"/a b/python" -m pytest'),
+        (PYTHON, "./pytest", None, True, ROOT, "./pytest"),
+        ("python3", "pds_tester.py", None, False, ROOT, ".venv/bin/pytest"),
+        ("python3", "../pds_tester.py", None, True, ROOT / "src", f"cd {ROOT} && {PYTHON} -m pytest"),
+    ],
+)
+def test_the_command_for_the_checks_is_one_that_works_as_python_was_started(
+    monkeypatch, started, script, on_path, has_pytest, folder, command
+):
+    monkeypatch.chdir(folder)
+    monkeypatch.setattr(sys, "orig_argv", [started])
+    monkeypatch.setattr(sys, "argv", [script])
+    monkeypatch.setattr("shutil.which", lambda name: on_path)
+    monkeypatch.setattr("support.start.checks_command.find_spec", lambda name: has_pytest)
+    exists = os.path.exists
+    monkeypatch.setattr("os.path.exists", lambda path: path == "./pytest" or exists(path))
+    monkeypatch.setattr(Path, "exists", lambda path: path.name == "pytest")
+    assert checks_command() == command
