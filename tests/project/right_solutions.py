@@ -8,6 +8,7 @@ body in PLAIN. Add one, and tests/project/test_graded_suites.py covers it.
 # fmt: off
 RIGHT = {
     "extract_and_convert": {
+        "the columns named": "df = pd.read_csv(relative_filepath); keys = 'mass', 'e', 'theta', 'omega', 'color', 'texture'; return [dict(zip(keys, row)) for row in zip(*(df[key].tolist() for key in keys))]",
         "row by row": "return [dict(row) for _, row in pd.read_csv(relative_filepath).iterrows()]",
         "the module csv": "import csv, pathlib; rows = csv.DictReader(pathlib.Path(relative_filepath).read_text().splitlines()); return [{key: float(cell) if cell[-1].isdigit() else cell for key, cell in row.items()} for row in rows]",
     },

@@ -120,6 +120,13 @@ def test_a_right_solution_passes(solve, function, way, users):
     assert {check.name: outcome for check, outcome in outcomes.items() if outcome.state != PASSED} == {}
 
 
+def test_a_right_solution_for_these_columns_only_has_a_note(solve):
+    solve("extract_and_convert", RIGHT["extract_and_convert"]["the columns named"])
+    notes = [outcome.hint for outcome in outcomes_of("extract_and_convert", users=False).values() if outcome.hint]
+    (note,) = notes
+    assert note.startswith("Your extract_and_convert does not convert a CSV with other columns.")
+
+
 @pytest.mark.parametrize(
     ("name", "value", "note"),
     [

@@ -44,6 +44,7 @@ def test_with_x_a_fresh_starter_stops_at_the_first_function(starter):
     assert section(rows, "Not written yet") == [f"extract_and_convert in src/pds_helper.py, line {number}"]
     assert section([*rows, "==="], "Grade")[2] == "Grade: none yet."
     assert f"Next:  extract_and_convert in src/pds_helper.py, line {number}." in rows
+    assert "       The steps: read_csv gives df, to_dict gives bad_rep, and pend_list gets" in rows
     assert rows[-1].startswith("1 waiting in ")
 
 
