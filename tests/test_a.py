@@ -42,7 +42,7 @@ def check_row(*omegas):
     for i in range(len(now) - 1):
         now[i], now[i + 1] = now[i + 1], now[i]
         steps.append(f"{i} and {i + 1}: {shown(now)}")
-    words = "All bobs touch, the masses are equal, and e is 1: the two of a pair exchange their omegas."
+    words = "Each bob touches the next one, the masses are equal, and e is 1: a pair exchanges its omegas."
     check_tick(touching(*omegas), now, help=f"{words} After the pair {'; '.join(steps)}.")
 
 
@@ -93,7 +93,7 @@ def test_the_pairs_use_masses_and_restitution():
     for pend, e, mass in zip(pend_list, (0.5, 0.25, 1.0), (1.0, 3.0, 3.0), strict=True):
         pend.update(e=e, mass=mass)
     pairs = "After the pair 0 and 1: [-0.5, 1.5, 0]; 1 and 2: [-0.5, 0.5625, 0.9375]."
-    words = f"All bobs touch, and e is that of the left one. {pairs}"
+    words = f"Each bob touches the next one, and e is that of the left one. {pairs}"
     check_tick(pend_list, [-0.5, 0.5625, 0.9375], help=words)
     # In the order of the list: these pendula are not sorted by place, angle, mass, e or omega.
     pend_list = [

@@ -133,7 +133,7 @@ def test_the_file_given_is_read():
     with files("one.csv") as folder, working_in(folder):
         first = expect("extract_and_convert", "one.csv", wanted=[ONE])
         (folder / "one.csv").write_text(csv_of([ONE, {**ONE, "mass": 4.0}]))
-        what = "each mass from the first call, each mass from this call with a new file"
+        what = "each mass from the first call, each mass from this call with the same path and a changed file"
         both = {"see": values_of(first, "mass"), "what": what}
         words = (
             "Your extract_and_convert does not convert a CSV with other columns. With the file's own names, it would."

@@ -76,6 +76,9 @@ class Evidence:
         self.adds = any(isinstance(getattr(node.slice, "op", None), ast.Add) for node in brackets)
         parts = [node for node in nodes if isinstance(node, ast.Attribute)]
         self.behind_dot = next((one.attr for one in parts if getattr(one.value, "id", "") == self.name), "")
+        loops = [node.iter for node in nodes if isinstance(node, ast.For)]
+        values = [frame.f_locals.get(getattr(one, "id", "")) for one in loops] if frame else []
+        self.goes_through_dictionary = any(isinstance(value, dict) for value in values)
         self.globals = frame.f_globals if frame else {}
         self.nearest = nearest_name(error)
         self.texts = [node.value for node in nodes if isinstance(node, ast.Constant)]

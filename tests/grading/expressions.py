@@ -139,7 +139,10 @@ class Values:
         """Return the value of a part of an operation, in words; of a dictionary, its keys."""
         code, value = ast.unparse(node), self.of(node)
         if isinstance(value, dict):
-            return f"the keys of {code} are {', '.join(map(shown, [*value][:MOST_KEYS])) or 'none'}"
+            keys = [*map(shown, [*value][:MOST_KEYS])]
+            if len(value) > MOST_KEYS:
+                keys.append("...")
+            return f"the keys of {code} are {', '.join(keys) or 'none'}"
         return f"{code} is {in_words(value, self.names_but(node))}"
 
     def names_but(self, node) -> dict[int, str]:

@@ -84,6 +84,7 @@ ERRORS = {
     "key of a list": (TypeError, "list indices .* not str", None, "A list has no keys: each of its pendula has. Take one pendulum, for example in a for loop."),
     "text with a key": (TypeError, "string indices|byte indices", None, "This is text (a key, or the name of a file), and no pendulum: it has no keys."),
     "no keys": (TypeError, r"'(?:int|float|numpy\.\w+)' object (?:is not subscriptable|does not support)", None, "A number has no keys and no elements: it is no pendulum. range( ) gives numbers, and a loop over a dictionary gives its keys."),
+    "keys of a loop": (TypeError, "cannot unpack non-iterable", lambda seen: seen.goes_through_dictionary, "A loop over a dictionary gives its keys. .values() gives its values, and .items() both."),
     "one number": (TypeError, "'(?:int|float)' object is not iterable|cannot unpack non-iterable (?:int|float)", None, "This is one number. A loop, or two names before = , need several values. A loop that counts takes range( )."),
     "number called": (TypeError, "'(?:int|float|vector)' object is not callable", None, "A value with ( ) behind it is called as a function, and a number cannot be called. A product needs * ."),
     "not callable": (TypeError, "'(?:list|dict|tuple|str|dict_values)' object is not callable", None, "Only functions are called with ( ). A list, a dictionary or a tuple needs [ ] behind its name."),

@@ -12,6 +12,8 @@ from grading.question import lines_in, Question
 from grading.trace_table import INDENT, Row, Stop, Table
 from grading.watch import EndlessError, Run, Watch
 
+MOST_FUNCTIONS = 3  # that have a table
+
 
 class Explained(NamedTuple):
     """What was seen of a wrong call."""
@@ -44,15 +46,19 @@ class WrongCall:
         begins = [*self.question.lines, *self.marks, *(stop.line for stop in self.stops.values())]
         needed = self.needed(self.main, begins) or self.needed(self.main, self.ends(self.main))
         rows = self.table(self.main, needed)
-        helper = self.helper(needed)
-        if helper:
-            below = self.table(helper, self.needed(helper, [*begins, *self.ends(helper)]))
+        runs = [self.main]
+        helper = self.helper(self.main, needed) or self.other_helper()
+        while helper and helper not in runs and len(runs) < MOST_FUNCTIONS:
+            runs.append(helper)
+            needed = self.needed(helper, [*begins, *self.ends(helper)])
+            below = self.table(helper, needed)
             rank = min((row.rank for row in below), default=0)
             rows.append(Row(rank, [f"{' ' * INDENT}Your function {self.name_of(helper)}, called there:"]))
             rows += below
+            helper = self.helper(helper, needed)
         facts = [*self.question.facts]
         if not self.watch.error:
-            facts += [*self.early_return(), *self.nothing_returned(), *self.missing_calls()]
+            facts += [*self.early_returns(runs), *self.nothing_returned(), *self.missing_calls()]
         if self.right and not self.watch.error:
             facts.append(f"Right here: {', '.join(f'{name} = {shown(value)}' for name, value in self.right)}.")
         where = (
@@ -101,11 +107,12 @@ class WrongCall:
                     left.append((node.lineno, depth + 1))
         return found
 
-    def helper(self, needed) -> Run | None:
-        """Return the call of the student's own helper that stopped, or else one that a needed line has made."""
-        if self.stops and [*self.stops][-1] is not self.main:
-            return [*self.stops][-1]
-        by_line = {self.watch.statements[number].node.lineno: seen for number, seen in self.main.seen.items()}
+    def helper(self, run, needed) -> Run | None:
+        """Return the call of a helper that this call has made: the one that stopped, or that a needed line made."""
+        stopped = [*self.stops]
+        if run in stopped and run is not stopped[-1]:
+            return stopped[stopped.index(run) + 1]
+        by_line = {self.watch.statements[number].node.lineno: seen for number, seen in run.seen.items()}
         for line in sorted(needed, key=lambda line: (needed[line], -line)):
             seen = by_line.get(line)
             if seen:
@@ -114,6 +121,10 @@ class WrongCall:
                 runs = [called.run for called in one.calls if called.run]
                 if runs:
                     return runs[-1]
+        return None
+
+    def other_helper(self) -> Run | None:
+        """Return the last call of another function of the student's, or the one for the pendulum in question."""
         others = [run for run in self.runs if self.name_of(run) != self.function]
         if not others or self.stops:
             return None
@@ -126,15 +137,17 @@ class WrongCall:
         missing = [name for name in FUNCTIONS[self.function].uses if name not in names]
         return [f"No line of your function calls {name}." for name in missing]
 
-    def early_return(self) -> list[str]:
-        """Return a sentence about a return that has ended a loop."""
-        for number, seen in self.main.seen.items():
-            statement = self.watch.statements[number]
-            if isinstance(statement.node, ast.Return) and statement.loops:
-                loop = self.watch.statements[statement.loops[-1]].node.lineno
-                words = f"Line {statement.node.lineno} returns in turn {seen[-1].turn} of the loop in line {loop}"
-                return [f"{words}, and so ends it."]
-        return []
+    def early_returns(self, runs) -> list[str]:
+        """Return sentences about the returns that have ended a loop in these calls."""
+        found = []
+        for run in runs:
+            for number, seen in run.seen.items():
+                statement = self.watch.statements[number]
+                if isinstance(statement.node, ast.Return) and statement.loops:
+                    loop = self.watch.statements[statement.loops[-1]].node.lineno
+                    words = f"Line {statement.node.lineno} returns in turn {seen[-1].turn} of the loop in line {loop}"
+                    found.append(f"{words}, and so ends it.")
+        return found
 
     def nothing_returned(self) -> list[str]:
         """Return a sentence about a function that must return something, and has not."""
@@ -148,7 +161,7 @@ class WrongCall:
     def departures(self) -> dict[int, str]:
         """Return the first line that gives a returned name a value that the handout's formula does not give.
 
-        It is certain only if the name that is returned has this value, and the formula has the result.
+        It is certain only if the returned name has this value, and says which result it is: omega, or theta.
         """
         node = self.question.returned()
         parts = node.value.elts if node and isinstance(node.value, ast.Tuple) else []
@@ -156,9 +169,12 @@ class WrongCall:
         found = {}
         for part, name in zip(parts, names, strict=False):
             right = dict(self.right).get(name)
-            stores = self.question.stores_of([getattr(part, "id", "")], self.main)
+            own = getattr(part, "id", "")
+            stores = self.question.stores_of([own], self.main)
             if right is None or not stores or not isinstance(stores[-1].value, Real):
                 continue
+            if name.partition("_")[0] not in own:
+                continue  # the results may be exchanged
             if not isclose(stores[-1].value, right, rel_tol=1e-6, abs_tol=1e-9):
                 found[stores[-1].line] = f"{shown(right)} is right here"
         return dict(sorted(found.items())[:1])

@@ -8,7 +8,7 @@ from typing import Any
 from grading.expressions import AS_THEY_ARE, names_in_head, operations_in, targets_of
 from grading.handout import FUNCTIONS
 from grading.values import in_words
-from grading.watch import Run, Store, Watch
+from grading.watch import LOOPS, Run, Store, Watch
 
 # What a sentence of comparing.py is about: a value of a pendulum, the keys of one, or a part of its objects.
 PEND = r"(?P<pend>(?P<name>pend\w*)(?:\[(?P<index>\d+)\])?)"
@@ -77,7 +77,7 @@ class Question:
                 self.facts.append(f"No line of your function has set {key} of {name}: it is {words}.")
         if setting:
             return [*lines, *self.conditions_around(setting[-1])]
-        return [*lines, *self.lines_without_effect()] or self.of_result()
+        return [*lines, *(self.lines_without_effect() or self.lines_of_loops())] or self.of_result()
 
     def can_set_unseen(self) -> bool:
         """Return whether a line can set a value in a way that is not watched, as p.update(e=0) in a comprehension."""
@@ -104,6 +104,12 @@ class Question:
             if isinstance(self.node(number), ast.Expr) and any(text.startswith("gives") for text in words):
                 found.append(self.node(number).lineno)
         return found
+
+    def lines_of_loops(self) -> list[int]:
+        """Return the lines with loops: in one of them, the value could be set."""
+        return [
+            self.node(number).lineno for _, number in self.statements_that_ran() if isinstance(self.node(number), LOOPS)
+        ]
 
     def lines_of_list(self) -> list[int]:
         """Return the lines that have set the name that is returned."""

@@ -9,12 +9,13 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from grading.instrument import TRIES
-from grading.values import in_words, names_in
+from grading.values import in_words
 from grading.watch import LOOPS, Run, Seen, Watch
 
 COLUMNS, INDENT = 80, 4  # of the screen, and spaces in front of each row
 CODE = 34  # columns of a short line of code; the values of all short lines stand below each other
 MOST_LINES = 3  # of the values of a row
+MOST_CALLS = 3  # of a line that are shown
 FEW = 4  # turns of a loop that are all shown
 SHORT = 12  # characters of a value that is shown again if all turns give the same
 LONG = 140  # characters of the values of all turns; if they are longer, only one turn is shown
@@ -154,7 +155,7 @@ class Table:
         if self.stop and line == self.begin_of(self.stop.line) and count > 1 and not isinstance(node, LOOPS):
             count -= 1  # the last turn has stopped here
         beside = self.in_turns_of(seen, count, isinstance(node, LOOPS)) if count else once(seen[-1].words)
-        calls = self.calls(seen, count)
+        calls = self.calls(number, seen, count)
         rank = VALUES if any(one.words for one in seen) else IDLE
         return Said(CALLS if any(one.calls for one in seen) else rank, beside, tuple(calls))
 
@@ -173,10 +174,10 @@ class Table:
             if self.stop.is_error and not calls:  # what a call got is shown anyway
                 below += self.watch.values_in(self.run, number).stopped_at(self.node(number))
                 if not below and number in self.run.values:  # its value was not taken apart
-                    below.append(f"the value is {in_words(self.run.values[number], names_in(self.run.frame))}")
+                    below.append(f"the value is {in_words(self.run.values[number])}")
             count = self.count_of(number)
             turn = f"turn {count}: " if count > 1 else ""
-            below += [f"{turn}{called.name} got {called.got}" for called in calls]
+            below += [f"{turn}{called.name} got {called.got}" for called in calls if called.got]
         return Said(0, f"{said.beside}  <- {self.stop.words}".strip(), (*below, *said.below[-1:]))
 
     def never_ran(self, line, numbers) -> str:
@@ -240,16 +241,19 @@ class Table:
             return "ran"
         return values[0] if len(values) == 1 else f"({', '.join(values)})"
 
-    def calls(self, seen: list[Seen], count) -> list[str]:
+    def calls(self, number, seen: list[Seen], count) -> list[str]:
         """Return what the functions got and gave that a statement has called, in the turns that are shown."""
-        shown = [1, count]
-        if count > 2 and self.index is not None:
-            shown = [min(self.index + 1, count)]
+        calling = [one for one in seen if one.calls]
+        in_question = []
+        if self.index is not None and len(self.watch.statements[number].loops) == 1:
+            in_question = [one for one in calling if one.turn == self.index + 1]
+        is_whole = isinstance(getattr(self.node(number), "value", None), ast.Call)
         lines = []
-        for one in seen:
-            for called in one.calls if not count or one.turn in shown else ():
+        for one in in_question or [*calling[: MOST_CALLS - 1], *calling[MOST_CALLS - 1 :][-1:]]:
+            for called in one.calls:
                 parts = [f"got {called.got}"] if called.got else []
-                if not (called.gave.startswith("gave") and one.words):
+                is_said = is_whole and len(one.calls) == 1 and one.words  # what the call gave is the row's value
+                if not (called.gave.startswith("gave") and is_said):
                     parts.append(called.gave)
                 if parts:
                     turn = f"turn {one.turn}: " if count > 1 else ""

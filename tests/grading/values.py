@@ -74,6 +74,8 @@ def object_in_words(value) -> str:
         return f"{kind_of(value)} at {in_words(value.pos)}"
     if isinstance(value, DataFrame):
         return f"a table of {len(value)} rows"
+    if isinstance(value, FunctionType) and value.__name__ == "<lambda>":
+        return "a lambda"
     if isinstance(value, (FunctionType, BuiltinFunctionType, type)):
         return f"the function {value.__name__}: a call has ( )"
     if isinstance(value, MethodType):

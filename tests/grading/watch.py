@@ -206,11 +206,11 @@ class Watch:
     def gives(self, run, number, value):
         """A return gives this value."""
         run.result, run.has_result = value, True
-        node = self.statements[number].node.value
-        if isinstance(node, (ast.Compare, ast.BoolOp)):
-            words = self.values_in(run, number).condition(node, value)
+        node, values = self.statements[number].node.value, self.values_in(run, number)
+        if isinstance(node, (ast.Compare, ast.BoolOp)) and isinstance(value, bool):
+            words = values.condition(node, value)
         else:
-            words = in_words(value, {} if isinstance(value, list) else names_in(run.frame))
+            words = in_words(value, {} if isinstance(value, list) else values.names_but(node))
         self.end(run, number, [("", f"gives {words}")])
 
     @noting
@@ -227,12 +227,13 @@ class Watch:
     def function(self, number, function):
         """This value is called now: return it, or a function that calls it and notes what it got and gave."""
         run = self.run_of(sys._getframe(1))
-        if not run or not isinstance(function, FunctionType) or not is_named(function):
+        plain = getattr(function, "__func__", function)  # of a method
+        if not run or not isinstance(plain, FunctionType) or not is_named(plain):
             return function
 
-        @wraps(function)
+        @wraps(plain)
         def noted(*arguments, **options):
-            called = Called(function.__name__, got_by(function, arguments, options, run.frame))
+            called = Called(plain.__name__.strip("<>"), got_by(function, arguments, options, run.frame))
             run.calls[number].append(called)
             pendula = pendula_in([*arguments, *options.values()])
             before = [dict(one) for one in pendula]
@@ -335,7 +336,8 @@ class Watch:
         words = []
         for key, pairs in found.items():
             if len(pairs) > 2:
-                words.append(f"set {key} of {len(pairs)} pendula to {', '.join(text for _, text in pairs)}")
+                whose = "" if words else f" of {len(pairs)} pendula"
+                words.append(f"set {key}{whose} to {', '.join(text for _, text in pairs)}")
             else:
                 words.append(f"set {key} of {' and '.join(f'{name} to {text}' for name, text in pairs)}")
         return words

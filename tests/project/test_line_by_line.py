@@ -74,7 +74,7 @@ ROWS = {  # a function, a wrong version, and rows of its tables; the numbers of 
     ),
     "what a called function has changed": (
         *("newton_cradle_tick", ("pend_list[i + 1]", "pend_list[i]")),
-        ["turn 2: handle_two_bobs got pend1 = pend_list[1], pend2 = pend_list[1]; it set omega"],
+        ["turn 1: handle_two_bobs got pend1 = pend_list[0], pend2 = pend_list[0]; it set omega"],
     ),
     "lines that never ran": (
         *("handle_collision", "if m1 < m2:\n    return omega1, omega2\nelse:\n    w = 5\nreturn omega2, omega1"),
@@ -99,7 +99,7 @@ ROWS = {  # a function, a wrong version, and rows of its tables; the numbers of 
     "no turn": (*("angle_update", "for i in range(0): g = i\nreturn omega, theta"), ["2 for i in range(0): g = i no turn"]),
     "match": (
         *("angle_update", "match g:\n    case 8:\n        a = 1\n    case _:\n        a = 2\nreturn a, theta"),
-        ["2 match g: 4 a = 1 a = 1 <- 2 is right here 6 a = 2 (never ran)"],
+        ["2 match g: 4 a = 1 a = 1 6 a = 2 (never ran)"],
     ),
     "an error in a print": (*("angle_update", "a = 5\nprint(a / 0)"), ["2 a = 5 a = 5 3 print(a / 0) <- stops here: ZeroDivisionError"]),
     "an error that nobody told": (

@@ -68,7 +68,7 @@ def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
     with programs.running(program) as process:
         page.goto(programs.first_lines(process))
         page.get_by_text("A part of this page did not arrive. It loads again by itself.").wait_for()
-        page.wait_for_function("() => 'question' in shows")
+        page.wait_for_function("() => typeof shows === 'object' && 'question' in shows")
         programs.wait_for_moves(page)
 
 
