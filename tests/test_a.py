@@ -149,14 +149,17 @@ class Page:
 
     def __init__(self, *ticks, change=lambda pend_list: None, csv=str(CRADLE)):
         """ticks has the number of ticks of each cradle; change(pend_list) is called when main shows one."""
-        self.ticks, self.change, self.csv, self.rule = ticks, change, csv, {}
+        self.ticks, self.change = ticks, change
+        self.csv = csv
+        self.rule: dict = {}
         self.answers = iter([answer for number in ticks for answer in (*[True] * number, False)])
         self.is_shown, self.shown = False, []  # whether this cradle is, and all cradles
         self.parts: list = []  # the objects of their pendula
         self.states: list = []  # (omega, theta) of the first pendulum at each call of is_running
 
     def __repr__(self):
-        return "a page that wants " + ", then a new cradle and ".join(f"{n} tick{'s' * (n != 1)}" for n in self.ticks)
+        wishes = ["1 tick" if number == 1 else f"{number} ticks" for number in self.ticks]
+        return f"a page that wants {', then a new cradle and '.join(wishes)}"
 
     def show(self, pend_list):
         if self.is_shown:

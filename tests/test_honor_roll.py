@@ -29,7 +29,8 @@ steps(
     "return low, high  # gives two values back, in this order",
 )
 
-AXLE, CORD, RED = vector(0.3, 0.1, 0), 0.5, vector(1, 0, 0)
+AXLE, CORD = vector(0.3, 0.1, 0), 0.5  # m
+RED = vector(1, 0, 0)
 
 
 def check_double_pendulum(see, what, theta, phi, wanted, cord=CORD, texture=textures.wood, help=""):

@@ -283,21 +283,29 @@ class Grading:
         if not any(each.state == FAILED for each in before):
             hint = words_for(raised, error.result, f"{error}", code, check.function)
             seen = line_by_line(check, error)
-        place, lines, wrong = place_of(raised, check.function), error.lines, f"{error}"
+        file = FUNCTIONS[check.function].file
+        place = place_of(raised, check.function)
+        lines, wrong = error.lines, f"{error}"
         if raised and not raised.limit:
             wrong = error_lines(raised)[0]
         elif raised and seen.line:  # where the clock has stopped it is chance
-            place, lines = None, [end_of(raised, ()), *lines[1:]]
-        line, file = seen.line or code.line, FUNCTIONS[check.function].file
-        where = f"{file}, line {line}" if line else file
-        if place:
-            where = f"{place}"
+            place = None
+            lines = [end_of(raised, ()), *lines[1:]]
+        if place is None:
+            line = seen.line or code.line
+            place = f"{file}, line {line}" if line else file
         called = error.call.lines(index_in(f"{error}") or 0)
         read = f"handout, {FUNCTIONS[check.function].read}: {check.function}"
         text = message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)])
-        rows = [[row.rank, row.lines] for row in seen.rows]
         return Outcome(
-            FAILED, text, where, in_one_line(hint), "", wrong, "" if raised else error.help, rows, seen.facts
+            FAILED,
+            text,
+            f"{place}",
+            in_one_line(hint),
+            wrong=wrong,
+            help="" if raised else error.help,
+            rows=[[row.rank, row.lines] for row in seen.rows],
+            facts=seen.facts,
         )
 
     def broken_by(self, check, error) -> Outcome:

@@ -62,9 +62,10 @@ ERRORS = {
     "equation": (SyntaxError, r"cannot assign to (?:expression|function call|literal)|cannot contain assignment", None, "Only a name, or a key in [ ], can get a value: on the left of = , or between for and in."),
     "outside": (NameError, "", lambda seen: seen.function == "<module>", "This line stands outside of all functions. Delete it, or indent it if it belongs to one."),
     "in front": (NameError, "", lambda seen: seen.behind_dot in seen.globals, "{seen.behind_dot} is there without {name}. in front of it: write {seen.behind_dot}( )."),
-    "two names": (UnboundLocalError, "", lambda seen: seen.name in seen.globals and not seen.is_taken, "A line of your function gives {name} a value. So in all of the function, it is another name than the {name} of the file, and here it has no value yet."),
-    "import": (NameError, "", lambda seen: seen.is_given and not seen.is_taken, "The name {name} comes from another file, or from a package. Put its import back, at the top of the file."),
+    "import": (NameError, "", lambda seen: seen.is_given and seen.name not in seen.globals, "The name {name} comes from another file, or from a package. Put its import back, at the top of the file."),
     "key is a name": (NameError, "", lambda seen: seen.name in KEYS and seen.in_brackets, "A key is text. Write it in quotes: ['{name}']."),
+    "end": (NameError, "", lambda seen: seen.name == "end", "Python has no end: delete this line. A block ends where its indentation ends."),
+    "power": (TypeError, r"for \^", None, "In Python, ** is a power, and ^ is something else."),
     "R": (NameError, "", lambda seen: seen.name == "R", "The R of the handout is r_param."),
     "csv": (NameError, "", lambda seen: seen.name == "NC_FP", "page.csv has the path of the file."),
     "near": (NameError, "", lambda seen: seen.nearest, "No line that ran has given {name} a value."),
@@ -108,7 +109,7 @@ ERRORS = {
     "itself": (RecursionError, "", None, "Your function calls itself, without end. Delete this call, or call the function that you need in its place."),
 }
 MEANING = {
-    UnboundLocalError: "At this line, your function has no value for {name} yet. The line that gives it one is below, or in an if that is not true.",
+    UnboundLocalError: "A line of this function gives {name} a value, so {name} is a name of this function alone. When this line runs, it has no value yet.",
     NameError: "No line that ran has given {name} a value. A name comes from the line def, from a line above, or from an import.",
     KeyError: "There is no key {name} here. A pendulum has mass, e, theta, omega, color and texture, and later objects.",
     IndexError: "There is no element with this index. The first one has 0, the last one the length minus 1.",
@@ -117,8 +118,8 @@ MEANING = {
     FileNotFoundError: "There is no such file. The parameter has the path of the file to read.",
     ZeroDivisionError: "The value below / is 0 here. In the handout, no formula divides by a value that may be 0.",
     SyntaxError: "Python cannot read this line, or the one above it. Look at its signs, words and brackets: one is missing, or does not belong.",
-    ValueError: "The values in this line are not those that Python needs here. Which line gave them?",
-    TypeError: "Python cannot do this with values of these kinds. Which line gave them?",
+    ValueError: "The values in this line are not those that Python needs here.",
+    TypeError: "Python cannot do this with values of these kinds.",
 }
 
 FORMS = {

@@ -125,7 +125,7 @@ class WrongCall:
 
     def other_helper(self) -> Run | None:
         """Return the last call of another function of the student's, or the one for the pendulum in question."""
-        others = [run for run in self.runs if self.name_of(run) != self.function]
+        others = [run for run in self.runs if self.name_of(run) != self.function and "__" not in self.name_of(run)]
         if not others or self.stops:
             return None
         return others[self.index] if self.index is not None and self.index < len(others) else others[-1]

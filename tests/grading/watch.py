@@ -199,7 +199,11 @@ class Watch:
     @noting
     def done(self, run, number):
         """A statement that can store a value has come to its end."""
-        words = self.stored(run, number) + self.changed_by_method(run, number) + self.lost(run, number)
+        words = self.stored(run, number)
+        if number in run.before:
+            words += self.changed_by_method(run, number)
+        else:
+            words += self.lost(run, number)
         self.end(run, number, words)
 
     @noting
@@ -296,8 +300,6 @@ class Watch:
 
     def changed_by_method(self, run, number) -> list[tuple[str, str]]:
         """Return what the method that a statement calls has changed, in words, and keep it in stores."""
-        if number not in run.before:
-            return []
         node = self.statements[number].node
         value, before = run.before.pop(number)
         code, found = ast.unparse(node.value.func.value), []

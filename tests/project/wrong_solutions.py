@@ -104,7 +104,7 @@ HINTED = {
         "These are the single values of": ("pend_list.append(pend)", "pend_list += pend.values()"),
         "There is no key 0 here.": ("append(pend)", "append(bad_rep['0'])"),
         "Each element must be a whole": ("bad_rep.values()", "pd.read_csv(relative_filepath).itertuples()"),
-        "At this line, your function has": ("return pend_list", "pend['e'] = round(pend['e'], 1)\n        return pend_list"),
+        "A line of this function gives pend": ("return pend_list", "pend['e'] = round(pend['e'], 1)\n        return pend_list"),
         "A loop over a dictionary gives its": ("for pend in bad_rep.values():", "for i, pend in bad_rep:"),
         "This is one number. A loop,": ("for pend in bad_rep.values():", "for pend in len(bad_rep):"),
         "Python cannot do this with values": ("append(pend)", "append(0, pend)"),
@@ -138,7 +138,7 @@ HINTED = {
     },
     "uniform_e_newton_cradle": {"A key is text. Write it": ("['e']", "[e]")},
     "make_newton_cradle": {
-        "The name COLOR_MAP comes from another": "raise NameError('no COLOR_MAP', name='COLOR_MAP')",
+        "The name COLOR_MAP comes from another": "global COLOR_MAP\ndel COLOR_MAP\nreturn COLOR_MAP",
         "All bobs are lifted. make_pendulum must": ("r_param, pend['theta']", "r_param, theta_init"),
         "Keep all keys of each pendulum,": ("pend['objects'] =", "objects ="),
         "COLOR_MAP has the vector of a": ("COLOR_MAP[pend['color']]", "COLOR_MAP.get('color')"),
@@ -149,6 +149,8 @@ HINTED = {
     "angle_update": {
         "You calculate with text, or with": ("sin(theta)", "sin('theta')"),
         "sin is there without math. in": ("sin(theta)", "math.sin(theta)"),
+        "Python has no end: delete this": ("    return", "    end\n        return"),
+        "In Python, ** is a power,": ("g * sin", "g ^ 1.0 * sin"),
         "The R of the handout is r_param.": ("/ r_param", "/ R"),
         "No line that ran has given omega_neww a value.": ("(omega_new, ", "(omega_neww, "),
         "This is the acceleration in place": ("omega + -g * sin(theta) / r_param * dt", "-g * sin(theta) / r_param"),
@@ -207,7 +209,7 @@ HINTED = {
         "There is no module full_swing_update for": ("full_swing_update(", "import full_swing_update\n        full_swing_update("),
     },
     "main": {
-        "A line of your function gives DT": ("pend_list = make", "DT = DT\n        pend_list = make"),
+        "A line of this function gives DT": ("pend_list = make", "DT = DT\n        pend_list = make"),
         "page.csv has the path of the": ("page.csv", "NC_FP"),
         "main has not called page.show: the": ("page.show(pend_list)", "page.show"),
     },
