@@ -247,7 +247,8 @@ class Table:
         in_question = []
         if self.index is not None and len(self.watch.statements[number].loops) == 1:
             in_question = [one for one in calling if one.turn == self.index + 1]
-        is_whole = isinstance(getattr(self.node(number), "value", None), ast.Call)
+        node = self.node(number)
+        is_whole = isinstance(getattr(node, "value", None), ast.Call) and not isinstance(node, ast.AugAssign)
         lines = []
         for one in in_question or [*calling[: MOST_CALLS - 1], *calling[MOST_CALLS - 1 :][-1:]]:
             for called in one.calls:
