@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from grading.grader import checks, FAILED, FAULT, PASSED, STEPS, WAITING
 from grading.handout import FUNCTIONS, highest, SUITES
+from grading.line_by_line import CALLED
 from support.start.checks_command import checks_command
 from support.start.output import in_one_line
 from support.start.preview import missing_in
@@ -99,7 +100,9 @@ def explanation(check, outcome) -> list[Part]:
     if outcome.rows:
         parts.append(Part(ALWAYS, [LINE_BY_LINE]))
         best = sorted(outcome.rows, key=lambda row: row[0])[:MOST_ROWS]
-        parts += [Part(rank if [rank, lines] in best else NEVER, lines, True) for rank, lines in outcome.rows]
+        for rank, lines in outcome.rows:
+            is_row = not lines[0].endswith(CALLED)
+            parts.append(Part(rank if [rank, lines] in best else NEVER, lines, is_row))
     parts += [Part(FACTS, [fact]) for fact in outcome.facts]
     return [*parts, *step_parts(check.function)]
 
@@ -206,4 +209,9 @@ def fitting(parts, room) -> list[Part]:
         if parts[i].rank == ALWAYS or parts[i].rank != NEVER and len(parts[i].lines) <= room:
             kept.append(i)
             room -= len(parts[i].lines)
-    return [parts[i] for i in sorted(kept)]
+    found: list[Part] = []
+    for i in sorted(kept, reverse=True):
+        is_title = parts[i].lines[0].endswith(CALLED)
+        if not is_title or found and found[0].is_row:  # the title of a helper's table needs a row below it
+            found.insert(0, parts[i])
+    return found

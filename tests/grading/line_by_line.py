@@ -12,6 +12,7 @@ from grading.question import lines_in, Question
 from grading.trace_table import INDENT, Row, Stop, Table
 from grading.watch import EndlessError, Run, Watch
 
+CALLED = "called there:"  # ends the line above the table of a helper
 MOST_FUNCTIONS = 3  # that have a table
 
 
@@ -53,7 +54,7 @@ class WrongCall:
             needed = self.needed(helper, [*begins, *self.ends(helper)])
             below = self.table(helper, needed)
             rank = min((row.rank for row in below), default=0)
-            rows.append(Row(rank, [f"{' ' * INDENT}Your function {self.name_of(helper)}, called there:"]))
+            rows.append(Row(rank, [f"{' ' * INDENT}Your function {self.name_of(helper)}, {CALLED}"]))
             rows += below
             helper = self.helper(helper, needed)
         facts = [*self.question.facts]

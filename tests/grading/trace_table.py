@@ -257,7 +257,8 @@ class Table:
                 if not (called.gave.startswith("gave") and is_said):
                     parts.append(called.gave)
                 if parts:
-                    turn = f"turn {one.turn}: " if count > 1 else ""
+                    number_of_turn = one.turn + one.is_condition_of_loop  # it comes before its turn
+                    turn = f"turn {number_of_turn}: " if count > 1 else ""
                     lines.append(f"{turn}{called.name} {'; it '.join(parts)}")
         return lines
 

@@ -76,6 +76,7 @@ def test_a_mistake_is_told_on_a_screen(starter):
 
 WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5, not 6.")
 ERROR = WRONG._replace(wrong="E: f.", hint="Do.")
+HELPER = [[0, ["    7  a = 5"]], [0, ["    Your function f, called there:"]], [9, ["    2  b"] * 40]]
 SEEN = WRONG._replace(help="It is so.", rows=[[0, ["    7  a = 5"]]], facts=["No line has set it."])
 
 
@@ -93,6 +94,7 @@ SEEN = WRONG._replace(help="It is so.", rows=[[0, ["    7  a = 5"]]], facts=["No
             SEEN,
             ["       It is so.", "       Your code, line by line:", "    7  a = 5", "       No line has set it."],
         ),
+        ("C", WRONG._replace(rows=HELPER), ["       Your code, line by line (1 line is left out):", "    7  a = 5"]),
     ],
 )
 def test_the_grade_and_the_next_step(monkeypatch, tiers, outcome, words):
@@ -101,6 +103,7 @@ def test_the_grade_and_the_next_step(monkeypatch, tiers, outcome, words):
     outcomes |= {check.name: outcome for check in checks(tier=tiers[-1])}
     lines = [line for line, _ in table(outcomes, COLUMNS)]
     assert [line for line in lines if line in words] == words
+    assert "    Your function f, called there:" not in lines
 
 
 CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
