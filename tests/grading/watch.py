@@ -22,6 +22,7 @@ from grading.values import in_words, names_in
 
 MOST_TURNS = 1000  # of a loop, in a function that went over the limit of time: then it is stopped
 MOST_NOTES = 20_000  # of a call: then it is not watched further
+MOST_NOTES_ENDLESS = 200_000  # of a call that is stopped at MOST_TURNS
 LOOPS = ast.For, ast.While
 
 
@@ -114,6 +115,7 @@ class Watch:
     def __init__(self, is_endless=False):
         """is_endless says that the function went over the limit of time."""
         self.is_endless = is_endless
+        self.most_notes = MOST_NOTES_ENDLESS if is_endless else MOST_NOTES
         self.statements: list[Statement] = []
         self.runs: dict[FrameType, Run] = {}  # in the order of the calls
         self.stores: list[Store] = []
@@ -137,7 +139,7 @@ class Watch:
         """Return the call that has this frame, or None if it is not watched further."""
         self.notes += 1
         run = self.runs.get(frame)
-        if run and self.notes > MOST_NOTES:
+        if run and self.notes > self.most_notes:
             run.is_whole = False
             return None
         return run

@@ -223,7 +223,11 @@ def test_harmless_lines_change_no_word(solve, function, words):  # noqa: F811
 
 def test_an_endless_loop_is_shown_at_its_line_and_its_prints_appear_once(solve, monkeypatch, capsys):  # noqa: F811
     monkeypatch.setattr(limits, "PATIENCE", 0.5)
-    _, rows = seen(solve, "angle_update", "print('begin')\ni = 0\nwhile i < 3:\n    j = i\nreturn i, j")
+    _, rows = seen(
+        solve,
+        "angle_update",
+        "print('begin')\ni = 0\nwhile i < 3:\n    j = i + abs(-1) + abs(-1) + abs(-1) + abs(-1) + abs(-1) + abs(-1) + abs(-1)\nreturn i, j",
+    )
     assert "4 while i < 3: 0 < 3 True, in each turn (1000 turns) <- still here after 1000 turns" in rows
     assert "6 return i, j (never ran)" in rows
     assert capsys.readouterr().out == "begin\n"
