@@ -1,7 +1,6 @@
 """The choice of the words for a mistake: what is seen and proved, in one order. hints.py has the words.
 
-No student's text is read by pattern. Code is looked at as a syntax tree, without what changes no result: comments,
-docstrings, prints, and an if that only raises an error.
+The line of an error is looked at as a syntax tree.
 """
 
 import ast

@@ -147,7 +147,7 @@ def words(outcomes, printed, columns, note) -> list[tuple[str, str]]:
 
 
 def shorten(text, columns) -> str:
-    """Return a text in so many columns; a long one is cut off."""
+    """Return a text with at most this number of columns: the end of a longer one is cut off."""
     return text if len(text) <= columns else f"{text[: columns - 3]}..."
 
 
@@ -157,7 +157,7 @@ def rule(title, sign, columns) -> str:
 
 
 def table(outcomes, columns, note="", room=SCREEN) -> list[tuple[str, str]]:
-    """Return the grade of outcomes as lines of text, each with its color. There is room for so many lines.
+    """Return the grade of outcomes as lines of text, each with its color; room is the greatest number of lines.
 
     Without the first tier, they say which tiers are complete, in place of the grade.
     """

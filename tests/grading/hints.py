@@ -25,7 +25,7 @@ CALLED = (
     "handle_two_bobs",
 )
 
-# Files that are no Python: their first characters, and what they are.
+# Other kinds of files than Python: by the first characters, the kind.
 OTHER_FORMS = {
     "<": "a web page. Download the file itself",
     "{\\rtf": "a text of a word processor (RTF). Save it as plain text",

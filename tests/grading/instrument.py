@@ -151,16 +151,13 @@ def is_idle(node) -> bool:
 @contextmanager
 def watched(function, watch):
     """In the body of the with statement, the student's functions for this one have other code, which is watched."""
-    functions = {*own_functions(function)}
-    kept = {each: each.__code__ for each in functions}
-    for file in {each.__code__.co_filename for each in functions}:
-        own = [each for each in functions if each.__code__.co_filename == file]
-        codes = changed_codes(file, {each.__code__.co_name for each in own}, watch)
-        for each in own:
-            code = codes.get((each.__code__.co_name, each.__code__.co_firstlineno))
-            if code and code.co_freevars == each.__code__.co_freevars:
-                each.__code__ = code
-                each.__globals__[WATCH] = watch
+    kept = {each: each.__code__ for each in own_functions(function)}
+    codes = changed_codes([*kept.values()], watch) if kept else {}
+    for each in kept:
+        code = codes.get((each.__code__.co_name, each.__code__.co_firstlineno))
+        if code and code.co_freevars == each.__code__.co_freevars:
+            each.__code__ = code
+            each.__globals__[WATCH] = watch
     try:
         yield
     finally:
@@ -184,8 +181,10 @@ def own_functions(function):
             yield one
 
 
-def changed_codes(file, names, watch) -> dict[tuple, CodeType]:
-    """Return the changed code of the functions with these names in a file, by their names and first lines."""
+def changed_codes(own, watch) -> dict[tuple, CodeType]:
+    """Return the changed code of functions in one file, by their names and first lines; own is their code."""
+    file = own[0].co_filename
+    names = {code.co_name for code in own}
     tree = ast.parse("".join(linecache.getlines(file)))
     blocks = [tree.body, *(node.body for node in tree.body if isinstance(node, ast.ClassDef))]
     changer = Changer(watch)

@@ -13,7 +13,7 @@ from pathlib import Path
 from unittest.mock import patch
 
 PATIENCE = 5.0  # s of processor time; then the grader stops a function
-WAITING = 6  # times PATIENCE: a function that only waits is stopped after so many seconds on the clock
+WAITING = 6  # a function that only waits is stopped after this many times PATIENCE, by the clock
 LOOK = 0.05  # s from one look at these times to the next
 MOST_MEMORY = 1000  # MB
 

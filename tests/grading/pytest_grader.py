@@ -161,8 +161,7 @@ def pytest_terminal_summary(terminalreporter, config):
     for line, color in words_of_run(config):
         terminalreporter.line(line, **{color: True} if color else {})
     if not RAN and config.session.exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED:
-        where = "" if Path.cwd() == config.rootpath else f"cd {config.rootpath} && "
-        terminalreporter.write_line(f"The checks are not here. Type: {where}{checks_command()}", red=True)
+        terminalreporter.write_line(f"The checks are not here. Type: {checks_command()}", red=True)
     if hasattr(config, "not_written"):
         terminalreporter.write_line(config.not_written, red=True)
 

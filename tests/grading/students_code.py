@@ -1,8 +1,6 @@
 """The student's functions, as the grader finds and calls them."""
 
 import importlib
-import inspect
-import linecache
 import os
 import sys
 from collections.abc import Callable
@@ -28,7 +26,6 @@ class Code(NamedTuple):
     line: int = 0  # the first one in its file
     names: tuple[str, ...] = ()  # in its code
     parameters: str = ""  # with commas
-    source: str = ""
 
 
 class MissingError(Exception):
@@ -101,10 +98,9 @@ class StudentsCode:
 
 def code_of(function) -> Code:
     """Return what is known of a student's function, if it is there."""
-    with suppress(Exception):  # also if its file has changed since
+    with suppress(Exception):  # it is not imported, or no plain function
         code = getattr(sys.modules[module_of(FUNCTIONS[function].file)], function).__code__
-        source = "".join(inspect.getblock(linecache.getlines(code.co_filename)[code.co_firstlineno - 1 :]))
-        return Code(code.co_firstlineno, code.co_names, ", ".join(code.co_varnames[: code.co_argcount]), source)
+        return Code(code.co_firstlineno, code.co_names, ", ".join(code.co_varnames[: code.co_argcount]))
     return Code()
 
 

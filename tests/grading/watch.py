@@ -94,7 +94,7 @@ class Run:
 def noting(method):
     """Return a function that lets a method of the Watch note something of the call that calls it.
 
-    It gets the number of the statement, and values of which it returns the last one. It raises no error of its own:
+    The function gets the number of the statement and some values, and returns the last value. It raises no error:
     the values are a student's.
     """
 
@@ -153,7 +153,7 @@ class Watch:
 
     @noting
     def begin_statement(self, run, number):
-        """A statement begins: forget what is left of it from a turn in which an error has stopped it."""
+        """Note that a statement begins, and forget its notes from a turn that an error has stopped."""
         run.begun.add(number)
         run.turns_now[number] = 0
         for kept in (run.values, run.parts, run.calls, run.before):

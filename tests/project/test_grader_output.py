@@ -247,6 +247,14 @@ def test_a_slip_around_the_functions_gets_a_line(starter, name):
     assert done.returncode and "Traceback" not in done.stderr
 
 
+def test_from_another_folder_the_command_goes_to_the_checks_once(starter, tmp_path):
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    done = python("-m", "pytest", starter / "src", folder=elsewhere)
+    [command] = [line for line in done.stdout.splitlines() if line.startswith("The checks are not here.")]
+    assert command == f"The checks are not here. Type: cd {starter} && {sys.executable} -m pytest"
+
+
 @pytest.mark.slow
 def test_side_by_side_the_suites_say_the_same(starter):
     """With pytest-xdist, one of two processes makes all checks. The first process writes the grade."""
