@@ -25,11 +25,13 @@ def on_signals(act) -> None:
     names = ("SIGINT", "SIGBREAK", "SIGQUIT", "SIGHUP", "SIGTERM")
     numbers = {getattr(signal, name): name for name in names if hasattr(signal, name)}
     numbers = {number: name for number, name in numbers.items() if signal.getsignal(number) != signal.SIG_IGN}
+    left = [act]
 
     def handle(number, _):
         for each in numbers:
             signal.signal(each, signal.SIG_IGN)
-        act(0 if numbers[number] in ("SIGINT", "SIGBREAK") else 128 + number)
+        if left:  # a second signal can come before the first one is ignored
+            left.pop()(0 if numbers[number] in ("SIGINT", "SIGBREAK") else 128 + number)
 
     for number in numbers:
         signal.signal(number, handle)

@@ -209,8 +209,10 @@ def test_each_signal_ends_a_program_once_with_its_status_unless_it_is_ignored_or
         handlers[1] = "ignored"
         stop_on_signals()
         assert (handlers.keys(), handlers[1]) == ({1, 2, 3, 15}, "ignored")
+        handle = handlers[number]
         with pytest.raises(KeyboardInterrupt, match=f"^{status}$"):
-            handlers[number](number, None)
+            handle(number, None)
+        handle(number, None)  # a second signal has come before the first one was handled
         assert {*handlers.values()} == {"ignored"}  # nothing interrupts the clean-up
     handlers.clear()
     monkeypatch.setattr(sys, "ps1", ">>> ", raising=False)  # as in IPython and python -i
