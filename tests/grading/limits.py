@@ -3,6 +3,7 @@
 This is for mistakes. It is no protection from a student who means harm.
 """
 
+import errno
 import os
 import signal
 import sys
@@ -12,17 +13,31 @@ from contextlib import contextmanager, ExitStack
 from pathlib import Path
 from unittest.mock import patch
 
+from grading.begin import ROOT
+
 PATIENCE = 5.0  # s of processor time; then the grader stops a function
-WAITING = 6  # a function that only waits is stopped after this many times PATIENCE, by the clock
+WAITING = 10  # a function that only waits is stopped after this many times PATIENCE, by the clock
 LOOK = 0.05  # s from one look at these times to the next
+AGAIN = 0.5  # s until a function that catches the interrupt gets the next one
+MOST_INTERRUPTS = 20  # then pytest ends: nothing else stops this function
 MOST_MEMORY = 1000  # MB
 
 MEMORY_IN_USE = Path("/proc/self/statm")  # Linux has it; its sixth number counts the pages of data
 
 LATE = threading.Event()  # set if the grader stopped a check
+WAITED = threading.Event()  # set, too, if it did so by the clock
+# Set once a call failed for want of something that other programs use as well: time by the clock, memory, the disk.
+SHARED_WAS_SHORT = threading.Event()
+SHARED = errno.EAGAIN, errno.EDQUOT, errno.ENFILE, errno.ENOMEM, errno.ENOSPC  # the system's errors of this kind
 PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
 DEBUGGED = threading.Event()  # set if the present check is in a debugger: no limit of time holds
-HAS_TERMINAL = sys.stdin is not None and sys.stdin.isatty()  # now: pytest takes the input away later
+# These now: pytest takes the input and the output away later, and a check must not end the process.
+HAS_TERMINAL = sys.stdin is not None and sys.stdin.isatty()
+try:
+    STDERR = os.dup(2)
+except OSError:  # it is closed
+    STDERR = os.open(os.devnull, os.O_WRONLY)
+end_process = os._exit
 
 
 @contextmanager
@@ -47,17 +62,17 @@ def limited_memory():
 
 @contextmanager
 def without_ends():
-    """In the body of the with statement, os._exit raises a SystemExit, and input an EOFError.
+    """In the body of the with statement, os._exit raises a SystemExit, input an EOFError, and the output stays open.
 
     A process that the body starts can end as it likes. A debugger has its prompt in a terminal; without one, breakpoint
     does nothing.
     """
     process = os.getpid()
-    end, answer = os._exit, input
+    answer = input
 
     def refused_exit(status):
         if os.getpid() != process:
-            end(status)
+            end_process(status)
         raise SystemExit(f"os._exit({status})")
 
     def refused_input(*prompt):
@@ -69,6 +84,8 @@ def without_ends():
     with ExitStack() as stack:
         for place, new in (("builtins.input", refused_input), ("os._exit", refused_exit)):
             stack.enter_context(patch(place, new))
+        for place in ("sys.stdout.close", "sys.stderr.close"):  # pytest prints there later
+            stack.enter_context(patch(place, lambda: None))
         for place in () if HAS_TERMINAL else ("sys.breakpointhook", "pdb.set_trace"):
             stack.enter_context(patch(place, lambda *_, **__: None))
         yield
@@ -83,51 +100,98 @@ def is_debugged() -> bool:
 
 def over_limit(error) -> str:
     """Return how a call that raised this error went over a limit, or "" if it did not."""
+    number = error.errno if isinstance(error, OSError) else None
+    if isinstance(error, MemoryError) or number in SHARED:
+        SHARED_WAS_SHORT.set()
+    if isinstance(error, KeyboardInterrupt) and WAITED.is_set():
+        return f"waited longer than {WAITING * PATIENCE:g} s"
     if isinstance(error, KeyboardInterrupt) and LATE.is_set():
         return f"took longer than {PATIENCE:g} s"
-    return f"took more than {MOST_MEMORY} MB of memory" if isinstance(error, MemoryError) else ""
+    if isinstance(error, MemoryError):
+        return f"took more than {MOST_MEMORY} MB of memory"
+    if number == errno.EFBIG:
+        import resource  # Windows has none, and no such limit
+
+        most = resource.getrlimit(resource.RLIMIT_FSIZE)[0]  # pytest keeps in a file what a function prints
+        return f"printed or wrote more than {most / 10**6:g} MB into a file"
+    return ""
+
+
+def end_stubborn() -> None:
+    """End the process, and say where its main thread is: code that catches each interrupt."""
+    frame = sys._current_frames()[threading.main_thread().ident]
+    place = f"{os.path.relpath(frame.f_code.co_filename, ROOT)}, line {frame.f_lineno}"
+    os.write(STDERR, f"\n{place} catches all that could stop it, so pytest ends here.\n".encode())
+    end_process(1)
+
+
+class Timer(threading.Thread):
+    """Interrupts the main thread if something takes too long, until it is over."""
+
+    def __init__(self, seconds):
+        super().__init__(daemon=True)
+        self.seconds = seconds  # of processor time: on a busy machine, the clock says nothing
+        self.lock, self.over = threading.Lock(), threading.Event()
+
+    def run(self):
+        begin, begin_on_clock = time.process_time(), time.monotonic()
+        is_late = has_waited = False
+        while not (is_late or has_waited):
+            if self.over.wait(LOOK):
+                return
+            if not DEBUGGED.is_set():
+                is_late = time.process_time() - begin > self.seconds
+                has_waited = time.monotonic() - begin_on_clock > WAITING * self.seconds
+        for _ in range(MOST_INTERRUPTS):
+            with self.lock:
+                if not self.over.is_set():
+                    self.interrupt(by_clock=not is_late)
+            if self.over.wait(AGAIN):
+                return
+        end_stubborn()
+
+    def interrupt(self, by_clock) -> None:
+        """Raise a KeyboardInterrupt in the main thread. It also ends a sleep."""
+        if by_clock:
+            WAITED.set()
+            SHARED_WAS_SHORT.set()
+        LATE.set()
+        if hasattr(signal, "pthread_kill"):
+            signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+        else:  # on Windows, any thread can send the signal
+            signal.raise_signal(signal.SIGINT)
+
+    def stop(self) -> None:
+        """Let it end; no interrupt comes after this."""
+        with self.lock:
+            self.over.set()
 
 
 @contextmanager
 def patience(seconds):
     """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than seconds.
 
-    These are seconds of processor time: on a busy machine, the clock says nothing. In a debugger, there is no limit.
-    If somebody presses Ctrl+C, set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches it.
+    These are seconds of processor time. If the body only waits, set WAITED, too. If it catches MOST_INTERRUPTS, the
+    process ends. In a debugger, there is no limit. If somebody presses Ctrl+C, set PRESSED, and raise a
+    KeyboardInterrupt at the end, also if the body catches it.
     """
-    lock, over = threading.Lock(), threading.Event()
-    # It also ends a sleep. On Windows, any thread can send the signal.
-    kill = getattr(signal, "pthread_kill", lambda _, number: signal.raise_signal(number))
-
-    def interrupt():
-        begin, begin_on_clock = time.process_time(), time.monotonic()
-        wait = LOOK
-        while not over.wait(wait):
-            used, waited = time.process_time() - begin, time.monotonic() - begin_on_clock
-            if (used > seconds or waited > WAITING * seconds) and not DEBUGGED.is_set():
-                with lock:
-                    if not over.is_set():
-                        LATE.set()
-                        kill(threading.main_thread().ident, signal.SIGINT)
-                wait = 0.5  # the solution may catch the first one
 
     def on_interrupt(*_):
         if not LATE.is_set():
             PRESSED.set()
         raise KeyboardInterrupt
 
-    LATE.clear()
-    PRESSED.clear()
-    DEBUGGED.clear()
+    for event in (LATE, WAITED, PRESSED, DEBUGGED):
+        event.clear()
     if is_debugged():
         DEBUGGED.set()
     before = signal.signal(signal.SIGINT, on_interrupt)  # a background job ignores interrupts
-    threading.Thread(target=interrupt, daemon=True).start()
+    timer = Timer(seconds)
+    timer.start()
     try:
         yield
     finally:
-        with lock:
-            over.set()
+        timer.stop()
         signal.signal(signal.SIGINT, before)
         if PRESSED.is_set():
             raise KeyboardInterrupt

@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 
 from vpython import box, cylinder, sphere, vector
 
-from grading import limits
 from grading.handout import FUNCTIONS
 from support.start.output import in_one_line
 
@@ -206,8 +205,8 @@ def end_of(raised, places) -> tuple[str, list[str]]:
     """Return, as (label, lines), how a call was stopped, and at these places: by an error, or by the grader."""
     if not raised.limit:
         return "it raised", error_lines(raised)
-    end = f"nothing, within {limits.PATIENCE:g} s; it was" if raised.ends else f"nothing; it {raised.limit} and was"
-    return "came back", [f"{end} stopped here:", *own_lines(places)] if places else [f"{end} stopped."]
+    end = f"nothing; it {raised.limit} and was stopped"
+    return "came back", [f"{end} here:", *own_lines(places)] if places else [f"{end}."]
 
 
 def error_lines(raised) -> list[str]:
