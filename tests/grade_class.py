@@ -7,58 +7,84 @@ import sys
 if __name__ == "__main__":  # while the modules are imported
     signal.signal(signal.SIGINT, lambda *_: os._exit(130))
 
-import asyncio
 import compileall
 import shutil
+import threading
 import time
-from contextlib import suppress
+from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import grading.begin  # noqa: F401
 
 from support.files.data_file import whole_file
+from support.start.early import on_signals
 from support.start.options import OneLineParser
-from support.start.output import in_one_line, progress_bar, while_it_is_read
-from teacher import report
-from teacher.sandbox import open_sandbox
+from support.start.output import complain, in_one_line, progress_bar, say, while_it_is_read
+from teacher.report import digest_of, line_of, own_folder, Report, results_in, write_gradescope
+from teacher.sandbox import Sandbox
 from teacher.submissions import read_submission, submissions_in
+
+SOME = 20  # solutions, after which a line says how long the others take
+LEFT_OPEN = "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
+LOOK = 0.2  # s from one look at the other threads to the next
 
 
 @while_it_is_read()
 def main() -> None:
-    """Grade the class; the status is 2 if an argument is wrong or a file cannot be written, and 130 after Ctrl+C."""
+    """Grade the class. The status is 2 if an argument is wrong or a file cannot be written.
+
+    It is 130 after Ctrl+C, and 128 and its number after another signal.
+    """
     options, submitted, others = read_options()
-    results: dict[str, dict] = {}
-    with suppress(asyncio.CancelledError):
-        options.out.mkdir(mode=0o700, parents=True, exist_ok=True)
-        signal.signal(signal.SIGINT, lambda *_: sys.exit(130))  # in place of asyncio's, which waits for the starter
-        with TemporaryDirectory(prefix="cradle-") as work:
-            try:
-                asyncio.run(grade_all(submitted, results, options, Path(work)))
-            except OSError as error:  # of a full disk, it may have no name
-                raise OSError(error.errno, error.strerror or f"{error}", error.filename or work) from None
-    results = {student: results[student] for student in submitted if student in results}
-    report.write_grades(options.out, results.values())
-    if len(results) < len(submitted):
-        print(f"{len(results)} of {len(submitted)} solutions are graded. The same command goes on from there.")
-        sys.exit(130)
-    for result in results.values() if options.gradescope else []:
-        report.write_gradescope(options.gradescope / report.file_name(result["student"]), result)
-    lines, file = report.summary(results.values()), in_one_line(options.out / "grades.csv")
-    lines += [f"\nNo submissions: {in_one_line(', '.join(others))}"] * bool(others)
-    print(*lines, f"\n{len(results)} solutions are graded: {file}, and a text for each student beside it", sep="\n")
+    for folder in filter(None, (options.out, options.gradescope)):
+        own_folder(folder)
+    stopped, status = threading.Event(), []
+
+    def stop(number):
+        status.append(number or 130)
+        stopped.set()
+
+    on_signals(stop)
+    file = options.out / "results.jsonl"
+    with TemporaryDirectory(prefix="cradle-") as work:
+        mask = os.umask(0o022)  # other users, if there are any, read the starter
+        version = copy_starter(options.starter, Path(work, "starter"))
+        os.umask(mask)
+        sandbox = Sandbox(Path(work, "starter"), Path(work), options.bubblewrap, stopped)
+        grading = Grading(submitted, version, file, sandbox, stopped)
+        if stopped.is_set():
+            sys.exit(*status)
+        grading.grade_all()
+    report = Report()
+    for results in (results_in(file), grading.without_grade):
+        for result in results:
+            report.add(options.out, result)
+            if options.gradescope:
+                write_gradescope(options.gradescope / result["student"], result)
+    report.write(options.out / "grades.csv")
+    count = len(report.rows)
+    if status:
+        print(f"{count} of {len(submitted)} solutions are graded. The same command goes on from there.")
+        sys.exit(*status)
+    print(*report.summary(), sep="\n")
+    if others:
+        print(f"\nNo submissions: {in_one_line(', '.join(others))}")
+    file = in_one_line(options.out / "grades.csv")
+    print(f"\n{count} solutions are graded: {file}, and a text for each student beside it")
 
 
 def read_options():
-    """Return the options, the submissions by student, and the names of what is no submission."""
+    """Return the options, the submissions by the student's key, and the names of what is no submission."""
     parser = OneLineParser(description="Grade a whole class. Started again, it goes on from there.", allow_abbrev=False)
     add = parser.add_argument
     add("submissions", metavar="SUBMISSIONS", type=Path, help="a folder with a folder or a .zip for each student")
     add("--out", metavar="FOLDER", type=Path, help="the folder for the results (default: SUBMISSIONS-grades)")
     add("--gradescope", metavar="DIR", type=Path, help="write DIR/STUDENT/results.json, as Gradescope reads it")
     add("--starter", metavar="FOLDER", type=Path, help="a starter that is already made (default: a new one)")
+    add("--without-bubblewrap", action="store_true", help="run the solutions without it, although it is there")
     options = parser.parse_args()
+    options.bubblewrap = shutil.which("bwrap") is not None and not options.without_bubblewrap
     folder = options.submissions.resolve()
     options.out = options.out or folder.with_name(f"{folder.name}-grades")
     try:
@@ -74,42 +100,6 @@ def read_options():
     return options, submitted, others
 
 
-async def grade_all(submitted, results, options, work) -> None:
-    """Grade the submissions, one on each core, and put the results into results, by student, as they come.
-
-    results.jsonl in the folder options.out keeps each result, so the next run grades only what is new or changed.
-    """
-    mask = os.umask(0o022)  # other users, if there are any, read the starter
-    grader = copy_starter(options.starter, work / "starter")
-    os.umask(mask)
-    submissions = {student: read_submission(paths) for student, paths in submitted.items()}
-    digests = {student: report.digest_of(grader, student, *each) for student, each in submissions.items()}
-    before, file = report.results_in(options.out / "results.jsonl"), options.out / "results.jsonl"
-    results |= {student: result for student, result in before.items() if result["digest"] == digests.get(student)}
-    for student in before.keys() - submissions.keys():  # they are gone
-        (options.out / f"{report.file_name(student)}.txt").unlink(missing_ok=True)
-    with whole_file(file) as kept:
-        kept.writelines(map(report.line_of, results.values()))
-    loop, task = asyncio.get_running_loop(), asyncio.current_task()
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, lambda *_: loop.is_closed() or loop.call_soon_threadsafe(task.cancel))
-    left = iter([student for student in submissions if student not in results])
-    run, empty = await open_sandbox(work / "starter", work) if len(results) < len(submissions) else (None, {})
-    with open(file, "a", encoding="utf-8") as kept, progress_bar() as progress:
-
-        async def grade():
-            for student in left:
-                begin, (files, problems) = time.monotonic(), submissions[student]
-                read = report.read_grade(empty, *await run(files), problems)
-                seconds = time.monotonic() - begin
-                results[student] = {"student": student, "digest": digests[student], "seconds": seconds, **read}
-                kept.write(report.line_of(results[student]))
-                kept.flush()
-                progress(len(results) / len(submissions))
-
-        await asyncio.gather(*(grade() for _ in range(os.cpu_count() or 1)))
-
-
 def copy_starter(starter, folder) -> str:
     """Copy a starter to this folder, or make one there; compile it, so that Python starts faster; return its hash."""
     if starter:
@@ -120,7 +110,118 @@ def copy_starter(starter, folder) -> str:
         make_starter(folder)
     for name in ("support", "tests"):
         compileall.compile_dir(folder / name, quiet=2)
-    return report.digest_of(*((path.name, path.read_bytes()) for path in sorted(folder.rglob("*.py"))))
+    return digest_of(*((path.name, path.read_bytes()) for path in sorted(folder.rglob("*.py"))))
+
+
+class Grading:
+    """The grades of a class. results.jsonl keeps each whole one, so the next run grades only what is new or changed."""
+
+    def __init__(self, submitted, version, file, sandbox, stopped):
+        self.submitted = submitted  # by the student's key
+        self.version = version  # of the grader
+        self.file = file
+        self.sandbox = sandbox
+        self.stopped = stopped  # set once no more solutions are graded
+        self.lock = threading.Lock()
+        self.unsure: list[str] = []  # students whose run something beside it may have changed
+        self.without_grade: list[dict] = []  # results
+
+    def grade_all(self) -> None:
+        """Grade the submissions, one on each core, then those that are unsure once more, each alone."""
+        left = self.keep_old()
+        if not left or self.stopped.is_set():
+            return
+        jobs = os.cpu_count() or 1
+        with ThreadPoolExecutor(jobs) as workers:
+            finish([workers.submit(self.sandbox.open)])
+            if not self.sandbox.has_bubblewrap:
+                complain(LEFT_OPEN)
+            with open(self.file, "a", encoding="utf-8") as self.kept, progress_bar() as self.progress:
+                self.begin, self.done, self.most = time.monotonic(), 0, len(left)
+                students = iter(left)
+                finish([workers.submit(self.work, students, jobs) for _ in range(jobs)])
+                again = iter(sorted(self.unsure))
+                finish([workers.submit(self.work, again, 1, is_last=True)])
+
+    def keep_old(self) -> list[str]:
+        """Let results.jsonl have only the results that still hold; return the students without one."""
+        digests = {}
+        for student in self.submitted:
+            if self.stopped.is_set():
+                return []
+            digests[student] = self.digest(student, read_submission(self.submitted[student]))
+        old = results_in(self.file)
+        with whole_file(self.file) as kept:
+            for result in old:
+                student = result["student"]
+                if student not in self.submitted:  # it is gone
+                    self.file.with_name(f"{student}.txt").unlink(missing_ok=True)
+                elif digests.get(student) == result["digest"]:
+                    kept.write(line_of(result))
+                    del digests[student]
+        return [*digests]
+
+    def digest(self, student, submission) -> str:
+        """Return a hash of what a result depends on."""
+        return digest_of(self.version, student, *submission)
+
+    def work(self, students, jobs, is_last=False) -> None:
+        """Grade students, beside other jobs, until there is none left."""
+        try:
+            for student in students:
+                if not self.stopped.is_set():
+                    self.grade(student, jobs, is_last)
+        except BaseException:
+            self.stopped.set()
+            raise
+
+    def grade(self, student, jobs, is_last) -> None:
+        """Grade a student, and keep the result if it has a grade and is sure, or is the last one."""
+        with self.lock:  # reading limits the memory of this whole process
+            submission = read_submission(self.submitted[student])
+        files, problems = submission
+        begin = time.monotonic()
+        run = self.sandbox.run(files, jobs, is_alone=is_last)
+        seconds = time.monotonic() - begin
+        if self.stopped.is_set():  # it has ended the run
+            return
+        if not (run.is_final or is_last):
+            self.unsure.append(student)
+            return
+        result = {"student": student, "digest": self.digest(student, submission), "seconds": seconds, **run.grade}
+        result["problems"] = [*problems, run.problem] if run.problem else problems
+        with self.lock:
+            self.keep(result, has_grade=not run.problem)
+
+    def keep(self, result, has_grade) -> None:
+        """Keep a result: in results.jsonl if it has a grade, so that a run without one is made again."""
+        if has_grade:
+            self.kept.write(line_of(result))
+            self.kept.flush()
+        else:
+            self.without_grade.append(result)
+        self.done += 1
+        self.progress(self.done / self.most)
+        if self.done == SOME < self.most:
+            left = self.most - SOME
+            seconds = (time.monotonic() - self.begin) / SOME * left
+            say(f"{SOME} solutions are graded. At this pace, the other {left} take {how_long(seconds)}.")
+
+
+def how_long(seconds) -> str:
+    """Return a time in words."""
+    minutes = round(seconds / 60)
+    if minutes >= 60:
+        return f"{minutes // 60} h {minutes % 60} min"
+    return f"{minutes} min" if minutes > 1 else f"{seconds:.0f} s"
+
+
+def finish(futures) -> None:
+    """Wait for the work of other threads; raise the error that one of them raises."""
+    while wait(futures, timeout=LOOK).not_done:
+        pass  # here, a signal comes through, also on Windows
+    for future in futures:
+        future.result()
 
 
 if __name__ == "__main__":

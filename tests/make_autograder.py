@@ -1,6 +1,7 @@
 """Make an autograder for Gradescope: `python tests/make_autograder.py FILE.zip`. It holds no answers."""
 
 import shutil
+import zipfile
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -30,10 +31,22 @@ def main() -> None:
             for name in ("setup.sh", "run_autograder"):
                 (folder / name).write_bytes((ROOT / "tests" / "teacher" / name).read_bytes().replace(b"\r", b""))
                 (folder / name).chmod(0o755)
-            shutil.copy(shutil.make_archive(f"{folder}", "zip", folder), file)
+            archive = Path(work, "autograder.zip")
+            pack(folder, archive)
+            shutil.copy(archive, file)
     except OSError as error:
         parser.error(f"argument FILE.zip: {file} cannot be made: {error.strerror}")
     print(in_one_line(f"{file} is ready. On Gradescope, upload it under Configure Autograder."))
+
+
+def pack(folder, archive) -> None:
+    """Pack a folder into a .zip. All files have one date: a .zip has none before 1980, as files of 1970 need."""
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
+        for path in sorted(folder.rglob("*")):
+            if path.is_file():
+                info = zipfile.ZipInfo(path.relative_to(folder).as_posix())
+                info.external_attr = path.stat().st_mode << 16
+                packed.writestr(info, path.read_bytes(), zipfile.ZIP_DEFLATED)
 
 
 if __name__ == "__main__":

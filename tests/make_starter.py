@@ -73,14 +73,18 @@ def make_starter(folder) -> None:
     texts = {
         "README.md": Path(__file__).with_name("starter.md").read_text(encoding="utf-8").format(rows=rows),
         "pyproject.toml": project.replace(" -m 'not browser and not slow' -n 2 --dist worksteal", ""),
-        **{path.as_posix(): for_students(ROOT / path) for path in found if path.match("src/*.py")},
+        ".github/workflows/classroom.yml": (ROOT / "tests" / "teacher" / "classroom.yml").read_text(encoding="utf-8"),
     }
+    for path in found:
+        if path.match("src/*.py"):
+            texts[path.as_posix()] = for_students(ROOT / path)
     new = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         for path in [*map(Path, FILES), *found]:
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / path, folder / path)
         for name, text in texts.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
             (folder / name).write_text(text, encoding="utf-8", newline="\n")
     except BaseException:
         for path in new[-1:] or folder.iterdir():

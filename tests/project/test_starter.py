@@ -107,7 +107,13 @@ def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out(tmp_path, m
     put_files(tmp_path, dict.fromkeys(copies, b"\0"))
     monkeypatch.setattr("make_starter.ROOT", tmp_path)
     make_starter(tmp_path / "starter")
-    assert [path.name for path in (tmp_path / "starter").rglob(".*")] == [".gitignore"]
+    assert sorted(path.name for path in (tmp_path / "starter").rglob(".*")) == [".github", ".gitignore"]
+
+
+def test_the_workflow_for_github_has_the_lines_of_the_readme(made):
+    workflow, readme = ((made / file).read_text() for file in (".github/workflows/classroom.yml", "README.md"))
+    lines = [line.strip() for line in workflow.partition("run: |\n")[2].splitlines()]
+    assert lines == [line.strip() for line in readme.splitlines() if ".venv/bin/p" in line][:3]
 
 
 @pytest.mark.parametrize("place", ["deep/down/new", "."])

@@ -8,7 +8,7 @@ import os
 import re
 import stat
 import zipfile
-from collections import Counter, defaultdict
+from collections import defaultdict
 from functools import partial
 from io import BytesIO
 from pathlib import Path, PurePosixPath
@@ -16,6 +16,7 @@ from pathlib import Path, PurePosixPath
 from grading.handout import FUNCTIONS
 from grading.limits import limited_memory
 from support.start.output import in_one_line
+from teacher.keys import keys_of, Student
 
 HANDOUTS = sorted({PurePosixPath(function.file).name for function in FUNCTIONS.values()})
 # Folders that are not the student's work, or that the graded starter has itself.
@@ -23,70 +24,114 @@ SKIPPED = {"__MACOSX", "__pycache__", "node_modules", "site-packages", "support"
 ARCHIVES = (".zip", ".7z", ".bz2", ".gz", ".rar", ".tar", ".tgz", ".xz")
 MOST_FILES, MOST_BYTES = 200, 1_000_000  # of the Python files of a submission
 MOST_ZIPS, MOST_ZIP = 4, 20_000_000  # .zips in another one or in a folder, and bytes of a file in a .zip
+MOST_PATH = 250  # letters of a path in a submission
 MOST_PROBLEMS, MOST_LETTERS = 8, 200  # of a submission, and of a problem
 READ = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # with other methods, a few bytes can take all memory
 LEFT_OUT = "allowed is no link, no password, no path outside, only a deflated file of at most 20 MB"
-FLAT = re.compile(r"(?P<student>.+?)(_LATE)?_(?P<number>\d+)_(\d+|assignsubmission_file)_(?P<file>.+)")
+TOO_LONG = f"allowed is a path of at most {MOST_PATH} letters"
+
+# Names that are read from their end: a student chooses what stands before the numbers. Canvas puts the student's name
+# and number, and a number of the file, before the file's own name.
+CANVAS = re.compile(r"(?P<student>.+)_(?P<number>\d+)_\d+_(?P<file>.+)")
+# Moodle puts the name and a number before it. Its folders have such names, too, and an online text is one more.
+MOODLE = re.compile(r"(?P<student>.+)_(?P<number>\d+)_assignsubmission_(file|onlinetext)_?(?P<file>.*)")
 # A file that is handed in or downloaded again: swinging-1.py, "swinging (1).py".
 AGAIN = re.compile(r"(?: ?\(|-)(\d{1,9})(?!\d)\)?(?=[-() \d]*\.py$)")
 
 
-def submissions_in(folder) -> tuple[dict[str, dict[str, Path]], list[str]]:
-    """Return the submissions by student, each {"": a folder or a .zip} or {name: a file}, and the names of the rest.
+def submissions_in(folder) -> tuple[dict[str, list[tuple[str, Path]]], list[str]]:
+    """Return the submissions by the student's key, and the names of the rest.
 
-    Raises a ValueError with one line if the folder is a project, or has no submission; an OSError if it cannot be read.
+    A submission is a list of ("", a folder or an archive) and (name, a file). No link is followed. Raises a ValueError
+    with one line if the folder is a project, or has no submission; an OSError if it cannot be read.
     """
-    found: dict[str, dict[str, Path]] = defaultdict(dict)
-    paths = [path for path in sorted(Path(folder).iterdir()) if path.name not in SKIPPED and path.name[0] != "."]
-    flat = {path: match for path in paths if not path.is_dir() and (match := FLAT.fullmatch(path.name))}
-    whole = [path for path in paths if path not in flat and (path.is_dir() or path.suffix.lower() in ARCHIVES)]
-    for path in whole:
-        student = in_one_line(path.name if path.is_dir() or path.stem in found else path.stem)
-        found[student if student not in found else f"{student}_"] = {"": path}
-    taken = {*found}
-    for path, match in flat.items():
-        student, number = match["student"], match["number"]
-        others = [each for each in flat.values() if each["student"] == student and each["number"] != number]
-        if student in taken or others:
-            student += f"_{number}"
-        found[in_one_line(student)][match["file"]] = path
-    is_project = any((path / file).is_file() for path in (Path(folder), Path(folder) / "src") for file in HANDOUTS)
+    folder = Path(folder)
+    found = defaultdict(list)
+    others = []
+    for path in sorted(folder.iterdir()):
+        if path.name in SKIPPED or path.name.startswith("."):
+            continue
+        student, file = owner_of(path)
+        if student is None:
+            others.append(path.name)
+        else:
+            found[student].append((file, path))
+    is_project = any((path / file).is_file() for path in (folder, folder / "src") for file in HANDOUTS)
     if is_project or not found:
         allowed = "a folder with a folder or a .zip for each student, or with files like ann_12_345_swinging.py"
         raise ValueError(f"found '{folder}', allowed is {allowed}")
-    return dict(found), [path.name for path in paths if path not in flat and path not in whole]
+    keys = keys_of(found)
+    return {keys[student]: found[student] for student in sorted(found, key=keys.get)}, others
+
+
+def owner_of(path) -> tuple[Student | None, str]:
+    """Return the student who has handed in a path, None if nobody has, and the file's own name.
+
+    This name is "" for a folder and for an archive.
+    """
+    if path.is_symlink():
+        return None, ""
+    name, is_folder = path.name, path.is_dir()
+    flat = MOODLE.fullmatch(name)
+    if not flat and not is_folder:
+        flat = CANVAS.fullmatch(name)
+    if flat:
+        student = flat["student"].removesuffix("_LATE")
+        return Student(student, f"{student}_{flat['number']}"), "" if is_folder else flat["file"]
+    if is_folder:
+        return Student(name, name), ""
+    if path.suffix.lower() in ARCHIVES:
+        return Student(path.stem, name), ""
+    return None, ""
 
 
 @limited_memory()
 def read_submission(paths) -> tuple[dict[str, bytes], list[str]]:
     """Return the files of a submission, by their paths below src/, and the problems with it, each in a sentence."""
-    problems, files, entries = [], {}, {}  # entries has, for each path, a function that opens it
+    problems: list[str] = []
+    files: dict[str, bytes] = {}
     try:
-        for name, path in paths.items():
-            if not path.is_dir() and not stat.S_ISREG(path.stat().st_mode):
-                raise OSError(f"{path.name} is neither a folder nor a plain file")  # a pipe would never end
-            file = partial(open, path, "rb")
-            entries |= {name: file} if name else in_folder(path) if path.is_dir() else in_zip(file, path.name, problems)
-        if not any(PurePosixPath(AGAIN.sub("", name)).name in HANDOUTS for name in entries):
-            zips = [name for name in entries if name.lower().endswith(".zip")]
-            problems += [f"left out {name}: allowed are at most {MOST_ZIPS} in one" for name in zips[MOST_ZIPS:]]
-            for name in zips[:MOST_ZIPS]:
-                entries |= {f"{name}/{path}": opens for path, opens in in_zip(entries[name], name, problems).items()}
+        entries = entries_of(paths, problems)
         files = select(entries, problems)
     except Exception as error:  # also too deep a folder; the class goes on
         problems.append(f"cannot be read: {getattr(error, 'strerror', None) or error}")
-    problems[MOST_PROBLEMS:] = ["and more"] * (len(problems) > MOST_PROBLEMS)
+    if len(problems) > MOST_PROBLEMS:
+        problems[MOST_PROBLEMS:] = ["and more"]
     return files, [in_one_line(problem[:MOST_LETTERS]) for problem in problems]
 
 
-def in_folder(folder) -> dict:
+def entries_of(paths, problems) -> dict:
+    """Return a function that opens it for each file of a submission, by its path, and those of .zips in it."""
+    entries = {}
+    for name, path in paths:
+        if path.is_dir():
+            entries |= in_folder(path, problems)
+        elif not stat.S_ISREG(path.stat().st_mode):
+            raise OSError(f"{path.name} is neither a folder nor a plain file")  # a pipe would never end
+        elif name:
+            entries[name] = partial(open, path, "rb")
+        else:
+            entries |= in_zip(partial(open, path, "rb"), path.name, problems)
+    if not any(meant(PurePosixPath(name)) for name in entries):
+        zips = [name for name in entries if name.lower().endswith(".zip")]
+        problems += [f"left out {name}: allowed are at most {MOST_ZIPS} in one" for name in zips[MOST_ZIPS:]]
+        for name in zips[:MOST_ZIPS]:
+            inner = in_zip(entries[name], name, problems)
+            entries |= {f"{name}/{path}": opens for path, opens in inner.items()}
+    return entries
+
+
+def in_folder(folder, problems) -> dict:
     """Return a function that opens it for each plain file of a folder, by its path. It does not follow links."""
     entries = {}
     for parent, folders, names in os.walk(folder):
         folders[:] = sorted(filter(is_own, folders))
         for file in (Path(parent, name) for name in sorted(names)):
-            if stat.S_ISREG(file.lstat().st_mode):  # no link, pipe or device
-                entries[file.relative_to(folder).as_posix()] = partial(open, file, "rb")
+            path = file.relative_to(folder).as_posix()
+            if len(path) > MOST_PATH:
+                problems.append(f"left out {path[-50:]}: {TOO_LONG}")
+            elif stat.S_ISREG(file.lstat().st_mode):  # no link, pipe or device
+                entries[path] = partial(open, file, "rb")
     return entries
 
 
@@ -99,11 +144,16 @@ def in_zip(opens, name, problems) -> dict:
         problems.append(f"{name} is no .zip that can be read: {error}")
         return {}
     for info in archive.infolist():
-        path, is_link = PurePosixPath(info.filename.replace("\\", "/")), stat.S_ISLNK(info.external_attr >> 16)
+        if len(info.filename) > MOST_PATH:
+            problems.append(f"left out {info.filename[-50:]}: {TOO_LONG}")
+            continue
+        path = PurePosixPath(info.filename.replace("\\", "/"))
+        is_link = stat.S_ISLNK(info.external_attr >> 16)
         leads_outside = ":" in str(path) or ".." in path.parts or path.is_absolute()
         is_read = info.compress_type in READ and not info.flag_bits & 1 and info.file_size <= MOST_ZIP
         if leads_outside or is_link or not is_read:
-            problems += [f"left out {info.filename}: {LEFT_OUT}"] * (path.suffix in (".py", ".zip"))
+            if path.suffix in (".py", ".zip"):
+                problems.append(f"left out {info.filename}: {LEFT_OUT}")
         elif not info.is_dir() and all(map(is_own, path.parts[:-1])):
             entries[str(path)] = lambda info=info: BytesIO(archive.read(info))
     return entries
@@ -114,33 +164,73 @@ def is_own(folder) -> bool:
     return folder not in SKIPPED and not folder.startswith(".")
 
 
+def meant(path) -> str:
+    """Return the handout's file that a file is, or may be meant for: "Copy of swinging.py". "" stands for none."""
+    name = path.name.casefold()
+    fits = [file for file in HANDOUTS if file.removesuffix(".py") in name and name.endswith(".py")]
+    return fits[0] if fits else ""
+
+
 def select(entries, problems) -> dict[str, bytes]:
-    """Return the Python files of the folder that has most of the handout's files, best called src."""
-    versions = defaultdict(list)
-    paths = [path for path in entries if path.endswith(".py")]
-    for path in sorted(paths, key=lambda path: [*map(int, AGAIN.findall(path))]):
-        versions[PurePosixPath(AGAIN.sub("", path))].append(path)
-    folders = Counter(path.parent for path in versions if path.name in HANDOUTS)
-    if not folders:
-        found = ", ".join([*entries][:4]) + " ..." * (len(entries) > 4) or "nothing"
-        problems.append(f"none of the handout's files is there, found: {found}")
+    """Return the Python files of the folder that has most of the handout's files."""
+    paths = [path for path in map(PurePosixPath, entries) if path.suffix.casefold() == ".py"]
+    best = best_folder(paths, problems)
+    if best is None:
+        found = ", ".join([*entries][:4]) or "nothing"
+        more = " ..." if len(entries) > 4 else ""
+        problems.append(f"none of the handout's files is there, found: {found}{more}")
         return {}
-    best, *others = sorted(folders, key=lambda path: (-folders[path], path.name != "src", len(path.parts), path))
-    problems += [f"took {best}, left {other}" for other in others]
+    taken = newest([path for path in paths if path.is_relative_to(best)], problems)
+    for name in HANDOUTS:
+        if best / name not in taken:
+            add_candidate(taken, best, name, problems)
     files: dict[str, bytes] = {}
-    for path, (*left, newest) in versions.items():
-        if path.is_relative_to(best):
-            if newest != str(path):
-                problems.append(f"took {newest} as {path.name}" + f", left {', '.join(left)}" * bool(left))
-            try:
-                with entries[newest]() as opened:
-                    files[path.relative_to(best).as_posix()] = opened.read(MOST_BYTES + 1)
-            except Exception as error:  # the .zip is damaged, or the file cannot be read
-                problems.append(f"left out {newest}: {error}")
+    for path, source in taken.items():
+        try:
+            with entries[str(source)]() as opened:
+                files[path.relative_to(best).as_posix()] = opened.read(MOST_BYTES + 1)
+        except Exception as error:  # the .zip is damaged, or the file cannot be read
+            problems.append(f"left out {source}: {error}")
         if len(files) > MOST_FILES or sum(map(len, files.values())) > MOST_BYTES:
             problems.append(f"too large: allowed are at most {MOST_FILES} Python files with {MOST_BYTES:,} bytes")
             return {}
-    for name in (name for name in HANDOUTS if name not in files):
-        meant = [each for each in files if each.lower() == name]
-        problems.append(f"src/{name} is missing" + f", found '{''.join(meant)}'" * bool(meant))
     return files
+
+
+def best_folder(paths, problems) -> PurePosixPath | None:
+    """Return the folder with most of the handout's files; of two, the one with the higher numbers in its path."""
+    exact = [path for path in paths if AGAIN.sub("", path.name) in HANDOUTS]
+    files = defaultdict(set)
+    for path in exact or filter(meant, paths):
+        files[path.parent].add(meant(path))
+
+    def rank(folder):
+        numbers = [-int(number) for number in re.findall(r"\d{1,9}", str(folder))]  # "Version 2" is newer
+        return -len(files[folder]), numbers or [0], folder.name != "src", len(folder.parts), folder
+
+    best, *others = sorted(files, key=rank) or [None]
+    problems += [f"took {best}, left {other}" for other in others]
+    return best
+
+
+def newest(paths, problems) -> dict[PurePosixPath, PurePosixPath]:
+    """Return the newest version of each file, by the path without the numbers of versions."""
+    versions = defaultdict(list)
+    for path in sorted(paths, key=lambda path: [*map(int, AGAIN.findall(path.name))]):
+        versions[path.with_name(AGAIN.sub("", path.name))].append(path)
+    for path, (*older, source) in versions.items():
+        if source != path:
+            left = f", left {', '.join(map(str, older))}" if older else ""
+            problems.append(f"took {source} as {path.name}{left}")
+    return {path: found[-1] for path, found in versions.items()}
+
+
+def add_candidate(taken, folder, name, problems) -> None:
+    """Take the only file that may be meant for this file of the handout, which is missing, or name those there are."""
+    candidates = [source for path, source in taken.items() if path.parent == folder and meant(path) == name]
+    if len(candidates) == 1:
+        taken[folder / name] = candidates[0]
+        problems.append(f"took {candidates[0]} as {name}")
+    else:
+        found = ", found " + " and ".join(f"'{path.name}'" for path in candidates) if candidates else ""
+        problems.append(f"src/{name} is missing{found}")
