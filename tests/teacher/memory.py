@@ -1,14 +1,36 @@
 """How much memory a solution has with all of its processes: docs.kernel.org/admin-guide/cgroup-v2.html."""
 
 import os
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from itertools import count
 from pathlib import Path
 
 MOST = 1_500_000_000  # bytes for a solution: one_run.py allows 1.3 GB to a process
 MOUNT = Path("/sys/fs/cgroup")
 NUMBERS = count()
+# If the memory of the machine is short, the kernel ends solutions first. $0 takes the process into a group.
+START = 'echo 1000 2>&- >/proc/self/oom_score_adj; echo $$ 2>&- >"$0"; exec "$@"'
 BUS = "XDG_RUNTIME_DIR", "DBUS_SESSION_BUS_ADDRESS"  # of the environment: systemd-run finds systemd with them
+
+
+@contextmanager
+def bounded(command, size, has_systemd):
+    """Yield the words that start a command in a group with this many bytes, as far as this user can have one."""
+    if os.name == "nt":
+        yield command
+        return
+    group = None
+    if has_systemd:
+        command = [*in_systemd(size), *command]
+    else:
+        group = new_group(size)
+    processes = group / "cgroup.procs" if group else os.devnull
+    try:
+        yield ["sh", "-c", START, f"{processes}", *command]
+    finally:
+        if group:
+            with suppress(OSError):  # a process is still there
+                group.rmdir()
 
 
 def own_group() -> tuple[Path, str]:

@@ -34,9 +34,6 @@ IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 USERS = range(60_600, 61_100)  # numbers that systems give to nobody
 REMOVE = ["cmd", "/c", "rd", "/s", "/q"] if os.name == "nt" else ["sh", "-c", 'chmod -R u+rwx "$0"; rm -rf "$0"']
 QUIETLY = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-# If the memory of the machine is short, the kernel ends solutions first. $0 takes the process into a group. $1 is for
-# bubblewrap.
-START = 'echo 1000 2>&- >/proc/self/oom_score_adj; echo $$ 2>&- >"$0"; filter=$1; shift; exec "$@" 9<"$filter"'
 
 
 class Run(NamedTuple):
@@ -54,8 +51,7 @@ class Sandbox:
         """stopped is an Event: once it is set, all ends that runs, and nothing more begins."""
         self.starter, self.work = starter, work
         self.has_bubblewrap = has_bubblewrap
-        self.bubblewrap = bubblewrap() if has_bubblewrap else []
-        self.filter = work / "filter"
+        self.bubblewrap = bubblewrap(work / "filter") if has_bubblewrap else []
         self.has_systemd = False
         self.empty: dict = {}  # the grade of the starter
         self.least_free = min(LEAST_FREE, shutil.disk_usage(work).free // 2)
@@ -65,7 +61,6 @@ class Sandbox:
     def open(self) -> None:
         """Find out what the system has; raise an OSError if the starter cannot be graded."""
         self.work.chmod(0o711)  # for other users
-        self.filter.write_bytes(seccomp_filter())
         if shutil.which("systemd-run"):
             self.has_systemd = self.processes.run(*memory.in_systemd(10**8), "true", **QUIETLY) == 0
         status, output = self.run_files({}, ALONE, 1)
@@ -141,38 +136,39 @@ class Sandbox:
 
     def run_as(self, user, folder, output, seconds, jobs) -> int:
         """Do what run_in does, as the user with a number, or as yourself if the number is 0."""
-        for path in (folder, *folder.rglob("*")) if user else ():
-            os.chown(path, user, user)
-        home, program, starter, own = str(folder), one_run.__file__, str(self.starter), str(folder / "own")
-        before = []
-        if self.has_bubblewrap:
-            before = [*self.bubblewrap, "--ro-bind", starter, STARTER, "--ro-bind", own, OWN]
-            home, program, starter, own = FOLDER, PROGRAM, STARTER, OWN
-        environment = dict(os.environ) if os.name == "nt" else {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
-        environment |= {"HOME": home, "TMPDIR": home, "PYTHONUSERBASE": site.getuserbase(), "OPENBLAS_NUM_THREADS": "1"}
-        environment |= {"PYTHONDONTWRITEBYTECODE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "COLUMNS": "100"}
-        group = None
-        size = memory.share(jobs)
-        if self.has_systemd:
-            before = [*memory.in_systemd(size), *before]
-            environment |= {name: os.environ[name] for name in memory.BUS if name in os.environ}
-        elif os.name != "nt":
-            group = memory.new_group(size)
-        if os.name != "nt":
-            procs = f"{group / 'cgroup.procs'}" if group else os.devnull
-            before = ["sh", "-c", START, procs, str(self.filter), *before]
-        command = [*before, sys.executable, program, str(user), str(seconds), starter, own]
+        if user:
+            for path in (folder, *folder.rglob("*")):
+                os.chown(path, user, user)
         pipes = {"stdin": subprocess.DEVNULL, "stdout": output, "stderr": output}
+        options = {"env": self.environment(folder), "cwd": folder, **pipes}
         try:
-            options = {"env": environment, "cwd": folder, **pipes}
-            status = self.processes.run(*command, seconds=seconds + SPARE, stop=self.must_stop, **options)
-            return one_run.LATE if status is None else status
+            with memory.bounded(self.command(user, folder, seconds), memory.share(jobs), self.has_systemd) as command:
+                status = self.processes.run(*command, seconds=seconds + SPARE, stop=self.must_stop, **options)
         finally:
             if user and not self.has_bubblewrap:  # what has left its group
                 self.processes.run("sh", "-c", "ipcrm -a; kill -9 -1", user=user, **QUIETLY)
-            if group:
-                with suppress(OSError):
-                    group.rmdir()
+        if status is None:
+            return one_run.LATE
+        return status if status >= 0 else 128 - status  # as a shell says that it ended by a signal
+
+    def command(self, user, folder, seconds) -> list[str]:
+        """Return the words that run pytest for the submission in a folder."""
+        limits, own = [str(user), str(seconds)], str(folder / "own")
+        if not self.has_bubblewrap:
+            return [sys.executable, one_run.__file__, *limits, str(self.starter), own]
+        binds = ["--ro-bind", str(self.starter), STARTER, "--ro-bind", own, OWN]
+        return [*self.bubblewrap, *binds, sys.executable, PROGRAM, *limits, STARTER, OWN]
+
+    def environment(self, folder) -> dict[str, str]:
+        """Return the environment of a run."""
+        if os.name == "nt":
+            given = dict(os.environ)
+        else:
+            given = {name: os.environ[name] for name in memory.BUS if name in os.environ}
+            given |= {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
+        home = FOLDER if self.has_bubblewrap else str(folder)
+        own = {"HOME": home, "TMPDIR": home, "PYTHONUSERBASE": site.getuserbase(), "OPENBLAS_NUM_THREADS": "1"}
+        return given | own | {"PYTHONDONTWRITEBYTECODE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "COLUMNS": "100"}
 
 
 def free_user() -> tuple[int, socket.socket]:
@@ -186,8 +182,8 @@ def free_user() -> tuple[int, socket.socket]:
     raise OSError(0, "all of them run solutions already", f"the users {USERS}")
 
 
-def bubblewrap() -> list[str]:
-    """Return the words before a command that start it in bubblewrap, which reads the kernel's filter as file 9."""
+def bubblewrap(filter_file) -> list[str]:
+    """Return the words before a command that start it in bubblewrap; write the kernel's filter into this file."""
     prefixes = ["/usr", "/usr/local", *map(os.path.abspath, (sys.base_prefix, sys.prefix))]
     python = [f"{prefix}/{name}" for prefix in prefixes for name in IN_PREFIX]
     visible = [path for path in [*SYSTEM.split(), *python, site.getusersitepackages()] if os.path.exists(path)]
@@ -203,5 +199,8 @@ def bubblewrap() -> list[str]:
     alone = [f"--unshare-{name}" for name in ("ipc", "pid", "net", "uts", "cgroup-try")]
     if not IS_ROOT:
         alone.append("--unshare-user")
-    refused = ["--seccomp", "9"] if seccomp_filter() else []
-    return [f"{shutil.which('bwrap')}", *refused, "--die-with-parent", *alone, *mounts]
+    filter_file.write_bytes(seccomp_filter())
+    start = ["sh", "-c", 'exec "$@" 9<"$0"', str(filter_file), f"{shutil.which('bwrap')}", "--die-with-parent"]
+    if seccomp_filter():
+        start += ["--seccomp", "9"]
+    return [*start, *alone, *mounts]
