@@ -205,7 +205,8 @@ class Grading:
         if self.done == SOME < self.most:
             left = self.most - SOME
             seconds = (time.monotonic() - self.begin) / SOME * left
-            say(f"{SOME} solutions are graded. At this pace, the other {left} take {how_long(seconds)}.")
+            bar_away = "\r\x1b[K" if sys.stderr.isatty() else ""
+            say(f"{bar_away}{SOME} solutions are graded. At this pace, the other {left} take {how_long(seconds)}.")
 
 
 def how_long(seconds) -> str:

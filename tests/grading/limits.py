@@ -118,9 +118,13 @@ def over_limit(error) -> str:
 
 
 def end_stubborn() -> None:
-    """End the process, and say where its main thread is: code that catches each interrupt."""
+    """If a student's code runs, which has caught each interrupt, end the process, and name the line."""
     frame = sys._current_frames()[threading.main_thread().ident]
-    place = f"{os.path.relpath(frame.f_code.co_filename, ROOT)}, line {frame.f_lineno}"
+    while frame is not None and not Path(frame.f_code.co_filename).is_relative_to(ROOT / "src"):
+        frame = frame.f_back
+    if frame is None:
+        return
+    place = f"{Path(frame.f_code.co_filename).relative_to(ROOT).as_posix()}, line {frame.f_lineno}"
     os.write(STDERR, f"\n{place} catches all that could stop it, so pytest ends here.\n".encode())
     end_process(1)
 
@@ -142,13 +146,14 @@ class Timer(threading.Thread):
             if not DEBUGGED.is_set():
                 is_late = time.process_time() - begin > self.seconds
                 has_waited = time.monotonic() - begin_on_clock > WAITING * self.seconds
-        for _ in range(MOST_INTERRUPTS):
+        interrupts = 0
+        while not self.over.is_set():
             with self.lock:
                 if not self.over.is_set():
                     self.interrupt(by_clock=not is_late)
-            if self.over.wait(AGAIN):
-                return
-        end_stubborn()
+            interrupts += 1
+            if not self.over.wait(AGAIN) and interrupts >= MOST_INTERRUPTS:
+                end_stubborn()
 
     def interrupt(self, by_clock) -> None:
         """Raise a KeyboardInterrupt in the main thread. It also ends a sleep."""

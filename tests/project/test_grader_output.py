@@ -274,3 +274,26 @@ def test_side_by_side_the_suites_say_the_same(starter):
     assert ends[0] == ends[1]
     done = re.findall(r"^\[(gw\d)\] .* tests/(test_\w+)\.py", "\n".join(rows), re.MULTILINE)
     assert {file for _, file in done} == {"test_others", *SUITES.values()}
+
+
+STUBBORN = """while True:
+    try:
+        while True: omega += 1
+    except: pass
+"""
+IMPATIENT = """import sys
+sys.path[:0] = "tests", "."
+from grading import limits
+import pytest
+limits.PATIENCE, limits.AGAIN = 0.3, 0.1
+sys.exit(pytest.main(["--tier", "C"]))
+"""
+
+
+@pytest.mark.slow
+def test_a_function_that_nothing_stops_ends_pytest_with_its_line(starter):
+    write(starter, "angle_update", angle_update=STUBBORN)
+    done = python("-c", IMPATIENT, folder=starter)
+    assert done.returncode == 1
+    place = r"src/swinging\.py, line \d+"
+    assert re.fullmatch(rf"\n{place} catches all that could stop it, so pytest ends here\.\n", done.stderr)
