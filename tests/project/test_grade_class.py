@@ -30,7 +30,7 @@ from students import change, COUNTS, files_of, graded_in, put_files, write
 
 from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
-from teacher import one_run, report, sandbox
+from teacher import memory, one_run, report, sandbox
 from teacher.keys import keys_of, Student
 from teacher.submissions import (
     LEFT_OUT,
@@ -517,6 +517,26 @@ def test_a_folder_of_grades_is_nobody_elses(tmp_path):
     for folder in (tmp_path / "own", tmp_path / "new" / "one"):
         report.own_folder(folder)
         assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+
+
+FAMILY = """import os, time
+def take():
+    taken = bytearray(5 * 10**7)
+    time.sleep(1)
+    os._exit(0)
+children = [os.fork() or take() for _ in range(3)]
+os._exit(any(os.waitpid(child, 0)[1] for child in children))
+"""
+
+
+def test_a_group_bounds_the_memory_of_all_processes_that_a_command_starts():
+    """They have 100 MB, and three of them take 50 MB each."""
+    group = memory.new_group(10**8)
+    if group is None:
+        pytest.skip("this user cannot make a group")
+    group.rmdir()
+    with memory.bounded([sys.executable, "-c", FAMILY], 10**8, has_systemd=False) as command:
+        assert subprocess.run(command, check=False).returncode
 
 
 # Runs of solutions are spoiled from outside: the first two, after that of the starter.
