@@ -41,8 +41,8 @@ end_process = os._exit
 
 
 @contextmanager
-def limited_memory():
-    """On Linux, raise a MemoryError if the body of the with statement takes more than MOST_MEMORY."""
+def limited_memory(megabytes=None):
+    """On Linux, raise a MemoryError if the body of the with statement takes more than this, by default MOST_MEMORY."""
     if not MEMORY_IN_USE.exists():
         yield
         return
@@ -52,7 +52,8 @@ def limited_memory():
     before = resource.getrlimit(resource.RLIMIT_DATA)
     allowed = [limit for limit in before if limit != resource.RLIM_INFINITY]
     spare = bytearray(2**18)  # for the message about a call that took all its memory
-    resource.setrlimit(resource.RLIMIT_DATA, (min([in_use + MOST_MEMORY * 10**6, *allowed]), before[1]))
+    most = in_use + (megabytes or MOST_MEMORY) * 10**6
+    resource.setrlimit(resource.RLIMIT_DATA, (min([most, *allowed]), before[1]))
     try:
         yield
     finally:

@@ -1,5 +1,6 @@
 """Run pytest in a copy of folders, with limits, as the user with a number, or as yourself if the number is 0."""
 
+import ctypes
 import os
 import shutil
 import subprocess
@@ -7,6 +8,7 @@ import sys
 from contextlib import suppress
 
 PYTEST = "pytest --assert=plain -p no:cacheprovider -o faulthandler_timeout=20 --grade-json=grade.json"
+NO_NEW_PRIVILEGES = 38  # prctl's number
 LATE = 124  # the exit status after the time by the clock
 MOST_BYTES, MOST_OUTPUT = 1_000_000, 3000  # bytes of a grade, and of what pytest has printed
 MOST_PROCESSES = 8  # with threads; pytest and the grader have 4
@@ -25,6 +27,8 @@ def main(user, seconds, *folders) -> int:
         os.setuid(user)
     elif os.name != "nt" and os.geteuid() == 0:
         raise PermissionError("a solution does not run as root")
+    if sys.platform == "linux":  # no program gives it the rights of another user: one that a solution has left, too
+        ctypes.CDLL(None).prctl(NO_NEW_PRIVILEGES, 1, 0, 0, 0)
     if os.name != "nt":  # what pytest and all that it starts can take, as far as the system allows
         import resource
 

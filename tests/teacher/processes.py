@@ -44,19 +44,36 @@ class Processes:
                 ctypes.windll.kernel32.TerminateJobObject(job, 1)
                 ctypes.windll.kernel32.CloseHandle(job)
             end(process)
-            process.wait()
+            with self.lock:
+                self.end_orphans()  # one could trace the process, and keep it
+            with suppress(subprocess.TimeoutExpired):
+                process.wait(PATIENCE)
             with self.lock:
                 self.own.remove(process.pid)
                 self.end_orphans()
 
     def end_orphans(self) -> None:
-        """End the processes that others have left; on other systems than Linux, nobody finds them."""
+        """End the processes that others have left; on other systems than Linux, nobody finds them.
+
+        They are stopped before they are killed: as long as one is there, another one cannot be made in its place.
+        """
         deadline = time.monotonic() + PATIENCE
-        while (left := [pid for pid in children() if pid not in self.own]) and time.monotonic() < deadline:
+        stopped: set[int] = set()
+        while (left := {*self.orphans()}) and time.monotonic() < deadline:
+            if left <= stopped:
+                send(signal.SIGKILL, left)
+            send(signal.SIGSTOP, left - stopped)
+            stopped |= left
             for pid in left:
-                with suppress(OSError):  # it has ended
-                    os.kill(pid, signal.SIGKILL)
-                    os.waitpid(pid, 0)
+                with suppress(OSError):
+                    os.waitpid(pid, os.WNOHANG)  # one that has not ended yet comes again
+
+    def orphans(self) -> list[int]:
+        """Return the processes that others have left, and those below them."""
+        found = [pid for pid in children("self") if pid not in self.own]
+        for pid in found:
+            found += children(pid)
+        return found
 
 
 def wait(process, seconds, stop) -> int | None:
@@ -75,10 +92,17 @@ def end(process) -> None:
         os.killpg(process.pid, signal.SIGKILL)
 
 
-def children() -> list[int]:
+def send(number, processes) -> None:
+    """Send a signal to processes."""
+    for pid in processes:
+        with suppress(OSError):  # it has ended
+            os.kill(pid, number)
+
+
+def children(process) -> list[int]:
     """Return the numbers of the processes whose parent is this one. Linux has them."""
     found = []
-    for file in Path("/proc/self/task").glob("*/children"):
+    for file in Path(f"/proc/{process}/task").glob("*/children"):
         with suppress(OSError):  # the thread has ended
             found += map(int, file.read_text().split())
     return found

@@ -33,6 +33,10 @@ IN_PREFIX = "bin", "lib", "lib32", "lib64", "libx32", "libexec", "share", "pyven
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 USERS = range(60_600, 61_100)  # numbers that systems give to nobody
 REMOVE = ["cmd", "/c", "rd", "/s", "/q"] if os.name == "nt" else ["sh", "-c", 'chmod -R u+rwx "$0"; rm -rf "$0"']
+# End all processes of a user at once, also those that end whoever comes: only a moment passes as this user. Then remove
+# what the user has left where all can write.
+END_ALL = "import os, sys; user = int(sys.argv[1]); os.setgroups([]); os.setgid(user); os.setuid(user); os.kill(-1, 9)"
+REMOVE_ALL = 'ipcrm -a; find /tmp /var/tmp /dev/shm -user "$0" -delete'
 QUIETLY = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
 
 
@@ -121,10 +125,11 @@ class Sandbox:
                 output.seek(0)
                 found = output.read(one_run.MOST_BYTES + 1)
             return "the disk was full" if self.is_full() else status, found
-        except (OSError, ValueError, RecursionError) as error:
+        except (OSError, ValueError, RecursionError, MemoryError) as error:
             return f"the files cannot be written: {getattr(error, 'strerror', error)}", b""
         finally:
-            self.processes.run(*REMOVE, str(folder), **QUIETLY)
+            with suppress(OSError):  # no process can be started now: the folder goes with those of the others
+                self.processes.run(*REMOVE, str(folder), **QUIETLY)
 
     def run_in(self, folder, output, seconds, jobs) -> int:
         """Run pytest in a folder, and end all that it has started; return its exit status."""
@@ -145,8 +150,9 @@ class Sandbox:
             with memory.bounded(self.command(user, folder, seconds), memory.share(jobs), self.has_systemd) as command:
                 status = self.processes.run(*command, seconds=seconds + SPARE, stop=self.must_stop, **options)
         finally:
-            if user and not self.has_bubblewrap:  # what has left its group
-                self.processes.run("sh", "-c", "ipcrm -a; kill -9 -1", user=user, **QUIETLY)
+            if user and not self.has_bubblewrap:
+                self.processes.run(sys.executable, "-c", END_ALL, str(user), **QUIETLY)
+                self.processes.run("sh", "-c", REMOVE_ALL, str(user), user=user, **QUIETLY)
         if status is None:
             return one_run.LATE
         return status if status >= 0 else 128 - status  # as a shell says that it ended by a signal

@@ -24,6 +24,8 @@ SKIPPED = {"__MACOSX", "__pycache__", "node_modules", "site-packages", "support"
 ARCHIVES = (".zip", ".7z", ".bz2", ".gz", ".rar", ".tar", ".tgz", ".xz")
 MOST_FILES, MOST_BYTES = 200, 1_000_000  # of the Python files of a submission
 MOST_ZIPS, MOST_ZIP = 4, 20_000_000  # .zips in another one or in a folder, and bytes of a file in a .zip
+MOST_LIST = 5_000_000  # bytes of the list of files in a .zip; that of a project with its .venv has 3 MB
+MOST_MEMORY = 200  # MB to read a submission
 MOST_PATH = 250  # letters of a path in a submission
 MOST_PROBLEMS, MOST_LETTERS = 8, 200  # of a submission, and of a problem
 READ = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # with other methods, a few bytes can take all memory
@@ -85,7 +87,7 @@ def owner_of(path) -> tuple[Student | None, str]:
     return None, ""
 
 
-@limited_memory()
+@limited_memory(MOST_MEMORY)
 def read_submission(paths) -> tuple[dict[str, bytes], list[str]]:
     """Return the files of a submission, by their paths below src/, and the problems with it, each in a sentence."""
     problems: list[str] = []
@@ -94,7 +96,7 @@ def read_submission(paths) -> tuple[dict[str, bytes], list[str]]:
         entries = entries_of(paths, problems)
         files = select(entries, problems)
     except Exception as error:  # also too deep a folder; the class goes on
-        problems.append(f"cannot be read: {getattr(error, 'strerror', None) or error}")
+        problems.append(f"cannot be read: {getattr(error, 'strerror', None) or f'{error}' or type(error).__name__}")
     if len(problems) > MOST_PROBLEMS:
         problems[MOST_PROBLEMS:] = ["and more"]
     return files, [in_one_line(problem[:MOST_LETTERS]) for problem in problems]
@@ -139,7 +141,12 @@ def in_zip(opens, name, problems) -> dict:
     """Return a function that opens it for each file of a .zip that can be read, by its path."""
     entries = {}
     try:
-        archive = zipfile.ZipFile(opens())
+        file = opens()
+        if isinstance(file, zipfile.ZipExtFile):  # it lies in another one, and is read in any order
+            file = BytesIO(file.read(MOST_ZIP))
+        if list_size(file) > MOST_LIST:
+            raise ValueError(f"its list of files has more than {MOST_LIST:,} bytes")
+        archive = zipfile.ZipFile(file)
     except Exception as error:  # it can be damaged in many ways; the class goes on
         problems.append(f"{name} is no .zip that can be read: {error}")
         return {}
@@ -155,8 +162,20 @@ def in_zip(opens, name, problems) -> dict:
             if path.suffix in (".py", ".zip"):
                 problems.append(f"left out {info.filename}: {LEFT_OUT}")
         elif not info.is_dir() and all(map(is_own, path.parts[:-1])):
-            entries[str(path)] = lambda info=info: BytesIO(archive.read(info))
+            entries[str(path)] = partial(archive.open, info)
     return entries
+
+
+def list_size(file) -> int:
+    """Return how many bytes the list of files in a .zip has, as its end says, before all of it is read.
+
+    The end of a .zip can be in several places: the largest list counts. That of a .zip of 64 bits always is too large.
+    """
+    size = file.seek(0, os.SEEK_END)
+    file.seek(max(0, size - 2**16 - 100))
+    last = file.read()
+    sizes = [last[end.start() + 12 : end.start() + 16] for end in re.finditer(b"PK\5\6", last)]
+    return MOST_LIST + 1 if b"PK\6\7" in last else max((int.from_bytes(each, "little") for each in sizes), default=0)
 
 
 def is_own(folder) -> bool:
@@ -191,7 +210,7 @@ def select(entries, problems) -> dict[str, bytes]:
                 files[path.relative_to(best).as_posix()] = opened.read(MOST_BYTES + 1)
         except Exception as error:  # the .zip is damaged, or the file cannot be read
             problems.append(f"left out {source}: {error}")
-        if len(files) > MOST_FILES or sum(map(len, files.values())) > MOST_BYTES:
+        if len(taken) > MOST_FILES or sum(map(len, files.values())) > MOST_BYTES:
             problems.append(f"too large: allowed are at most {MOST_FILES} Python files with {MOST_BYTES:,} bytes")
             return {}
     return files
