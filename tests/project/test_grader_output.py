@@ -282,7 +282,6 @@ STUBBORN = """while True:
     except: pass
 """
 IMPATIENT = """import sys
-sys.path[:0] = "tests", "."
 from grading import limits
 import pytest
 limits.PATIENCE, limits.AGAIN = 0.3, 0.1
@@ -293,7 +292,7 @@ sys.exit(pytest.main(["--tier", "C"]))
 @pytest.mark.slow
 def test_a_function_that_nothing_stops_ends_pytest_with_its_line(starter):
     write(starter, "angle_update", angle_update=STUBBORN)
-    done = python("-c", IMPATIENT, folder=starter)
+    done = python("-c", IMPATIENT, folder=starter, PYTHONPATH=f"tests{os.pathsep}.")
     assert done.returncode == 1
     place = r"src/swinging\.py, line \d+"
     assert re.fullmatch(rf"\n{place} catches all that could stop it, so pytest ends here\.\n", done.stderr)
