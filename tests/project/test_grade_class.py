@@ -332,7 +332,7 @@ def tables_of(folder):
 # In bubblewrap, four at a time: none takes what others need.
 FAST = """import grade_class as g, os, shutil
 from teacher import sandbox as s
-s.LAST, s.ALONE, s.SPARE, os.cpu_count = 20, 8, 2, lambda: 4 if shutil.which("bwrap") else 2
+s.LAST, s.ALONE, s.SPARE, os.cpu_count = 12, 8, 2, lambda: 4 if shutil.which("bwrap") else 2
 """
 UNBOXED = "--without-bubblewrap"
 needs_bwrap = pytest.mark.skipif(shutil.which("bwrap") is None, reason="bubblewrap is not installed")
@@ -650,7 +650,6 @@ SPOILED = {
     "makes a pipe": "os.mkfifo(here + '/grade.json')",
     "makes a link": "os.symlink('/dev/zero', here + '/grade.json')",
     "prints without end": "while True: os.write(1, b'x' * 100_000)",
-    "catches everything": "while True:\n  try: time.sleep(1)\n  except BaseException: pass",
     "ends at once": "os.abort()",
 }
 
