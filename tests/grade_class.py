@@ -53,9 +53,10 @@ def main() -> None:
         os.umask(mask)
         sandbox = Sandbox(Path(work, "starter"), Path(work), options.bubblewrap, stopped)
         grading = Grading(submitted, version, file, sandbox, stopped)
+        left = grading.keep_old()
         if stopped.is_set():
             sys.exit(*status)
-        grading.grade_all()
+        grading.grade_all(left)
     report = Report()
     for results in (results_in(file), grading.without_grade):
         for result in results:
@@ -125,11 +126,11 @@ class Grading:
         self.lock = threading.Lock()
         self.unsure: list[str] = []  # students whose run something beside it may have changed
         self.without_grade: list[dict] = []  # results
+        self.done = 0  # students who have a result now
 
-    def grade_all(self) -> None:
-        """Grade the submissions, one on each core, then those that are unsure once more, each alone."""
-        left = self.keep_old()
-        if not left or self.stopped.is_set():
+    def grade_all(self, left) -> None:
+        """Grade these students, one on each core, then those that are unsure once more, each alone."""
+        if not left:
             return
         jobs = os.cpu_count() or 1
         with ThreadPoolExecutor(jobs) as workers:
@@ -137,14 +138,18 @@ class Grading:
             if not self.sandbox.has_bubblewrap:
                 complain(LEFT_OPEN)
             with open(self.file, "a", encoding="utf-8") as self.kept, progress_bar() as self.progress:
-                self.begin, self.done, self.most = time.monotonic(), 0, len(left)
+                self.begin = time.monotonic()
+                self.most = len(left)
                 students = iter(left)
                 finish([workers.submit(self.work, students, jobs) for _ in range(jobs)])
                 again = iter(sorted(self.unsure))
                 finish([workers.submit(self.work, again, 1, is_last=True)])
 
     def keep_old(self) -> list[str]:
-        """Let results.jsonl have only the results that still hold; return the students without one."""
+        """Let results.jsonl have only the results that still hold; return the students without one.
+
+        If somebody stops the program while it reads the submissions, results.jsonl stays as it is.
+        """
         digests = {}
         for student in self.submitted:
             if self.stopped.is_set():

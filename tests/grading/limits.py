@@ -52,7 +52,9 @@ def limited_memory(megabytes=None):
     before = resource.getrlimit(resource.RLIMIT_DATA)
     allowed = [limit for limit in before if limit != resource.RLIM_INFINITY]
     spare = bytearray(2**18)  # for the message about a call that took all its memory
-    most = in_use + (megabytes or MOST_MEMORY) * 10**6
+    if megabytes is None:
+        megabytes = MOST_MEMORY
+    most = in_use + megabytes * 10**6
     resource.setrlimit(resource.RLIMIT_DATA, (min([most, *allowed]), before[1]))
     try:
         yield

@@ -33,8 +33,8 @@ IN_PREFIX = "bin", "lib", "lib32", "lib64", "libx32", "libexec", "share", "pyven
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 USERS = range(60_600, 61_100)  # numbers that systems give to nobody
 REMOVE = ["cmd", "/c", "rd", "/s", "/q"] if os.name == "nt" else ["sh", "-c", 'chmod -R u+rwx "$0"; rm -rf "$0"']
-# End all processes of a user at once, also those that end whoever comes: only a moment passes as this user. Then remove
-# what the user has left where all can write.
+# END_ALL kills all processes of a user at once. It becomes this user last, so they have no time to kill it. REMOVE_ALL
+# removes the user's files from the folders in which everybody can write.
 END_ALL = "import os, sys; user = int(sys.argv[1]); os.setgroups([]); os.setgid(user); os.setuid(user); os.kill(-1, 9)"
 REMOVE_ALL = 'ipcrm -a; find /tmp /var/tmp /dev/shm -user "$0" -delete'
 QUIETLY = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
@@ -97,7 +97,7 @@ class Sandbox:
             else:
                 how = status
             return Run(no_grade(self.empty, output), f"no grade: {how}", is_final=False)
-        has_ended = isinstance(status, int) and 0 <= status < one_run.LATE
+        has_ended = isinstance(status, int) and status < one_run.LATE
         return Run(grade, "", is_final=grade.pop("final") and has_ended)
 
     def is_full(self) -> bool:
@@ -153,9 +153,7 @@ class Sandbox:
             if user and not self.has_bubblewrap:
                 self.processes.run(sys.executable, "-c", END_ALL, str(user), **QUIETLY)
                 self.processes.run("sh", "-c", REMOVE_ALL, str(user), user=user, **QUIETLY)
-        if status is None:
-            return one_run.LATE
-        return status if status >= 0 else 128 - status  # as a shell says that it ended by a signal
+        return one_run.LATE if status is None else one_run.as_in_a_shell(status)
 
     def command(self, user, folder, seconds) -> list[str]:
         """Return the words that run pytest for the submission in a folder."""

@@ -32,8 +32,8 @@ READ = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # with other methods, a few byt
 LEFT_OUT = "allowed is no link, no password, no path outside, only a deflated file of at most 20 MB"
 TOO_LONG = f"allowed is a path of at most {MOST_PATH} letters"
 
-# Names that are read from their end: a student chooses what stands before the numbers. Canvas puts the student's name
-# and number, and a number of the file, before the file's own name.
+# These names are read from their end, because a student can choose the beginning. Canvas writes the student's name, the
+# student's number, a number of the file, and the file's own name.
 CANVAS = re.compile(r"(?P<student>.+)_(?P<number>\d+)_\d+_(?P<file>.+)")
 # Moodle puts the name and a number before it. Its folders have such names, too, and an online text is one more.
 MOODLE = re.compile(r"(?P<student>.+)_(?P<number>\d+)_assignsubmission_(file|onlinetext)_?(?P<file>.*)")
