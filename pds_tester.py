@@ -1,4 +1,7 @@
-"""Run this file to see, step by step, how newton_cradle_pends.csv becomes pend_list. It needs no VPython."""
+"""Run this file to see, step by step, how newton_cradle_pends.csv becomes pend_list.
+
+It needs no VPython.
+"""
 
 if __name__ == "__main__":
     import os
@@ -37,7 +40,9 @@ def main() -> None:
         print(df)
 
         bad_rep = df.to_dict(orient="index")
-        print("\nbad_rep: a dictionary of dictionaries. Its keys are only row numbers; a list needs no keys.")
+        print(
+            "\nbad_rep: a dictionary of dictionaries. Its keys are only row numbers; a list needs no keys."
+        )
         for row, pendulum in bad_rep.items():
             print(f"  {row}: {pendulum}")
 
@@ -52,11 +57,18 @@ def main() -> None:
         except Exception as error:
             tell_mistake(error)
             sys.exit(1)
-        print("\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum.")
+        print(
+            "\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum."
+        )
         for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
             print(f"  {pendulum}")
-        if not (isinstance(pend_list, list) and all(isinstance(pendulum, dict) for pendulum in pend_list)):
-            print(f"But this is no list of dictionaries. Type {checks_command()}: it says what is wrong.")
+        if not (
+            isinstance(pend_list, list)
+            and all(isinstance(pendulum, dict) for pendulum in pend_list)
+        ):
+            print(
+                f"But this is no list of dictionaries. Type {checks_command()}: it says what is wrong."
+            )
 
 
 if __name__ == "__main__":

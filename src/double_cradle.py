@@ -1,4 +1,5 @@
-"""The double Newton's cradle: each element is a double pendulum; a second pendulum hangs from the first one's bob.
+"""The double Newton's cradle: each element is a double pendulum; a second pendulum hangs from the
+first one's bob.
 
 Words
     theta       the upper cord's angle from straight down (rad), omega its rate (rad/s); both positive to the right
@@ -7,27 +8,31 @@ Words
     m1, m2      the masses of the upper and the lower bob (kg); R the length of each cord (m); ' is d/dt
 
 Swing
-    The upper bob moves along its arc with the velocity R alpha'. The lower bob has the same velocity, plus R beta'
-    along its own arc. The angle between these two velocities is beta - alpha = phi. By the law of cosines, the energies
-    are
+    The upper bob moves along its arc with the velocity R alpha'. The lower bob has the same
+    velocity, plus R beta' along its own arc. The angle between these two velocities is beta - alpha
+    = phi. By the law of cosines, the energies are
         T = (m1 + m2) R^2 alpha'^2 / 2  +  m2 R^2 beta'^2 / 2  +  m2 R^2 alpha' beta' cos(phi)
         V = -(m1 + m2) g R cos(alpha)  -  m2 g R cos(beta)
-    Lagrange's equations are d/dt dL/dq' = dL/dq with L = T - V, for q = alpha and for q = beta. For alpha,
+    Lagrange's equations are d/dt dL/dq' = dL/dq with L = T - V, for q = alpha and for q = beta. For
+    alpha,
         dL/dalpha' = (m1 + m2) R^2 alpha' + m2 R^2 beta' cos(phi)
         dL/dalpha  = m2 R^2 alpha' beta' sin(phi) - (m1 + m2) g R sin(alpha)
-    With d/dt cos(phi) = -sin(phi) (beta' - alpha'), the terms with alpha' beta' cancel; for beta likewise. Divide the
-    first equation by (m1 + m2) R^2, the second by m2 R^2. With mu = m2 / (m1 + m2), this gives
+    With d/dt cos(phi) = -sin(phi) (beta' - alpha'), the terms with alpha' beta' cancel; for beta
+    likewise. Divide the first equation by (m1 + m2) R^2, the second by m2 R^2. With mu = m2 / (m1 +
+    m2), this gives
         alpha''           + mu cos(phi) beta'' =  mu sin(phi) beta'^2 - g/R sin(alpha)
         cos(phi) alpha''  +             beta'' =    - sin(phi) alpha'^2 - g/R sin(beta)
-    double_accelerations solves these two linear equations for alpha'' and beta''. Source of L: Landau and Lifshitz,
-    Mechanics, section 5, problem 1, with both lengths R.
+    double_accelerations solves these two linear equations for alpha'' and beta''. Source of L:
+    Landau and Lifshitz, Mechanics, section 5, problem 1, with both lengths R.
 
-    The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the energy to 1e-6. So a tick
-    is a step of the classical Runge-Kutta method, which has an error of order dt^4. It computes four accelerations
-    instead of one. It solves no equation, and needs no results of earlier ticks, which a hit would make useless.
+    The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the
+    energy to 1e-6. So a tick is a step of the classical Runge-Kutta method, which has an error of
+    order dt^4. It computes four accelerations instead of one. It solves no equation, and needs no
+    results of earlier ticks, which a hit would make useless.
 
-    If a cord turns far in a step, the step adds energy. This happens to light bobs: between two bobs of a million times
-    the mass, a bob can become a thousand times as fast. double_swing_update divides such a tick.
+    If a cord turns far in a step, the step adds energy. This happens to light bobs: between two
+    bobs of a million times the mass, a bob can become a thousand times as fast. double_swing_update
+    divides such a tick.
 """
 
 from math import ceil, cos, hypot, sin
@@ -36,9 +41,16 @@ from vpython import box, cylinder, sphere
 
 from src.double_collisions import collide_pairs, keep_apart
 from src.special_cradles import make_newton_cradle
-from support.pendulum import discard, DoublePendulumEntry, make_bob_and_cord, make_pendulum, show_double_pendulum
+from support.pendulum import (
+    discard,
+    DoublePendulumEntry,
+    make_bob_and_cord,
+    make_pendulum,
+    show_double_pendulum,
+)
 
-# The cords of a pendulum turn at most about this far in one step (rad). With equal masses, they turn much less.
+# The cords of a pendulum turn at most about this far in one step (rad). With equal masses, they
+# turn much less.
 MOST_TURN = 0.05
 MOST_STEPS = 1e6  # in one tick; if a pendulum needs more, someone made a mistake
 
@@ -46,29 +58,35 @@ MOST_STEPS = 1e6  # in one tick; if a pendulum needs more, someone made a mistak
 def make_double_pendulum(
     axle_pos, r_param, theta, phi, color, texture
 ) -> tuple[box, sphere, cylinder, sphere, cylinder]:
-    """Return the VPython objects (axle, bob1, cord1, bob2, cord2) of a double pendulum that hangs from axle_pos.
+    """Return the VPython objects (axle, bob1, cord1, bob2, cord2) of a double pendulum that hangs
+    from axle_pos.
 
-    axle_pos is a vector (m), r_param the length of each cord (m), theta and phi the angles (rad), color a VPython color
-    (a vector), and texture a VPython texture or None.
+    axle_pos is a vector (m), r_param the length of each cord (m), theta and phi the angles (rad),
+    color a VPython color (a vector), and texture a VPython texture or None.
     """
     axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
     bob2, cord2 = make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture)
     return axle, bob1, cord1, bob2, cord2
 
 
-def make_double_newton_cradle(relative_filepath, r_param, theta_init, phi_init) -> list[DoublePendulumEntry]:
-    """Return the pend_list of a CSV as double pendula: with theta, omega, phi, phi_omega and their five objects.
+def make_double_newton_cradle(
+    relative_filepath, r_param, theta_init, phi_init
+) -> list[DoublePendulumEntry]:
+    """Return the pend_list of a CSV as double pendula: with theta, omega, phi, phi_omega and their
+    five objects.
 
-    It is the cradle of make_newton_cradle, with a second pendulum that hangs from each bob. phi_init (rad) bends the
-    first double pendulum; the others are straight. Both bobs have the mass of the row. r_param (m) is the length of
-    each cord.
+    It is the cradle of make_newton_cradle, with a second pendulum that hangs from each bob.
+    phi_init (rad) bends the first double pendulum; the others are straight. Both bobs have the mass
+    of the row. r_param (m) is the length of each cord.
     """
     pend_list: list = make_newton_cradle(relative_filepath, r_param, theta_init)
     phis = [phi_init] + [0] * (len(pend_list) - 1)
     for pend_dict, phi in zip(pend_list, phis, strict=True):
         axle, bob, _ = pend_dict["objects"]
         discard(pend_dict["objects"])  # make_double_pendulum reuses them
-        objects = make_double_pendulum(axle.pos, r_param, pend_dict["theta"], phi, bob.color, bob.texture)
+        objects = make_double_pendulum(
+            axle.pos, r_param, pend_dict["theta"], phi, bob.color, bob.texture
+        )
         pend_dict.update(phi=phi, phi_omega=0, objects=objects)
     return pend_list
 
@@ -76,7 +94,8 @@ def make_double_newton_cradle(relative_filepath, r_param, theta_init, phi_init) 
 def double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu) -> tuple[float, float]:
     """Return alpha'' and beta'' (rad/s^2), from the two equations above.
 
-    alpha and beta are in rad, their rates in rad/s, k = g/R in 1/s^2, and mu = m2/(m1 + m2) has no unit.
+    alpha and beta are in rad, their rates in rad/s, k = g/R in 1/s^2, and mu = m2/(m1 + m2) has no
+    unit.
     """
     s, c = sin(beta - alpha), cos(beta - alpha)
     right1 = mu * s * beta_rate * beta_rate - k * sin(alpha)
@@ -86,7 +105,9 @@ def double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu) -> tuple[flo
 
 
 def rates(state, k, mu) -> tuple[float, float, float, float]:
-    """Return alpha', beta', alpha'' and beta'' of a state (alpha, beta, alpha', beta'); k and mu as above."""
+    """Return alpha', beta', alpha'' and beta'' of a state (alpha, beta, alpha', beta'); k and mu as
+    above.
+    """
     alpha, beta, alpha_rate, beta_rate = state
     return alpha_rate, beta_rate, *double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu)
 
@@ -98,13 +119,15 @@ def moved(state, changes, dt) -> tuple[float, float, float, float]:
 
 
 def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1.0, m2=1.0):
-    """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s), in rad/s and rad.
+    """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s), in rad/s and
+    rad.
 
-    The first four arguments are the values before. r_param (m) is the length of each cord, g (m/s^2) the gravitational
-    acceleration, m1 and m2 (kg) are the masses of the upper and the lower bob. Any method will do whose error shrinks
-    with dt.
+    The first four arguments are the values before. r_param (m) is the length of each cord, g
+    (m/s^2) the gravitational acceleration, m1 and m2 (kg) are the masses of the upper and the lower
+    bob. Any method will do whose error shrinks with dt.
     """
-    # A step of the classical Runge-Kutta method: it averages four rates with the weights 1 : 2 : 2 : 1, here six times.
+    # A step of the classical Runge-Kutta method: it averages four rates with the weights 1 : 2 : 2
+    # : 1, here six times.
     k, mu = g / r_param, m2 / (m1 + m2)
     state = theta, theta + phi, omega_theta, omega_theta + omega_phi
     k1 = rates(state, k, mu)
@@ -117,16 +140,19 @@ def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1
 
 
 def double_swing_update(pend_dict, r_param, dt, g) -> None:
-    """Swing one double pendulum for dt (s): update its angles and their rates, and move its bobs and cords there.
+    """Swing one double pendulum for dt (s): update its angles and their rates, and move its bobs
+    and cords there.
 
-    A tick has more than one step only if a cord would turn further than MOST_TURN in it. Raises a ValueError if it
-    would have more than MOST_STEPS.
+    A tick has more than one step only if a cord would turn further than MOST_TURN in it. Raises a
+    ValueError if it would have more than MOST_STEPS.
     """
     mass = pend_dict["mass"]
     state = pend_dict["omega"], pend_dict["phi_omega"], pend_dict["theta"], pend_dict["phi"]
     steps = hypot(state[0], state[0] + state[1]) * abs(dt) / MOST_TURN
     if not steps <= MOST_STEPS:  # nan, too
-        raise ValueError(f"a pendulum with omega = {state[0]:g} and phi_omega = {state[1]:g} rad/s is too fast")
+        raise ValueError(
+            f"a pendulum with omega = {state[0]:g} and phi_omega = {state[1]:g} rad/s is too fast"
+        )
     steps = max(1, ceil(steps))
     for _ in range(steps):
         state = double_angle_update(*state, r_param, dt / steps, g, mass, mass)

@@ -17,11 +17,14 @@ def extract_and_convert(relative_filepath) -> list[PendulumEntry]:
 def write_to_csv(pend_list, filepath=NC_FP) -> None:
     """Write pend_list, without objects, to a CSV, which extract_and_convert can read.
 
-    The new file replaces the old one only when it is complete on the disk. After a crash, or on a full disk, the old
-    file is still whole. Raises an OSError if filepath cannot be written.
+    The new file replaces the old one only when it is complete on the disk. After a crash, or on a
+    full disk, the old file is still whole. Raises an OSError if filepath cannot be written.
     """
-    columns = [name for pend_dict in pend_list or [PendulumEntry.__annotations__] for name in pend_dict]
-    columns = [name for name in dict.fromkeys(columns) if name != "objects"]  # each once, in their order
+    columns = [
+        name for pend_dict in pend_list or [PendulumEntry.__annotations__] for name in pend_dict
+    ]
+    # Each once, in their order
+    columns = [name for name in dict.fromkeys(columns) if name != "objects"]
     df = pd.DataFrame(pend_list, columns=columns, dtype=object)
     with whole_file(filepath) as file:
         df.to_csv(file, index=False, lineterminator="\n")

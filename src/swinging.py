@@ -8,8 +8,9 @@ from support.pendulum import show_pendulum
 def angle_update(omega, theta, r_param, dt, g) -> tuple[float, float]:
     """Return (omega_new, theta_new) of a pendulum after dt (s).
 
-    omega (rad/s) and theta (rad) are the values before, r_param (m) the cord length, g (m/s^2) the gravitational
-    acceleration. Handout, appendix: omega changes by -g sin(theta) / R in a second; theta moves with the new omega.
+    omega (rad/s) and theta (rad) are the values before, r_param (m) the cord length, g (m/s^2) the
+    gravitational acceleration. Handout, appendix: omega changes by -g sin(theta) / R in a second;
+    theta moves with the new omega.
     """
     omega_new = omega - g * sin(theta) / r_param * dt
     theta_new = theta + omega_new * dt
@@ -17,7 +18,9 @@ def angle_update(omega, theta, r_param, dt, g) -> tuple[float, float]:
 
 
 def swing_update(pend_dict, r_param, dt, g) -> None:
-    """Swing one pendulum for dt (s): update its omega and theta, and move its bob and cord to the new angle."""
+    """Swing one pendulum for dt (s): update its omega and theta, and move its bob and cord to the
+    new angle.
+    """
     omega, theta = angle_update(pend_dict["omega"], pend_dict["theta"], r_param, dt, g)
     pend_dict["omega"], pend_dict["theta"] = omega, theta
     show_pendulum(pend_dict, r_param)

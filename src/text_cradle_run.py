@@ -1,4 +1,7 @@
-"""Newton's cradle in the terminal: as moving text, as lines of text, or as data in a file. Needs no VPython."""
+"""Newton's cradle in the terminal: as moving text, as lines of text, or as data in a file.
+
+Needs no VPython.
+"""
 
 if __name__ == "__main__":
     import os
@@ -30,8 +33,9 @@ from support.terminal.players import has_terminal, Lines, own_screen, Pictures, 
 def main() -> None:
     """Show the cradle of src/visualize_cradle_run.py, or record its data.
 
-    Exits with status 2 if an option, the CSV, the data file or the output is wrong, or if functions for a cradle are
-    missing; with status 1 if a function makes a mistake, or a signal ends a recording; else stop_on_signals has it.
+    Exits with status 2 if an option, the CSV, the data file or the output is wrong, or if functions
+    for a cradle are missing; with status 1 if a function makes a mistake, or a signal ends a
+    recording; else stop_on_signals has it.
     """
     options = read_text_options()
     csv = Snapshot(options.csv)
@@ -65,7 +69,8 @@ def main() -> None:
         complain(words)
         sys.exit(1)
     except (Exception, SystemExit) as error:
-        cause = error.__cause__ or error  # whole_file replaces every OSError, also one of a student's function
+        # whole_file replaces every OSError, also one of a student's function
+        cause = error.__cause__ or error
         if is_unread(error) or isinstance(error, OSError) and not own_frames(cause):
             raise  # while_it_is_read ends the program
         tell_mistake(cause)

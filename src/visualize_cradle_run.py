@@ -22,9 +22,9 @@ from support.constants import DT, G, R_PARAM, THETA_INIT
 def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
     """Return (new_omega1, new_omega2), the angular velocities (rad/s) of two bobs after a hit.
 
-    e is the coefficient of restitution (0 to 1), omega1 and omega2 (rad/s) are the velocities before, m1 and m2 (kg)
-    the masses, r_param (m) the cord length. Handout, appendix (a hit keeps the momentum; the bobs part at e times the
-    speed of their approach):
+    e is the coefficient of restitution (0 to 1), omega1 and omega2 (rad/s) are the velocities
+    before, m1 and m2 (kg) the masses, r_param (m) the cord length. Handout, appendix (a hit keeps
+    the momentum; the bobs part at e times the speed of their approach):
         v1_new = (m1 v1 + m2 v2 - m2 e (v1 - v2)) / (m1 + m2)
         v2_new = (m1 v1 + m2 v2 + m1 e (v1 - v2)) / (m1 + m2)
     """
@@ -47,16 +47,20 @@ def handle_two_bobs(pend1, pend2, r_param, approaching_only=False) -> None:
     omega1, omega2 = pend1["omega"], pend2["omega"]
     e = pend1["e"]
     if mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius):
-        # Touching bobs hang side by side, at nearly the same angle: compare v along x, r_param omega cos(theta).
+        # Touching bobs hang side by side, at nearly the same angle: compare v along x, r_param
+        # omega cos(theta).
         if approaching_only and omega1 * cos(pend1["theta"]) <= omega2 * cos(pend2["theta"]):
             return
         pend1["omega"], pend2["omega"] = handle_collision(e, omega1, omega2, m1, m2, r_param)
 
 
 def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> None:
-    """Advance the whole cradle by dt (s): swing all pendula, then let each one collide with its right neighbour."""
+    """Advance the whole cradle by dt (s): swing all pendula, then let each one collide with its
+    right neighbour.
+    """
     full_swing_update(pend_list, r_param, dt, g)
-    rule = {"approaching_only": True} if approaching_only else {}  # works with a handle_two_bobs without this parameter
+    # Works with a handle_two_bobs without this parameter
+    rule = {"approaching_only": True} if approaching_only else {}
     for pend1, pend2 in pairwise(pend_list):
         handle_two_bobs(pend1, pend2, r_param, **rule)
 
@@ -64,8 +68,9 @@ def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> Non
 def main(page) -> None:
     """Make the cradle, show it, and let it tick as long as it runs: once for each cradle.
 
-    page is the cradle's page in the browser, or its picture in the terminal (support/cradle/player.py).
-    page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command.
+    page is the cradle's page in the browser, or its picture in the terminal
+    (support/cradle/player.py). page.csv is the path of the cradle's file: a copy of
+    newton_cradle_pends.csv, or of the file in the command.
 
     page.rule has the value of approaching_only, if the functions have this parameter.
     """

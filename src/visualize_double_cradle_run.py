@@ -16,9 +16,9 @@ from support.constants import DOUBLE_DT, G, PHI_INIT, R_PARAM, THETA_INIT
 def main(page) -> None:
     """Make the double cradle, show it, and let it tick as long as it runs: once for each cradle.
 
-    page is the cradle's page in the browser (support/cradle/player.py).
-    page.csv is the path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command.
-    page.rule has the value of approaching_only, if the functions have this parameter.
+    page is the cradle's page in the browser (support/cradle/player.py). page.csv is the path of the
+    cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command. page.rule has
+    the value of approaching_only, if the functions have this parameter.
     """
     pend_list = make_double_newton_cradle(page.csv, R_PARAM, THETA_INIT, PHI_INIT)
     page.show(pend_list)

@@ -1,4 +1,5 @@
-"""The functions that the handout provides, and the rooms of the programs: cradle, files, start, page, terminal.
+"""The functions that the handout provides, and the rooms of the programs: cradle, files, start,
+page, terminal.
 
 Words
     contact  a change of two velocities, mostly by a call of handle_two_bobs

@@ -8,7 +8,8 @@ from vpython import color, textures, vector
 # The cradle's file. The path is absolute, so that you can start a program in any folder.
 NC_FP = str(Path(__file__).resolve().parents[1] / "newton_cradle_pends.csv")
 
-# Cord length (m). With it, the handout's axles (r_param/4 apart, from x = -0.1 on) centre five pendula.
+# Cord length (m). With it, the handout's axles (r_param/4 apart, from x = -0.1 on) centre five
+# pendula.
 R_PARAM = 0.2
 
 # Gravitational acceleration (m/s^2), the usual value near the ground.
@@ -17,20 +18,26 @@ G = 9.81
 # One tick (s). It is short enough: an elastic cradle keeps its energy within 0.1 % for a minute.
 DT = 0.0001
 
-# Release angle of the first pendulum (rad from straight down, positive to the right): 45 degrees to the left. It cannot
-# be positive: on the right, the other pendula are in its way.
+# Release angle of the first pendulum (rad from straight down, positive to the right): 45 degrees to
+# the left. It cannot be positive: on the right, the other pendula are in its way.
 THETA_INIT = -pi / 4
 
-# Double cradle: angle (rad) of the first pendulum's lower cord from its upper one, 20 degrees further outwards. This is
-# near the slow normal mode (phi = 0.41 theta), so the first hits go through the row as in a single cradle.
+# Double cradle: angle (rad) of the first pendulum's lower cord from its upper one, 20 degrees
+# further outwards. This is near the slow normal mode (phi = 0.41 theta), so the first hits go
+# through the row as in a single cradle.
 PHI_INIT = -pi / 9
 
-# One tick of the double cradle (s). For the energy, a longer one would do. But its bobs are faster: in this tick, equal
-# bobs hardly come closer than 98 % of the distance at which they touch.
+# One tick of the double cradle (s). For the energy, a longer one would do. But its bobs are faster:
+# in this tick, equal bobs hardly come closer than 98 % of the distance at which they touch.
 DOUBLE_DT = 0.00025
 
-# The names allowed in the CSV's color column: all colors of VPython, as VPython's vectors of red, green and blue.
+# The names allowed in the CSV's color column: all colors of VPython, as VPython's vectors of red,
+# green and blue.
 COLOR_MAP = {name: value for name, value in vars(color).items() if isinstance(value, vector)}
 
-# The names allowed in the CSV's texture column: all textures of VPython, and "none" for a plain bob.
-TEXTURE_MAP = {"none": None, **{name: value for name, value in vars(textures).items() if not name.startswith("_")}}
+# The names allowed in the CSV's texture column: all textures of VPython, and "none" for a plain
+# bob.
+TEXTURE_MAP = {
+    "none": None,
+    **{name: value for name, value in vars(textures).items() if not name.startswith("_")},
+}

@@ -1,9 +1,11 @@
-"""A stand-in for VPython that needs no VPython and no browser: vector, box, sphere and cylinder as plain numbers.
+"""A stand-in for VPython that needs no VPython and no browser: vector, box, sphere and cylinder as
+plain numbers.
 
-After `import support.headless_vpython`, `import vpython` finds this module. It has the names of VPython 7.6.5, and
-treats vectors and the shapes of a pendulum as VPython does; the project's tests compare the two. One difference: `axis`
-and `up` do not turn each other. The rest of VPython is only for show, and here nothing is shown: it stores the
-attributes that a program sets, its methods do nothing, and nothing waits.
+After `import support.headless_vpython`, `import vpython` finds this module. It has the names of
+VPython 7.6.5, and treats vectors and the shapes of a pendulum as VPython does; the project's tests
+compare the two. One difference: `axis` and `up` do not turn each other. The rest of VPython is only
+for show, and here nothing is shown: it stores the attributes that a program sets, its methods do
+nothing, and nothing waits.
 """
 
 import colorsys
@@ -30,7 +32,10 @@ def _number(value) -> float:
 
 
 def _component(attribute):
-    """Return a property: a component of a vector, stored in this attribute. Setting it calls on_change."""
+    """Return a property: a component of a vector, stored in this attribute.
+
+    Setting it calls on_change.
+    """
 
     def set_component(v, value):
         setattr(v, attribute, _number(value))
@@ -40,7 +45,10 @@ def _component(attribute):
 
 
 class vector:
-    """A vector of three floats. Setting x, y, z or mag calls on_change, with which its shape follows."""
+    """A vector of three floats.
+
+    Setting x, y, z or mag calls on_change, with which its shape follows.
+    """
 
     __slots__ = ("_x", "_y", "_z", "on_change")
     x, y, z = _component("_x"), _component("_y"), _component("_z")
@@ -60,7 +68,10 @@ class vector:
 
     @property
     def value(self):
-        """The components as a list. Setting it copies the components of a vector, without a call of on_change."""
+        """The components as a list.
+
+        Setting it copies the components of a vector, without a call of on_change.
+        """
         return [self._x, self._y, self._z]
 
     @value.setter
@@ -106,7 +117,9 @@ class vector:
         return acos(max(-1, min(1, self.hat.dot(other.hat))))
 
     def rotate(self, angle=0.0, axis=None):
-        """Return this vector turned by angle (rad) about axis, by default z (Rodrigues' rotation formula)."""
+        """Return this vector turned by angle (rad) about axis, by default z (Rodrigues' rotation
+        formula).
+        """
         k = vector(0, 0, 1) if axis is None else axis.hat
         return self * cos(angle) + k.cross(self) * sin(angle) + k * (k.dot(self) * (1 - cos(angle)))
 
@@ -177,7 +190,10 @@ textures = type("textures", (), {name: f":{name}_texture.jpg" for name in _TEXTU
 
 
 def _own_vector(name):
-    """Return a property: a vector of a shape. Setting it copies a vector; reading it returns the shape's own vector."""
+    """Return a property: a vector of a shape.
+
+    Setting it copies a vector; reading it returns the shape's own vector.
+    """
 
     def set_vector(shape, v):
         own = getattr(shape, name)
@@ -189,7 +205,10 @@ def _own_vector(name):
 
 def _part(whole, name):
     """Return a property: the component with this name of a vector of a shape."""
-    return property(attrgetter(f"{whole}.{name}"), lambda shape, value: setattr(getattr(shape, whole), name, value))
+    return property(
+        attrgetter(f"{whole}.{name}"),
+        lambda shape, value: setattr(getattr(shape, whole), name, value),
+    )
 
 
 class standardAttributes:
@@ -201,7 +220,8 @@ class standardAttributes:
     red, green, blue = _part("_color", "x"), _part("_color", "y"), _part("_color", "z")
     texture, shininess, opacity, emissive, visible, pickable = None, 0.6, 1.0, False, True, True
     make_trail, trail_type, interval, retain, frame = False, "curve", 0, -1, None
-    trail_color, trail_radius = property(attrgetter("_color"), _nothing), property(lambda s: s.height / 10, _nothing)
+    trail_color = property(attrgetter("_color"), _nothing)
+    trail_radius = property(lambda s: s.height / 10, _nothing)
     delete = clear_trail = bounding_box = _nothing
 
     def __init__(self, **attributes):
@@ -210,7 +230,11 @@ class standardAttributes:
         if self._sizing:
             self._axis.on_change, self._size.on_change = self._fit_size, self._fit_axis
         self.canvas = scene
-        vectors = {name: attributes[name] for name in ("pos", "color", "axis", "size", "up") if name in attributes}
+        vectors = {
+            name: attributes[name]
+            for name in ("pos", "color", "axis", "size", "up")
+            if name in attributes
+        }
         for name, value in (vectors | attributes).items():  # the vectors come first
             if name in vectors and not isinstance(value, vector):
                 raise AttributeError(f"{name} must be a vector")
@@ -225,14 +249,27 @@ class standardAttributes:
 
     def clone(self, **attributes):
         """Return a copy of the shape, with these attributes."""
-        names = "pos", "size", "axis", "up", "color", "texture", "opacity", "shininess", "emissive", "pickable"
+        names = (
+            "pos",
+            "size",
+            "axis",
+            "up",
+            "color",
+            "texture",
+            "opacity",
+            "shininess",
+            "emissive",
+            "pickable",
+        )
         made = type(self)(**{name: getattr(self, name) for name in names})
         for name, value in attributes.items():
             setattr(made, name, value)
         return made
 
     def rotate(self, angle, axis=None, origin=None):
-        """Turn the shape by angle (rad) about axis (its own by default) through origin (its pos by default)."""
+        """Turn the shape by angle (rad) about axis (its own by default) through origin (its pos by
+        default).
+        """
         axis, origin = vector(axis or self._axis), vector(origin or self._pos)
         self._pos.value = origin + (self._pos - origin).rotate(angle, axis)
         self._axis.value = self._axis.rotate(angle, axis)
@@ -261,12 +298,21 @@ class cylinder(_Round):
     _default_size = (1, 2, 2)
 
 
-# Everything else is only for show. The vectors that some of these things have before a program sets them:
-_FIRST = {"pos": (0, 0, 0), "axis": (1, 0, 0), "up": (0, 1, 0), "size": (1, 1, 1), "color": (1, 1, 1)}
+# Everything else is only for show. The vectors that some of these things have before a program sets
+# them:
+_FIRST = {
+    "pos": (0, 0, 0),
+    "axis": (1, 0, 0),
+    "up": (0, 1, 0),
+    "size": (1, 1, 1),
+    "color": (1, 1, 1),
+}
 
 
 class baseObj:
-    """A thing that is only for show: it stores its attributes, and all calls of it and its methods do nothing."""
+    """A thing that is only for show: it stores its attributes, and all calls of it and its methods
+    do nothing.
+    """
 
     def __init__(self, *_, **attributes):
         for name, value in attributes.items():
@@ -277,7 +323,9 @@ class baseObj:
         super().__setattr__(name, vector(value) if isinstance(value, vector) else value)
 
     def __getattr__(self, name):
-        """Return an attribute that nobody has set: its first vector, or something that does nothing."""
+        """Return an attribute that nobody has set: its first vector, or something that does
+        nothing.
+        """
         if name.startswith("_"):
             raise AttributeError(name)
         setattr(self, name, vector(*_FIRST[name]) if name in _FIRST else baseObj())
@@ -297,7 +345,9 @@ class canvas(baseObj):
     width, height, range, fov = 640, 400, 1, pi / 3
 
     def __init__(self, **attributes):
-        self.center, self.forward, self.background = vector(0, 0, 0), vector(0, 0, -1), vector(0, 0, 0)
+        self.center = vector(0, 0, 0)
+        self.forward = vector(0, 0, -1)
+        self.background = vector(0, 0, 0)
         self.mouse = baseObj(ray=vector(0, 0, -1), pick=None)
         self.camera = baseObj(pos=vector(0, 0, sqrt(3)), axis=vector(0, 0, -sqrt(3)))
         self._made: list = []  # all shapes, also those that a program has hidden or lost
@@ -331,11 +381,14 @@ event_return extrusion faces frame gcurve gdots ghbars gobj graph gs_version gvb
 menu meta_canvas object_rotate path_object paths points pyramid quad radio rate_control ring rotatecp roundc scalecp
 shape_object shapes shapespaths simple_sphere slider text triangle vertex winput wtext
 """
-_OBJECTS = "bumpmaps", "gs_version", "paths", "rate_control", "shapes", "shapespaths"  # those that are no classes
+# Those that are no classes
+_OBJECTS = "bumpmaps", "gs_version", "paths", "rate_control", "shapes", "shapespaths"
 
 
 def __getattr__(name):
-    """Python calls this for a name that the module lacks: return a thing for show if VPython has this name."""
+    """Python calls this for a name that the module lacks: return a thing for show if VPython has
+    this name.
+    """
     if name not in _FOR_SHOW.split():
         raise AttributeError(f"module 'vpython' has no attribute '{name}'")
     made = baseObj() if name in _OBJECTS else type(name, (baseObj,), {})
@@ -344,5 +397,7 @@ def __getattr__(name):
 
 
 # What `from vpython import *` brings.
-__all__ = [name for name in dir() if name[0] != "_" and name not in ("attrgetter", "colorsys", "sys")]
+__all__ = [
+    name for name in dir() if name[0] != "_" and name not in ("attrgetter", "colorsys", "sys")
+]
 __all__ += _FOR_SHOW.split()

@@ -6,12 +6,15 @@ from typing import TypedDict
 
 from vpython import box, color, cylinder, sphere, vector
 
-# Two bobs touch if their centres are at most BUFFER times the sum of their radii apart: the handout's little buffer.
+# Two bobs touch if their centres are at most BUFFER times the sum of their radii apart: the
+# handout's little buffer.
 BUFFER = 1.05
 
 
 def from_lift(lift) -> float:
-    """Return the angle (rad, positive to the right) of a cord that is lifted to the left by lift (degrees)."""
+    """Return the angle (rad, positive to the right) of a cord that is lifted to the left by lift
+    (degrees).
+    """
     return -radians(lift)
 
 
@@ -21,15 +24,20 @@ def to_lift(angle) -> float:
 
 
 def contact_distance(radius1, radius2) -> float:
-    """Return the largest distance (m) of the centres of two bobs with these radii (m) at which they touch."""
+    """Return the largest distance (m) of the centres of two bobs with these radii (m) at which they
+    touch.
+    """
     return BUFFER * (radius1 + radius2)
 
 
 class PendulumEntry(TypedDict, total=False):
-    """One pendulum of a pend_list. extract_and_convert adds the CSV's columns, make_newton_cradle the rest."""
+    """One pendulum of a pend_list. extract_and_convert adds the CSV's columns, make_newton_cradle
+    the rest.
+    """
 
     mass: float  # of the bob, kg
-    e: float  # coefficient of restitution of a hit with the next pendulum, from 0 (inelastic) to 1 (elastic)
+    # Coefficient of restitution of a hit with the next pendulum, from 0 (inelastic) to 1 (elastic)
+    e: float
     theta: float  # angle of the cord from straight down, rad, positive to the right
     omega: float  # angular velocity, rad/s
     color: str  # a key of COLOR_MAP
@@ -46,7 +54,9 @@ class DoublePendulumEntry(PendulumEntry, total=False):
 
 
 def arm(theta, r_param) -> vector:
-    """Return the vector (m) from the upper to the lower end of a cord at theta (rad); r_param (m) is its length."""
+    """Return the vector (m) from the upper to the lower end of a cord at theta (rad); r_param (m)
+    is its length.
+    """
     return vector(r_param * sin(theta), -r_param * cos(theta), 0)
 
 
@@ -64,7 +74,9 @@ def cord_angles(pend_dict) -> list[float]:
 
 
 def show_double_pendulum(pend_dict, r_param) -> None:
-    """Move the bobs and cords of a double pendulum to its theta and phi; r_param (m) is the length of a cord."""
+    """Move the bobs and cords of a double pendulum to its theta and phi; r_param (m) is the length
+    of a cord.
+    """
     axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
     upper, lower = (arm(angle, r_param) for angle in cord_angles(pend_dict))
     bob1.pos = cord2.pos = axle.pos + upper
@@ -73,10 +85,11 @@ def show_double_pendulum(pend_dict, r_param) -> None:
 
 
 def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere, cylinder]:
-    """Return the VPython objects (axle, bob, cord) of a pendulum that hangs from axle_pos at the angle theta.
+    """Return the VPython objects (axle, bob, cord) of a pendulum that hangs from axle_pos at the
+    angle theta.
 
-    axle_pos is a vector (m), r_param the cord length (m), theta the angle from straight down (rad), color a VPython
-    color (a vector), and texture a VPython texture or None.
+    axle_pos is a vector (m), r_param the cord length (m), theta the angle from straight down (rad),
+    color a VPython color (a vector), and texture a VPython texture or None.
     """
     axle_size, axle_color = vector(r_param / 16, r_param / 32, r_param / 2), vector(0.3, 0.3, 0.32)
     axle = make_shape(box, pos=axle_pos, size=axle_size, color=axle_color)
@@ -84,14 +97,20 @@ def make_pendulum(axle_pos, r_param, theta, color, texture) -> tuple[box, sphere
 
 
 def make_bob_and_cord(place, r_param, theta, color, texture) -> tuple[sphere, cylinder]:
-    """Return a bob and its cord, which hangs from place (a vector, m); the other parameters are as in make_pendulum."""
-    # Axles are r_param/4 apart. With this radius, bobs at rest are a little further apart than their contact_distance.
-    # Otherwise, every tick would exchange their velocities.
+    """Return a bob and its cord, which hangs from place (a vector, m); the other parameters are as
+    in make_pendulum.
+    """
+    # Axles are r_param/4 apart. With this radius, bobs at rest are a little further apart than
+    # their contact_distance. Otherwise, every tick would exchange their velocities.
     radius = 0.9995 * r_param / 8 / BUFFER
     axis = arm(theta, r_param)
-    bob = make_shape(sphere, pos=place + axis, radius=radius, color=color, texture=texture, shininess=1)
-    # up is at right angles to the plane of swing. VPython would turn any other up with each axis, which is slow.
-    up, grey = vector(0, 0, 1), vector(0.45, 0.45, 0.47)  # a grey that you see on a pale page and on a dark one
+    bob = make_shape(
+        sphere, pos=place + axis, radius=radius, color=color, texture=texture, shininess=1
+    )
+    # up is at right angles to the plane of swing. VPython would turn any other up with each axis,
+    # which is slow. A grey that you see on a pale page and on a dark one
+    up = vector(0, 0, 1)
+    grey = vector(0.45, 0.45, 0.47)
     cord = make_shape(cylinder, pos=place, axis=axis, up=up, radius=r_param / 200, color=grey)
     return bob, cord
 
@@ -104,7 +123,9 @@ discarded: defaultdict[type, list] = defaultdict(list)  # kind -> shapes
 
 
 def make_shape(kind, **attributes):
-    """Return a shape of this kind (box, ...) with these attributes: a discarded one, or a new one if there is none."""
+    """Return a shape of this kind (box, ...) with these attributes: a discarded one, or a new one
+    if there is none.
+    """
     if not discarded[kind]:
         return kind(**attributes)
     shape = discarded[kind].pop()

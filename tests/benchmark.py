@@ -1,7 +1,8 @@
-"""Speed and accuracy of the programs, beside pymunk (a physics engine for games), an exact cradle, and bare VPython.
+"""Speed and accuracy of the programs, beside pymunk (a physics engine for games), an exact cradle,
+and bare VPython.
 
-Run it on Linux, with Chromium and nothing beside it: `.venv/bin/python tests/benchmark.py`. Compare numbers only within
-one run.
+Run it on Linux, with Chromium and nothing beside it: `.venv/bin/python tests/benchmark.py`. Compare
+numbers only within one run.
 """
 
 import os
@@ -17,20 +18,31 @@ from statistics import median
 
 if __name__ == "__main__":
     root = Path(__file__).resolve().parents[1]
-    sys.path[:0] = str(root), str(root / "tests" / "project")  # so that Python finds the imports below
+    # So that Python finds the imports below
+    sys.path[:0] = str(root), str(root / "tests" / "project")
 
 import pymunk
 import vpython
 from playwright.sync_api import sync_playwright
 from programs import ARGUMENTS, BOBS, CHROMIUM, draw, first_lines, open_cradle, readout, running
-from whole_cradles import advance, apart, do_at_once, ExactCradle, GOOD, HEADER, make_row, outer_angles
+from whole_cradles import (
+    advance,
+    apart,
+    do_at_once,
+    ExactCradle,
+    GOOD,
+    HEADER,
+    make_row,
+    outer_angles,
+)
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
 from support.start.options import OneLineParser
 from support.start.output import while_it_is_read
 
-vpython.baseObj._view_constructed = True  # VPython then believes that the page is open: no server, no browser
+# VPython then believes that the page is open: no server, no browser
+vpython.baseObj._view_constructed = True
 
 SPAN = 20.0  # s
 STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk
@@ -48,7 +60,9 @@ def our_cradle(dt, count=5, move=by_the_fast_path):
 
 
 def pymunk_cradle(dt, corrected):
-    """The same in pymunk, in steps of dt (s); with corrected, a step corrects joints wholly, in 20 iterations."""
+    """The same in pymunk, in steps of dt (s); with corrected, a step corrects joints wholly, in 20
+    iterations.
+    """
     space, axles = pymunk.Space(), [i * R_PARAM / 4 for i in range(5)]
     space.gravity, space.collision_slop = (0, -G), 0
     for x, pend_dict in zip(axles, make_row(5, THETA_INIT), strict=True):
@@ -64,7 +78,10 @@ def pymunk_cradle(dt, corrected):
     def move(seconds):
         for _ in range(round(seconds / dt)):
             space.step(dt)
-        return [atan2(body.position.x - x, -body.position.y) for x, body in zip(axles, space.bodies, strict=True)]
+        return [
+            atan2(body.position.x - x, -body.position.y)
+            for x, body in zip(axles, space.bodies, strict=True)
+        ]
 
     return move
 
@@ -77,8 +94,19 @@ ENGINES = {  # name -> (a function that makes a cradle, its steps in s)
 
 
 def cpu_time(make, seconds) -> float:
-    """Return the processor time (s) that a cradle takes for these simulated seconds: the least of three."""
-    return min(timeit.repeat("move(seconds)", "move = make()", time.process_time, repeat=3, number=1, globals=locals()))
+    """Return the processor time (s) that a cradle takes for these simulated seconds: the least of
+    three.
+    """
+    return min(
+        timeit.repeat(
+            "move(seconds)",
+            "move = make()",
+            time.process_time,
+            repeat=3,
+            number=1,
+            globals=locals(),
+        )
+    )
 
 
 def speeds():
@@ -87,14 +115,21 @@ def speeds():
         few, many = 50_000 // count, 1_000_000 // count  # ticks
         single = cpu_time(partial(our_cradle, DT, count, advance), few * DT) / few
         fast = cpu_time(partial(our_cradle, DT, count), many * DT) / many
-        yield count, f"{1 / single:,.0f}", f"{1 / fast:,.0f}", f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}"
+        yield (
+            count,
+            f"{1 / single:,.0f}",
+            f"{1 / fast:,.0f}",
+            f"{single / fast:.1f}",
+            f"{1e6 * fast / count:.3f}",
+        )
 
 
 def places(exact):
     """Yield rows with how far the outer bobs are from the exact ones."""
     for engine, (make, steps) in ENGINES.items():
         for dt in steps:
-            spent, off = cpu_time(partial(make, dt), SPAN), apart(exact, outer_angles(make(dt), SPAN))
+            spent = cpu_time(partial(make, dt), SPAN)
+            off = apart(exact, outer_angles(make(dt), SPAN))
             yield engine, f"{1000 * dt:g}", f"{spent:.3f}", f"{off:.2f}"
 
 
@@ -104,10 +139,19 @@ def draw_places(rows, file) -> None:
 
     figure, axes = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
     for engine, mark, place in zip(ENGINES, "os^", [(-32, -12), (6, 4), (6, 4)], strict=True):
-        points = [(float(spent), float(off), step) for name, step, spent, off in rows if name == engine]
-        axes.loglog([spent for spent, *_ in points], [off for _, off, _ in points], marker=mark, label=engine)
+        points = [
+            (float(spent), float(off), step) for name, step, spent, off in rows if name == engine
+        ]
+        axes.loglog(
+            [spent for spent, *_ in points],
+            [off for _, off, _ in points],
+            marker=mark,
+            label=engine,
+        )
         for spent, off, step in points:
-            axes.annotate(f"{step} ms", (spent, off), xytext=place, textcoords="offset points", fontsize=8)
+            axes.annotate(
+                f"{step} ms", (spent, off), xytext=place, textcoords="offset points", fontsize=8
+            )
     axes.margins(x=0.1)
     axes.set(xlabel="processor time for 20 s (s)", ylabel="the outer bobs are off by (degrees)")
     axes.xaxis.set_major_formatter("{x:g}")
@@ -121,7 +165,10 @@ def pages(browser):
     for count in (5, 50, 100, 200):
         with tempfile.TemporaryDirectory() as folder:
             (csv := Path(folder, "cradle.csv")).write_text(HEADER + GOOD * count)
-            with running(None, str(csv)) as process, browser.new_page(viewport={"width": 1366, "height": 768}) as page:
+            with (
+                running(None, str(csv)) as process,
+                browser.new_page(viewport={"width": 1366, "height": 768}) as page,
+            ):
                 open_cradle(page, first_lines(process), count, drawn=True)
                 yield count, *rates(process, page, drawn=True), *rates(process, page, drawn=False)
 
@@ -132,19 +179,27 @@ def rates(process, page, drawn) -> list[str]:
     looks = []
     for wait in (3, 8):  # s
         time.sleep(wait)
-        ticks = map(int, Path(f"/proc/{process.pid}/stat").read_text().split()[13:15])  # the user's and the system's
-        looks.append((time.perf_counter(), sum(ticks) / os.sysconf("SC_CLK_TCK"), readout(page, "t")))
+        # The user's and the system's
+        ticks = map(int, Path(f"/proc/{process.pid}/stat").read_text().split()[13:15])
+        looks.append(
+            (time.perf_counter(), sum(ticks) / os.sysconf("SC_CLK_TCK"), readout(page, "t"))
+        )
     span, *others = (after - before for before, after in zip(*looks, strict=True))
     return [f"{other / span:.2f}" for other in others]
 
 
 def first_pictures(browser):
-    """Yield rows with the seconds from the start of a program until the browser has drawn its first picture."""
+    """Yield rows with the seconds from the start of a program until the browser has drawn its first
+    picture.
+    """
     commands = {"bare VPython": ("-c", "from vpython import sphere; sphere()"), "the cradle": ()}
     times = {name: [] for name in commands}
     for name, command in [*commands.items()] * 5:
         start = time.perf_counter()
-        with running(*command, VPYTHON_NO_LAUNCH_BROWSER="0", BROWSER="echo %s") as program, browser.new_page() as page:
+        with (
+            running(*command, VPYTHON_NO_LAUNCH_BROWSER="0", BROWSER="echo %s") as program,
+            browser.new_page() as page,
+        ):
             page.goto(re.search(r"http:\S+", program.stdout.readline())[0])
             page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length")
             draw(page, True)
@@ -163,10 +218,18 @@ def show(title, head, rows) -> None:
 @while_it_is_read()
 def main() -> None:
     """Print all measurements."""
-    parser = OneLineParser(description="Measure the speed and the accuracy of the programs.", allow_abbrev=False)
-    parser.add_argument("--picture", metavar="FILE", help="also draw where the bobs are; needs matplotlib")
+    parser = OneLineParser(
+        description="Measure the speed and the accuracy of the programs.", allow_abbrev=False
+    )
+    parser.add_argument(
+        "--picture", metavar="FILE", help="also draw where the bobs are; needs matplotlib"
+    )
     file = parser.parse_args().picture
-    show("Ticks a second", ["pendula", "newton_cradle_tick", "many_ticks", "times", "us a swing"], speeds())
+    show(
+        "Ticks a second",
+        ["pendula", "newton_cradle_tick", "many_ticks", "times", "us a swing"],
+        speeds(),
+    )
     exact = outer_angles(ExactCradle().advance, SPAN)
     finer = outer_angles(partial(ExactCradle().advance, dt=0.0005), SPAN)
     title = f"The outer bobs in {SPAN:g} s. A finer exact cradle differs by {apart(exact, finer):.0e} degrees"
@@ -176,9 +239,17 @@ def main() -> None:
         draw_places(rows, file)
     with sync_playwright() as driver:
         browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
-        head = ["pendula", "share of a core", "simulated s in 1 s", "share, nothing drawn", "simulated, nothing drawn"]
+        head = [
+            "pendula",
+            "share of a core",
+            "simulated s in 1 s",
+            "share, nothing drawn",
+            "simulated, nothing drawn",
+        ]
         show("The page", head, pages(browser))
-        show("Seconds to the first picture", ["program", "least", "median"], first_pictures(browser))
+        show(
+            "Seconds to the first picture", ["program", "least", "median"], first_pictures(browser)
+        )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,7 @@
-"""Grade a whole class: `python tests/grade_class.py SUBMISSIONS`. Each submission has a pytest of its own."""
+"""Grade a whole class: `python tests/grade_class.py SUBMISSIONS`.
+
+Each submission has a pytest of its own.
+"""
 
 import os
 import signal
@@ -26,7 +29,9 @@ from teacher.sandbox import Sandbox
 from teacher.submissions import read_submission, submissions_in
 
 SOME = 20  # solutions, after which a line says how long the others take
-LEFT_OPEN = "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
+LEFT_OPEN = (
+    "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
+)
 LOOK = 0.2  # s from one look at the other threads to the next
 
 
@@ -66,7 +71,9 @@ def main() -> None:
     report.write(options.out / "grades.csv")
     count = len(report.rows)
     if status:
-        print(f"{count} of {len(submitted)} solutions are graded. The same command goes on from there.")
+        print(
+            f"{count} of {len(submitted)} solutions are graded. The same command goes on from there."
+        )
         sys.exit(*status)
     print(*report.summary(), sep="\n")
     if others:
@@ -76,14 +83,42 @@ def main() -> None:
 
 
 def read_options():
-    """Return the options, the submissions by the student's key, and the names of what is no submission."""
-    parser = OneLineParser(description="Grade a whole class. Started again, it goes on from there.", allow_abbrev=False)
+    """Return the options, the submissions by the student's key, and the names of what is no
+    submission.
+    """
+    parser = OneLineParser(
+        description="Grade a whole class. Started again, it goes on from there.", allow_abbrev=False
+    )
     add = parser.add_argument
-    add("submissions", metavar="SUBMISSIONS", type=Path, help="a folder with a folder or a .zip for each student")
-    add("--out", metavar="FOLDER", type=Path, help="the folder for the results (default: SUBMISSIONS-grades)")
-    add("--gradescope", metavar="DIR", type=Path, help="write DIR/STUDENT/results.json, as Gradescope reads it")
-    add("--starter", metavar="FOLDER", type=Path, help="a starter that is already made (default: a new one)")
-    add("--without-bubblewrap", action="store_true", help="run the solutions without it, although it is there")
+    add(
+        "submissions",
+        metavar="SUBMISSIONS",
+        type=Path,
+        help="a folder with a folder or a .zip for each student",
+    )
+    add(
+        "--out",
+        metavar="FOLDER",
+        type=Path,
+        help="the folder for the results (default: SUBMISSIONS-grades)",
+    )
+    add(
+        "--gradescope",
+        metavar="DIR",
+        type=Path,
+        help="write DIR/STUDENT/results.json, as Gradescope reads it",
+    )
+    add(
+        "--starter",
+        metavar="FOLDER",
+        type=Path,
+        help="a starter that is already made (default: a new one)",
+    )
+    add(
+        "--without-bubblewrap",
+        action="store_true",
+        help="run the solutions without it, although it is there",
+    )
     options = parser.parse_args()
     options.bubblewrap = shutil.which("bwrap") is not None and not options.without_bubblewrap
     folder = options.submissions.resolve()
@@ -95,18 +130,25 @@ def read_options():
         parser.error(f"argument SUBMISSIONS: {words}")
     for name, path in (("out", options.out), ("gradescope", options.gradescope)):
         if path and path.resolve().is_relative_to(folder):
-            parser.error(f"argument --{name}: found '{path}', allowed is a folder outside of SUBMISSIONS")
+            parser.error(
+                f"argument --{name}: found '{path}', allowed is a folder outside of SUBMISSIONS"
+            )
     if options.starter and not (options.starter / "tests" / "grading").is_dir():
-        parser.error(f"argument --starter: found '{options.starter}', allowed is a folder made by make_starter.py")
+        parser.error(
+            f"argument --starter: found '{options.starter}', allowed is a folder made by make_starter.py"
+        )
     return options, submitted, others
 
 
 def copy_starter(starter, folder) -> str:
-    """Copy a starter to this folder, or make one there; compile it, so that Python starts faster; return its hash."""
+    """Copy a starter to this folder, or make one there; compile it, so that Python starts faster;
+    return its hash.
+    """
     if starter:
         shutil.copytree(starter, folder, ignore=shutil.ignore_patterns(".*", "__pycache__"))
     else:
-        from make_starter import make_starter  # a folder for Gradescope, itself a starter, does not have it
+        # A folder for Gradescope, itself a starter, does not have it
+        from make_starter import make_starter
 
         make_starter(folder)
     for name in ("support", "tests"):
@@ -115,7 +157,9 @@ def copy_starter(starter, folder) -> str:
 
 
 class Grading:
-    """The grades of a class. results.jsonl keeps each whole one, so the next run grades only what is new or changed."""
+    """The grades of a class. results.jsonl keeps each whole one, so the next run grades only what
+    is new or changed.
+    """
 
     def __init__(self, submitted, version, file, sandbox, stopped):
         self.submitted = submitted  # by the student's key
@@ -137,7 +181,10 @@ class Grading:
             finish([workers.submit(self.sandbox.open)])
             if not self.sandbox.has_bubblewrap:
                 complain(LEFT_OPEN)
-            with open(self.file, "a", encoding="utf-8") as self.kept, progress_bar() as self.progress:
+            with (
+                open(self.file, "a", encoding="utf-8") as self.kept,
+                progress_bar() as self.progress,
+            ):
                 self.begin = time.monotonic()
                 self.most = len(left)
                 students = iter(left)
@@ -193,13 +240,20 @@ class Grading:
         if not (run.is_final or is_last):
             self.unsure.append(student)
             return
-        result = {"student": student, "digest": self.digest(student, submission), "seconds": seconds, **run.grade}
+        result = {
+            "student": student,
+            "digest": self.digest(student, submission),
+            "seconds": seconds,
+            **run.grade,
+        }
         result["problems"] = [*problems, run.problem] if run.problem else problems
         with self.lock:
             self.keep(result, has_grade=not run.problem)
 
     def keep(self, result, has_grade) -> None:
-        """Keep a result: in results.jsonl if it has a grade, so that a run without one is made again."""
+        """Keep a result: in results.jsonl if it has a grade, so that a run without one is made
+        again.
+        """
         if has_grade:
             self.kept.write(line_of(result))
             self.kept.flush()
@@ -211,7 +265,9 @@ class Grading:
             left = self.most - SOME
             seconds = (time.monotonic() - self.begin) / SOME * left
             bar_away = "\r\x1b[K" if sys.stderr.isatty() else ""
-            say(f"{bar_away}{SOME} solutions are graded. At this pace, the other {left} take {how_long(seconds)}.")
+            say(
+                f"{bar_away}{SOME} solutions are graded. At this pace, the other {left} take {how_long(seconds)}."
+            )
 
 
 def how_long(seconds) -> str:

@@ -1,4 +1,7 @@
-"""Make an autograder for Gradescope: `python tests/make_autograder.py FILE.zip`. It holds no answers."""
+"""Make an autograder for Gradescope: `python tests/make_autograder.py FILE.zip`.
+
+It holds no answers.
+"""
 
 import shutil
 import zipfile
@@ -29,7 +32,9 @@ def main() -> None:
             shutil.copytree(ROOT / "tests" / "teacher", folder / "tests" / "teacher")
             # https://gradescope-autograders.readthedocs.io/en/latest/specs/
             for name in ("setup.sh", "run_autograder"):
-                (folder / name).write_bytes((ROOT / "tests" / "teacher" / name).read_bytes().replace(b"\r", b""))
+                (folder / name).write_bytes(
+                    (ROOT / "tests" / "teacher" / name).read_bytes().replace(b"\r", b"")
+                )
                 (folder / name).chmod(0o755)
             archive = Path(work, "autograder.zip")
             pack(folder, archive)
@@ -40,7 +45,10 @@ def main() -> None:
 
 
 def pack(folder, archive) -> None:
-    """Pack a folder into a .zip. All files have one date: a .zip has none before 1980, as files of 1970 need."""
+    """Pack a folder into a .zip.
+
+    All files have one date: a .zip has none before 1980, as files of 1970 need.
+    """
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
         for path in sorted(folder.rglob("*")):
             if path.is_file():

@@ -10,7 +10,19 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from grading.comparing import same
-from grading.cradles import csv_of, each, hang, LEFT_OVER, left_over, MIXED, MIXED_CSV, R, row, shapes, touching
+from grading.cradles import (
+    csv_of,
+    each,
+    hang,
+    LEFT_OVER,
+    left_over,
+    MIXED,
+    MIXED_CSV,
+    R,
+    row,
+    shapes,
+    touching,
+)
 from grading.grader import check, expect, result_of, steps
 from grading.messages import shown, Wanted
 from support.constants import DT, G, R_PARAM, THETA_INIT
@@ -54,12 +66,16 @@ def test_a_tick_swings_all_pendula():
     twice = "This is the result if all pendula swing twice. Call full_swing_update once, and outside of the loop."
     results = [([(-0.167920715, 0.606806704)] * 3, twice)]
     wanted = [(1.0, pi / 6 + 0.1)] * 3
-    expect("newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, wanted=wanted, results=results, **states)
+    expect(
+        "newton_cradle_tick", pend_list, 0.5, 0.1, 10.0, wanted=wanted, results=results, **states
+    )
 
 
 @check("newton_cradle_tick")
 def test_each_pendulum_is_handled_with_the_one_after_it():
-    """For each pendulum (except the last) handle the pairwise interaction of that pendulum and the one after it."""
+    """For each pendulum (except the last) handle the pairwise interaction of that pendulum and the
+    one after it.
+    """
     check_row(1.0, 2.0, 3.0)
     check_row(3.0, 0.0)
     check_row(3.0, 0.0, 0.0, 0.0, 0.0)
@@ -80,7 +96,13 @@ def test_only_neighbours_are_pairs():
 @check("newton_cradle_tick")
 def test_a_cradle_may_have_any_number_of_pendula():
     """Feel free to play around with the values and the number of pendulums."""
-    check_tick([hang(theta=pi / 6, omega=2.0)], [0.75], dt=0.1, g=10.0, help="There is one pendulum, and no pair.")
+    check_tick(
+        [hang(theta=pi / 6, omega=2.0)],
+        [0.75],
+        dt=0.1,
+        g=10.0,
+        help="There is one pendulum, and no pair.",
+    )
     check_tick([], [])
     check_tick(touching(*[1.0] * 6, 0.0), [*[1.0] * 5, 0.0, 1.0])
     check_tick(touching(4e-8, *[0.0] * 39), [*[0.0] * 39, 4e-8])
@@ -117,10 +139,14 @@ def test_swings_come_before_collisions():
     """Performs a single timestep or tick of the Newton's cradle."""
     check_row(2.0, 0.0)
     pend_list = [hang(theta=-0.1, omega=1.0, radius=R / 8), hang(axle=(R / 4, 0, 0), radius=R / 8)]
-    words = "These bobs touch only after the swing. All pendula swing first, then the pairs collide."
+    words = (
+        "These bobs touch only after the swing. All pendula swing first, then the pairs collide."
+    )
     check_tick(pend_list, [0.0, 1.0], dt=0.1, g=0.0, help=words)
     pend_list = [hang(radius=R / 8), hang(theta=0.1, omega=-1.0, axle=(R / 4, 0, 0), radius=R / 8)]
-    words = "The second bob swings to the first one. All pendula swing first, then the pairs collide."
+    words = (
+        "The second bob swings to the first one. All pendula swing first, then the pairs collide."
+    )
     check_tick(pend_list, [-1.0, 0.0], dt=0.1, g=0.0, help=words)
 
 
@@ -128,15 +154,28 @@ def test_swings_come_before_collisions():
 def test_a_cradle_passes_the_swing_on():
     """A "chain reaction" when each pendulum knocks into the pendulum next to it."""
     cord, lift = 0.2, pi / 4
-    pend_list = [hang(theta=-lift if i == 0 else 0.0, axle=(i * cord / 4, 0, 0), r_param=cord) for i in range(5)]
+    pend_list = [
+        hang(theta=-lift if i == 0 else 0.0, axle=(i * cord / 4, 0, 0), r_param=cord)
+        for i in range(5)
+    ]
 
     def is_passed_on(thetas):
         return abs(thetas[-1] / lift - 1) < 0.02 and all(abs(theta) < 0.1 for theta in thetas[:-1])
 
-    # After half a period: 234 ticks are 0.467 s, a bit more than pi sqrt(R / g), as the swing is large.
+    # After half a period: 234 ticks are 0.467 s, a bit more than pi sqrt(R / g), as the swing is
+    # large.
     words = "the last one at about 0.785, as high as the first one was; the others at about 0"
     wanted = Wanted(words, is_passed_on, like=[0.0] * 5)
-    expect("newton_cradle_tick", pend_list, cord, 0.002, 9.81, wanted=wanted, times=234, **each(pend_list, "theta"))
+    expect(
+        "newton_cradle_tick",
+        pend_list,
+        cord,
+        0.002,
+        9.81,
+        wanted=wanted,
+        times=234,
+        **each(pend_list, "theta"),
+    )
 
 
 FOLDER = TemporaryDirectory(ignore_cleanup_errors=True)
@@ -148,7 +187,9 @@ class Page:
     """The page for main in a check: it says when to tick, and records the result."""
 
     def __init__(self, *ticks, change=lambda pend_list: None, csv=str(CRADLE)):
-        """ticks has the number of ticks of each cradle; change(pend_list) is called when main shows one."""
+        """ticks has the number of ticks of each cradle; change(pend_list) is called when main shows
+        one.
+        """
         self.ticks, self.change = ticks, change
         self.csv = csv
         self.rule: dict = {}
@@ -177,10 +218,14 @@ class Page:
 
 
 def swings(ticks):
-    """Return (omega, theta) at the start and after each tick. They are the student's: main waits for angle_update."""
+    """Return (omega, theta) at the start and after each tick.
+
+    They are the student's: main waits for angle_update.
+    """
     states = [(0.0, THETA_INIT)]
     for _ in range(ticks):
-        states.append(result_of("angle_update", *states[-1], 2 * R_PARAM, DT, 2 * G))  # the same motion
+        # The same motion
+        states.append(result_of("angle_update", *states[-1], 2 * R_PARAM, DT, 2 * G))
     return states
 
 
@@ -200,8 +245,14 @@ def test_the_cradle_is_made_and_shown():
         return rows and same(found, [rows])  # one cradle was shown
 
     notes = [
-        (lambda _: abs(THETA_INIT) > 2 * pi, f"THETA_INIT is {THETA_INIT:g} radians. Is it in degrees?"),
-        (lambda _: DT > 0.001, f"DT is {DT:g} s. Such long ticks are not exact, and bobs pass through each other."),
+        (
+            lambda _: abs(THETA_INIT) > 2 * pi,
+            f"THETA_INIT is {THETA_INIT:g} radians. Is it in degrees?",
+        ),
+        (
+            lambda _: DT > 0.001,
+            f"DT is {DT:g} s. Such long ticks are not exact, and bobs pass through each other.",
+        ),
     ]
     what = "theta and cord length of each pendulum on the page"
     words = f"({THETA_INIT:g}, {R_PARAM:g}) for the first one, (0, {R_PARAM:g}) for the others"
@@ -241,9 +292,12 @@ def test_each_cradle_that_is_wanted_is_a_new_one():
 
     file.write_text(csv_of(before))
     own = "main always reads NC_FP. With page.csv, experiments and the CSV of a command would work, too."
-    wanted, notes = Wanted("for each cradle, those that the file has then", is_new), [(lambda _: masses[0] != old, own)]
+    wanted = Wanted("for each cradle, those that the file has then", is_new)
+    notes = [(lambda _: masses[0] != old, own)]
     see = {"see": lambda _: masses, "what": "masses of the first cradle, and of the second one"}
-    expect("main", Page(0, 0, change=show, csv=str(file)), wanted=wanted, notes=notes, times=2, **see)
+    expect(
+        "main", Page(0, 0, change=show, csv=str(file)), wanted=wanted, notes=notes, times=2, **see
+    )
 
 
 @check("main")
@@ -258,5 +312,8 @@ def test_in_the_cradle_bobs_collide():
 
     page, words = Page(1, change=push), "10 for the last pendulum, 0 for all others"
     wanted = Wanted(words, lambda omegas: same(omegas, [0.0] * (len(omegas) - 1) + [10.0]))
-    see = {"see": lambda _: [pend["omega"] for pend in page.shown[0]], "what": "omega of each pendulum"}
+    see = {
+        "see": lambda _: [pend["omega"] for pend in page.shown[0]],
+        "what": "omega of each pendulum",
+    }
     expect("main", page, wanted=wanted, **see)

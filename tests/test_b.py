@@ -29,7 +29,8 @@ steps(
     "low, high = prices(book)  # stores the two results of one call",
 )
 
-# The arguments e, omega1, omega2, m1, m2, and the result; by hand from the two formulas of the appendix.
+# The arguments e, omega1, omega2, m1, m2, and the result; by hand from the two formulas of the
+# appendix.
 HIT, AFTER = (0.7, 3.0, -4.0, 2.0, 8.0), (-6.52, -1.62)
 COLLISIONS = [
     ((0.5, 4.0, 0.0, 1.0, 1.0), (1.0, 3.0)),
@@ -41,7 +42,8 @@ COLLISIONS = [
     ((0, 4.0, -2.0, 1.0, 2.0), (0.0, 0.0)),  # opposite momenta, inelastic: both stop
     ((0.25, 8.0, 0.0, 1.0, 3.0), (0.5, 2.5)),
     ((0.9, 2.0, 2.0, 1.0, 5.0), (2.0, 2.0)),  # no approach, no change
-    ((0.5, -1.0, 2.0, 1.0, 1.0), (1.25, -0.25)),  # they move apart; the function does not check this
+    # They move apart; the function does not check this
+    ((0.5, -1.0, 2.0, 1.0, 1.0), (1.25, -0.25)),
     ((0.5, 0.0, -3.0, 1.0, 1.0), (-2.25, -0.75)),  # the first one is at rest
     ((0.5, -1.0, -4.0, 1.0, 2.0), (-4.0, -2.5)),  # both to the left
     ((0.5, 4.0, 1.0, 1.0, 2.0), (1.0, 2.5)),  # both to the right
@@ -58,25 +60,41 @@ COLLISIONS = [
 ]
 
 
-# Mistakes in the formulas for the first hit: what they are, the wrong first result, and the wrong second one.
+# Mistakes in the formulas for the first hit: what they are, the wrong first result, and the wrong
+# second one.
 FORMULAS = [
     ("e is missing.", -8.2, -1.2),
     ("the sign before e is wrong.", 1.32, -3.58),
     ("the mass before e is wrong: m2 in the first one, m1 in the second one.", -3.58, 1.32),
     ("the mass before e is missing.", -3.09, -2.11),
-    ("e multiplies only a part of the difference of the velocities: it needs brackets.", -3.88, -1.78),
-    ("only the end is divided by the sum of the masses: brackets are missing around all of it.", -29.92, -25.02),
+    (
+        "e multiplies only a part of the difference of the velocities: it needs brackets.",
+        -3.88,
+        -1.78,
+    ),
+    (
+        "only the end is divided by the sum of the masses: brackets are missing around all of it.",
+        -29.92,
+        -25.02,
+    ),
     ("only m1 divides: the sum of the masses needs brackets.", -12.6, 11.9),
     ("both divisions count only for the end: all of it needs brackets.", -14.32, -9.42),
     ("nothing divides by the sum of the masses.", -65.2, -16.2),
     ("the linear velocity is returned: divide it by r_param.", -2.608, -0.648),
     ("v1 and v2 are exchanged in the momenta.", -2.32, 2.58),
 ]
-RESULTS = [((first, AFTER[1]), f"This is the result if, in the first formula, {words}") for words, first, _ in FORMULAS]
-RESULTS += [
-    ((AFTER[0], second), f"This is the result if, in the second formula, {words}") for words, _, second in FORMULAS
+RESULTS = [
+    ((first, AFTER[1]), f"This is the result if, in the first formula, {words}")
+    for words, first, _ in FORMULAS
 ]
-RESULTS += [((first, second), f"This is the result if, in both formulas, {words}") for words, first, second in FORMULAS]
+RESULTS += [
+    ((AFTER[0], second), f"This is the result if, in the second formula, {words}")
+    for words, _, second in FORMULAS
+]
+RESULTS += [
+    ((first, second), f"This is the result if, in both formulas, {words}")
+    for words, first, second in FORMULAS
+]
 RESULTS += [
     ((-8.14, -0.09), "This is the result if omega1 is not converted: r_param multiplies it, too."),
     ((-14.68, -5.58), "This is the result if omega2 is not converted: r_param multiplies it, too."),
@@ -100,12 +118,18 @@ RESULTS += [
         (-6.52, -4.8568),
         "This is the result with the new velocity of the first bob in all of the second formula. Use the old one.",
     ),
-    ((-4.0, 3.0), "These are the two omegas of the call, exchanged. So it is only for equal masses and e = 1."),
+    (
+        (-4.0, 3.0),
+        "These are the two omegas of the call, exchanged. So it is only for equal masses and e = 1.",
+    ),
 ]
 
 
 def check_hit(wanted, e, omega1, omega2, m1, m2, r_param, **options):
-    """Check the result of handle_collision. A student reads the parts of the formulas, which follow from the result."""
+    """Check the result of handle_collision.
+
+    A student reads the parts of the formulas, which follow from the result.
+    """
     v1, v2 = r_param * omega1, r_param * omega2
     right = [
         ("v1", v1),
@@ -115,7 +139,18 @@ def check_hit(wanted, e, omega1, omega2, m1, m2, r_param, **options):
         ("v1_new", r_param * wanted[0]),
         ("v2_new", r_param * wanted[1]),
     ]
-    expect("handle_collision", e, omega1, omega2, m1, m2, r_param, wanted=wanted, right=right, **options)
+    expect(
+        "handle_collision",
+        e,
+        omega1,
+        omega2,
+        m1,
+        m2,
+        r_param,
+        wanted=wanted,
+        right=right,
+        **options,
+    )
 
 
 @check("handle_collision")
@@ -141,14 +176,27 @@ def test_the_cord_length_does_not_matter():
 @check("handle_collision")
 def test_laws_of_the_collision():
     """The system should conserve kinetic energy and linear momentum."""
-    momentum, energy = "momentum m1 new_omega1 + m2 new_omega2", "energy m1 new_omega1^2 + m2 new_omega2^2"
-    laws = [(0, momentum, 1), (0.3, momentum, 1), (1, momentum, 1), (1, energy, 2)]  # e, what stays, the power of omega
+    momentum = "momentum m1 new_omega1 + m2 new_omega2"
+    energy = "energy m1 new_omega1^2 + m2 new_omega2^2"
+    # e, what stays, the power of omega
+    laws = [(0, momentum, 1), (0.3, momentum, 1), (1, momentum, 1), (1, energy, 2)]
     for (m1, m2), (e, what, power) in product([(1.0, 1.0), (0.2, 5.0), (7.0, 0.1)], laws):
 
         def see(omegas, m1=m1, m2=m2, power=power):
             return m1 * omegas[0] ** power + m2 * omegas[1] ** power
 
-        expect("handle_collision", e, 2.5, -1.5, m1, m2, 0.4, wanted=see((2.5, -1.5)), see=see, what=what)
+        expect(
+            "handle_collision",
+            e,
+            2.5,
+            -1.5,
+            m1,
+            m2,
+            0.4,
+            wanted=see((2.5, -1.5)),
+            see=see,
+            what=what,
+        )
 
 
 # omega of pend1 before, and the omegas of both after, with e = 0.5 and equal masses.
@@ -156,12 +204,17 @@ LEFT, HITS, MISSES = 4.0, (1.0, 3.0), (4.0, 0.0)
 
 
 def pair(apart=1.0, radius1=0.5, radius2=0.5, **values):
-    """Return two pendula. Their axles are apart (m), and the cords 4 times as long, as in a cradle. pend1 moves.
+    """Return two pendula.
+
+    Their axles are apart (m), and the cords 4 times as long, as in a cradle. pend1 moves.
 
     values are those of hang, with a 1 or a 2 behind the name.
     """
     values = {"omega1": LEFT, "e1": 0.5, "e2": 0.5, **values}
-    one, two = ({name[:-1]: value for name, value in values.items() if name[-1] == number} for number in "12")
+    one, two = (
+        {name[:-1]: value for name, value in values.items() if name[-1] == number}
+        for number in "12"
+    )
     pend1 = hang(r_param=4 * apart, radius=radius1, **one)
     return pend1, hang(r_param=4 * apart, axle=(apart, 0, 0), radius=radius2, **two)
 
@@ -170,11 +223,15 @@ def check_pair(wanted, apart=1.0, *radii, results=(), **values):
     """Check the omegas of two such pendula after the call."""
     pend1, pend2 = pair(apart, *radii, **values)
     options = {"help": help_for(pend1, pend2, 4 * apart, wanted), "results": results}
-    expect("handle_two_bobs", pend1, pend2, 4 * apart, wanted=wanted, **options, **omegas(pend1, pend2))
+    expect(
+        "handle_two_bobs", pend1, pend2, 4 * apart, wanted=wanted, **options, **omegas(pend1, pend2)
+    )
 
 
 def help_for(pend1, pend2, r_param, wanted) -> str:
-    """Return whether the bobs of these pendula touch, and what handle_collision gives then, in words."""
+    """Return whether the bobs of these pendula touch, and what handle_collision gives then, in
+    words.
+    """
     bob1, bob2 = pend1["objects"][1], pend2["objects"][1]
     apart, reach = (bob1.pos - bob2.pos).mag, contact_distance(bob1.radius, bob2.radius)
     words = f"the magnitude of the difference of their positions is {shown(apart)} m"
@@ -187,15 +244,30 @@ def help_for(pend1, pend2, r_param, wanted) -> str:
 
 def omegas(pend1, pend2):
     """Return options of expect to compare both omegas after the call."""
-    return {"see": lambda _: (pend1["omega"], pend2["omega"]), "what": "omega of pend1, omega of pend2"}
+    return {
+        "see": lambda _: (pend1["omega"], pend2["omega"]),
+        "what": "omega of pend1, omega of pend2",
+    }
 
 
 @check("handle_two_bobs")
 def test_masses_and_omegas_are_those_of_each():
     """For each pendulum dictionary, get the masses, bobs and angular velocity (omega)."""
     again = "This is the result if handle_collision is called again after pend1 has changed. Call it once, for both."
-    results = [((1.125, 1.0390625), again), ((1.40625, 1.53125), "This is the result with the product of both e.")]
-    check_pair((1.125, 1.625), omega1=3.0, mass1=2.0, e1=0.25, omega2=1.0, mass2=6.0, e2=0.25, results=results)
+    results = [
+        ((1.125, 1.0390625), again),
+        ((1.40625, 1.53125), "This is the result with the product of both e."),
+    ]
+    check_pair(
+        (1.125, 1.625),
+        omega1=3.0,
+        mass1=2.0,
+        e1=0.25,
+        omega2=1.0,
+        mass2=6.0,
+        e2=0.25,
+        results=results,
+    )
     check_pair((-0.5, 1.5), mass2=3.0)
     check_pair((2.5, 4.5), mass1=3.0)
     check_pair((-0.5, 2.5), omega2=-2.0)
@@ -206,10 +278,12 @@ def test_bobs_that_touch_collide():
     """Check if the bobs are at most 1.05 times the sum of their radii apart."""
     for apart in (1.0, 0.2, 1.02, 1.04):
         check_pair(HITS, apart)
-    check_pair(HITS, 21.0, 10.0, 10.0)  # every way to compute 1.05 times the sum of the radii gives exactly 21
+    # Every way to compute 1.05 times the sum of the radii gives exactly 21
+    check_pair(HITS, 21.0, 10.0, 10.0)
     check_pair(HITS, theta1=0.25, theta2=-0.25)  # bob 2 is to the left of bob 1
     check_pair(HITS, 1.5, theta1=0.15)  # the distance of the axles does not matter
-    for theta1, theta2 in ((0.3, 0.0), (0.02, 0.03), (1.25, 1.05), (-1.05, -1.25)):  # the last two are on a diagonal
+    # The last two are on a diagonal
+    for theta1, theta2 in ((0.3, 0.0), (0.02, 0.03), (1.25, 1.05), (-1.05, -1.25)):
         check_pair(HITS, theta1=theta1, theta2=theta2)
     check_pair(HITS, theta1=pi / 2, theta2=pi / 2)  # level
     check_pair(HITS, theta1=2.0, theta2=2.1)  # above the axles
@@ -221,7 +295,14 @@ def test_bobs_that_do_not_touch_go_on():
     """We add a little bit of buffer to what is considered a 'collision'."""
     for apart in (9.0, 1.0504):
         check_pair(MISSES, apart)
-    for theta1, theta2 in ((0.28, -0.28), (-0.3, 0.3), (1.5, 1.64), (1.64, 1.5), (2.05, 2.45), (2.0, 1.93)):
+    for theta1, theta2 in (
+        (0.28, -0.28),
+        (-0.3, 0.3),
+        (1.5, 1.64),
+        (1.64, 1.5),
+        (2.05, 2.45),
+        (2.0, 1.93),
+    ):
         check_pair(MISSES, theta1=theta1, theta2=theta2)
 
 
@@ -250,14 +331,18 @@ def test_e_is_the_first_pendulums():
 
 @check("handle_two_bobs")
 def test_bobs_that_touch_collide_whatever_their_velocities_are():
-    """If true, use the helper function handle_collision to get the new angular velocity values for both pendula."""
+    """If true, use the helper function handle_collision to get the new angular velocity values for
+    both pendula.
+    """
     check_pair(HITS)
     check_pair((1.25, -0.25), omega1=-1.0, omega2=2.0)
     check_pair((-2.25, -0.75), omega1=0.0, omega2=-3.0)
     check_pair((-2.5, -1.5), omega1=-1.0, omega2=-3.0)
     check_pair((1.75, 3.25), omega2=1.0)
     check_pair((1e-8, 3e-8), omega1=4e-8)
-    for (e, mass), omega in zip(product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0)), cycle((-5.0, 0.0, 6.0))):
+    for (e, mass), omega in zip(
+        product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0)), cycle((-5.0, 0.0, 6.0))
+    ):
         wanted = result_of("handle_collision", e, LEFT, omega, 1.0, mass, 4.0)
         check_pair(wanted, e1=e, e2=0.25, mass2=mass, omega2=omega)
 
@@ -282,7 +367,9 @@ def test_omegas_are_updated_and_nothing_else():
 
         def changed(_, pends=pends, before=before):
             now = all_but_omega(*pends)
-            return {key: now.get(key) for key in before | now if not same(now.get(key), before.get(key))}
+            return {
+                key: now.get(key) for key in before | now if not same(now.get(key), before.get(key))
+            }
 
         what = "changed values (besides omega)"
         expect("handle_two_bobs", *pends, 4 * apart, wanted={}, see=changed, what=what)
@@ -294,4 +381,6 @@ def test_earlier_calls_do_not_matter():
     pend1, pend2 = pair()
     for wanted in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
         words = help_for(pend1, pend2, 4.0, wanted)
-        expect("handle_two_bobs", pend1, pend2, 4.0, wanted=wanted, help=words, **omegas(pend1, pend2))
+        expect(
+            "handle_two_bobs", pend1, pend2, 4.0, wanted=wanted, help=words, **omegas(pend1, pend2)
+        )

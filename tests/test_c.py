@@ -27,24 +27,30 @@ steps(
     "sort_pages(book, 3)  # nothing comes back: the call changes the book",
 )
 
-# The arguments omega, theta, r_param, dt, g, and the result; by hand from the two formulas of the appendix.
+# The arguments omega, theta, r_param, dt, g, and the result; by hand from the two formulas of the
+# appendix.
 STEP, AFTER = (3.0, 5 * pi / 6, 0.4, 0.1, 8.0), (2.0, 5 * pi / 6 + 0.2)  # omega falls by 1
 STEPS = [
-    ((2.0, -pi / 6, 0.5, 0.1, 10.0), (3.0, -pi / 6 + 0.3)),  # on the left, gravity pulls to the right
+    # On the left, gravity pulls to the right
+    ((2.0, -pi / 6, 0.5, 0.1, 10.0), (3.0, -pi / 6 + 0.3)),
     ((0.0, pi / 2, 2.0, 0.01, 9.8), (-0.049, pi / 2 - 0.00049)),  # from rest, cord level
     ((1.5, 0.0, 0.2, 0.01, 9.81), (1.5, 0.015)),  # straight down, gravity does not turn it
     ((0.0, 0.0, 0.2, 0.01, 9.81), (0.0, 0.0)),  # it stays at rest
     ((1.0, pi, 0.3, 0.5, 9.81), (1.0, pi + 0.5)),  # straight up, gravity does not turn it either
-    ((-1.0, 5 * pi / 6, 0.25, 0.2, 5.0), (-3.0, 5 * pi / 6 - 0.6)),  # more than 90 degrees: sin, not the angle itself
+    # More than 90 degrees: sin, not the angle itself
+    ((-1.0, 5 * pi / 6, 0.25, 0.2, 5.0), (-3.0, 5 * pi / 6 - 0.6)),
     ((1.0, -5 * pi / 6, 0.25, 0.2, 5.0), (3.0, -5 * pi / 6 + 0.6)),
-    ((0.0, 0.05, 0.5, 0.1, 10.0), (-0.09995833854, 0.04000416615)),  # a small angle is not its own sine
-    ((200.0, 3 * pi / 2, 0.5, 0.1, 10.0), (202.0, 3 * pi / 2 + 20.2)),  # it may go full circles, in both directions
+    # A small angle is not its own sine
+    ((0.0, 0.05, 0.5, 0.1, 10.0), (-0.09995833854, 0.04000416615)),
+    # It may go full circles, in both directions
+    ((200.0, 3 * pi / 2, 0.5, 0.1, 10.0), (202.0, 3 * pi / 2 + 20.2)),
     ((-9.0, -3 * pi, 0.5, 1.0, 10.0), (-9.0, -3 * pi - 9.0)),
     ((9.0, 40 * pi, 0.5, 1.0, 10.0), (9.0, 40 * pi + 9.0)),
     ((4e-8, 0.0, 0.5, 0.1, 10.0), (4e-8, 4e-9)),  # very slowly
     ((1.0, pi / 6, 0.5, 0.0, 10.0), (1.0, pi / 6)),  # no time, no change
     ((1.0, pi / 6, 0.5, 0.1, 0.0), (1.0, pi / 6 + 0.1)),  # no gravity: theta still moves with omega
-    ((1, 0, 0.3, 0.5, 9.81), (1.0, 0.5)),  # whole numbers: an array of them would cut off the results
+    # Whole numbers: an array of them would cut off the results
+    ((1, 0, 0.3, 0.5, 9.81), (1.0, 0.5)),
     ((0, 1, 0.5, 0.1, 10.0), (-1.6829419696, 0.83170580304)),
 ]
 
@@ -52,8 +58,14 @@ STEPS = [
 # Wrong results of the first step, and what they are.
 DEGREES = "This is the result with degrees. theta is in radians already, as sin() takes it. Do not convert it."
 RESULTS = [
-    ((2.0, 2.917993878), "This is the result with the old omega in the change of theta. Take the new one."),
-    ((4.0, 3.017993878), "This is the result with + in front of the acceleration. Gravity pulls the bob back down: -."),
+    (
+        (2.0, 2.917993878),
+        "This is the result with the old omega in the change of theta. Take the new one.",
+    ),
+    (
+        (4.0, 3.017993878),
+        "This is the result with + in front of the acceleration. Gravity pulls the bob back down: -.",
+    ),
     ((2.908647, 2.908858878), DEGREES),
     ((4.429753, 3.060968878), DEGREES),
     ((4.732051, 3.091198878), "This is the result with cos in place of sin."),
@@ -61,16 +73,34 @@ RESULTS = [
     ((-7.0, 1.917993878), "This is the result without dt in the change of omega."),
     ((2.0, 4.617993878), "This is the result without dt in the change of theta."),
     ((2.6, 2.877993878), "This is the result without r_param: the acceleration is divided by it."),
-    ((2.84, 2.901993878), "This is the result if r_param multiplies. The acceleration is divided by it."),
-    ((2.55652, 2.917993878), "This is the result if theta changes first. omega changes first, then theta."),
-    ((-1.0, 2.517993878), "This is the result without the old omega: the new one is the old one plus its change."),
-    ((-10.0, 1.617993878), "This is the acceleration in place of the new omega: the old omega plus acceleration * dt."),
-    ((2.0, 2.867993878), "This is the result with an average. Only the new omega moves theta: no 1/2 a t^2."),
+    (
+        (2.84, 2.901993878),
+        "This is the result if r_param multiplies. The acceleration is divided by it.",
+    ),
+    (
+        (2.55652, 2.917993878),
+        "This is the result if theta changes first. omega changes first, then theta.",
+    ),
+    (
+        (-1.0, 2.517993878),
+        "This is the result without the old omega: the new one is the old one plus its change.",
+    ),
+    (
+        (-10.0, 1.617993878),
+        "This is the acceleration in place of the new omega: the old omega plus acceleration * dt.",
+    ),
+    (
+        (2.0, 2.867993878),
+        "This is the result with an average. Only the new omega moves theta: no 1/2 a t^2.",
+    ),
 ]
 
 
 def check_step(arguments, wanted, **options):
-    """Check the result of angle_update. A student reads the parts of both formulas, which follow from the result."""
+    """Check the result of angle_update.
+
+    A student reads the parts of both formulas, which follow from the result.
+    """
     omega, theta, _, dt, _ = arguments
     omega_new, theta_new = wanted
     right = [("sin(theta)", sin(theta)), ("omega_new", omega_new), ("theta_new", theta_new)]
@@ -92,8 +122,8 @@ def test_angle_update_of_other_swings():
         check_step(arguments, wanted)
 
 
-# theta, omega, mass and e of pendula, and their omega and theta after 0.1 s with g = 10 m/s^2 and cords of 0.5 m. The
-# first one is there three times, and they are not sorted.
+# theta, omega, mass and e of pendula, and their omega and theta after 0.1 s with g = 10 m/s^2 and
+# cords of 0.5 m. The first one is there three times, and they are not sorted.
 SWINGING = [
     ((pi / 6, 2.0, 2.0, 0.5), (1.0, pi / 6 + 0.1)),
     ((pi / 2, 0.0, 1.0, 0.25), (-2.0, pi / 2 - 0.2)),
@@ -111,7 +141,10 @@ SWINGING = [
 def swinging_row(count):
     """Return count pendula, and their (omega, theta) after the swing: SWINGING, again and again."""
     rows = [SWINGING[i % len(SWINGING)] for i in range(count)]
-    pend_list = [hang(*values, axle=(7 * i % 10 * 0.1, 0.05, 0), r_param=0.5) for i, (values, _) in enumerate(rows)]
+    pend_list = [
+        hang(*values, axle=(7 * i % 10 * 0.1, 0.05, 0), r_param=0.5)
+        for i, (values, _) in enumerate(rows)
+    ]
     return pend_list, [after for _, after in rows]
 
 
@@ -120,10 +153,34 @@ def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
     for count in (3, 10, 40):
         pend_list, after = swinging_row(count)
-        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=after, **each(pend_list, "omega", "theta"))
+        expect(
+            "full_swing_update",
+            pend_list,
+            0.5,
+            0.1,
+            10.0,
+            wanted=after,
+            **each(pend_list, "omega", "theta"),
+        )
     one, what = [hang(theta=-pi / 6, omega=2.0, r_param=0.25)], "omega of one pendulum"
-    expect("full_swing_update", one, 0.25, 0.2, 5.0, wanted=4.0, see=lambda _: one[0]["omega"], what=what)
-    expect("full_swing_update", [], 0.5, 0.1, 10.0, wanted=Wanted("no error for an empty pend_list", lambda _: True))
+    expect(
+        "full_swing_update",
+        one,
+        0.25,
+        0.2,
+        5.0,
+        wanted=4.0,
+        see=lambda _: one[0]["omega"],
+        what=what,
+    )
+    expect(
+        "full_swing_update",
+        [],
+        0.5,
+        0.1,
+        10.0,
+        wanted=Wanted("no error for an empty pend_list", lambda _: True),
+    )
 
 
 @check("full_swing_update")
@@ -140,11 +197,21 @@ def test_bobs_and_cords_move():
 
     axles = [vector(axle.pos) for axle, _, _ in parts_of]
     cords = [vector(0.5 * sin(theta), -0.5 * cos(theta), 0) for _, theta in after]
-    wanted = [(axle, axle + cord, [axle + cord, axle]) for axle, cord in zip(axles, cords, strict=True)]
+    wanted = [
+        (axle, axle + cord, [axle + cord, axle]) for axle, cord in zip(axles, cords, strict=True)
+    ]
     what = "axle, bob, ends of the cord of each pendulum"
     old, parts = shapes(), [part for objects in parts_of for part in objects]
     expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=wanted, see=see, what=what)
-    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, see=lambda _: left_over(old, parts), **LEFT_OVER)
+    expect(
+        "full_swing_update",
+        pend_list,
+        0.5,
+        0.1,
+        10.0,
+        see=lambda _: left_over(old, parts),
+        **LEFT_OVER,
+    )
 
 
 @check("full_swing_update")
@@ -157,17 +224,25 @@ def test_a_swing_changes_nothing_else():
 
     def values(_=None):
         kept = [{key: pend[key] for key in ("mass", "e", "color", "texture")} for pend in pend_list]
-        return [{**pend, "radius": bob.radius} for pend, (_, bob, _) in zip(kept, objects, strict=True)]
+        return [
+            {**pend, "radius": bob.radius} for pend, (_, bob, _) in zip(kept, objects, strict=True)
+        ]
 
     def are_same(now, old):
-        return len(now) == len(old) and all(one is other for one, other in zip(now, old, strict=True))
+        return len(now) == len(old) and all(
+            one is other for one, other in zip(now, old, strict=True)
+        )
 
     def have_objects(_):
         return all(map(are_same, (pend["objects"] for pend in pend_list), objects))
 
     for what, wanted, see in (
         ("each pendulum", values(), values),
-        ("that the list has the same pendula in the same order", True, lambda _: are_same(pend_list, pendula)),
+        (
+            "that the list has the same pendula in the same order",
+            True,
+            lambda _: are_same(pend_list, pendula),
+        ),
         ("that all pendula have the same objects", True, have_objects),
     ):
         expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=wanted, see=see, what=what)

@@ -35,7 +35,9 @@ RED = vector(1, 0, 0)
 
 def check_double_pendulum(see, what, theta, phi, wanted, cord=CORD, texture=textures.wood, help=""):
     """Check what see(objects) returns for a double pendulum."""
-    words = f"From straight down, the upper cord is at {theta:g}, and the lower one at {theta + phi:g}."
+    words = (
+        f"From straight down, the upper cord is at {theta:g}, and the lower one at {theta + phi:g}."
+    )
     options = {"wanted": wanted, "see": see, "what": what, "help": help or words}
     expect("make_double_pendulum", AXLE, cord, theta, phi, RED, texture, **options)
 
@@ -48,7 +50,9 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
     def is_one(found):
         return isinstance(found, tuple) and len(found) == 5 and all(map(isinstance, found, kinds))
 
-    wanted = Wanted("a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one, like=(None,) * 5)
+    wanted = Wanted(
+        "a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one, like=(None,) * 5
+    )
     order = "Five objects come back, in this order: axle, bob1, cord1, bob2, cord2."
     check_double_pendulum(None, "", 0.7, 0.4, wanted, help=order)
     old = shapes()
@@ -65,7 +69,14 @@ def test_bobs_are_where_the_angles_say():
 
     what = "position of axle, position of bob1, position of bob2"
     # theta, phi, and by hand the lower cord's angle from straight down
-    angles = [(0.7, 0.4, 1.1), (0, 0, 0), (0.7, 0, 0.7), (0, 0.7, 0.7), (0.6, -0.4, 0.2), (-2.0, 3.0, 1.0)]
+    angles = [
+        (0.7, 0.4, 1.1),
+        (0, 0, 0),
+        (0.7, 0, 0.7),
+        (0, 0.7, 0.7),
+        (0.6, -0.4, 0.2),
+        (-2.0, 3.0, 1.0),
+    ]
     angles += [(3.5, 1.0, 4.5), (0.5, 4.0, 4.5), (-7.0, -9.0, -16.0)]
     for (theta, phi, beta), times in [*((each, 1) for each in angles), (angles[0], 3)]:
         joint = AXLE + arm(theta, times * CORD)
@@ -79,7 +90,10 @@ def test_cords_hold_the_bobs():
 
     def see(objects):
         _, _, cord1, _, cord2 = objects
-        return [sorted([cord.pos, cord.pos + cord.axis], key=lambda end: -end.y) for cord in (cord1, cord2)]
+        return [
+            sorted([cord.pos, cord.pos + cord.axis], key=lambda end: -end.y)
+            for cord in (cord1, cord2)
+        ]
 
     joint = AXLE + arm(0.7, CORD)
     wanted = [[AXLE, joint], [joint, joint + arm(1.1, CORD)]]
@@ -102,15 +116,21 @@ def test_both_bobs_have_the_looks_that_are_given():
 
 LENGTH, DT, G = 0.5, 1e-6, 10.0  # m, s, m/s^2: g / R is 20 / s^2
 
-# omega_theta, omega_phi, theta, phi, and the accelerations of theta and of phi (rad/s^2), by hand, for equal masses.
+# omega_theta, omega_phi, theta, phi, and the accelerations of theta and of phi (rad/s^2), by hand,
+# for equal masses.
 ACCELERATIONS = [
     ((0.0, 0.0, pi / 6, pi / 3), (-5.71, -11.43)),  # at rest: -40 / 7 and -80 / 7
     ((0.0, 0.0, 0.0, 0.0), (0.0, 0.0)),  # at rest, straight down
-    ((0.0, 0.0, 0.0, pi / 2), (0.0, -20.0)),  # the upper cord hangs straight down, the lower one is level
-    ((0.0, 0.0, pi / 2, 0.0), (-20.0, 20.0)),  # both cords are level: the upper one falls, the lower one stays level
-    ((0.0, 0.0, pi / 2, -pi / 2), (-20.0, 20.0)),  # the upper cord is level, the lower one hangs straight down
-    ((0.0, 2.0, 0.0, pi / 2), (2.0, -22.0)),  # the lower cord is level and turns: it pulls the upper bob
-    ((2.0, -2.0, 0.0, pi / 2), (0.0, -24.0)),  # the upper bob moves and pulls the lower cord, which is level
+    # The upper cord hangs straight down, the lower one is level
+    ((0.0, 0.0, 0.0, pi / 2), (0.0, -20.0)),
+    # Both cords are level: the upper one falls, the lower one stays level
+    ((0.0, 0.0, pi / 2, 0.0), (-20.0, 20.0)),
+    # The upper cord is level, the lower one hangs straight down
+    ((0.0, 0.0, pi / 2, -pi / 2), (-20.0, 20.0)),
+    # The lower cord is level and turns: it pulls the upper bob
+    ((0.0, 2.0, 0.0, pi / 2), (2.0, -22.0)),
+    # The upper bob moves and pulls the lower cord, which is level
+    ((2.0, -2.0, 0.0, pi / 2), (0.0, -24.0)),
 ]
 
 
@@ -128,8 +148,12 @@ def test_both_angles_are_updated():
     words = "Both cords are in one line, and there is no gravity: the pendulum turns evenly."
     turned = {"wanted": (3.0, 0.0, 0.9, 0.0), "help": words}
     expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, **turned)
-    expect("double_angle_update", 3, 0, 1, 0, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 1.3, 0.0))  # whole numbers
-    for omega, before, after, phi in [*((20.0, 11.0, 13.0, i * pi) for i in (2, 4, -6)), (-20.0, -11.0, -13.0, 0.0)]:
+    # Whole numbers
+    expect("double_angle_update", 3, 0, 1, 0, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 1.3, 0.0))
+    for omega, before, after, phi in [
+        *((20.0, 11.0, 13.0, i * pi) for i in (2, 4, -6)),
+        (-20.0, -11.0, -13.0, 0.0),
+    ]:
         turned = omega, 0.0, after, phi
         expect("double_angle_update", omega, 0.0, before, phi, LENGTH, 0.1, 0.0, wanted=turned)
 
@@ -140,7 +164,10 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
     for (state, wanted), (length, g) in product(ACCELERATIONS, [(LENGTH, G), (2.0, 40.0)]):
 
         def see(found, state=state):
-            return tuple(round((new - old) / DT, 2) + 0 for new, old in zip(found[:2], state[:2], strict=True))
+            return tuple(
+                round((new - old) / DT, 2) + 0
+                for new, old in zip(found[:2], state[:2], strict=True)
+            )
 
         what = "change of omega_theta / dt, change of omega_phi / dt"
         omega_theta, omega_phi, theta, phi = state
@@ -157,7 +184,8 @@ BETA = "This is beta'' in place of that of phi. phi is beta - alpha: subtract al
 RESULTS = [((-10.0, -17.32), SINGLE), ((-10.0, -10.0), SINGLE), ((-5.71, -17.14), BETA)]
 
 
-# theta, phi, m1, m2, and the state 0.1 s after release, with g = 9.81 m/s^2, from the exact equations.
+# theta, phi, m1, m2, and the state 0.1 s after release, with g = 9.81 m/s^2, from the exact
+# equations.
 SWINGS = [
     ((0.6, -0.4, 1.0, 1.0), (-1.573797, 2.649524, 0.520225, -0.265745)),
     ((1.5, 1.0, 1.0, 1.0), (-1.870015, 1.553220, 1.405265, 1.083369)),
@@ -183,4 +211,8 @@ def test_a_tenth_of_a_second_of_swinging():
 
 def within(distance, value) -> Wanted:
     """Return the expectation of a number near a value."""
-    return Wanted(f"within {distance:g} of {value:.3f}", lambda found: abs(found - value) < distance, like=value)
+    return Wanted(
+        f"within {distance:g} of {value:.3f}",
+        lambda found: abs(found - value) < distance,
+        like=value,
+    )

@@ -1,7 +1,7 @@
 """Hold a bob, and drag it with the mouse: it pushes its neighbours aside, and they push theirs.
 
-A single pendulum has one cord, a double pendulum has two. The angles of a pendulum are the angles of its cords from
-straight down (rad), the upper cord first.
+A single pendulum has one cord, a double pendulum has two. The angles of a pendulum are the angles
+of its cords from straight down (rad), the upper cord first.
 """
 
 from math import acos, atan2, ceil, copysign, cos, hypot, pi, remainder, sin
@@ -12,8 +12,11 @@ from support.constants import R_PARAM
 from support.pendulum import contact_distance, cord_angles, show_double_pendulum, show_pendulum
 
 STRAIGHT = 0.1  # rad: two cords with a smaller bend between them count as straight
-STEP = 0.02  # rad: the largest turn of a cord in one step; in a larger one, its bob could jump over its neighbour
-FINGER = 1.5  # radii from a bob's centre at which a finger, or the mouse, still grabs it; canvas.js knows it, too
+# rad: the largest turn of a cord in one step; in a larger one, its bob could jump over its
+# neighbour
+STEP = 0.02
+# Radii from a bob's centre at which a finger, or the mouse, still grabs it; canvas.js knows it, too
+FINGER = 1.5
 HEAVY = 1e9  # kg: the mass of a held bob; others bounce off it as off a wall
 
 
@@ -23,11 +26,15 @@ class Hand:
     def __init__(self, cradle):
         self.cradle = cradle
         self.held: int | None = None  # the index of the held bob in cradle.bobs()
-        self.kept: tuple | None = None  # the held pendulum's mass and angles, while the cradle ticks
+        # The held pendulum's mass and angles, while the cradle ticks
+        self.kept: tuple | None = None
 
     def place(self) -> tuple[int, int]:
-        """Return the index of the held pendulum, and the number of the held bob in it, counted from above (0 or 1)."""
-        return divmod(self.held or 0, len(self.cradle.angles))  # each cord has one release angle and one bob
+        """Return the index of the held pendulum, and the number of the held bob in it, counted from
+        above (0 or 1).
+        """
+        # Each cord has one release angle and one bob
+        return divmod(self.held or 0, len(self.cradle.angles))
 
     def pend(self) -> dict:
         return self.cradle.pend_list[self.place()[0]]
@@ -38,7 +45,9 @@ class Hand:
         move(self.pend(), cord_angles(self.pend()), R_PARAM)
 
     def drag(self, x, y) -> None:
-        """Turn the held pendulum until its bob is as near as possible to x, y (m) in the plane of swing."""
+        """Turn the held pendulum until its bob is as near as possible to x, y (m) in the plane of
+        swing.
+        """
         drag_bob(self.cradle.pend_list, *self.place(), x, y, R_PARAM)
 
     def grip(self) -> None:
@@ -56,10 +65,11 @@ class Hand:
 
 
 def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
-    """Turn the cords of the held pendulum (an index) to bring its bob (0 upper, 1 lower) as near as possible to (x, y).
+    """Turn the cords of the held pendulum (an index) to bring its bob (0 upper, 1 lower) as near as
+    possible to (x, y).
 
-    x and y (m) are in the plane of swing, r_param (m) is the length of a cord. A dragged lower bob pulls the upper bob
-    along. A dragged upper bob does not change the direction of the lower cord.
+    x and y (m) are in the plane of swing, r_param (m) is the length of a cord. A dragged lower bob
+    pulls the upper bob along. A dragged upper bob does not change the direction of the lower cord.
     """
     axle, angles = pend_list[held]["objects"][0].pos, cord_angles(pend_list[held])
     x, down = x - axle.x, axle.y - y
@@ -67,18 +77,23 @@ def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
     if bob == 0:
         angles[0] = direction
     else:
-        # The two cords and the line from the axle to the bob form an isosceles triangle. Bent cords stay bent to the
-        # same side. Straight cords bend so that the upper bob moves down.
+        # The two cords and the line from the axle to the bob form an isosceles triangle. Bent cords
+        # stay bent to the same side. Straight cords bend so that the upper bob moves down.
         bent = remainder(angles[1] - angles[0], 2 * pi)
-        bend = copysign(acos(min(1, hypot(x, down) / (2 * r_param))), bent if abs(bent) > STRAIGHT else direction)
+        bend = copysign(
+            acos(min(1, hypot(x, down) / (2 * r_param))),
+            bent if abs(bent) > STRAIGHT else direction,
+        )
         angles = [direction - bend, direction + bend]
     drag_pendulum(pend_list, held, angles, r_param)
 
 
 def drag_pendulum(pend_list, held, angles, r_param) -> None:
-    """Turn the held pendulum (an index) to these angles (rad), the short way round, and push others out of its way.
+    """Turn the held pendulum (an index) to these angles (rad), the short way round, and push others
+    out of its way.
 
-    If these cannot give way, it stops. r_param (m) is the length of a cord. Pendula that were moved are at rest.
+    If these cannot give way, it stops. r_param (m) is the length of a cord. Pendula that were moved
+    are at rest.
     """
     pend = pend_list[held]
     before = cord_angles(pend)
@@ -86,7 +101,11 @@ def drag_pendulum(pend_list, held, angles, r_param) -> None:
     steps = ceil(max(map(abs, turns)) / STEP)
     for step in range(1, steps + 1):
         places = [cord_angles(other) for other in pend_list]
-        move(pend, [old + turn * step / steps for old, turn in zip(before, turns, strict=True)], r_param)
+        move(
+            pend,
+            [old + turn * step / steps for old, turn in zip(before, turns, strict=True)],
+            r_param,
+        )
         if not push_others(pend_list, held, r_param):
             for other, angles in zip(pend_list, places, strict=True):
                 if cord_angles(other) != angles:
@@ -95,7 +114,9 @@ def drag_pendulum(pend_list, held, angles, r_param) -> None:
 
 
 def push_others(pend_list, held, r_param) -> bool:
-    """Turn pendula out of the way of the held one, and others out of their way; return whether all could give way."""
+    """Turn pendula out of the way of the held one, and others out of their way; return whether all
+    could give way.
+    """
     pushers = [held]
     for pusher in pushers:  # the loop adds each pushed pendulum
         for other, pend in enumerate(pend_list):
@@ -111,7 +132,9 @@ def push_others(pend_list, held, r_param) -> bool:
 
 
 def give_way(pend, pusher, r_param) -> bool:
-    """Turn each cord of pend whose bob reaches into a bob of pusher; return whether any cord turned."""
+    """Turn each cord of pend whose bob reaches into a bob of pusher; return whether any cord
+    turned.
+    """
     moved = False
     for cord, angle in touching_angles(pend, pusher, r_param):
         angles = cord_angles(pend)
@@ -122,7 +145,9 @@ def give_way(pend, pusher, r_param) -> bool:
 
 
 def touching_angles(pend, pusher, r_param):
-    """Yield (cord, touching_angle) for each cord of pend whose bob reaches into a bob of pusher, from above."""
+    """Yield (cord, touching_angle) for each cord of pend whose bob reaches into a bob of pusher,
+    from above.
+    """
     for cord in range(len(cord_angles(pend))):
         for bob in pusher["objects"][1::2]:
             angle = touching_angle(pend, cord, bob, r_param)
@@ -131,14 +156,18 @@ def touching_angles(pend, pusher, r_param):
 
 
 def touching_angle(pend, cord, other, r_param) -> float | None:
-    """Return the angle (rad) of this cord (0 or 1) at which its bob just touches another bob, on the side where it is.
+    """Return the angle (rad) of this cord (0 or 1) at which its bob just touches another bob, on
+    the side where it is.
 
-    Return None if the two bobs do not reach into each other. From the upper end of the cord, other (a sphere) is at the
-    distance L, in the direction psi. R is the length of the cord, D the distance at which bobs collide. The two bobs
-    touch at the angles psi - delta and psi + delta, and reach into each other between them. By the law of cosines,
+    Return None if the two bobs do not reach into each other. From the upper end of the cord, other
+    (a sphere) is at the distance L, in the direction psi. R is the length of the cord, D the
+    distance at which bobs collide. The two bobs touch at the angles psi - delta and psi + delta,
+    and reach into each other between them. By the law of cosines,
         D^2 = R^2 + L^2 - 2 R L cos(delta)
     """
-    pivot, bob = pend["objects"][cord], pend["objects"][1 + 2 * cord]  # a lower cord hangs from the upper bob
+    # A lower cord hangs from the upper bob
+    pivot = pend["objects"][cord]
+    bob = pend["objects"][1 + 2 * cord]
     x, down = other.pos.x - pivot.pos.x, pivot.pos.y - other.pos.y
     distance, psi = hypot(x, down), atan2(x, down)
     from_psi = cord_angles(pend)[cord] - psi
@@ -161,17 +190,23 @@ def move(pend, angles, r_param) -> None:
 
 
 def bob_at(bobs, place, direction) -> int | None:
-    """Return the index of the foremost bob on the ray through place, or of the nearest within FINGER radii, or None."""
+    """Return the index of the foremost bob on the ray through place, or of the nearest within
+    FINGER radii, or None.
+    """
     found = []
     for number, bob in enumerate(bobs):
         radii = mag(cross(bob.pos - place, direction)) / mag(direction) / bob.radius
         if radii <= FINGER:  # a bob that the ray meets comes before one beside it
-            found.append((radii > 1, dot(bob.pos - place, direction) if radii <= 1 else radii, number))
+            found.append(
+                (radii > 1, dot(bob.pos - place, direction) if radii <= 1 else radii, number)
+            )
     return min(found)[2] if found else None
 
 
 def point_in_plane(place, direction):
-    """Return the point where this ray meets the plane of swing, z = 0; None if it is seen from the side, as a line."""
+    """Return the point where this ray meets the plane of swing, z = 0; None if it is seen from the
+    side, as a line.
+    """
     if abs(direction.z) <= 0.01 * mag(direction):
         return None
     return place - direction * (place.z / direction.z)

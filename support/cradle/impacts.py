@@ -1,4 +1,5 @@
-"""Hits: how they are noted while the loop does ticks, and the list of impacts, with a line for each train.
+"""Hits: how they are noted while the loop does ticks, and the list of impacts, with a line for each
+train.
 
 support/__init__.py says what a hit, a train and a path are. Two bobs that come in make two paths: 2-3-4-5  1-2-3-4.
 """
@@ -31,10 +32,11 @@ class Hit(NamedTuple):
 
 
 class Hits:
-    """Notes the hits of single ticks, and calls of functions: it stands in their places, and calls them.
+    """Notes the hits of single ticks, and calls of functions: it stands in their places, and calls
+    them.
 
-    It hears each call of the function that lets two pendula collide. If a tick does without this function, it sees the
-    hits in the velocities after the tick.
+    It hears each call of the function that lets two pendula collide. If a tick does without this
+    function, it sees the hits in the velocities after the tick.
     """
 
     def __init__(self, cradle):
@@ -42,12 +44,15 @@ class Hits:
         self.new = list[Hit]()  # hits that are not yet in the list of impacts
         self.kept = list[Hit]()  # all hits since the last call of listen
         self.calls: list[str] = []  # of the collision function, as text
-        self.has_heard = False  # whether the present tick has called the function that lets two pendula collide
-        self.states: list[tuple] = []  # theta (rad) and omega (rad/s) of each pendulum before the tick
+        # Whether the present tick has called the function that lets two pendula collide
+        self.has_heard = False
+        # theta (rad) and omega (rad/s) of each pendulum before the tick
+        self.states: list[tuple] = []
         self.replaced = ExitStack()  # puts the functions back
 
     def listen(self, calls=False) -> None:
-        """Note the hits from now on, until stop, but not of a held bob; with calls, also those of shown_name.
+        """Note the hits from now on, until stop, but not of a held bob; with calls, also those of
+        shown_name.
 
         After a train in one tick, inner bobs have their old velocity: so each call is noted.
         """
@@ -63,7 +68,9 @@ class Hits:
         self.replaced.close()
 
     def replace(self, name, stand_in) -> None:
-        """Let stand_in, which gets the function with this name first, take its place, by all names that it has."""
+        """Let stand_in, which gets the function with this name first, take its place, by all names
+        that it has.
+        """
         function = self.cradle.scope.get(name)
         if function is None:
             return
@@ -89,7 +96,9 @@ class Hits:
         return [pend.get(key) for pend in pends for key in self.rate_keys]
 
     def place_of(self, pend) -> int | None:
-        """Return the index of a pendulum, also of a copy of its dictionary, by the place of its axle."""
+        """Return the index of a pendulum, also of a copy of its dictionary, by the place of its
+        axle.
+        """
         axle, *_ = pend.get("objects") or [None]
         return self.cradle.places.get(tuple(axle.pos.value)) if axle else None
 
@@ -110,11 +119,16 @@ class Hits:
             self.states = [(pend.get("theta"), pend.get("omega")) for pend in self.cradle.pend_list]
 
     def end_tick(self) -> None:
-        """Add the hits of a tick of single pendula that has not called the function that lets two pendula collide."""
+        """Add the hits of a tick of single pendula that has not called the function that lets two
+        pendula collide.
+        """
         pends = self.cradle.pend_list
-        is_seen = not self.has_heard and self.cradle.hand.held is None and len(self.states) == len(pends)
+        is_seen = (
+            not self.has_heard and self.cradle.hand.held is None and len(self.states) == len(pends)
+        )
         if is_seen:
-            with suppress(KeyError, TypeError):  # a value is no number: Cradle.check says so after these ticks
+            # A value is no number: Cradle.check says so after these ticks
+            with suppress(KeyError, TypeError):
                 self.add_seen_hits(pends, self.without_hits())
 
     def without_hits(self) -> list[dict]:
@@ -124,15 +138,22 @@ class Hits:
         """
         pull = G / R_PARAM * self.cradle.dt
         omegas = [omega - pull * sin(theta) for theta, omega in self.states]
-        return [{**pend, "omega": omega} for pend, omega in zip(self.cradle.pend_list, omegas, strict=True)]
+        return [
+            {**pend, "omega": omega}
+            for pend, omega in zip(self.cradle.pend_list, omegas, strict=True)
+        ]
 
     def add_seen_hits(self, pends, now) -> None:
-        """Add the hits that have made the pendula `pends` of the pendula `now`, which nobody has hit yet.
+        """Add the hits that have made the pendula `pends` of the pendula `now`, which nobody has
+        hit yet.
 
-        A hit keeps the momentum of its two bobs. So the hit of a bob and its right neighbour has passed on the momentum
-        that all bobs up to this one have lost. All bobs together have lost none, except for rounding.
+        A hit keeps the momentum of its two bobs. So the hit of a bob and its right neighbour has
+        passed on the momentum that all bobs up to this one have lost. All bobs together have lost
+        none, except for rounding.
         """
-        losses = [old["mass"] * (old["omega"] - new["omega"]) for old, new in zip(now, pends, strict=True)]
+        losses = [
+            old["mass"] * (old["omega"] - new["omega"]) for old, new in zip(now, pends, strict=True)
+        ]
         *passed_on, lost = accumulate(losses)  # kg/s: momentum, divided by r_param
         rounding = 1e-12 * sum(abs(pend["mass"] * pend["omega"]) for pend in now)
         if abs(lost) > rounding or isnan(lost):
@@ -151,7 +172,9 @@ class Hits:
         result = collide(*given, **named)
         arguments = signature(collide).bind(*given, **named).arguments
         texts = [f"{name}={self.in_short(value)}" for name, value in arguments.items()]
-        self.calls.append(f"{self.cradle.shown_name}({', '.join(texts)}) returned {self.in_short(result)}")
+        self.calls.append(
+            f"{self.cradle.shown_name}({', '.join(texts)}) returned {self.in_short(result)}"
+        )
         return result
 
     def in_short(self, value) -> str:
@@ -183,14 +206,20 @@ class Train:
             self.last = pair
         self.end = time
         self.hits[pair] += 1
-        if self.hits[pair] > max(TOGETHER, len(self.hits)):  # n lifted bobs of a row hit the next one n times
+        # N lifted bobs of a row hit the next one n times
+        if self.hits[pair] > max(TOGETHER, len(self.hits)):
             self.together.add(pair)
 
     def pass_on(self, left, right, rightwards) -> None:
-        """Continue the first path that ends at left, and the first one that ends at right; if none does, begin one."""
+        """Continue the first path that ends at left, and the first one that ends at right; if none
+        does, begin one.
+        """
         goes_on = False
-        for end, other in ((left, right), (right, left)):  # no path goes straight back to the bob before its last one
-            path = next((path for path in self.paths if path[-1] == end and path[-2] != other), None)
+        # No path goes straight back to the bob before its last one
+        for end, other in ((left, right), (right, left)):
+            path = next(
+                (path for path in self.paths if path[-1] == end and path[-2] != other), None
+            )
             if path:
                 path.append(other)
                 goes_on = True
@@ -208,14 +237,20 @@ class Train:
 
     def __str__(self):
         if self.together:
-            groups = [f"{a} {'and' if b == a + 1 else 'to'} {b}" for a, b in first_and_last(self.together)]
+            groups = [
+                f"{a} {'and' if b == a + 1 else 'to'} {b}" for a, b in first_and_last(self.together)
+            ]
             return ", ".join(groups) + " stay together"
         paths = [[str(number) for number in path] for path in self.paths]
-        return "  ".join("-".join(p if len(p) <= LONGEST_PATH else [*p[:3], "...", p[-1]]) for p in paths)
+        return "  ".join(
+            "-".join(p if len(p) <= LONGEST_PATH else [*p[:3], "...", p[-1]]) for p in paths
+        )
 
 
 class ImpactTrains:
-    """The last trains, without hits of bobs that hardly move; bobs that stay together have a line of words."""
+    """The last trains, without hits of bobs that hardly move; bobs that stay together have a line
+    of words.
+    """
 
     def __init__(self, count, gap):
         """Keep the last `count` trains; gap (s) is the longest time between two hits of one train."""
@@ -225,10 +260,13 @@ class ImpactTrains:
 
     def clear(self) -> None:
         self.trains.clear()
-        self.latest: Train | None = None  # also while all its hits are slow, and it is not in trains
+        # Also while all its hits are slow, and it is not in trains
+        self.latest: Train | None = None
 
     def add(self, time, left, right, rightwards, is_fast=True) -> None:
-        """Add the hit, at time (s), of these pendula (indices); rightwards: whether they moved to the right before."""
+        """Add the hit, at time (s), of these pendula (indices); rightwards: whether they moved to
+        the right before.
+        """
         if not self.latest or time - self.latest.end > self.gap:
             self.latest = Train(time)
         self.latest.add(time, left + 1, right + 1, rightwards, is_fast)
@@ -240,17 +278,25 @@ class ImpactTrains:
             self.latest = self.trains[-1]
 
     def lines(self, longest=LINE) -> list[str]:
-        """Return a line for each train, the latest first, with at most `longest` characters: t = 0.71 s  1-2-3-4-5."""
-        return [in_line(f"t = {train.begin:.2f} s  {train}", longest) for train in reversed(self.trains)]
+        """Return a line for each train, the latest first, with at most `longest` characters: t =
+        0.71 s  1-2-3-4-5.
+        """
+        return [
+            in_line(f"t = {train.begin:.2f} s  {train}", longest) for train in reversed(self.trains)
+        ]
 
 
 def in_line(text, longest) -> str:
-    """Return a text with at most `longest` characters: of a longer one the beginning, and three dots."""
+    """Return a text with at most `longest` characters: of a longer one the beginning, and three
+    dots.
+    """
     return text if len(text) <= longest else text[: longest - 3] + "..."
 
 
 def first_and_last(pairs) -> list[list[int]]:
-    """Return the first and the last number of each group of bobs, from the pairs that stay together."""
+    """Return the first and the last number of each group of bobs, from the pairs that stay
+    together.
+    """
     groups: list[list[int]] = []
     for left, right in sorted(pairs):
         if groups and left <= groups[-1][1]:

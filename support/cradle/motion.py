@@ -1,11 +1,14 @@
-"""The motion of a cradle: the time since its release, its impacts, its energy, and all these as data."""
+"""The motion of a cradle: the time since its release, its impacts, its energy, and all these as
+data.
+"""
 
 from math import inf
 
 from support.cradle.cradle import Cradle
 from support.cradle.impacts import ImpactTrains
 
-LEAST = 0.1  # of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang
+# Of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang
+LEAST = 0.1
 
 
 class Motion:
@@ -18,8 +21,12 @@ class Motion:
 
     def restart(self) -> None:
         """Begin again at time 0, with the energy of this moment as 100 %."""
-        self.ticks, self.fastest = 0, 0.0  # the speed (m/s) of the fastest hit that the page has not sounded yet
-        self.hits, self.last_fast = 0, -inf  # the number of hits, and the time (s) of the last fast one
+        # The speed (m/s) of the fastest hit that the page has not sounded yet
+        self.ticks = 0
+        self.fastest = 0.0
+        # The number of hits, and the time (s) of the last fast one
+        self.hits = 0
+        self.last_fast = -inf
         self.trains.clear()
         self.set_start()
 
@@ -33,7 +40,9 @@ class Motion:
         return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004
 
     def note_hit(self, ticks, left, right, rightwards, speed) -> None:
-        """Add a hit to the trains. ticks is its time, in ticks since the start; Hit explains the other arguments."""
+        """Add a hit to the trains. ticks is its time, in ticks since the start; Hit explains the
+        other arguments.
+        """
         time = ticks * self.cradle.dt
         self.hits += 1
         if speed >= self.least:
@@ -44,10 +53,15 @@ class Motion:
     def reading(self) -> str:
         """Return the time and the energy as text of constant width."""
         total, kinetic, potential = map(in_words, self.percents().values())
-        return f"t = {self.time():.2f} s".ljust(16) + f"energy {total} (kinetic {kinetic}, potential {potential})"
+        return (
+            f"t = {self.time():.2f} s".ljust(16)
+            + f"energy {total} (kinetic {kinetic}, potential {potential})"
+        )
 
     def percents(self) -> dict[str, float]:
-        """Return the energy, and its kinetic and potential parts, in percent of the energy at the start."""
+        """Return the energy, and its kinetic and potential parts, in percent of the energy at the
+        start.
+        """
         kinetic, potential = self.cradle.energies()
         energies = {"energy": kinetic + potential, "kinetic": kinetic, "potential": potential}
         unit = self.start_energy / 100
@@ -56,11 +70,17 @@ class Motion:
     def sample(self) -> dict[str, float]:
         """Return the data of this moment by the names of the columns of a data file.
 
-        They are t (s), the coordinates (rad, rad/s), the three energies (J), and the momentum to the right (kg m/s).
+        They are t (s), the coordinates (rad, rad/s), the three energies (J), and the momentum to
+        the right (kg m/s).
         """
         kinetic, potential = self.cradle.energies()
         energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
-        return {"t": self.time(), **self.cradle.coordinates(), **energies, "momentum": self.cradle.momentum()}
+        return {
+            "t": self.time(),
+            **self.cradle.coordinates(),
+            **energies,
+            "momentum": self.cradle.momentum(),
+        }
 
 
 def in_words(percent) -> str:

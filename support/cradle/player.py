@@ -1,10 +1,12 @@
 """The player shows the cradle of a program, and tells the program's loop when to do a tick.
 
-The loop is main in src/visualize_cradle_run.py; run calls it once for each cradle. A player is the cradle's page in the
-browser (support/page/viewer.py), or its picture, its lines or its data file (support/terminal/players.py).
+The loop is main in src/visualize_cradle_run.py; run calls it once for each cradle. A player is the
+cradle's page in the browser (support/page/viewer.py), or its picture, its lines or its data file
+(support/terminal/players.py).
 
-The loop asks is_running() before each tick. When no tick is due, the player does a frame: it shows the cradle, and
-plans the next ticks (plan), or wants another cradle (want_cradle): the loop then ends, and begins again.
+The loop asks is_running() before each tick. When no tick is due, the player does a frame: it shows
+the cradle, and plans the next ticks (plan), or wants another cradle (want_cradle): the loop then
+ends, and begins again.
 """
 
 from collections.abc import Callable
@@ -18,16 +20,20 @@ from support.files.cradle_csv import clean_copy
 from support.start.early import import_now
 from support.start.mistake import MistakeError
 
-ENDLESS = 1.0  # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends
-MOST_REFUSED = 1000  # questions after is_running was False: a loop in a loop asks again, but not so often
-FEW = 10  # ticks in a part for slow hits, or while a bob is held: it then falls by less than 0.01 degrees
+# S in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends
+ENDLESS = 1.0
+# Questions after is_running was False: a loop in a loop asks again, but not so often
+MOST_REFUSED = 1000
+# Ticks in a part for slow hits, or while a bob is held: it then falls by less than 0.01 degrees
+FEW = 10
 
 
 class Player:
     """Answers the loop's questions, and keeps the motion of the cradle.
 
-    The ticks of a frame are done in parts, so that note is called every `step` ticks. The fast path does a part in one
-    call, if its result is certain to be the same as that of single ticks in the loop.
+    The ticks of a frame are done in parts, so that note is called every `step` ticks. The fast path
+    does a part in one call, if its result is certain to be the same as that of single ticks in the
+    loop.
     """
 
     loop: Callable  # the loop, which asks; run sets it
@@ -35,15 +41,20 @@ class Player:
     def __init__(self, cradle: Cradle, csv, angles, lifted, impacts, step_seconds):
         """Play the cradle of this CSV (a Snapshot); keep the last `impacts` trains of impacts.
 
-        angles (rad) are the release angles, lifted is the number of bobs to lift; None keeps main's own value.
-        step_seconds (s) is the time from one call of note to the next, to the nearest whole number of ticks.
+        angles (rad) are the release angles, lifted is the number of bobs to lift; None keeps main's
+        own value. step_seconds (s) is the time from one call of note to the next, to the nearest
+        whole number of ticks.
         """
         self.cradle, self.snapshot = cradle, csv
         self.angles, self.lifted = list(angles), lifted
         self.motion, self.pace = Motion(cradle, impacts), RealTime(cradle.dt)
-        self.separating = not cradle.takes_rule  # whether separating bobs collide, too; without the rule they do
-        self.step = max(1, round(step_seconds / cradle.dt))  # ticks from one call of note to the next
-        self.path, self.copy = "", ExitStack()  # of a copy of the snapshot for the loop, and its end
+        # Whether separating bobs collide, too; without the rule they do
+        self.separating = not cradle.takes_rule
+        # Ticks from one call of note to the next
+        self.step = max(1, round(step_seconds / cradle.dt))
+        # Of a copy of the snapshot for the loop, and its end
+        self.path = ""
+        self.copy = ExitStack()
         self.is_over = False  # whether the simulation has ended
         self.is_wanted = False  # whether another cradle is wanted, so that the loop must end
         self.is_shown = False  # whether the loop has shown its cradle
@@ -51,10 +62,14 @@ class Player:
         self.deadline = inf  # the time on the pace's clock at which no more of them begin
         self.with_calls = False  # whether the loop must do them
         self.looks_at_hits = False  # whether the loop must do all ticks, a few in a part
-        self.is_in_part, self.due = False, 0.0  # whether a part is being done, and its ticks for the loop
+        # Whether a part is being done, and its ticks for the loop
+        self.is_in_part = False
+        self.due = 0.0
 
     def frame(self) -> None:
-        """Do the work of one frame: show the cradle, and call plan or want_cradle; a subclass must define this."""
+        """Do the work of one frame: show the cradle, and call plan or want_cradle; a subclass must
+        define this.
+        """
         raise NotImplementedError
 
     def show_new_cradle(self) -> None:
@@ -74,13 +89,19 @@ class Player:
     def csv(self) -> str:
         """The path of the cradle's file, for main; it is there until main has shown the cradle."""
         if self.is_shown:
-            raise MistakeError(self.loop, "used page.csv after page.show. Make the cradle once, before the loop.")
+            raise MistakeError(
+                self.loop, "used page.csv after page.show. Make the cradle once, before the loop."
+            )
         return self.path
 
     def show(self, pend_list) -> None:
-        """Take and release a new cradle; raises a MistakeError if pend_list is no list of complete pendula."""
+        """Take and release a new cradle; raises a MistakeError if pend_list is no list of complete
+        pendula.
+        """
         if self.is_shown:
-            raise MistakeError(self.loop, "called page.show again. Show the cradle once, before the loop.")
+            raise MistakeError(
+                self.loop, "called page.show again. Show the cradle once, before the loop."
+            )
         with self.copy:
             self.cradle.accept(pend_list, self.path)
         self.is_shown = True
@@ -89,9 +110,11 @@ class Player:
         self.show_new_cradle()
 
     def is_running(self) -> bool:
-        """Return whether the loop must do a tick now; False ends the loop, as the simulation is over or begins again.
+        """Return whether the loop must do a tick now; False ends the loop, as the simulation is
+        over or begins again.
 
-        When no tick is due, do frames until one is. After the deadline, the rest of a part waits for the next frame.
+        When no tick is due, do frames until one is. After the deadline, the rest of a part waits
+        for the next frame.
         """
         if not self.is_shown:
             raise MistakeError(self.loop, "asked page.is_running() before page.show(pend_list).")
@@ -104,7 +127,9 @@ class Player:
             elif self.is_over or self.is_wanted:
                 self.refused += 1
                 if self.refused > MOST_REFUSED:
-                    words = "went on after page.is_running() was False. It must leave its loop then."
+                    words = (
+                        "went on after page.is_running() was False. It must leave its loop then."
+                    )
                     raise MistakeError(self.loop, words)
                 return False
             elif self.planned and self.pace.clock() < self.deadline:
@@ -139,14 +164,18 @@ class Player:
         self.is_wanted, self.planned = True, 0
 
     def plan(self, ticks, deadline=inf, with_calls=False) -> None:
-        """Let `ticks` ticks be done in this frame, but begin none after the deadline, a time on the pace's clock.
+        """Let `ticks` ticks be done in this frame, but begin none after the deadline, a time on the
+        pace's clock.
 
-        With with_calls, the loop does them, and cradle.hits notes the calls of the collision function.
+        With with_calls, the loop does them, and cradle.hits notes the calls of the collision
+        function.
         """
         self.planned, self.deadline, self.with_calls = ticks, deadline, with_calls
 
     def keep_time(self, most=inf) -> None:
-        """Plan the ticks that are due by the clock, but at most `most`; a slow machine does a part of them."""
+        """Plan the ticks that are due by the clock, but at most `most`; a slow machine does a part
+        of them.
+        """
         self.plan(self.pace.due(most), self.pace.frame_start + BUSY)
 
     def collide(self, collision) -> None:
@@ -155,7 +184,9 @@ class Player:
             self.cradle.collide(collision, csv)
 
     def longest_part(self) -> int:
-        """Return after how many ticks, at most, to look at the cradle; a subclass may look more often."""
+        """Return after how many ticks, at most, to look at the cradle; a subclass may look more
+        often.
+        """
         return FEW if self.looks_at_hits or self.cradle.hand.held is not None else self.step
 
     def begin_part(self) -> None:
@@ -169,9 +200,13 @@ class Player:
             self.due = part
 
     def do_at_once(self, ticks) -> bool:
-        """Do `ticks` ticks in one call of the fast path, if it is certain of the result; return whether it was."""
+        """Do `ticks` ticks in one call of the fast path, if it is certain of the result; return
+        whether it was.
+        """
         cradle = self.cradle
-        contacts = cradle.many_ticks and cradle.many_ticks(cradle.scope, cradle.pend_list, ticks, self.rule)
+        contacts = cradle.many_ticks and cradle.many_ticks(
+            cradle.scope, cradle.pend_list, ticks, self.rule
+        )
         if contacts is None:
             return False
         if cradle.hand.held is None:
@@ -191,7 +226,9 @@ class Player:
 
 
 def run(loop, player) -> None:
-    """Run a loop (for instance main) once for each cradle; raises a MistakeError if it ends while one must go on."""
+    """Run a loop (for instance main) once for each cradle; raises a MistakeError if it ends while
+    one must go on.
+    """
     import_now("pandas")  # not in a student's function, which has no part in the time that it takes
     player.loop = loop
     player.want_cradle()
@@ -202,7 +239,10 @@ def run(loop, player) -> None:
             if not player.is_shown:
                 raise MistakeError(loop, "showed no cradle: page.show(pend_list) is missing.")
             if not (player.is_wanted or player.is_over):
-                raise MistakeError(loop, "ended, but the simulation still runs. Tick while page.is_running() is True.")
+                raise MistakeError(
+                    loop,
+                    "ended, but the simulation still runs. Tick while page.is_running() is True.",
+                )
     except KeyboardInterrupt as stopped:
         stopped.is_late = player.pace.clock() - player.pace.frame_start > ENDLESS  # type: ignore[attr-defined]
         raise

@@ -4,21 +4,25 @@ import sys
 import time
 from math import inf
 
-if sys.platform == "win32" and sys.version_info < (3, 11):  # or a sleep ends with a tick of Windows, each 15.6 ms
+# Or a sleep ends with a tick of Windows, each 15.6 ms
+if sys.platform == "win32" and sys.version_info < (3, 11):
     import ctypes
 
     ctypes.windll.winmm.timeBeginPeriod(1)  # ms
 
 FRAME = 1 / 60  # s: the page asks for new positions about sixty times a second
-BUSY = 0.75 * FRAME  # s of a frame, after which no tick begins: the threads that serve the page need the rest
-MAX_BEHIND = 0.25  # s of a delay that it makes up for; it drops the rest (of a slow machine, a laptop that slept)
+# S of a frame, after which no tick begins: the threads that serve the page need the rest
+BUSY = 0.75 * FRAME
+# S of a delay that it makes up for; it drops the rest (of a slow machine, a laptop that slept)
+MAX_BEHIND = 0.25
 KEPT_UP_OVER = 1.0  # s over which kept_up is measured
 
 
 class RealTime:
     """Makes a simulated second, 1/dt ticks, last 1/speed seconds on the wall.
 
-    A machine that is too slow shows slow motion. VPython's rate() is wrong by a tenth and more, and keeps a core busy.
+    A machine that is too slow shows slow motion. VPython's rate() is wrong by a tenth and more, and
+    keeps a core busy.
     """
 
     def __init__(self, dt, clock=time.perf_counter, sleep=time.sleep):
@@ -60,5 +64,7 @@ class RealTime:
         self.sleep(max(FRAME - BUSY, self.frame_start + FRAME - self.clock()))
 
     def remark(self) -> str:
-        """Return the speed that the machine reaches, as in 0.6x real time, or nothing if it keeps up."""
+        """Return the speed that the machine reaches, as in 0.6x real time, or nothing if it keeps
+        up.
+        """
         return f"{self.kept_up * self.speed:.2g}x real time" if self.kept_up < 0.95 else ""

@@ -1,4 +1,6 @@
-"""Write a file whole or not at all, and the motion of a cradle to a CSV, with a row for each sample."""
+"""Write a file whole or not at all, and the motion of a cradle to a CSV, with a row for each
+sample.
+"""
 
 import errno
 import os
@@ -24,7 +26,8 @@ def whole_file(filepath):
     try:
         if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):
             raise OSError(errno.EACCES, "it is not a file, or is write-protected")
-        # Not tempfile: a new file of that module is for you alone, and stays so under its final name.
+        # Not tempfile: a new file of that module is for you alone, and stays so under its final
+        # name.
         with open(unfinished, "x", encoding="utf-8", newline="") as file:
             yield file
             file.flush()
@@ -40,7 +43,8 @@ def whole_file(filepath):
 
 
 def check_record(filepath) -> None:
-    """Raise a ValueError with a one-line message if this file exists, and has no data of a cradle to replace.
+    """Raise a ValueError with a one-line message if this file exists, and has no data of a cradle
+    to replace.
 
     The name - stands for the output.
     """
@@ -49,7 +53,8 @@ def check_record(filepath) -> None:
     try:
         if not S_ISREG(Path(filepath).stat().st_mode):
             return  # whole_file will raise the error
-        with open(filepath, "r+b") as file:  # opened to write, too: another program may have it open
+        # Opened to write, too: another program may have it open
+        with open(filepath, "r+b") as file:
             columns = file.readline(LARGEST).strip()
     except FileNotFoundError:
         return  # a new file; if its folder is missing, whole_file will raise the error
@@ -57,4 +62,6 @@ def check_record(filepath) -> None:
         raise ValueError(f"--record: {filepath}: {reason(error)}") from error
     if columns and not (columns.startswith(b"t,theta_1,") and columns.endswith(b",momentum")):
         allowed = "a new file, or one with data of a cradle, to replace it"
-        raise ValueError(f"--record: found '{filepath}', which has no data of a cradle; allowed is {allowed}")
+        raise ValueError(
+            f"--record: found '{filepath}', which has no data of a cradle; allowed is {allowed}"
+        )

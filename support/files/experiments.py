@@ -7,7 +7,15 @@ from math import inf, radians
 from pathlib import Path
 from typing import NamedTuple
 
-from support.files.cradle_csv import are_in_range, IN_RANGE, in_short, MOST_PENDULA, RULES, Snapshot, to_number
+from support.files.cradle_csv import (
+    are_in_range,
+    IN_RANGE,
+    in_short,
+    MOST_PENDULA,
+    RULES,
+    Snapshot,
+    to_number,
+)
 
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
@@ -20,7 +28,8 @@ YOUR_CSV = "My cradle (CSV)"  # the name in the menu that no experiment can have
 
 class Answer(NamedTuple):
     text: str
-    swings: list[float]  # that it predicts: the angles (degrees) of the bobs, farthest from straight down
+    # That it predicts: the angles (degrees) of the bobs, farthest from straight down
+    swings: list[float]
 
 
 class Experiment(NamedTuple):
@@ -35,9 +44,11 @@ class Experiment(NamedTuple):
 
 
 def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
-    """Return this folder's experiments (for pendula with 1 or 2 cords), as in the menu, and a line for each bad one.
+    """Return this folder's experiments (for pendula with 1 or 2 cords), as in the menu, and a line
+    for each bad one.
 
-    A name that begins with a dot is no experiment: a Mac puts such a file beside each one on a foreign disk.
+    A name that begins with a dot is no experiment: a Mac puts such a file beside each one on a
+    foreign disk.
     """
     experiments: list[Experiment] = []
     mistakes = []
@@ -45,7 +56,9 @@ def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
         try:
             experiment = read_experiment(file, cords)
             if experiment.name in [other.name for other in experiments]:
-                raise ValueError(f"{file}, name: {experiment.name!r} is the name of another experiment")
+                raise ValueError(
+                    f"{file}, name: {experiment.name!r} is the name of another experiment"
+                )
             experiments.append(experiment)
         except ValueError as error:
             mistakes.append(str(error))
@@ -53,13 +66,17 @@ def read_experiments(folder, cords) -> tuple[list[Experiment], list[str]]:
 
 
 def place_in_menu(file) -> tuple[float, str]:
-    """Return what the menu is sorted by: the number at the start of a file's name, or infinity, and the name."""
+    """Return what the menu is sorted by: the number at the start of a file's name, or infinity, and
+    the name.
+    """
     number = re.match("[0-9]+", file.name)
     return int(number[0]) if number else inf, file.name
 
 
 def read_experiment(file, cords) -> Experiment:
-    """Return the experiment of this text file (a Path); raises a ValueError with a one-line message for a mistake."""
+    """Return the experiment of this text file (a Path); raises a ValueError with a one-line message
+    for a mistake.
+    """
     lines = ExperimentText(file)
     if cords == 1 and "phi" in lines.texts:
         raise ValueError(f"{file}, phi: is allowed only for the double cradle")
@@ -69,7 +86,10 @@ def read_experiment(file, cords) -> Experiment:
     masses, es = (lines.numbers(name, count, *RULES[name]) for name in ("mass", "e"))
     if cords == 2 and not are_in_range(masses):
         raise ValueError(f"{file}, mass: found {lines.text('mass')!r}, allowed is {IN_RANGE}")
-    rows = [f"{mass},{e},0.0,0.0,{color},metal\n" for mass, e, color in zip(masses, es, cycle(COLORS), strict=False)]
+    rows = [
+        f"{mass},{e},0.0,0.0,{color},metal\n"
+        for mass, e, color in zip(masses, es, cycle(COLORS), strict=False)
+    ]
     names = [name for name in lines.texts if name not in NAMES]
     answers = [Answer(name[1:].strip(), lines.numbers(name, count, *ANGLE)) for name in names]
     explained = [number for number, name in enumerate(names) if name.startswith("*")]
@@ -77,10 +97,15 @@ def read_experiment(file, cords) -> Experiment:
         raise ValueError(f"{file}, answers: found an answer twice")
     if not (2 <= len(answers) <= 5 and len(explained) == 1):
         found = f"found {len(answers)} answers, {len(explained)} of them with an asterisk"
-        raise ValueError(f"{file}, answers: {found}, allowed are 2 to 5, one of them with an asterisk")
+        raise ValueError(
+            f"{file}, answers: {found}, allowed are 2 to 5, one of them with an asterisk"
+        )
     return Experiment(
         key=file.stem,
-        csv=Snapshot(file.with_suffix(".csv"), "".join(["mass,e,theta,omega,color,texture\n", *rows]).encode()),
+        csv=Snapshot(
+            file.with_suffix(".csv"),
+            "".join(["mass,e,theta,omega,color,texture\n", *rows]).encode(),
+        ),
         name=lines.text("name", lambda text: text != YOUR_CSV, f"a text, but not {YOUR_CSV!r}"),
         question=lines.text("question"),
         answers=answers,
@@ -91,7 +116,9 @@ def read_experiment(file, cords) -> Experiment:
 
 
 class ExperimentText:
-    """The lines of an experiment's text file; the methods raise a ValueError with a one-line message."""
+    """The lines of an experiment's text file; the methods raise a ValueError with a one-line
+    message.
+    """
 
     def __init__(self, file):
         self.file, name = file, ""
@@ -102,15 +129,24 @@ class ExperimentText:
             if name and line[0].isspace():  # it goes on with the line above
                 self.texts[name].append(line)
             else:
-                split = line.rpartition if line[0] in "-*" else line.partition  # an answer can have a =, too
+                # An answer can have a =, too
+                split = line.rpartition if line[0] in "-*" else line.partition
                 name, equals, text = (part.strip() for part in split("="))
-                if not equals or name in self.texts or not (name in NAMES or re.match("[-*].", name)):
+                if (
+                    not equals
+                    or name in self.texts
+                    or not (name in NAMES or re.match("[-*].", name))
+                ):
                     allowed = f"allowed before = is, once each, {', '.join(NAMES)}, or an answer after - or *"
-                    raise ValueError(f"{file}, line {number}: found {in_short(repr(line.strip()))}, {allowed}")
+                    raise ValueError(
+                        f"{file}, line {number}: found {in_short(repr(line.strip()))}, {allowed}"
+                    )
                 self.texts[name] = [text]
 
     def text(self, name, is_allowed=bool, allowed="a text") -> str:
-        """Return the text of a line, for which is_allowed(text) must be true; allowed names the allowed texts."""
+        """Return the text of a line, for which is_allowed(text) must be true; allowed names the
+        allowed texts.
+        """
         text = " ".join(" ".join(self.texts.get(name, [])).split())
         if not (text and is_allowed(text)):
             found = in_short(repr(text)) if text else "nothing"
@@ -120,7 +156,9 @@ class ExperimentText:
     def numbers(self, name, count, is_allowed, allowed) -> list[float]:
         """Return the numbers of a line, an allowed one for each of count pendula."""
         words = f"{allowed}, for each of {count} pendula"
-        text = self.text(name, lambda text: [*map(is_allowed, text.split())] == [True] * count, words)
+        text = self.text(
+            name, lambda text: [*map(is_allowed, text.split())] == [True] * count, words
+        )
         return [*map(to_number, text.split())]
 
     def measured(self, name, count) -> str:

@@ -4,7 +4,15 @@ import csv
 import io
 from typing import NamedTuple
 
-from support.files.cradle_csv import are_in_range, check_cradle, IN_RANGE, read_cells, RULES, Snapshot, to_number
+from support.files.cradle_csv import (
+    are_in_range,
+    check_cradle,
+    IN_RANGE,
+    read_cells,
+    RULES,
+    Snapshot,
+    to_number,
+)
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
 
 
@@ -19,7 +27,10 @@ class Settings(NamedTuple):
 
 
 class Chooser:
-    """Keeps the settings of the present cradle (now), and of your CSV during an experiment (own). It writes no file."""
+    """Keeps the settings of the present cradle (now), and of your CSV during an experiment (own).
+
+    It writes no file.
+    """
 
     def __init__(self, settings, cradle):
         """Begin with your CSV, in these settings of the cradle."""
@@ -30,15 +41,19 @@ class Chooser:
         self.experiments = {experiment.name: experiment for experiment in experiments}
         self.experiment: Experiment | None = None  # None stands for your CSV
         self.is_changed = False  # whether the cradle is no longer that of the experiment
-        self.poses: list | None = None  # the angles of each pendulum at the release, if an experiment sets them
-        self.refused: dict[str, tuple[str, str]] = {}  # "row,column" of the table -> (the text, what is allowed)
+        # The angles of each pendulum at the release, if an experiment sets them
+        self.poses: list | None = None
+        # "row,column" of the table -> (the text, what is allowed)
+        self.refused: dict[str, tuple[str, str]] = {}
 
     def names(self) -> list[str]:
         """Return the names that you can choose."""
         return [YOUR_CSV, *self.experiments]
 
     def menu(self) -> list[str]:
-        """Return the names in the menu: a changed experiment has one more, so that you can choose its own one again."""
+        """Return the names in the menu: a changed experiment has one more, so that you can choose
+        its own one again.
+        """
         return [*self.names(), self.name()] if self.is_changed else self.names()
 
     def name(self) -> str:
@@ -73,13 +88,15 @@ class Chooser:
         self.set(csv=snapshot)
 
     def edit(self, row, column, text, numbers) -> bool:
-        """Take this number (a text) for a row of the table, or refuse it; return whether it is taken.
+        """Take this number (a text) for a row of the table, or refuse it; return whether it is
+        taken.
 
         numbers are the masses (kg) and e that the pendula have now, by column: they stay.
         """
         is_allowed, words = RULES[column]
         self.refused.pop(f"{row},{column}", None)
-        if row >= len(numbers[column]):  # no longer there: you may type faster than the page shows a new table
+        # No longer there: you may type faster than the page shows a new table
+        if row >= len(numbers[column]):
             return False
         fits = is_allowed(text.strip())
         if fits:
@@ -94,11 +111,14 @@ class Chooser:
 
 
 def with_numbers(original, columns) -> Snapshot:
-    """Return the Snapshot with other numbers in these columns, a list by its name; an equal number keeps its text."""
+    """Return the Snapshot with other numbers in these columns, a list by its name; an equal number
+    keeps its text.
+    """
     header, *rows = [[*cells] for _, cells in read_cells(original)]  # the Snapshot keeps its own
     for column, numbers in columns.items():
         place = header.index(column)
-        for cells, number in zip(rows, numbers, strict=False):  # main may have made its pendula from something else
+        # Main may have made its pendula from something else
+        for cells, number in zip(rows, numbers, strict=False):
             if to_number(cells[place]) != number:
                 cells[place] = repr(float(number))
     text = io.StringIO()

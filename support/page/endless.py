@@ -1,4 +1,6 @@
-"""Finds a function without end: the loop then asks its player nothing any more, and nothing else says why."""
+"""Finds a function without end: the loop then asks its player nothing any more, and nothing else
+says why.
+"""
 
 import sys
 import threading
@@ -18,11 +20,14 @@ class Watch:
         self.player, self.thread = player, threading.get_ident()
         self.progress: tuple = ()  # what changes with each tick and each frame
         self.looks = 0  # since this has changed last
-        self.frames: list = []  # of the handout's functions that have not returned since then, the innermost one first
+        # Of the handout's functions that have not returned since then, the innermost one first
+        self.frames: list = []
         self.words = ""
 
     def look(self) -> str:
-        """Return which function has not returned for TOO_LONG seconds, or nothing. Call it each LOOK seconds.
+        """Return which function has not returned for TOO_LONG seconds, or nothing.
+
+        Call it each LOOK seconds.
 
         It counts looks, not time: a process that was stopped, or a laptop that slept, has not run.
         """
@@ -45,7 +50,8 @@ class Watch:
 
 
 def running(thread) -> list:
-    """Return the frames of the handout's functions that the player's loop in this thread is in, the innermost first.
+    """Return the frames of the handout's functions that the player's loop in this thread is in, the
+    innermost first.
 
     There are none while the loop waits for the player.
     """

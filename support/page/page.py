@@ -1,4 +1,6 @@
-"""Run the page in the browser, from the start of its server until you close the last tab or press Ctrl+C."""
+"""Run the page in the browser, from the start of its server until you close the last tab or press
+Ctrl+C.
+"""
 
 import sys
 from ipaddress import ip_address
@@ -9,21 +11,30 @@ from support.cradle.player import run
 from support.files.cradle_csv import check_cradle, LiveFile
 from support.start.early import end_on_signals
 from support.start.mistake import tell_endless, tell_mistake
-from support.start.options import check_lift, command_line, read_double_page_options, read_page_options
+from support.start.options import (
+    check_lift,
+    command_line,
+    read_double_page_options,
+    read_page_options,
+)
 from support.start.output import refuse, say, while_it_is_read
 from support.start.preview import end_if_unwritten, what_there_is
 
-PROGRAMS = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"  # by the cords of a pendulum
+# By the cords of a pendulum
+PROGRAMS = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"
 GOODBYE = 10.0  # s that the page has to fetch the last message
-UPPER_ONLY = "Only upper bobs collide, and as if nothing hung from them. So each hit changes the energy."
+UPPER_ONLY = (
+    "Only upper bobs collide, and as if nothing hung from them. So each hit changes the energy."
+)
 
 
 @while_it_is_read()
 def show_cradle(main, special_cradles, many_ticks=None) -> None:
     """Show the cradle of main in the browser until the tab is closed.
 
-    special_cradles is the handout's module, many_ticks is the fast path, or None. While functions are missing, show the
-    cradle without them. Exits with status 2 if an option or the CSV is wrong, or if there is nothing to show yet.
+    special_cradles is the handout's module, many_ticks is the fast path, or None. While functions
+    are missing, show the cradle without them. Exits with status 2 if an option or the CSV is wrong,
+    or if there is nothing to show yet.
     """
     options = read_page_options()
     cradle = Cradle(main, special_cradles, options, many_ticks)
@@ -33,9 +44,13 @@ def show_cradle(main, special_cradles, many_ticks=None) -> None:
 
 @while_it_is_read()
 def show_double_cradle(main, special_cradles) -> None:
-    """Show the double cradle of main in the same way; exit with status 2 while a function is missing."""
+    """Show the double cradle of main in the same way; exit with status 2 while a function is
+    missing.
+    """
     options = read_double_page_options()
-    end_if_unwritten("pds_helper", "special_cradles", "double_cradle", "visualize_double_cradle_run")
+    end_if_unwritten(
+        "pds_helper", "special_cradles", "double_cradle", "visualize_double_cradle_run"
+    )
     cradle = DoubleCradle(main, special_cradles, options)
     remark = UPPER_ONLY if cradle.collide_name == "handle_two_bobs" else ""
     show_page(main, cradle, options, [options.angle, options.phi], remark)
@@ -44,12 +59,14 @@ def show_double_cradle(main, special_cradles) -> None:
 def show_page(main, cradle, options, angles, remark="") -> None:
     """Run main with the page of a cradle, until the last tab is closed for good.
 
-    angles are the release angles (rad); None keeps the angle with which main makes the cradle. remark is a line on the
-    page. Exits with status 2 if the CSV, --lift, --host or the port is wrong, with 1 if a function makes a mistake.
+    angles are the release angles (rad); None keeps the angle with which main makes the cradle.
+    remark is a line on the page. Exits with status 2 if the CSV, --lift, --host or the port is
+    wrong, with 1 if a function makes a mistake.
     """
     file = LiveFile(options.csv)
     try:
-        check_cradle(file.current, len(angles))  # here, because later mistakes in the file appear only on the page
+        # here, because later mistakes in the file appear only on the page
+        check_cradle(file.current, len(angles))
         check_lift(options.lift, file.current)
         server = open_page(options)
     except ValueError as error:
@@ -73,7 +90,9 @@ def show_page(main, cradle, options, angles, remark="") -> None:
 
 
 def open_page(options):
-    """Return the Server of the page, and start a browser, unless --no-browser is given; raises listen's ValueErrors."""
+    """Return the Server of the page, and start a browser, unless --no-browser is given; raises
+    listen's ValueErrors.
+    """
     # Not earlier: it needs packages that come with VPython.
     from support.page.server import listen, Server
     from support.page.tabs import Tabs
@@ -81,7 +100,9 @@ def open_page(options):
     server = Server(listen(options.host, options.port), Tabs())
     say(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:
-        say("Every machine that reaches this one can open it, at this one's name, with the same port and key.")
+        say(
+            "Every machine that reaches this one can open it, at this one's name, with the same port and key."
+        )
     say("Open it yourself if no browser shows it. To end, press Ctrl+C or close the tab.")
     end_on_signals(first=server.close)
     if options.browser:

@@ -1,4 +1,6 @@
-"""The question of an experiment: asked before the release, if you want it, and what happened after it."""
+"""The question of an experiment: asked before the release, if you want it, and what happened after
+it.
+"""
 
 from math import pi, radians, sin, sqrt
 
@@ -6,15 +8,22 @@ from support.constants import G
 from support.cradle.prediction import Measurement
 
 LETTERS = "ABCDE"  # of the answers
-NUMBERS = {"before": "largest speed before the hits (m/s)", "speed": "largest speed after them (m/s)"}
+NUMBERS = {
+    "before": "largest speed before the hits (m/s)",
+    "speed": "largest speed after them (m/s)",
+}
 
 
 class Questions:
-    """The question of the present run, and its measurement. Nothing is stored, and nobody gets a score."""
+    """The question of the present run, and its measurement.
+
+    Nothing is stored, and nobody gets a score.
+    """
 
     def __init__(self):
         self.ask_first = False
-        self.again: tuple | None = None  # said, votes and slowly, for a run that repeats the last one
+        # said, votes and slowly, for a run that repeats the last one
+        self.again: tuple | None = None
         self.drop()
 
     def drop(self) -> None:
@@ -23,23 +32,34 @@ class Questions:
         self.said: int | None = None  # the index of the answer
         self.votes: list[int] = []  # for each answer
         self.slowly = False  # whether this run is in slow motion, until its measurement is over
-        self.measurement: Measurement | None = None  # of the experiment whose question is asked, or was answered
+        # Of the experiment whose question is asked, or was answered
+        self.measurement: Measurement | None = None
 
     def begin(self, experiment, motion) -> None:
-        """Begin a run of this Motion, of this experiment or of none: ask its question, if Predict first is ticked."""
+        """Begin a run of this Motion, of this experiment or of none: ask its question, if Predict
+        first is ticked.
+        """
         again, self.again = self.again, None
         self.drop()
         if experiment and self.ask_first:
             self.is_asking, self.measurement = again is None, Measurement(experiment, motion)
-            self.said, self.votes, self.slowly = again or (None, [0] * len(experiment.answers), False)
+            self.said, self.votes, self.slowly = again or (
+                None,
+                [0] * len(experiment.answers),
+                False,
+            )
 
     def is_asked(self, key, number) -> bool:
-        """Return whether this question (the key of its experiment) is asked now, and has this answer (an index)."""
+        """Return whether this question (the key of its experiment) is asked now, and has this
+        answer (an index).
+        """
         asked = self.measurement.experiment if self.measurement and self.is_asking else None
         return asked is not None and asked.key == key and number in range(len(asked.answers))
 
     def answer(self, key, number) -> bool:
-        """Take an answer (its index, or None) to the question with this key; return False if it is over."""
+        """Take an answer (its index, or None) to the question with this key; return False if it is
+        over.
+        """
         if not self.is_asked(key, number or 0):
             return False
         self.is_asking, self.said = False, number
@@ -62,7 +82,8 @@ class Questions:
         return self.measurement.is_over
 
     def predicted(self, time) -> list[float]:
-        """Return the angles (rad) that the answer predicts for this time (s), until the measurement is over.
+        """Return the angles (rad) that the answer predicts for this time (s), until the measurement
+        is over.
 
         From the first hit on, they grow along a sine, as in a small swing.
         """
@@ -72,7 +93,10 @@ class Questions:
         if measured.is_over and time > measured.end:
             return []
         phase = sqrt(G / measured.cradle.reach) * (time - measured.hit_time)  # rad
-        return [radians(swing) * sin(min(phase, pi / 2)) for swing in measured.experiment.answers[self.said].swings]
+        return [
+            radians(swing) * sin(min(phase, pi / 2))
+            for swing in measured.experiment.answers[self.said].swings
+        ]
 
     def state(self) -> dict | None:
         """Return the question, what was said, and what happened, in words; None without a question."""
@@ -80,7 +104,9 @@ class Questions:
             return None
         experiment = self.measurement.experiment
         said = "" if self.said is None else f"You said: {in_words(experiment, self.said)}. "
-        hands = ", ".join(f"{letter} {count}" for letter, count in zip(LETTERS, self.votes, strict=False))
+        hands = ", ".join(
+            f"{letter} {count}" for letter, count in zip(LETTERS, self.votes, strict=False)
+        )
         return {
             "key": experiment.key,
             "name": experiment.name,
@@ -89,7 +115,9 @@ class Questions:
             "votes": list(self.votes),
             "asking": self.is_asking,
             "said": "" if self.is_asking else (said + f"Hands: {hands}." * any(self.votes)).strip(),
-            "happened": what_happened(self.measurement, self.said) if self.measurement.is_over else None,
+            "happened": what_happened(self.measurement, self.said)
+            if self.measurement.is_over
+            else None,
         }
 
 
@@ -99,11 +127,17 @@ def in_words(experiment, answer) -> str:
 
 
 def what_happened(measured, said) -> dict:
-    """Return what happened, why, and a table of the measured figures; said is the index of the answer, or None."""
-    outcome, numbers, bobs = measured.outcome(), measured.numbers(), range(1, len(measured.swings) + 1)
+    """Return what happened, why, and a table of the measured figures; said is the index of the
+    answer, or None.
+    """
+    outcome = measured.outcome()
+    numbers = measured.numbers()
+    bobs = range(1, len(measured.swings) + 1)
     words = "none of these answers" if outcome is None else in_words(measured.experiment, outcome)
     rows = [["bob" if len(measured.experiment.angles[0]) == 1 else "upper bob", *map(str, bobs)]]
-    rows += [[title, *(numbers[f"{kind}_{bob}"] for bob in bobs)] for kind, title in NUMBERS.items()]
+    rows += [
+        [title, *(numbers[f"{kind}_{bob}"] for bob in bobs)] for kind, title in NUMBERS.items()
+    ]
     rows.append(["swung to (degrees)", *(f"{round(swing)}" for swing in measured.swings)])
     is_right = said is not None and said == outcome
     title = "That is what happened." if is_right else f"What happened: {words}."

@@ -1,11 +1,16 @@
 """The server of the page: one port for HTTP and for the websocket, a key, and the page's own files.
 
-- The page asks for everything relative to its own address, and the server looks only at the last part of a path. So it
-  works below any path, behind any name and any port: an SSH tunnel, a hosted editor's proxy, a container.
-- The key decides who gets the page and the websocket; a program has a new one at each start. The websocket also needs
-  an Origin, which a browser always sends. Files that everybody can download (VPython's and the page's) need no key.
-- It listens at 127.0.0.1 alone, unless --host says otherwise, and prints nothing that a client sends.
-- A page says goodbye when it is left. When the last tab is closed, and none begins to load within RETURN seconds, the
+- The page asks for everything relative to its own address, and the server looks only at the last
+part of a path. So it
+  works below any path, behind any name and any port: an SSH tunnel, a hosted editor's proxy, a
+  container.
+- The key decides who gets the page and the websocket; a program has a new one at each start. The
+websocket also needs
+  an Origin, which a browser always sends. Files that everybody can download (VPython's and the
+  page's) need no key.
+- It listens at 127.0.0.1 alone, unless --host says otherwise, and prints nothing that a client
+sends. - A page says goodbye when it is left. When the last tab is closed, and none begins to load
+within RETURN seconds, the
   program ends. A page that is lost without a goodbye has a longer time, LOST.
 - Times are counted in looks, one each LOOK seconds: while a laptop sleeps, nobody loses time.
 """
@@ -34,18 +39,32 @@ from autobahn.websocket.types import ConnectionDeny
 from support.page.tabs import LOOK, Tabs
 from support.start.output import say
 
-RETURN, LOADING = 3.0, 30.0  # s that a closed tab has to come back, and a page from its request to its websocket
+# S that a closed tab has to come back, and a page from its request to its websocket
+RETURN = 3.0
+LOADING = 30.0
 FLICKER = 3.0  # s after which the terminal says that a page is lost
-LOST = 60.0  # s that a page has to come back which has said no goodbye: its line is cut, or its machine sleeps
-SILENT, SLOWEST = 10.0, 2**13  # s after which a tab that does not answer is lost; bytes/s of what is under way to it
+# S that a page has to come back which has said no goodbye: its line is cut, or its machine sleeps
+LOST = 60.0
+# S after which a tab that does not answer is lost; bytes/s of what is under way to it
+SILENT = 10.0
+SLOWEST = 2**13
 FAREWELL = 0.3  # s that the tabs have to hear of the end
-LEAVE = 1.0  # s that main has to end without a tab; then Ctrl+C ends it: it may be in a loop that never ends
-LARGEST_MESSAGE = 2**26  # bytes, either way; closes the websocket of a tab that sends more: it would stay in memory
+# S that main has to end without a tab; then Ctrl+C ends it: it may be in a loop that never ends
+LEAVE = 1.0
+# bytes, either way; closes the websocket of a tab that sends more: it would stay in memory
+LARGEST_MESSAGE = 2**26
 LARGEST_HEAD = 2**14  # bytes of a request
 MOST_WAITING = 64  # connections that are no websocket: when one more comes, the oldest one goes
 NO_KEY = "Open the whole address that the program has printed in the terminal: it ends with a key, new at each start.\n"
-TYPES = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".jpg": "image/jpeg", "": "text/plain"}
-VPYTHON_SCRIPT = "window.__GSlang ="  # where glowcomm.html has its fonts and its own websocket behind it
+TYPES = {
+    ".html": "text/html",
+    ".js": "text/javascript",
+    ".css": "text/css",
+    ".jpg": "image/jpeg",
+    "": "text/plain",
+}
+# Where glowcomm.html has its fonts and its own websocket behind it
+VPYTHON_SCRIPT = "window.__GSlang ="
 TEXT_BROWSERS = {"www-browser", "links", "links2", "elinks", "lynx", "w3m"}  # they have no canvas
 # Ports that browsers refuse (https://fetch.spec.whatwg.org/#port-blocking).
 REFUSED = """
@@ -58,51 +77,74 @@ REFUSED = """
 def listen(host, port) -> socket.socket:
     """Return a socket that listens at this address and port; port 0 finds a free one.
 
-    Raises a ValueError with a one-line message if it is not available, or if browsers refuse the port.
+    Raises a ValueError with a one-line message if it is not available, or if browsers refuse the
+    port.
     """
     try:
         if str(port) in REFUSED.split():
             raise OSError(0, "browsers refuse it")
         family, kind, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
         listener = socket.socket(family, kind)
-        # With SO_REUSEADDR, the port of a program that has just ended is free. On Windows, SO_REUSEADDR would share a
-        # port in use; SO_EXCLUSIVEADDRUSE prevents this.
-        listener.setsockopt(socket.SOL_SOCKET, getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR), 1)
+        # With SO_REUSEADDR, the port of a program that has just ended is free. On Windows,
+        # SO_REUSEADDR would share a port in use; SO_EXCLUSIVEADDRUSE prevents this.
+        listener.setsockopt(
+            socket.SOL_SOCKET, getattr(socket, "SO_EXCLUSIVEADDRUSE", socket.SO_REUSEADDR), 1
+        )
         listener.bind(address)
         listener.listen()
     except (socket.gaierror, UnicodeError) as error:
-        raise ValueError(f"--host: found {host!r}, allowed is an address of this machine") from error
+        raise ValueError(
+            f"--host: found {host!r}, allowed is an address of this machine"
+        ) from error
     except OSError as error:
         choice = "choose another --port, or 0 for any free one"
-        raise ValueError(f"port {port} of {host} is not available: {error.strerror}; {choice}") from error
-    return listener if str(listener.getsockname()[1]) not in REFUSED.split() else listen(host, port)  # of port 0
+        raise ValueError(
+            f"port {port} of {host} is not available: {error.strerror}; {choice}"
+        ) from error
+    # Of port 0
+    return listener if str(listener.getsockname()[1]) not in REFUSED.split() else listen(host, port)
 
 
 def own_files() -> dict[str, bytes | Path]:
     """Return the files that need no key, by name: the content or the path."""
     [vpython] = find_spec("vpython").submodule_search_locations  # type: ignore[union-attr, misc]
     libraries, web = Path(vpython, "vpython_libraries"), Path(__file__).with_name("web")
-    paths = [path for folder in (libraries, Path(vpython, "vpython_data"), web) for path in folder.iterdir()]
-    files: dict[str, bytes | Path] = {path.name: path for path in paths if path.suffix in (".js", ".css", ".jpg")}
-    _, begin, script = (libraries / "glowcomm.html").read_text(encoding="utf-8").partition(VPYTHON_SCRIPT)
+    paths = [
+        path
+        for folder in (libraries, Path(vpython, "vpython_data"), web)
+        for path in folder.iterdir()
+    ]
+    files: dict[str, bytes | Path] = {
+        path.name: path for path in paths if path.suffix in (".js", ".css", ".jpg")
+    }
+    _, begin, script = (
+        (libraries / "glowcomm.html").read_text(encoding="utf-8").partition(VPYTHON_SCRIPT)
+    )
     files["vpython.js"] = (begin + script).partition("</script>")[0].encode()
     return files
 
 
 def browser_is_outside() -> bool:
-    """Return whether the browser belongs to another system around this one: Windows around WSL, or ChromeOS."""
+    """Return whether the browser belongs to another system around this one: Windows around WSL, or
+    ChromeOS.
+    """
     return "microsoft" in platform.release().lower() or Path("/dev/.cros_milestone").exists()
 
 
 class Server:
-    """Serves the page in a thread of its own, from the moment when it is made until close or the program's end."""
+    """Serves the page in a thread of its own, from the moment when it is made until close or the
+    program's end.
+    """
 
     def __init__(self, listener, tabs: Tabs):
         """Serve at this socket, made by listen."""
         self.listener, self.tabs = listener, tabs
-        self.key = secrets.token_hex(12)  # short, and without signs that end an address in some terminals
-        self.waiting: dict[Protocol, None] = {}  # the connections that are no websocket, the oldest one first
-        self.expected = {"": inf}  # s for which a page is expected yet, by the name of a lost page; "" is any page
+        # short, and without signs that end an address in some terminals
+        self.key = secrets.token_hex(12)
+        # The connections that are no websocket, the oldest one first
+        self.waiting: dict[Protocol, None] = {}
+        # S for which a page is expected yet, by the name of a lost page; "" is any page
+        self.expected = {"": inf}
         self.is_missed = False  # whether the terminal says that a page does not answer
         self.files, self.page = own_files(), Path(__file__).with_name("web") / "page.html"
         self.way: Path | None = None  # the file that leads a browser to the page
@@ -119,7 +161,9 @@ class Server:
         asyncio.set_event_loop(self.loop)
         factory = WebSocketServerFactory(loop=self.loop)
         factory.protocol = type("Protocol", (Protocol,), {"site": self})
-        factory.setProtocolOptions(maxFramePayloadSize=LARGEST_MESSAGE, maxMessagePayloadSize=LARGEST_MESSAGE)
+        factory.setProtocolOptions(
+            maxFramePayloadSize=LARGEST_MESSAGE, maxMessagePayloadSize=LARGEST_MESSAGE
+        )
         factory.setProtocolOptions(webStatus=False)
         self.loop.run_until_complete(self.loop.create_server(factory, sock=self.listener))
         self.tabs.in_server = self.loop.call_soon_threadsafe
@@ -136,10 +180,11 @@ class Server:
     def open_browser(self) -> None:
         """Open the page in the usual browser, if it is one with pictures.
 
-        All users of a machine can read the command of a browser. So the browser gets a file that only you can read, and
-        that leads on to the address with the key; Jupyter does the same. The file is in the working folder, if it can
-        be: a browser from a snap cannot read the folder for temporary files. Where the browser cannot see any file of
-        this system, it gets the address itself; such a system has one user.
+        All users of a machine can read the command of a browser. So the browser gets a file that
+        only you can read, and that leads on to the address with the key; Jupyter does the same. The
+        file is in the working folder, if it can be: a browser from a snap cannot read the folder
+        for temporary files. Where the browser cannot see any file of this system, it gets the
+        address itself; such a system has one user.
         """
         with suppress(webbrowser.Error, OSError):
             browser = webbrowser.get()
@@ -166,7 +211,9 @@ class Server:
                 self.way.unlink(missing_ok=True)
 
     def close(self, patience=FAREWELL) -> None:
-        """Tell all tabs that the program has ended, wait so long (s) until they have heard it, and stop."""
+        """Tell all tabs that the program has ended, wait so long (s) until they have heard it, and
+        stop.
+        """
         if self.tabs.last.get("ended") is None:
             self.tabs.in_server(self.tabs.deliver, {"ended": ""}, {})
         self.loop.call_soon_threadsafe(lambda: [tab.sendClose() for tab in [*self.tabs.tabs]])
@@ -178,7 +225,9 @@ class Server:
         self.listener.close()
 
     def has_key(self, parameters) -> bool:
-        """Return whether a request with these parameters, lists by name, has the key; as quickly for each wrong key."""
+        """Return whether a request with these parameters, lists by name, has the key; as quickly
+        for each wrong key.
+        """
         return secrets.compare_digest(parameters.get("key", [""])[0].encode(), self.key.encode())
 
     def expect(self, seconds, page="") -> None:
@@ -214,7 +263,10 @@ class Server:
 
 
 class Protocol(WebSocketServerProtocol):
-    """A connection: a request for a file or for the page, or a tab's websocket. Autobahn calls these methods."""
+    """A connection: a request for a file or for the page, or a tab's websocket.
+
+    Autobahn calls these methods.
+    """
 
     site: Server
     page = ""  # the name of the page, which it keeps when its line is cut
@@ -243,9 +295,19 @@ class Protocol(WebSocketServerProtocol):
 
     def answer(self, method, path, query) -> None:
         status, kind, content = self.content(path.rpartition("/")[2], parse_qs(query))
-        head = [f"HTTP/1.1 {status}", f"Content-Type: {TYPES[kind]}; charset=utf-8", f"Content-Length: {len(content)}"]
+        head = [
+            f"HTTP/1.1 {status}",
+            f"Content-Type: {TYPES[kind]}; charset=utf-8",
+            f"Content-Length: {len(content)}",
+        ]
         # No site that the page leads to hears of the key.
-        head += ["Connection: close", "Cache-Control: no-cache", "Referrer-Policy: no-referrer", "", ""]
+        head += [
+            "Connection: close",
+            "Cache-Control: no-cache",
+            "Referrer-Policy: no-referrer",
+            "",
+            "",
+        ]
         self.sendData("\r\n".join(head).encode())
         if method != "HEAD":
             self.sendData(content)
@@ -253,12 +315,17 @@ class Protocol(WebSocketServerProtocol):
     def content(self, name, parameters) -> tuple[str, str, bytes]:
         """Return the status, the kind and the content for a path whose last part is name.
 
-        Without a point in it, it is no file: a proxy's address may lack its last slash. The page then adds it.
+        Without a point in it, it is no file: a proxy's address may lack its last slash. The page
+        then adds it.
         """
         site = self.site
         if name in site.files:
             content = site.files[name]
-            return "200 OK", Path(name).suffix, content if isinstance(content, bytes) else content.read_bytes()
+            return (
+                "200 OK",
+                Path(name).suffix,
+                content if isinstance(content, bytes) else content.read_bytes(),
+            )
         if "." in name:
             return "404 Not Found", "", b""
         if not site.has_key(parameters):
@@ -293,7 +360,9 @@ class Protocol(WebSocketServerProtocol):
         site.forget_way()
 
     def look(self) -> None:
-        """Give a sign of life to the tab, and ask for one; the tab is lost when it has given none for too long."""
+        """Give a sign of life to the tab, and ask for one; the tab is lost when it has given none
+        for too long.
+        """
         self.silent += LOOK
         if self.silent > SILENT + sum(self.site.tabs.tabs[self].under_way) / SLOWEST:
             self.dropConnection(abort=True)
@@ -319,7 +388,8 @@ class Protocol(WebSocketServerProtocol):
         if self not in site.tabs.tabs:
             return
         site.tabs.close(self)
-        if self.has_said_goodbye or code == self.CLOSE_STATUS_CODE_GOING_AWAY:  # Firefox's word, if you go on from it
+        # Firefox's word, if you go on from it
+        if self.has_said_goodbye or code == self.CLOSE_STATUS_CODE_GOING_AWAY:
             site.expect(RETURN)
         else:
             site.expect(LOST, self.page)

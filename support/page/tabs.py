@@ -1,9 +1,10 @@
 """The tabs that show the cradle: what each one still has to get, and the commands that it gives.
 
-VPython keeps a list of its changes, and forgets them when they are sent. Here, each change has the number of the
-delivery in which it came last, and each message the number of the last delivery in it. What a tab lacks is all with a
-later number than that of its last message. So a new tab, a slow one, and one whose line was cut are one case: it gets
-the last value of each attribute, less often maybe, and loses nothing.
+VPython keeps a list of its changes, and forgets them when they are sent. Here, each change has the
+number of the delivery in which it came last, and each message the number of the last delivery in
+it. What a tab lacks is all with a later number than that of its last message. So a new tab, a slow
+one, and one whose line was cut are one case: it gets the last value of each attribute, less often
+maybe, and loses nothing.
 
     to a tab    {"number": number, "cmds": [...], "attrs": [...], "state": {...}}
     from a tab  "seen" for each picture that it has drawn after a message, or [command, value, ...]
@@ -27,7 +28,9 @@ from typing import Any
 from vpython import baseObj, vector
 
 LOOK = 0.5  # s from one look of the server at the tabs to the next
-MOST, LARGEST = 24, 2**18  # messages under way to a tab, and bytes: a far tab needs several, a slow line not too many
+# Messages under way to a tab, and bytes: a far tab needs several, a slow line not too many
+MOST = 24
+LARGEST = 2**18
 
 
 class Changes:
@@ -36,11 +39,15 @@ class Changes:
     def __init__(self):
         """Begin with nothing."""
         self.number = 0  # of the last delivery
-        self.drawing: dict[Any, tuple[int, Any]] = {}  # numbers and changes: cmds are dictionaries, attrs are texts
+        # Numbers and changes: cmds are dictionaries, attrs are texts
+        self.drawing: dict[Any, tuple[int, Any]] = {}
         self.state: dict[str, tuple[int, Any]] = {}
 
     def add(self, state, cmds=(), attrs=()) -> None:
-        """Add a delivery. A change comes last: an attribute can change another one, as axis and size do."""
+        """Add a delivery.
+
+        A change comes last: an attribute can change another one, as axis and size do.
+        """
         self.number += 1
         for cmd in cmds:
             names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
@@ -67,7 +74,8 @@ class Changes:
         cmds = [change for change in drawing.values() if isinstance(change, dict)]
         attrs = [change for change in drawing.values() if isinstance(change, str)]
         parts = {"number": self.number, "cmds": cmds, "attrs": attrs, "state": state}
-        return json.dumps(parts, separators=(",", ":"), default=float).encode()  # a student's number can be numpy's
+        # A student's number can be numpy's
+        return json.dumps(parts, separators=(",", ":"), default=float).encode()
 
 
 def later(changes, has) -> dict:
@@ -110,7 +118,9 @@ class Tab:
             self.measure()
 
     def seen(self, count) -> None:
-        """Count pictures that the tab has drawn: as many messages, the oldest ones, are no longer under way."""
+        """Count pictures that the tab has drawn: as many messages, the oldest ones, are no longer
+        under way.
+        """
         for _ in range(min(count, len(self.under_way))):
             self.under_way.popleft()
         self.measure()
@@ -121,7 +131,10 @@ class Tab:
 
 
 class Tabs:
-    """All tabs. The viewer calls have_room and show, the server the other methods, in its own thread."""
+    """All tabs.
+
+    The viewer calls have_room and show, the server the other methods, in its own thread.
+    """
 
     def __init__(self):
         """Begin without a tab; the server sets in_server, which calls a function in its thread."""
@@ -130,38 +143,53 @@ class Tabs:
         self.last: dict = {}  # the state that the tabs have, or will have
         self.in_server = lambda function, *arguments: function(*arguments)
         self.give = lambda command, *values: None  # the viewer sets it; takes a command of a tab
-        self.endless = lambda: ""  # the viewer sets it; returns words on a function that does not return
+        # The viewer sets it; returns words on a function that does not return
+        self.endless = lambda: ""
         self.holder: Any = None  # the tab with the mouse down
         self.is_seen = Event()  # whether a tab has drawn the first picture
         self.are_gone = False  # whether the last tab was closed for good
 
     def have_room(self) -> bool:
-        """Return whether a tab can take a message now: else, changes had better wait where they are, and merge."""
+        """Return whether a tab can take a message now: else, changes had better wait where they
+        are, and merge.
+        """
         return any(tab.has_room for tab in [*self.tabs.values()])
 
     def show(self, state) -> None:
-        """Send what VPython's objects have changed, and what differs in the state, a part of it or all."""
-        new = {name: value for name, value in state.items() if name not in self.last or self.last[name] != value}
+        """Send what VPython's objects have changed, and what differs in the state, a part of it or
+        all.
+        """
+        new = {
+            name: value
+            for name, value in state.items()
+            if name not in self.last or self.last[name] != value
+        }
         self.last.update(new)
         drawing = vpython_changes()
         if new or drawing:
             self.in_server(self.deliver, new, drawing)
 
     def deliver(self, state, drawing) -> None:
-        """Give changes to all tabs, also to those that come later; at once, that the program has ended, and why."""
+        """Give changes to all tabs, also to those that come later; at once, that the program has
+        ended, and why.
+        """
         self.all.add(state, **drawing)
         for tab in [*self.tabs.values()]:
             tab.take(self.all, at_once=state.get("ended") is not None)
 
     def look(self) -> None:
-        """Tell the tabs of a function that does not return, and when it has; the server calls it each LOOK seconds."""
+        """Tell the tabs of a function that does not return, and when it has; the server calls it
+        each LOOK seconds.
+        """
         words = self.endless()
         if words != self.last.get("endless", ""):
             self.last["endless"] = words
             self.deliver({"endless": words}, {})
 
     def open(self, socket, send, has=0) -> None:
-        """Let a tab have all that is later than the delivery with the number `has`; send(message) sends bytes to it."""
+        """Let a tab have all that is later than the delivery with the number `has`; send(message)
+        sends bytes to it.
+        """
         self.tabs[socket] = Tab(send, has if has <= self.all.number else 0)
         self.tabs[socket].take(self.all)
 
@@ -171,7 +199,10 @@ class Tabs:
         del self.tabs[socket]
 
     def receive(self, socket, data) -> None:
-        """Take a message of a tab; forget one that is no command. While one tab has the mouse down, others cannot."""
+        """Take a message of a tab; forget one that is no command.
+
+        While one tab has the mouse down, others cannot.
+        """
         if data.startswith(b"seen"):
             self.is_seen.set()
             self.tabs[socket].seen(data.count(b"seen"))

@@ -1,4 +1,6 @@
-"""The viewer: plays a cradle in step with the clock, carries out the commands of the page, and says what it shows."""
+"""The viewer: plays a cradle in step with the clock, carries out the commands of the page, and says
+what it shows.
+"""
 
 from collections.abc import Callable
 from functools import partial
@@ -22,8 +24,11 @@ from support.page.scene.slow_hits import SlowHits
 from support.pendulum import from_lift, to_lift
 
 REFRESH = 0.1  # s between two changes of the state
-QUIET = 0.01  # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
-SPEEDS, SLOWLY = (0.1, 2.0), 0.1  # times real time: the ends of the slider, and of an experiment repeated slowly
+# m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
+QUIET = 0.01
+# Times real time: the ends of the slider, and of an experiment repeated slowly
+SPEEDS = (0.1, 2.0)
+SLOWLY = 0.1
 TRAINS = 5  # of impacts, a line for each
 HIT_LINES = 5  # of text, above the cradle
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
@@ -34,16 +39,22 @@ class Viewer(Player):
     """The page with a cradle, its panel and its graph: the argument page of main."""
 
     def __init__(self, cradle: Cradle, file, angles, lifted, tabs, remark="", **texts):
-        """Play the cradle of this file (a LiveFile) as a Player does; tabs (a Tabs) show it, and texts in the state."""
+        """Play the cradle of this file (a LiveFile) as a Player does; tabs (a Tabs) show it, and
+        texts in the state.
+        """
         super().__init__(cradle, file.current, angles, lifted, TRAINS, EVERY)
         self.file, self.tabs, self.remark, self.texts = file, tabs, remark, texts
-        self.commands: SimpleQueue = SimpleQueue()  # of tabs, for the next frame; any thread can put one into it
+        # Of tabs, for the next frame; any thread can put one into it
+        self.commands: SimpleQueue = SimpleQueue()
         self.running = True
         self.speed = 1.0  # that you have set, times real time
-        self.next_refresh = self.rest_end = -inf  # on the pace's clock; until rest_end, the picture rests
-        self.before: dict[str, float] | None = None  # the coordinates before One tick, while it is carried out
+        # On the pace's clock; until rest_end, the picture rests
+        self.next_refresh = self.rest_end = -inf
+        # The coordinates before One tick, while it is carried out
+        self.before: dict[str, float] | None = None
         self.tick_lines: list[str] = []  # what One tick has done
-        self.sounds = 0, 0.0  # the number of pictures with a hit to hear, and the speed (m/s) of the last one's fastest
+        # The number of pictures with a hit to hear, and the speed (m/s) of the last one's fastest
+        self.sounds = 0, 0.0
         self.error = ""  # the mistake in your CSV
 
         settings = Settings(file.current, list(angles), lifted, cradle.collision, cradle.mass)
@@ -55,7 +66,9 @@ class Viewer(Player):
         tabs.endless = Watch(self).look
 
     def frame(self) -> None:
-        """Do the work of one frame: show the last ticks, rest, carry out commands, and plan the next ticks."""
+        """Do the work of one frame: show the last ticks, rest, carry out commands, and plan the
+        next ticks.
+        """
         self.show_frame()
         self.pace.rest()
         while not (self.commands.empty() or self.is_wanted or self.planned):
@@ -70,14 +83,18 @@ class Viewer(Player):
             self.keep_time()
 
     def hold_if_due(self) -> bool:
-        """Go on with slow hits and slow runs; return whether the time holds, also after an experiment is measured."""
+        """Go on with slow hits and slow runs; return whether the time holds, also after an
+        experiment is measured.
+        """
         now = self.pace.clock()
         if self.questions.slowly and -inf < self.rest_end <= now:
             self.questions.slowly, self.pace.speed = False, self.speed
         return now < self.rest_end or self.slow_hits.go_on(now if self.running else -inf)
 
     def show_frame(self) -> None:
-        """Show the result of the last ticks: ten times a second all of it, else what must be in step with the bobs."""
+        """Show the result of the last ticks: ten times a second all of it, else what must be in
+        step with the bobs.
+        """
         if self.cradle.hand.held is not None:
             self.motion.set_start()
             if not self.running:
@@ -99,12 +116,17 @@ class Viewer(Player):
         self.tabs.show(state)
 
     def show_new_cradle(self) -> None:
-        """Show a new cradle. The first one starts when a tab has drawn it, so that you see the release."""
+        """Show a new cradle.
+
+        The first one starts when a tab has drawn it, so that you see the release.
+        """
         self.rest_end = -inf
         self.pose()
         self.slow_hits.clear()
         self.pace.speed = SLOWLY if self.questions.slowly else self.speed
-        self.scenery.surround(self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, self.cradle.values("mass"))
+        self.scenery.surround(
+            self.cradle.axles(), self.cradle.bobs(), self.cradle.reach, self.cradle.values("mass")
+        )
         self.marks.surround(self.cradle, self.scenery.bottom)
         self.graph.begin(self.cradle.colors())
         self.note()
@@ -120,10 +142,14 @@ class Viewer(Player):
         self.graph.add(self.motion.sample())
 
     def longest_part(self) -> int:
-        """Return after how many ticks, at most, to look at the cradle: a measurement looks a thousand times a swing."""
+        """Return after how many ticks, at most, to look at the cradle: a measurement looks a
+        thousand times a swing.
+        """
         longest = super().longest_part()
         if self.questions.is_measuring():
-            longest = min(longest, max(1, round(self.cradle.period / LOOKS_A_SWING / self.cradle.dt)))
+            longest = min(
+                longest, max(1, round(self.cradle.period / LOOKS_A_SWING / self.cradle.dt))
+            )
         return longest
 
     def end_part(self) -> None:
@@ -141,10 +167,15 @@ class Viewer(Player):
             self.before = None
 
     def state(self) -> dict:
-        """Return what the page shows beside VPython's canvas, by name, all texts plain; page.html has the controls."""
+        """Return what the page shows beside VPython's canvas, by name, all texts plain; page.html
+        has the controls.
+        """
         cradle, chooser, count = self.cradle, self.chooser, len(self.cradle.pend_list)
         made_angles, made_lifted = cradle.as_made
-        angles = [made if angle is None else angle for angle, made in zip(self.angles, made_angles, strict=True)]
+        angles = [
+            made if angle is None else angle
+            for angle, made in zip(self.angles, made_angles, strict=True)
+        ]
         lifted = made_lifted if self.lifted is None else min(self.lifted, count)
         return {
             "title": cradle.title,
@@ -200,15 +231,25 @@ class Viewer(Player):
         """Return what one tick has done with the coordinates, in a line for each pendulum."""
         lines = [f"One tick, {self.cradle.dt:g} s: before -> after"]
         for i in range(len(self.cradle.pend_list)):
-            names = [(key, f"{key}_{i + 1}") for key in (*self.cradle.angle_keys, *self.cradle.rate_keys)]
-            parts = [f"{key} {before[name]:.6g} -> {after[name]:.6g}".ljust(29) for key, name in names]
+            names = [
+                (key, f"{key}_{i + 1}") for key in (*self.cradle.angle_keys, *self.cradle.rate_keys)
+            ]
+            parts = [
+                f"{key} {before[name]:.6g} -> {after[name]:.6g}".ljust(29) for key, name in names
+            ]
             lines.append(f"[{i}] {' '.join(parts)}".rstrip())
         return lines
 
     def carry_out(self, command, values) -> None:
-        """Do what a command says; do nothing if no action has its name, or if it does not take these values."""
+        """Do what a command says; do nothing if no action has its name, or if it does not take
+        these values.
+        """
         do, *kinds = self.actions.get(command if isinstance(command, str) else "", (None,))
-        if do and len(values) == len(kinds) and all(map(lambda kind, value: self.kinds[kind](value), kinds, values)):
+        if (
+            do
+            and len(values) == len(kinds)
+            and all(map(lambda kind, value: self.kinds[kind](value), kinds, values))
+        ):
             do(*values)
             self.next_refresh = -inf
 
@@ -219,7 +260,9 @@ class Viewer(Player):
             "text": lambda value: type(value) is str and len(value) < 1000,
             "count": lambda value: type(value) is int and value >= 0,
             "number": lambda value: type(value) in (int, float) and abs(value) < 1e9,
-            "point": lambda value: type(value) is list and len(value) == 3 and all(map(kinds["number"], value)),
+            "point": lambda value: (
+                type(value) is list and len(value) == 3 and all(map(kinds["number"], value))
+            ),
             "direction": lambda value: kinds["point"](value) and max(map(abs, value)) > 1e-3,
             "degrees": lambda value: kinds["number"](value) and abs(value) <= 180,
             "speed": lambda value: kinds["number"](value) and SPEEDS[0] <= value <= SPEEDS[1],
@@ -277,7 +320,9 @@ class Viewer(Player):
             self.plan(round(FRAME * self.pace.speed / self.cradle.dt))
 
     def do_one_tick(self) -> None:
-        """Do one tick, while paused, and show its effect on each pendulum, and the collisions in it."""
+        """Do one tick, while paused, and show its effect on each pendulum, and the collisions in
+        it.
+        """
         if not self.running:
             self.questions.is_asking = False
             self.before = self.cradle.coordinates()
@@ -340,13 +385,19 @@ class Viewer(Player):
         self.separating = separating or not self.cradle.takes_rule
 
     def edit(self, row, column, text) -> None:
-        """Let main make the cradle with this number in a row and a column of the table, or show why it is refused."""
-        if self.chooser.edit(row, column, text, {name: self.cradle.values(name) for name in ("mass", "e")}):
+        """Let main make the cradle with this number in a row and a column of the table, or show why
+        it is refused.
+        """
+        if self.chooser.edit(
+            row, column, text, {name: self.cradle.values(name) for name in ("mass", "e")}
+        ):
             self.leave_experiment()
             self.restart()
 
     def reload(self) -> None:
-        """Let main make the cradle of the saved CSV, or show the mistake in it; the old cradle then swings on."""
+        """Let main make the cradle of the saved CSV, or show the mistake in it; the old cradle then
+        swings on.
+        """
         self.error, self.next_refresh = "", -inf
         try:
             self.chooser.take(self.file.current)
@@ -357,9 +408,13 @@ class Viewer(Player):
             self.restart()
 
     def choose(self, name) -> None:
-        """Let main make the cradle with this name in the menu: an experiment, or your CSV with its settings."""
+        """Let main make the cradle with this name in the menu: an experiment, or your CSV with its
+        settings.
+        """
         self.chooser.choose(name)
-        self.running = self.running or self.questions.is_asking or self.chooser.experiment is not None
+        self.running = (
+            self.running or self.questions.is_asking or self.chooser.experiment is not None
+        )
         self.restart()
 
     def ask_first(self, asks) -> None:
@@ -381,9 +436,12 @@ class Viewer(Player):
             self.restart()
 
     def pose(self) -> None:
-        """Lift the bobs as the present experiment says, and ask its question, if Predict first is ticked."""
+        """Lift the bobs as the present experiment says, and ask its question, if Predict first is
+        ticked.
+        """
         chooser, poses = self.chooser, self.chooser.poses
-        is_posed = poses is not None and len(poses) == len(self.cradle.pend_list)  # main may read another file
+        # Main may read another file
+        is_posed = poses is not None and len(poses) == len(self.cradle.pend_list)
         if is_posed:
             self.cradle.pose(poses)
             self.motion.set_start()
@@ -400,7 +458,10 @@ class Viewer(Player):
         self.leave_experiment()
 
     def leave_experiment(self) -> None:
-        """Measure nothing any more: the cradle is no longer that of the experiment. If it was waiting, it runs."""
+        """Measure nothing any more: the cradle is no longer that of the experiment.
+
+        If it was waiting, it runs.
+        """
         self.running, self.rest_end = self.running or self.questions.is_asking, -inf
         self.slow_hits.clear()
         self.set_speed(self.speed)  # also if an experiment was repeated slowly

@@ -15,7 +15,8 @@ def quote(word) -> str:
 
 
 def checks_command() -> str:
-    """Return the command for the checks: pytest if that is the one of this Python, else a longer one that works.
+    """Return the command for the checks: pytest if that is the one of this Python, else a longer
+    one that works.
 
     It names Python as it was started, or the pytest of README.md's folder .venv.
     """

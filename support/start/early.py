@@ -1,4 +1,5 @@
-"""What a program does first: signals that end it, imports that wait, and VPython without its own page.
+"""What a program does first: signals that end it, imports that wait, and VPython without its own
+page.
 
 A program begins here, so all that is imported here is fast.
 """
@@ -12,11 +13,13 @@ from types import ModuleType
 
 
 def on_signals(act) -> None:
-    """Let Ctrl+C, Ctrl+\\, a closed terminal and kill call act(status) once, with an exit status for the program.
+    """Let Ctrl+C, Ctrl+\\, a closed terminal and kill call act(status) once, with an exit status
+    for the program.
 
-    The status is 0 for Ctrl+C (and Ctrl+Break on Windows), else that of a shell, 128 + the signal's number. Later
-    signals do not interrupt act. A signal that is already ignored, as by nohup, stays ignored. As the first process of
-    a container, a program gets only the signals for which this is set.
+    The status is 0 for Ctrl+C (and Ctrl+Break on Windows), else that of a shell, 128 + the signal's
+    number. Later signals do not interrupt act. A signal that is already ignored, as by nohup, stays
+    ignored. As the first process of a container, a program gets only the signals for which this is
+    set.
 
     In a session (IPython, python -i), nothing changes: with Ctrl+C, the prompt comes back.
     """
@@ -24,7 +27,11 @@ def on_signals(act) -> None:
         return
     names = ("SIGINT", "SIGBREAK", "SIGQUIT", "SIGHUP", "SIGTERM")
     numbers = {getattr(signal, name): name for name in names if hasattr(signal, name)}
-    numbers = {number: name for number, name in numbers.items() if signal.getsignal(number) != signal.SIG_IGN}
+    numbers = {
+        number: name
+        for number, name in numbers.items()
+        if signal.getsignal(number) != signal.SIG_IGN
+    }
     left = [act]
 
     def handle(number, _):
@@ -38,7 +45,9 @@ def on_signals(act) -> None:
 
 
 def end_on_signals(first=lambda: None) -> None:
-    """Let these signals call first, and end the process at once; its status is 1 if a recording has not begun yet."""
+    """Let these signals call first, and end the process at once; its status is 1 if a recording has
+    not begun yet.
+    """
     is_recording = any(word.startswith("--record") for word in sys.argv[1:])
 
     def end(status):
@@ -49,7 +58,9 @@ def end_on_signals(first=lambda: None) -> None:
 
 
 def stop_on_signals() -> None:
-    """Let these signals raise one KeyboardInterrupt with the exit status; in a session, Ctrl+C raises one without."""
+    """Let these signals raise one KeyboardInterrupt with the exit status; in a session, Ctrl+C
+    raises one without.
+    """
 
     def stop(status):
         raise KeyboardInterrupt(status)
@@ -81,7 +92,9 @@ def import_later(name) -> None:
 
 
 def put_main_into(package) -> None:
-    """Let the started file be a module of this package, so that `from .swinging import ...` works in it, too."""
+    """Let the started file be a module of this package, so that `from .swinging import ...` works
+    in it, too.
+    """
     sys.modules["__main__"].__package__ = package
 
 
@@ -93,18 +106,29 @@ def import_now(name) -> None:
 
 
 def draw_without_its_page() -> None:
-    """Let VPython make objects for our page. Its own page, and a server for it, would come with the first object.
+    """Let VPython make objects for our page.
 
-    What needs an answer of its page, or a place on it, raises a RuntimeError: VPython would wait for ever.
+    Its own page, and a server for it, would come with the first object.
+
+    What needs an answer of its page, or a place on it, raises a RuntimeError: VPython would wait
+    for ever.
     """
     vpython = import_module("vpython.vpython")
     vpython.baseObj._view_constructed = True  # its own page is there: it believes so
-    vpython.baseObj.empty = lambda: True  # nothing is on its way to that page: clone() would wait for it
+    # Nothing is on its way to that page: clone() would wait for it
+    vpython.baseObj.empty = lambda: True
 
     def refuse(*_, **__):
         there = "the page shows VPython's shapes, but no text, compound, extrusion, graph, button or the like"
         raise RuntimeError(f"{there}, and nothing can wait for a click")
 
-    for kind in (vpython.text, vpython.compound, vpython.extrusion, vpython.graph, vpython.gobj, vpython.controls):
+    for kind in (
+        vpython.text,
+        vpython.compound,
+        vpython.extrusion,
+        vpython.graph,
+        vpython.gobj,
+        vpython.controls,
+    ):
         kind.__new__ = refuse
     vpython._wait = refuse  # type: ignore[attr-defined]

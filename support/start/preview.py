@@ -10,7 +10,8 @@ from support.start.checks_command import checks_command
 from support.start.output import refuse
 
 SRC = Path(__file__).resolve().parents[2] / "src"
-# The first lines of the statements that the handout provides beside a raise, as ast.unparse writes them.
+# The first lines of the statements that the handout provides beside a raise, as ast.unparse writes
+# them.
 GIVEN = {
     *("df = pd.read_csv(relative_filepath)", "bad_rep = df.to_dict(orient='index')"),
     *("page.show(pend_list)", "while page.is_running():"),
@@ -18,25 +19,41 @@ GIVEN = {
 
 
 def stubs_in(source) -> dict[str, tuple[int, bool]]:
-    """Return the functions in source that still have their raise from tests/make_starter.py, each with its line.
+    """Return the functions in source that still have their raise from tests/make_starter.py, each
+    with its line.
 
-    The bool says whether code stands beside the raise, which stops it. A raise below a return does not count: it never
-    runs. Raises a SyntaxError or a ValueError if Python cannot compile the source.
+    The bool says whether code stands beside the raise, which stops it. A raise below a return does
+    not count: it never runs. Raises a SyntaxError or a ValueError if Python cannot compile the
+    source.
     """
     found: dict[str, tuple[int, bool]] = {}
     for function in ast.parse(source).body:
         name = getattr(function, "name", "")
-        for block in (getattr(node, part, ()) for node in ast.walk(function) for part in ("body", "orelse")):
-            lines = [ast.unparse(each).partition("\n")[0] for each in block] if isinstance(block, list) else []
+        for block in (
+            getattr(node, part, ()) for node in ast.walk(function) for part in ("body", "orelse")
+        ):
+            lines = (
+                [ast.unparse(each).partition("\n")[0] for each in block]
+                if isinstance(block, list)
+                else []
+            )
             stub = f"raise NotImplementedError('{name} is not written yet')"
-            if stub in lines and not any(line.startswith("return") for line in lines[: lines.index(stub)]):
-                others = [line for line in lines if line != stub and line not in GIVEN and line[0] not in "'\""]
+            if stub in lines and not any(
+                line.startswith("return") for line in lines[: lines.index(stub)]
+            ):
+                others = [
+                    line
+                    for line in lines
+                    if line != stub and line not in GIVEN and line[0] not in "'\""
+                ]
                 found.setdefault(name, (block[lines.index(stub)].lineno, bool(others)))
     return found
 
 
 def unwritten_in(module) -> dict[str, tuple[int, bool]]:
-    """Return what stubs_in returns for a module of src/; without its file, or if Python cannot compile it, nothing."""
+    """Return what stubs_in returns for a module of src/; without its file, or if Python cannot
+    compile it, nothing.
+    """
     file = SRC / f"{module}.py"
     with suppress(OSError, SyntaxError, ValueError):  # the import of the file shows why
         return stubs_in(file.read_bytes())
@@ -44,7 +61,8 @@ def unwritten_in(module) -> dict[str, tuple[int, bool]]:
 
 
 def missing_in(*modules, names=None) -> str:
-    """Return the functions in these modules of src/ that are not written yet, each with its file, in words.
+    """Return the functions in these modules of src/ that are not written yet, each with its file,
+    in words.
 
     names are those of the functions that matter; without names, all do.
     """
@@ -60,7 +78,9 @@ def missing_in(*modules, names=None) -> str:
 
 
 def end_if_unwritten(*modules, names=None) -> None:
-    """If functions in these modules of src/ are missing, name them in one line, and exit with status 2."""
+    """If functions in these modules of src/ are missing, name them in one line, and exit with
+    status 2.
+    """
     missing = missing_in(*modules, names=names)
     if missing:
         refuse(f"There is no cradle to see yet. Write first: {missing}.")
@@ -89,9 +109,11 @@ def what_there_is(main, cradle) -> tuple:
 
 
 def preview(scope, swings=False, collides=False):
-    """Return a loop that makes and moves a cradle with the functions in scope, as far as they are written.
+    """Return a loop that makes and moves a cradle with the functions in scope, as far as they are
+    written.
 
-    swings says whether full_swing_update is written, collides whether handle_two_bobs is: then there are two pendula.
+    swings says whether full_swing_update is written, collides whether handle_two_bobs is: then
+    there are two pendula.
     """
 
     def loop(page):

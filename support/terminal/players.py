@@ -1,4 +1,6 @@
-"""Show the cradle in the terminal, as a moving picture or as lines of text, or write its data to a file."""
+"""Show the cradle in the terminal, as a moving picture or as lines of text, or write its data to a
+file.
+"""
 
 import os
 import shutil
@@ -26,15 +28,21 @@ OWN_SCREEN, OLD_SCREEN = "\x1b[?1049h\x1b[?25l", "\x1b[?25h\x1b[?1049l"  # the f
 
 
 def has_terminal() -> bool:
-    """Return whether the output is a terminal that can show pictures. IDLE's shell claims to be one, but cannot."""
+    """Return whether the output is a terminal that can show pictures.
+
+    IDLE's shell claims to be one, but cannot.
+    """
     return sys.stdout.isatty() and sys.stdout is sys.__stdout__ and os.environ.get("TERM") != "dumb"
 
 
 @contextmanager
 def own_screen(last_lines):
-    """Use a separate screen, without a cursor; afterwards, the terminal shows its old lines again, and last_lines()."""
+    """Use a separate screen, without a cursor; afterwards, the terminal shows its old lines again,
+    and last_lines().
+    """
     switch_on_escapes()
-    if hasattr(signal, "SIGTSTP"):  # Ctrl+Z would leave this screen to the shell; Windows has no signal for it
+    # Ctrl+Z would leave this screen to the shell; Windows has no signal for it
+    if hasattr(signal, "SIGTSTP"):
         signal.signal(signal.SIGTSTP, signal.SIG_IGN)
     print(OWN_SCREEN, end="")
     try:
@@ -44,25 +52,33 @@ def own_screen(last_lines):
 
 
 class TextPicture:
-    """Draws a cradle in characters, which are twice as high as wide, always with the same part of space in view."""
+    """Draws a cradle in characters, which are twice as high as wide, always with the same part of
+    space in view.
+    """
 
     def __init__(self):
-        """Show the space below the axles; once a bob has been above them, show the space up to there, too."""
+        """Show the space below the axles; once a bob has been above them, show the space up to
+        there, too.
+        """
         self.above = 0.0  # m
 
     def lines(self, cradle, columns, rows) -> list[str]:
-        """Return the lines of a picture, at most `columns` wide and `rows` high; no line if it does not fit."""
+        """Return the lines of a picture, at most `columns` wide and `rows` high; no line if it does
+        not fit.
+        """
         axles, bobs = [axle.pos for axle in cradle.axles()], [bob.pos for bob in cradle.bobs()]
         xs, ys = sorted(axle.x for axle in axles), sorted(axle.y for axle in axles)
         self.above = max(self.above, *(bob.y - ys[-1] for bob in bobs))
         left, width = xs[0] - cradle.reach, xs[-1] - xs[0] + 2 * cradle.reach
         top, height = ys[-1] + self.above, ys[-1] - ys[0] + cradle.reach + self.above
-        # Columns per metre. Three columns and a row stay free for rounding, and for the brackets of a bob.
+        # Columns per metre. Three columns and a row stay free for rounding, and for the brackets of
+        # a bob.
         scale = min(CORD / cradle.reach, (columns - 3) / width, 2 * (rows - 1) / height)
         if scale <= 0:
             return []
         apart = (xs[-1] - xs[0]) / max(1, len(axles) - 1)
-        if apart * scale >= 1:  # whole columns from bob to bob: unequal gaps look like groups of bobs
+        # Whole columns from bob to bob: unequal gaps look like groups of bobs
+        if apart * scale >= 1:
             scale = int(apart * scale + 1e-9) / apart
         grid = [[" "] * columns for _ in range(round(height * scale / 2) + 1)]
 
@@ -72,10 +88,13 @@ class TextPicture:
         for cord in cradle.cords():
             (row, column), (end_row, end_column) = cell(cord.pos), cell(cord.pos + cord.axis)
             down, aside = end_row - row, end_column - column
-            steps = abs(down) if abs(aside) < 1.5 * abs(down) else abs(aside)  # one stroke per row, or per column
+            # One stroke per row, or per column
+            steps = abs(down) if abs(aside) < 1.5 * abs(down) else abs(aside)
             stroke = STROKES[round(4 * atan2(-cord.axis.y, cord.axis.x) / pi) % 4]
             for step in range(steps):
-                grid[row + round(down * step / steps)][column + round(aside * step / steps)] = stroke
+                grid[row + round(down * step / steps)][column + round(aside * step / steps)] = (
+                    stroke
+                )
 
         places = sorted(map(cell, axles), key=lambda place: place[1])
         bar, first, last = places[0][0], places[0][1], places[-1][1]
@@ -93,26 +112,39 @@ class TextPicture:
 
 
 def screen(motion, picture, speed, remark="") -> list[str]:
-    """Return the lines of the screen for the size of the terminal; speed and remark are texts, maybe empty."""
+    """Return the lines of the screen for the size of the terminal; speed and remark are texts,
+    maybe empty.
+    """
     size = shutil.get_terminal_size()
-    columns = min(WIDTH, size.columns or WIDTH)  # Python 3.10 returns 0 for a terminal that does not know its size
+    # Python 3.10 returns 0 for a terminal that does not know its size
+    columns = min(WIDTH, size.columns or WIDTH)
     rows = size.lines or ROWS
     lines = [motion.reading(), *textwrap.wrap(remark, columns), speed]
     impacts = motion.trains.lines(columns)
-    below = ["", "Impacts", *impacts, *[""] * (TRAINS - len(impacts)), "", "Ctrl+C ends it."] if rows >= LOW else []
+    below = (
+        ["", "Impacts", *impacts, *[""] * (TRAINS - len(impacts)), "", "Ctrl+C ends it."]
+        if rows >= LOW
+        else []
+    )
     lines += picture.lines(motion.cradle, columns, rows - len(lines) - len(below)) + below
     return [line[:columns].rstrip() for line in lines[:rows]]
 
 
 class TextPlayer(Player):
-    """Plays a cradle in step with the clock, and shows it at the start, every step_seconds, and at the end."""
+    """Plays a cradle in step with the clock, and shows it at the start, every step_seconds, and at
+    the end.
+    """
 
     step_seconds: float
 
     def __init__(self, cradle, csv, options):
-        """Play the cradle of this CSV (a Snapshot); options has angle, lift and seconds, from read_text_options."""
+        """Play the cradle of this CSV (a Snapshot); options has angle, lift and seconds, from
+        read_text_options.
+        """
         super().__init__(cradle, csv, [options.angle], options.lift, TRAINS, self.step_seconds)
-        self.last = options.seconds if options.seconds == inf else round(options.seconds / cradle.dt)  # tick
+        self.last = (
+            options.seconds if options.seconds == inf else round(options.seconds / cradle.dt)
+        )  # tick
 
     def show_new_cradle(self) -> None:
         self.note()
@@ -134,13 +166,17 @@ class Pictures(TextPlayer):
     step_seconds = 1 / 20
 
     def __init__(self, cradle, csv, options, remark=""):
-        """Show the remark, if there is one, above the picture; for the other arguments, see TextPlayer."""
+        """Show the remark, if there is one, above the picture; for the other arguments, see
+        TextPlayer.
+        """
         super().__init__(cradle, csv, options)
         self.picture, self.remark = TextPicture(), remark
         self.seen: list[str] = []  # the lines of the last picture
 
     def note(self) -> None:
-        """Show a picture: go to the top left corner; clear each line, and at the end all lines below."""
+        """Show a picture: go to the top left corner; clear each line, and at the end all lines
+        below.
+        """
         remark = self.remark or self.cradle.remark()
         self.seen = screen(self.motion, self.picture, self.pace.remark(), remark)
         text = "\n".join("\x1b[K" + line for line in self.seen)
@@ -153,7 +189,9 @@ class Lines(TextPlayer):
     step_seconds = 0.5
 
     def __init__(self, cradle, csv, options, remark=""):
-        """Print the remark, if there is one, above the lines; for the other arguments, see TextPlayer."""
+        """Print the remark, if there is one, above the lines; for the other arguments, see
+        TextPlayer.
+        """
         super().__init__(cradle, csv, options)
         if remark:
             print(remark)
@@ -164,7 +202,9 @@ class Lines(TextPlayer):
 
 
 def summary(motion) -> str:
-    """Return a line: the time, the energy, the angle and side of the highest bob, and the latest train of hits."""
+    """Return a line: the time, the energy, the angle and side of the highest bob, and the latest
+    train of hits.
+    """
     angles = [degrees(remainder(theta, 2 * pi)) for theta in motion.cradle.values("theta")]
     number, angle = max(enumerate(angles, start=1), key=lambda numbered: abs(numbered[1]))
     total = in_words(motion.percents()["energy"]).strip()
@@ -175,13 +215,16 @@ def summary(motion) -> str:
 
 
 class Recorder(Player):
-    """Writes a row of data for every options.every seconds of simulated time, as fast as the machine can.
+    """Writes a row of data for every options.every seconds of simulated time, as fast as the
+    machine can.
 
     The last row is the last one that is not later than options.seconds.
     """
 
     def __init__(self, cradle, csv, options, writer, progress):
-        """Write with a csv.writer; call progress(part), 0 to 1, again and again; options: from read_text_options."""
+        """Write with a csv.writer; call progress(part), 0 to 1, again and again; options: from
+        read_text_options.
+        """
         super().__init__(cradle, csv, [options.angle], options.lift, 1, options.every)
         ticks = int(options.seconds / cradle.dt + 1e-6)  # 10 / 0.001 could be 9999.999999999999
         self.last = ticks - ticks % self.step  # the tick of the last row
@@ -203,7 +246,9 @@ class Recorder(Player):
 
 
 def record(loop, cradle, csv, options, remark="") -> None:
-    """Write the data of options.seconds to the file options.record, whole or not at all; or, for -, to the output."""
+    """Write the data of options.seconds to the file options.record, whole or not at all; or, for -,
+    to the output.
+    """
     if options.record == "-":
         rows = writer(sys.stdout, lineterminator="\n")
         with redirect_stdout(sys.stderr):  # words are no data, also those of a student's function

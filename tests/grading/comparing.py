@@ -11,7 +11,15 @@ from grading.messages import about, form_of, shown, Wanted
 LONG = 60  # characters; of a longer list, a message shows only the first difference
 
 # Errors of a check that reads a value of the wrong form.
-OTHER_FORM = (TypeError, ValueError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError)
+OTHER_FORM = (
+    TypeError,
+    ValueError,
+    KeyError,
+    IndexError,
+    AttributeError,
+    ArithmeticError,
+    RecursionError,
+)
 
 
 def fits(found, wanted) -> bool:
@@ -32,7 +40,9 @@ def same(found, wanted) -> bool:
         has_keys = isinstance(found, dict) and found.keys() == wanted.keys()
         return has_keys and all(same(found[key], wanted[key]) for key in wanted)
     if isinstance(wanted, (list, tuple)):
-        is_row = isinstance(found, list if isinstance(wanted, list) else tuple) and len(found) == len(wanted)
+        is_row = isinstance(found, list if isinstance(wanted, list) else tuple) and len(
+            found
+        ) == len(wanted)
         return is_row and all(same(*pair) for pair in zip(found, wanted, strict=True))
     if isinstance(wanted, Real):
         return isinstance(found, Real) and isclose(found, wanted, rel_tol=1e-6, abs_tol=1e-9)
@@ -40,7 +50,10 @@ def same(found, wanted) -> bool:
 
 
 def words_of(found, rows) -> str:
-    """Return the words of the rows that fit a result, or "". If two of them do, nobody knows which one it was."""
+    """Return the words of the rows that fit a result, or "".
+
+    If two of them do, nobody knows which one it was.
+    """
     sentences = {sentence for mistaken, sentence in rows if fits(found, mistaken)}
     return sentences.pop() if len(sentences) == 1 else ""
 
@@ -59,7 +72,9 @@ def is_exchanged(found, wanted) -> bool:
 
 
 def both(what, found, wanted) -> list[tuple[str, list[str]]]:
-    """Return both values as (label, lines) of a message; for long lists, those of the first wrong element."""
+    """Return both values as (label, lines) of a message; for long lists, those of the first wrong
+    element.
+    """
     digits = digits_of(found, wanted)
     are_lists = isinstance(found, list) and isinstance(wanted, list)
     if are_lists and len(found) != len(wanted) and are_pendula(wanted):
@@ -87,7 +102,9 @@ def number_of(value) -> str:
 
 
 def mistake_in(what, found, wanted) -> str:
-    """Return a sentence about the first mistake in found. what names it, or the parts of a tuple, with commas."""
+    """Return a sentence about the first mistake in found. what names it, or the parts of a tuple,
+    with commas.
+    """
     whole = "The result" if ", " in what else what
     like = wanted.like if isinstance(wanted, Wanted) else wanted
     if wanted is True and isinstance(found, bool):
@@ -97,7 +114,9 @@ def mistake_in(what, found, wanted) -> str:
     if isinstance(like, (list, tuple)) and len(found) != len(like):
         whole = "pend_list" if what.endswith(" of each pendulum") else whole
         has = "have" if verb_of(whole) == "are" else "has"
-        return f"{whole} {has} {len(found)} element{'' if len(found) == 1 else 's'}, not {len(like)}."
+        return (
+            f"{whole} {has} {len(found)} element{'' if len(found) == 1 else 's'}, not {len(like)}."
+        )
     if isinstance(wanted, dict) and found.keys() != wanted.keys():
         missing, others = wanted.keys() - found.keys(), found.keys() - wanted.keys()
         words = "misses" if missing else "must not have"
@@ -116,7 +135,10 @@ def verb_of(whole) -> str:
 def parts_in(what, found, wanted) -> list[tuple]:
     """Return the parts of a value: of each, its name, the value, and the expected one."""
     if isinstance(wanted, Wanted) and isinstance(wanted.like, list):  # the forms of its elements
-        wanted = [Wanted("", lambda one, each=each: form_of(one) == form_of(each), like=each) for each in wanted.like]
+        wanted = [
+            Wanted("", lambda one, each=each: form_of(one) == form_of(each), like=each)
+            for each in wanted.like
+        ]
     if isinstance(wanted, dict):
         return [(f"{key} of {what}", found[key], wanted[key]) for key in wanted]
     if isinstance(wanted, (list, tuple)):

@@ -25,15 +25,31 @@ MIXED_CSV = f"{csv_of(MIXED)}\n"
 
 
 def each(pend_list, *keys) -> dict:
-    """Return options of expect to compare the values of these keys in each pendulum, after the call."""
-    return {"see": lambda _: [*map(itemgetter(*keys), pend_list)], "what": f"{' and '.join(keys)} of each pendulum"}
+    """Return options of expect to compare the values of these keys in each pendulum, after the
+    call.
+    """
+    return {
+        "see": lambda _: [*map(itemgetter(*keys), pend_list)],
+        "what": f"{' and '.join(keys)} of each pendulum",
+    }
 
 
-def hang(theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R, radius=None) -> dict:
-    """Return a pendulum at theta (rad) below axle (x, y, z in m); without radius (m), the bob has the usual one."""
+def hang(
+    theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R, radius=None
+) -> dict:
+    """Return a pendulum at theta (rad) below axle (x, y, z in m); without radius (m), the bob has
+    the usual one.
+    """
     objects = make_pendulum(vector(*axle), r_param, theta, color.white, None)
     objects[1].radius = radius or objects[1].radius
-    values = {"mass": mass, "e": e, "theta": theta, "omega": omega, "color": "white", "texture": "none"}
+    values = {
+        "mass": mass,
+        "e": e,
+        "theta": theta,
+        "omega": omega,
+        "color": "white",
+        "texture": "none",
+    }
     return {**values, "objects": objects}
 
 
@@ -44,7 +60,9 @@ def row(count, **values) -> list[dict]:
 
 def touching(*omegas, radius=R / 8):
     """Return pendula that hang straight down and touch, with these omegas (rad/s)."""
-    return [hang(omega=omega, axle=(i * R / 4, 0, 0), radius=radius) for i, omega in enumerate(omegas)]
+    return [
+        hang(omega=omega, axle=(i * R / 4, 0, 0), radius=radius) for i, omega in enumerate(omegas)
+    ]
 
 
 def shapes() -> set[int]:
@@ -58,11 +76,15 @@ LEFT_OVER = {"wanted": 0, "what": "number of shapes that no pendulum has"}
 
 
 def left_over(old, parts) -> int:
-    """Return how many shapes of the scene look like one of parts, but are none of them, and not in old.
+    """Return how many shapes of the scene look like one of parts, but are none of them, and not in
+    old.
 
-    old is from shapes(), parts are the objects of pendula. Shapes of another thickness are for show: a frame.
+    old is from shapes(), parts are the objects of pendula. Shapes of another thickness are for
+    show: a frame.
     """
     kinds = {(type(part), *part.size.value[1:]) for part in parts}
     own = old | set(map(id, parts))
-    looks = [(type(shape), *shape.size.value[1:]) for shape in scene.objects if id(shape) not in own]
+    looks = [
+        (type(shape), *shape.size.value[1:]) for shape in scene.objects if id(shape) not in own
+    ]
     return sum(look in kinds for look in looks)

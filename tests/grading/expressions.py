@@ -9,7 +9,8 @@ from vpython import vector
 from grading.messages import shown
 from grading.values import in_words, names_in, SHAPES
 
-# The parts of an expression whose values are noted. Into the others nobody looks: they may run later, or many times.
+# The parts of an expression whose values are noted. Into the others nobody looks: they may run
+# later, or many times.
 PARTS = ast.Call, ast.Subscript, ast.Attribute, ast.BinOp, ast.UnaryOp, ast.Compare, ast.BoolOp
 AS_THEY_ARE = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.JoinedStr
 
@@ -54,13 +55,19 @@ def targets_of(node) -> list[ast.expr]:
 
 
 def names_in_head(node) -> set[str]:
-    """Return the names that a statement or an expression uses, without those of the statements in it."""
+    """Return the names that a statement or an expression uses, without those of the statements in
+    it.
+    """
     names, left = set(), [node]
     while left:
         one = left.pop()
         if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Load):
             names.add(one.id)
-        left += [child for child in ast.iter_child_nodes(one) if not isinstance(child, (ast.stmt, ast.ExceptHandler))]
+        left += [
+            child
+            for child in ast.iter_child_nodes(one)
+            if not isinstance(child, (ast.stmt, ast.ExceptHandler))
+        ]
     return names
 
 
@@ -71,7 +78,9 @@ def keys_in_head(node) -> set:
 
 
 def operations_in(node) -> list[ast.expr]:
-    """Return the parts in a statement, without those of the statements in it, in the order in which they run."""
+    """Return the parts in a statement, without those of the statements in it, in the order in which
+    they run.
+    """
     found = []
     for child in ast.iter_child_nodes(node):
         if not isinstance(child, (ast.stmt, ast.ExceptHandler, *AS_THEY_ARE)):
@@ -82,13 +91,16 @@ def operations_in(node) -> list[ast.expr]:
 
 
 class Values:
-    """The values in a statement: those of its parts that were noted, and those of the names in its frame."""
+    """The values in a statement: those of its parts that were noted, and those of the names in its
+    frame.
+    """
 
     def __init__(self, frame, parts):
         """parts has the noted values, by their places."""
         self.frame, self.parts = frame, parts
         self.names = names_in(frame)
-        self.can_change = False  # whether a method that is called in a condition may have changed something
+        # Whether a method that is called in a condition may have changed something
+        self.can_change = False
 
     def of(self, node):
         """Return the value of a node; raise a LookupError if it is not known."""
@@ -105,7 +117,10 @@ class Values:
         raise LookupError
 
     def taken(self, whole, node):
-        """Return an element or an attribute of a whole. Of a class that the student wrote, this could change it."""
+        """Return an element or an attribute of a whole.
+
+        Of a class that the student wrote, this could change it.
+        """
         if isinstance(node, ast.Subscript) and type(whole) in (dict, list, tuple):
             return whole[self.of(node.slice)]
         if isinstance(node, ast.Attribute) and isinstance(whole, (*SHAPES, vector)):
@@ -113,7 +128,10 @@ class Values:
         raise LookupError
 
     def of_name(self, name):
-        """Return the value of a name. A name of the function has no value before a line gives it one."""
+        """Return the value of a name.
+
+        A name of the function has no value before a line gives it one.
+        """
         code = self.frame.f_code
         if name in self.frame.f_locals or name in code.co_varnames or name in code.co_cellvars:
             return self.frame.f_locals[name]
@@ -125,7 +143,9 @@ class Values:
             try:
                 self.of(node)
             except Exception:  # this operation did not come to its end
-                parts = [child for child in ast.iter_child_nodes(node) if isinstance(child, ast.expr)]
+                parts = [
+                    child for child in ast.iter_child_nodes(node) if isinstance(child, ast.expr)
+                ]
                 with suppress(Exception):
                     return [self.operand(part) for part in parts if self.is_operand(part)]
                 return []
@@ -151,7 +171,9 @@ class Values:
         return {key: name for key, name in self.names.items() if name != code}
 
     def condition(self, node, value) -> str:
-        """Return a condition that has this value: both sides of each comparison, and whether it is true."""
+        """Return a condition that has this value: both sides of each comparison, and whether it is
+        true.
+        """
         text = ""
         calls = [one for one in operations_in(node) if isinstance(one, ast.Call)]
         self.can_change = any(isinstance(one.func, ast.Attribute) for one in calls)

@@ -27,7 +27,10 @@ NEVER = 100
 
 
 class Part(NamedTuple):
-    """Lines of the next step. If there is no room for all parts, those of the highest rank are left out."""
+    """Lines of the next step.
+
+    If there is no room for all parts, those of the highest rank are left out.
+    """
 
     rank: float
     lines: list[str]
@@ -37,14 +40,21 @@ class Part(NamedTuple):
 def grade(outcomes) -> dict:
     """Return the grade of outcomes (by the names of the checks) for a gradebook.
 
-    It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next", "more"}, without the tiers
-    that have no outcomes. The grade is the highest complete tier, with all tiers below it complete, or None.
+    It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next",
+    "more"}, without the tiers that have no outcomes. The grade is the highest complete tier, with
+    all tiers below it complete, or None.
     """
     tiers = {}
     for tier in SUITES:
-        states = Counter(outcomes[check.name].state for check in checks(tier=tier) if check.name in outcomes)
+        states = Counter(
+            outcomes[check.name].state for check in checks(tier=tier) if check.name in outcomes
+        )
         if states:
-            counts = {"passed": states[PASSED], "waiting": states[WAITING], "failed": states[FAILED] + states[FAULT]}
+            counts = {
+                "passed": states[PASSED],
+                "waiting": states[WAITING],
+                "failed": states[FAILED] + states[FAULT],
+            }
             tiers[tier] = {**counts, "points": states[PASSED], "of": len(checks(tier=tier))}
     points = {tier: counts["points"] for tier, counts in tiers.items()}
     most = {tier: counts["of"] for tier, counts in tiers.items()}
@@ -62,7 +72,8 @@ def made_checks(outcomes) -> list:
 def next_step(outcomes) -> tuple[str, list[Part]]:
     """Return the next step, and more about it.
 
-    It is a file that Python cannot read, else the first function with a mistake, else the first that is not written.
+    It is a file that Python cannot read, else the first function with a mistake, else the first
+    that is not written.
     """
     made = made_checks(outcomes)
     for check in [*mistakes_in(outcomes), *made]:
@@ -70,7 +81,11 @@ def next_step(outcomes) -> tuple[str, list[Part]]:
         if outcome.state == FAULT:
             return f"show your teacher the grader's fault in {check.name}", []
         if outcome.state == FAILED:
-            step = outcome.place if outcome.cause else f"{check.function} in {outcome.place or function.file}"
+            step = (
+                outcome.place
+                if outcome.cause
+                else f"{check.function} in {outcome.place or function.file}"
+            )
             return step, explanation(check, outcome)
         if outcome.is_unwritten:
             return f"{check.function} in {outcome.place}", explanation(check, outcome)
@@ -92,7 +107,8 @@ def explanation(check, outcome) -> list[Part]:
         read = f"Read in the handout: {FUNCTIONS[check.function].read}."
         return [Part(ALWAYS, [read]), *step_parts(check.function)]
     dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
-    parts = [Part(ALWAYS, [f"{outcome.wrong}{dot} {outcome.hint}".strip()])]  # an error, or the exact result
+    # An error, or the exact result
+    parts = [Part(ALWAYS, [f"{outcome.wrong}{dot} {outcome.hint}".strip()])]
     if outcome.cause:  # a file that Python cannot read: nothing else matters
         return parts
     if outcome.help:
@@ -118,14 +134,17 @@ def step_parts(function) -> list[Part]:
 
 def mistakes_in(outcomes) -> list:
     """Return the checks that fail, those first whose file cannot be imported."""
-    failed = [check for check in made_checks(outcomes) if outcomes[check.name].state in (FAILED, FAULT)]
+    failed = [
+        check for check in made_checks(outcomes) if outcomes[check.name].state in (FAILED, FAULT)
+    ]
     return sorted(failed, key=lambda check: not outcomes[check.name].cause)
 
 
 def words(outcomes, printed, columns, note) -> list[tuple[str, str]]:
     """Return what a student reads about outcomes, as lines of text, each with its color or "".
 
-    printed has the output of the student's code by the names of the checks that fail; note is about something else.
+    printed has the output of the student's code by the names of the checks that fail; note is about
+    something else.
     """
     lines = []
     for first in mistakes_in(outcomes)[:1]:
@@ -138,7 +157,9 @@ def words(outcomes, printed, columns, note) -> list[tuple[str, str]]:
         lines = [(rule(first.title, "_", columns), "red")]
         lines += [(shorten(f"printed     {row}", columns), "") for row in rows] + message
     made = [] if lines else made_checks(outcomes)
-    places = {check.function: outcomes[check.name].place for check in made if outcomes[check.name].place}
+    places = {
+        check.function: outcomes[check.name].place for check in made if outcomes[check.name].place
+    }
     if places:
         lines.append((rule("Not written yet", "=", columns), ""))
     lines += [(f"{function} in {place}", "yellow") for function, place in places.items()]
@@ -157,7 +178,8 @@ def rule(title, sign, columns) -> str:
 
 
 def table(outcomes, columns, note="", room=SCREEN) -> list[tuple[str, str]]:
-    """Return the grade of outcomes as lines of text, each with its color; room is the greatest number of lines.
+    """Return the grade of outcomes as lines of text, each with its color; room is the greatest
+    number of lines.
 
     Without the first tier, they say which tiers are complete, in place of the grade.
     """
@@ -175,11 +197,16 @@ def table(outcomes, columns, note="", room=SCREEN) -> list[tuple[str, str]]:
             verdict.append(f"Tier {tier} is not complete.")
     if next(iter(SUITES)) in graded["tiers"]:
         verdict = [f"Grade: {graded['grade'] or 'none yet'}."]
-    causes = Counter(each.cause for each in outcomes.values() if each.state == WAITING and not each.place)
+    causes = Counter(
+        each.cause for each in outcomes.values() if each.state == WAITING and not each.place
+    )
     for cause, n in causes.most_common(MOST_CAUSES):
         rows.append((f"{n} check{'s wait' if n > 1 else ' waits'} for {cause}", "yellow"))
     hints = [*(one.hint for one in outcomes.values() if one.state == PASSED), note]
-    notes = sum((wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=MORE) for hint in hints), [])
+    notes = sum(
+        (wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=MORE) for hint in hints),
+        [],
+    )
     above = [*rows, *((line, "bold") for line in [*verdict, *notes])]
     step, parts = next_step(outcomes)
     lines = wrap(f"Next:  {step}.", columns, subsequent_indent=MORE)
@@ -190,15 +217,23 @@ def table(outcomes, columns, note="", room=SCREEN) -> list[tuple[str, str]]:
         lines += part.lines
     if left_out:
         words = "1 line is left out" if left_out == 1 else f"{left_out} lines are left out"
-        lines = [line.replace(LINE_BY_LINE, f"Your code, line by line ({words}):") for line in lines]
+        lines = [
+            line.replace(LINE_BY_LINE, f"Your code, line by line ({words}):") for line in lines
+        ]
     return [*above, *((line, "bold") for line in lines)]
 
 
 def wrapped(lines, columns) -> list[str]:
-    """Return lines in columns; those that are indented already, as in a trace table, stay as they are."""
+    """Return lines in columns; those that are indented already, as in a trace table, stay as they
+    are.
+    """
     found = []
     for line in lines:
-        found += [line] if line.startswith(" ") else wrap(line, columns, initial_indent=MORE, subsequent_indent=MORE)
+        found += (
+            [line]
+            if line.startswith(" ")
+            else wrap(line, columns, initial_indent=MORE, subsequent_indent=MORE)
+        )
     return found
 
 
@@ -212,6 +247,7 @@ def fitting(parts, room) -> list[Part]:
     found: list[Part] = []
     for i in sorted(kept, reverse=True):
         is_title = parts[i].lines[0].endswith(CALLED)
-        if not is_title or found and found[0].is_row:  # the title of a helper's table needs a row below it
+        # The title of a helper's table needs a row below it
+        if not is_title or found and found[0].is_row:
             found.insert(0, parts[i])
     return found

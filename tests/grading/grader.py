@@ -1,8 +1,10 @@
-"""The grader: the checks, the calls of the students' functions, and the outcomes. pytest_grader.py runs it in pytest.
+"""The grader: the checks, the calls of the students' functions, and the outcomes. pytest_grader.py
+runs it in pytest.
 
-A check is a function in a suite, such as test_d.py, with @check above it, which names the function of the handout. Its
-docstring, in words of the handout, is its title. It calls the function through expect, which compares the result, or
-the changed arguments, with the expected ones. The code of the function does not matter.
+A check is a function in a suite, such as test_d.py, with @check above it, which names the function
+of the handout. Its docstring, in words of the handout, is its title. It calls the function through
+expect, which compares the result, or the changed arguments, with the expected ones. The code of the
+function does not matter.
 """
 
 import importlib
@@ -19,11 +21,31 @@ from typing import Any, NamedTuple
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.comparing import are_pendula, both, fits, is_exchanged, mistake_in, number_of, OTHER_FORM, words_of
+from grading.comparing import (
+    are_pendula,
+    both,
+    fits,
+    is_exchanged,
+    mistake_in,
+    number_of,
+    OTHER_FORM,
+    words_of,
+)
 from grading.evidence import words_for
 from grading.handout import FUNCTIONS, is_students, needed, SUITES
 from grading.line_by_line import Explained, WrongCall
-from grading.messages import about, Call, COLUMNS, damage, end_of, error_lines, message, plain, PlainFile, shown
+from grading.messages import (
+    about,
+    Call,
+    COLUMNS,
+    damage,
+    end_of,
+    error_lines,
+    message,
+    plain,
+    PlainFile,
+    shown,
+)
 from grading.raised import Place, StoppedError
 from grading.students_code import code_of, MissingError, StudentsCode, working_in
 from grading.watch import EndlessError, Watch
@@ -57,25 +79,40 @@ def checks(*, tier=None, function=None) -> list[Check]:
     """Return the checks of a tier, or of a function."""
     tier = tier or FUNCTIONS[function].tier
     importlib.import_module(SUITES[tier])
-    return [check for check in CHECKS.values() if check.tier == tier and function in (None, check.function)]
+    return [
+        check
+        for check in CHECKS.values()
+        if check.tier == tier and function in (None, check.function)
+    ]
 
 
 class WrongError(Exception):
-    """A result that the handout does not ask for. Its text is a sentence that says what is wrong."""
+    """A result that the handout does not ask for.
+
+    Its text is a sentence that says what is wrong.
+    """
 
     def __init__(self, wrong, call, lines, result="", raised=None):
-        """lines are (label, text) pairs, result has the words for the exact result, and raised is what stopped it."""
+        """lines are (label, text) pairs, result has the words for the exact result, and raised is
+        what stopped it.
+        """
         super().__init__(wrong)
         self.call, self.lines, self.result, self.raised = call, lines, result, raised
         self.help = ""  # what the check says about this call
-        self.right: tuple = ()  # pairs of a part of the handout's formula, and its value in this call
+        # Pairs of a part of the handout's formula, and its value in this call
+        self.right: tuple = ()
 
 
 class WaitError(Exception):
-    """A check waits. The text says for which function, or for which file that cannot be imported."""
+    """A check waits.
+
+    The text says for which function, or for which file that cannot be imported.
+    """
 
     def __init__(self, cause, place="", raised=None):
-        """place is that of the check's own function if it is not written. raised is what stopped the import."""
+        """place is that of the check's own function if it is not written. raised is what stopped
+        the import.
+        """
         super().__init__(cause)
         self.place, self.raised = place, raised
 
@@ -91,7 +128,9 @@ STEPS: dict[str, Steps] = {}  # by the function
 
 
 def steps(function, words, *python) -> None:
-    """Give the steps of a function, for students who have not written it, or have written something wrong."""
+    """Give the steps of a function, for students who have not written it, or have written something
+    wrong.
+    """
     STEPS[function] = Steps(words, python)
 
 
@@ -127,12 +166,21 @@ def compared(function, *arguments, wanted, see=None, what="", results=(), notes=
     words = number_of(wanted) if are_pendula(wanted) and not what else about(what, wanted)
     expected, returns = ("expected", words), FUNCTIONS[function].returns
     result = run(call, arguments, expected)
-    has_changed = any(isinstance(one, PlainFile) and plain(one.path) != one for one in call.arguments)
-    if has_changed or runner.has_written and function != "main":  # the handout lets main write into NC_FP
-        lines = [("came back", "A file has changed."), ("expected", "All files stay as they are. Only read them.")]
+    has_changed = any(
+        isinstance(one, PlainFile) and plain(one.path) != one for one in call.arguments
+    )
+    # The handout lets main write into NC_FP
+    if has_changed or runner.has_written and function != "main":
+        lines = [
+            ("came back", "A file has changed."),
+            ("expected", "All files stay as they are. Only read them."),
+        ]
         raise WrongError(f"{function} writes into a file.", call, lines)
     for words in damage(call.arguments, FUNCTIONS[function].parameters, arguments):
-        lines = [("came back", words), ("expected", "The same dictionary, with its keys and its objects.")]
+        lines = [
+            ("came back", words),
+            ("expected", "The same dictionary, with its keys and its objects."),
+        ]
         raise WrongError(f"{function} has lost a pendulum.", call, lines)
     if result is None and returns:
         raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected])
@@ -143,7 +191,11 @@ def compared(function, *arguments, wanted, see=None, what="", results=(), notes=
         came_back = [*shown(result).split("\n"), form] if returns else form
         lines = [("came back", came_back), expected]
         is_key = isinstance(error, KeyError)
-        sentence = f"A pendulum has no key {error}." if is_key else f"{what or 'The result'} cannot be read."
+        sentence = (
+            f"A pendulum has no key {error}."
+            if is_key
+            else f"{what or 'The result'} cannot be read."
+        )
         for i, one in enumerate(result if isinstance(result, list) else ()):
             sentence = sentence if isinstance(one, dict) else mistake_in(f"pend_list[{i}]", one, {})
         raise WrongError(sentence, call, lines, words_of(result, results)) from None
@@ -160,22 +212,29 @@ def compared(function, *arguments, wanted, see=None, what="", results=(), notes=
 
 
 def result_of(function, *arguments) -> Any:
-    """Return the result of a student's function that is correct: the check waits for it, also if it is none."""
+    """Return the result of a student's function that is correct: the check waits for it, also if it
+    is none.
+    """
     result = run(Call(function, arguments), arguments, ("expected", "a result"))
-    if not (isinstance(result, tuple) and len(result) == len(FUNCTIONS[function].returns.split(", "))):
+    if not (
+        isinstance(result, tuple) and len(result) == len(FUNCTIONS[function].returns.split(", "))
+    ):
         raise WaitError(function)
     return result
 
 
 def run(call, arguments, expected) -> Any:
-    """Return the result of a student's function. Raise WrongError if it is missing, raises an error or goes over a
-    limit, and WaitError if it or a function that it calls is not written yet, or if its file is wrong.
+    """Return the result of a student's function. Raise WrongError if it is missing, raises an error
+    or goes over a limit, and WaitError if it or a function that it calls is not written yet, or if
+    its file is wrong.
     """
     file = FUNCTIONS[call.function].file
     try:
         return runner.run(call.function, arguments, call.times)
     except MissingError:
-        raise WrongError(f"{file} has no function {call.function}.", Call(call.function), []) from None
+        raise WrongError(
+            f"{file} has no function {call.function}.", Call(call.function), []
+        ) from None
     except StoppedError as error:
         raised = error
     if not raised.function:
@@ -190,10 +249,14 @@ def run(call, arguments, expected) -> Any:
 
 
 def place_of(raised, function) -> Place | None:
-    """Return the innermost place of an error in what the student wrote for this function; None if it has none."""
+    """Return the innermost place of an error in what the student wrote for this function; None if
+    it has none.
+    """
     if not raised:
         return None
-    own = [place for place in raised.places if is_students(place.function, function)] or raised.places
+    own = [
+        place for place in raised.places if is_students(place.function, function)
+    ] or raised.places
     return own[-1] if own else None
 
 
@@ -206,12 +269,15 @@ PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
 class Outcome(NamedTuple):
     state: str
     message: str = ""
-    place: str = ""  # a file and a line of the student's: where the function is not written yet, or is wrong
+    # A file and a line of the student's: where the function is not written yet, or is wrong
+    place: str = ""
     hint: str = ""  # of a check that passes, a note
-    cause: str = ""  # the functions or the file that a check waits for, or the file that makes it fail
+    # The functions or the file that a check waits for, or the file that makes it fail
+    cause: str = ""
     wrong: str = ""  # in a sentence
     help: str = ""  # of the check
-    rows: list = []  # of the trace tables, as pairs of a rank and lines; a low rank comes first  # noqa: RUF012
+    # Of the trace tables, as pairs of a rank and lines; a low rank comes first  # noqa: RUF012
+    rows: list = []
     facts: list = []  # sentences about what was seen  # noqa: RUF012
 
     @property
@@ -225,11 +291,13 @@ class Grading:
     def __init__(self):
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
         self.hung: set[str] = set()  # functions that went over a limit: they are not called again
-        self.broken: dict[str, str] = {}  # files that cannot be imported, and the file that is the cause
+        # Files that cannot be imported, and the file that is the cause
+        self.broken: dict[str, str] = {}
 
     def judge(self, check) -> Outcome:
         """Return the outcome of a check. It waits if its function uses a function that is wrong."""
-        for each in checks(function=check.function):  # in their order: the first one that fails has the hint
+        # In their order: the first one that fails has the hint
+        for each in checks(function=check.function):
             if each.name not in self.outcomes:
                 self.outcomes[each.name] = self.outcome_of(each)
             if each.name == check.name:
@@ -249,7 +317,10 @@ class Grading:
     def is_wrong(self, function) -> bool:
         """Return whether the function is not written, or one of its own checks fails."""
         outcomes = [self.judge(check) for check in checks(function=function)]
-        return any(each.is_unwritten or each.state in (FAILED, FAULT) and not each.cause for each in outcomes)
+        return any(
+            each.is_unwritten or each.state in (FAILED, FAULT) and not each.cause
+            for each in outcomes
+        )
 
     def make(self, check) -> Outcome:
         """Make a check, and return its outcome."""
@@ -261,24 +332,41 @@ class Grading:
         except WrongError as error:
             return self.failed(check, error)
         except WaitError as error:
-            return self.broken_by(check, error) if error.raised else waiting(str(error), error.place)
+            return (
+                self.broken_by(check, error) if error.raised else waiting(str(error), error.place)
+            )
         except BaseException as error:
-            if limits.PRESSED.is_set() or limits.DEBUGGED.is_set() or getattr(error, "errno", 0) == ENOSPC:
+            if (
+                limits.PRESSED.is_set()
+                or limits.DEBUGGED.is_set()
+                or getattr(error, "errno", 0) == ENOSPC
+            ):
                 raise
-            lines = ["This is a fault of the grader, not of your code. Please show it to your teacher."]
+            lines = [
+                "This is a fault of the grader, not of your code. Please show it to your teacher."
+            ]
             return Outcome(FAULT, "\n".join([*lines, traceback.format_exc(limit=-3).rstrip()]))
         return Outcome(PASSED, hint=" ".join(NOTES))
 
     def failed(self, check, error) -> Outcome:
-        """Return the outcome of a check that raised this WrongError. The first one of a function has words about it."""
+        """Return the outcome of a check that raised this WrongError.
+
+        The first one of a function has words about it.
+        """
         raised, code = error.raised, code_of(check.function)
         if raised and raised.limit:
             self.hung.add(check.function)
         earlier = list(FUNCTIONS)[: list(FUNCTIONS).index(check.function)]
-        others = [name for name in code.names if name in earlier and not self.hung and self.is_wrong(name)]
+        others = [
+            name for name in code.names if name in earlier and not self.hung and self.is_wrong(name)
+        ]
         if others:  # the function uses others than those that the handout asks for
             return waiting(", ".join(others))
-        before = [self.outcomes[each.name] for each in checks(function=check.function) if each.name in self.outcomes]
+        before = [
+            self.outcomes[each.name]
+            for each in checks(function=check.function)
+            if each.name in self.outcomes
+        ]
         hint, seen = "", NOTHING_SEEN
         if not any(each.state == FAILED for each in before):
             hint = words_for(raised, error.result, f"{error}", code, check.function)
@@ -309,7 +397,9 @@ class Grading:
         )
 
     def broken_by(self, check, error) -> Outcome:
-        """Return the outcome of a check whose file cannot be imported: the first one fails, and the others wait."""
+        """Return the outcome of a check whose file cannot be imported: the first one fails, and the
+        others wait.
+        """
         file, raised = f"{error}", error.raised
         is_first = file not in self.broken.values()
         self.broken[FUNCTIONS[check.function].file] = file
@@ -337,10 +427,12 @@ def ask(check) -> None:
 
 
 def line_by_line(check, error) -> Explained:
-    """Make a check that fails once more, and watch the call that is wrong. The student's code prints nothing.
+    """Make a check that fails once more, and watch the call that is wrong.
 
-    error is the WrongError of the check. Return NOTHING_SEEN if something else happens now, under a debugger, and if
-    the function took too much memory.
+    The student's code prints nothing.
+
+    error is the WrongError of the check. Return NOTHING_SEEN if something else happens now, under a
+    debugger, and if the function took too much memory.
     """
     raised = error.raised
     if limits.DEBUGGED.is_set() or isinstance(raised and raised.error, MemoryError):
@@ -357,7 +449,9 @@ def line_by_line(check, error) -> Explained:
         if watch.runs and (is_same or isinstance(watch.error, EndlessError)):
             with suppress(Exception):  # a student's values may say nothing of themselves
                 index = index_in(f"{error}")
-                return WrongCall(check.function, f"{error}", watch, runner.arguments, index, error.right).explained()
+                return WrongCall(
+                    check.function, f"{error}", watch, runner.arguments, index, error.right
+                ).explained()
     except Exception:
         return NOTHING_SEEN  # also a WaitError
     finally:

@@ -1,15 +1,22 @@
-"""The functions of the handout: their files, their places in the handout, and the functions that they use."""
+"""The functions of the handout: their files, their places in the handout, and the functions that
+they use.
+"""
 
 from itertools import takewhile
 from typing import NamedTuple
 
 HONOR = "Honor roll"
-SUITES = {"D": "test_d", "C": "test_c", "B": "test_b", "A": "test_a", HONOR: "test_honor_roll"}  # by tier, in order
+# By tier, in order
+SUITES = {"D": "test_d", "C": "test_c", "B": "test_b", "A": "test_a", HONOR: "test_honor_roll"}
 
 
 def highest(points, most) -> str | None:
-    """Return the highest complete tier, with all tiers below it complete, or None; both are numbers by tier."""
-    return [None, *takewhile(lambda tier: tier in points and points[tier] == most[tier], SUITES)][-1]
+    """Return the highest complete tier, with all tiers below it complete, or None; both are numbers
+    by tier.
+    """
+    return [None, *takewhile(lambda tier: tier in points and points[tier] == most[tier], SUITES)][
+        -1
+    ]
 
 
 class Function(NamedTuple):
@@ -38,19 +45,27 @@ RUNNING, CHALLENGE = "Running the Simulation (A Tests)", "Honor Roll Challenge"
 
 
 def maker(parameters, uses, *given) -> Function:
-    """Return a function that makes a pend_list from a CSV, and uses this other function, and those that are given."""
+    """Return a function that makes a pend_list from a CSV, and uses this other function, and those
+    that are given.
+    """
     return Function("D", SPECIAL, parameters, CREATION, (uses,), returns="pend_list", given=given)
 
 
 # In the order of the handout.
 FUNCTIONS = {
-    "extract_and_convert": Function("D", "src/pds_helper.py", "relative_filepath", CONVERTER, returns="pend_list"),
+    "extract_and_convert": Function(
+        "D", "src/pds_helper.py", "relative_filepath", CONVERTER, returns="pend_list"
+    ),
     "uniform_mass_newton_cradle": maker("relative_filepath, mass", "extract_and_convert"),
     "uniform_e_newton_cradle": maker("relative_filepath, e_val", "extract_and_convert"),
     "elastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
     "inelastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
-    "make_newton_cradle": maker("relative_filepath, r_param, theta_init", "extract_and_convert", "make_pendulum"),
-    "angle_update": Function("C", SWINGING, "omega, theta, r_param, dt, g", SWING, returns="omega_new, theta_new"),
+    "make_newton_cradle": maker(
+        "relative_filepath, r_param, theta_init", "extract_and_convert", "make_pendulum"
+    ),
+    "angle_update": Function(
+        "C", SWINGING, "omega, theta, r_param, dt, g", SWING, returns="omega_new, theta_new"
+    ),
     "full_swing_update": Function(
         "C",
         SWINGING,
@@ -61,10 +76,16 @@ FUNCTIONS = {
         given=("swing_update",),
     ),
     "handle_collision": Function(
-        *("B", RUN, "e, omega1, omega2, m1, m2, r_param", COLLISIONS), returns="new_omega1, new_omega2"
+        *("B", RUN, "e, omega1, omega2, m1, m2, r_param", COLLISIONS),
+        returns="new_omega1, new_omega2",
     ),
     "handle_two_bobs": Function(
-        "B", RUN, "pend1, pend2, r_param", COLLISIONS, ("handle_collision",), ("mass", "e", "omega", "bob", "radius")
+        "B",
+        RUN,
+        "pend1, pend2, r_param",
+        COLLISIONS,
+        ("handle_collision",),
+        ("mass", "e", "omega", "bob", "radius"),
     ),
     "newton_cradle_tick": Function(
         *("A", RUN, "pend_list, r_param, dt, g", RUNNING, ("full_swing_update", "handle_two_bobs")),
@@ -106,7 +127,9 @@ def needed(function) -> list[str]:
 
 
 def is_students(name, function) -> bool:
-    """Return whether a student wrote a function of this name for this one of the handout: itself, or a helper."""
+    """Return whether a student wrote a function of this name for this one of the handout: itself,
+    or a helper.
+    """
     return name == function or name not in FUNCTIONS and name not in GIVEN and name != "<lambda>"
 
 

@@ -1,7 +1,8 @@
 """All words for mistakes, as rows with names. evidence.py chooses among them.
 
 ERRORS  a row for an error of Python: its type, a pattern of Python's own words or "", a test of what is seen or None
-        (evidence.Evidence), and the words; {0} is the first group of the pattern, {name} the name or key of the error
+        (evidence.Evidence), and the words; {0} is the first group of the pattern, {name} the name
+        or key of the error
 MEANING what an error means, if no row fits
 FORMS   a pattern of the sentence that says what is wrong
 """

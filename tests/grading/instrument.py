@@ -1,4 +1,5 @@
-"""Other code for a student's functions, which does the same, and hands its values to a Watch (watch.py).
+"""Other code for a student's functions, which does the same, and hands its values to a Watch
+(watch.py).
 
 All lines keep their numbers. Of these lines in a function,
 
@@ -78,10 +79,14 @@ class Changer:
         return len(self.statements) - 1
 
     def block(self, nodes, owner, loops) -> list[ast.stmt]:
-        """Return the changed statements of a block. owner is the number of the function, loops are those around it."""
+        """Return the changed statements of a block. owner is the number of the function, loops are
+        those around it.
+        """
         changed = []
         for node in nodes:
-            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) or is_idle(node):
+            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) or is_idle(
+                node
+            ):
                 self.add(node, owner, loops, is_shown=False)
                 if isinstance(node, ast.FunctionDef):
                     self.function(node)
@@ -116,7 +121,9 @@ class Changer:
     def expressions(self, node, number) -> None:
         """Let the expressions of a statement hand their parts to the Watch."""
         receiver = None
-        if isinstance(node, ast.Expr) and isinstance(getattr(node.value, "func", None), ast.Attribute):
+        if isinstance(node, ast.Expr) and isinstance(
+            getattr(node.value, "func", None), ast.Attribute
+        ):
             receiver = node.value.func.value
         parts = Parts(number, receiver)
         for name, child in ast.iter_fields(node):
@@ -137,7 +144,10 @@ class Changer:
                 setattr(node, name, self.block(getattr(node, name), owner, around))
         for handler in getattr(node, "handlers", []):
             number = self.add(handler, owner, loops)
-            handler.body = [line_with(handler, "caught", number), *self.block(handler.body, owner, loops)]
+            handler.body = [
+                line_with(handler, "caught", number),
+                *self.block(handler.body, owner, loops),
+            ]
         for case in getattr(node, "cases", []):
             case.body = self.block(case.body, owner, loops)
 
@@ -145,12 +155,17 @@ class Changer:
 def is_idle(node) -> bool:
     """Return whether a statement changes nothing: a docstring, or a print."""
     value = node.value if isinstance(node, ast.Expr) else None
-    return isinstance(value, ast.Constant) or getattr(getattr(value, "func", None), "id", "") == "print"
+    return (
+        isinstance(value, ast.Constant)
+        or getattr(getattr(value, "func", None), "id", "") == "print"
+    )
 
 
 @contextmanager
 def watched(function, watch):
-    """In the body of the with statement, the student's functions for this one have other code, which is watched."""
+    """In the body of the with statement, the student's functions for this one have other code,
+    which is watched.
+    """
     kept = {each: each.__code__ for each in own_functions(function)}
     codes = changed_codes([*kept.values()], watch) if kept else {}
     for each in kept:
@@ -182,7 +197,9 @@ def own_functions(function):
 
 
 def changed_codes(own, watch) -> dict[tuple, CodeType]:
-    """Return the changed code of functions in one file, by their names and first lines; own is their code."""
+    """Return the changed code of functions in one file, by their names and first lines; own is
+    their code.
+    """
     file = own[0].co_filename
     names = {code.co_name for code in own}
     tree = ast.parse("".join(linecache.getlines(file)))

@@ -1,4 +1,5 @@
-"""Limits for students' functions: they cannot take all time or memory, wait for input, or end the grader's process.
+"""Limits for students' functions: they cannot take all time or memory, wait for input, or end the
+grader's process.
 
 This is for mistakes. It is no protection from a student who means harm.
 """
@@ -26,9 +27,11 @@ MEMORY_IN_USE = Path("/proc/self/statm")  # Linux has it; its sixth number count
 
 LATE = threading.Event()  # set if the grader stopped a check
 WAITED = threading.Event()  # set, too, if it did so by the clock
-# Set once a call failed for want of something that other programs use as well: time by the clock, memory, the disk.
+# Set once a call failed for want of something that other programs use as well: time by the clock,
+# memory, the disk.
 SHARED_WAS_SHORT = threading.Event()
-SHARED = errno.EAGAIN, errno.EDQUOT, errno.ENFILE, errno.ENOMEM, errno.ENOSPC  # the system's errors of this kind
+# The system's errors of this kind
+SHARED = errno.EAGAIN, errno.EDQUOT, errno.ENFILE, errno.ENOMEM, errno.ENOSPC
 PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
 DEBUGGED = threading.Event()  # set if the present check is in a debugger: no limit of time holds
 # These now: pytest takes the input and the output away later, and a check must not end the process.
@@ -42,7 +45,9 @@ end_process = os._exit
 
 @contextmanager
 def limited_memory(megabytes=None):
-    """On Linux, raise a MemoryError if the body of the with statement takes more than this, by default MOST_MEMORY."""
+    """On Linux, raise a MemoryError if the body of the with statement takes more than this, by
+    default MOST_MEMORY.
+    """
     if not MEMORY_IN_USE.exists():
         yield
         return
@@ -65,10 +70,11 @@ def limited_memory(megabytes=None):
 
 @contextmanager
 def without_ends():
-    """In the body of the with statement, os._exit raises a SystemExit, input an EOFError, and the output stays open.
+    """In the body of the with statement, os._exit raises a SystemExit, input an EOFError, and the
+    output stays open.
 
-    A process that the body starts can end as it likes. A debugger has its prompt in a terminal; without one, breakpoint
-    does nothing.
+    A process that the body starts can end as it likes. A debugger has its prompt in a terminal;
+    without one, breakpoint does nothing.
     """
     process = os.getpid()
     answer = input
@@ -115,13 +121,16 @@ def over_limit(error) -> str:
     if number == errno.EFBIG:
         import resource  # Windows has none, and no such limit
 
-        most = resource.getrlimit(resource.RLIMIT_FSIZE)[0]  # pytest keeps in a file what a function prints
+        # Pytest keeps in a file what a function prints
+        most = resource.getrlimit(resource.RLIMIT_FSIZE)[0]
         return f"printed or wrote more than {most / 10**6:g} MB into a file"
     return ""
 
 
 def end_stubborn() -> None:
-    """If a student's code runs, which has caught each interrupt, end the process, and name the line."""
+    """If a student's code runs, which has caught each interrupt, end the process, and name the
+    line.
+    """
     frame = sys._current_frames()[threading.main_thread().ident]
     while frame is not None and not Path(frame.f_code.co_filename).is_relative_to(ROOT / "src"):
         frame = frame.f_back
@@ -177,11 +186,12 @@ class Timer(threading.Thread):
 
 @contextmanager
 def patience(seconds):
-    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer than seconds.
+    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer
+    than seconds.
 
-    These are seconds of processor time. If the body only waits, set WAITED, too. If it catches MOST_INTERRUPTS, the
-    process ends. In a debugger, there is no limit. If somebody presses Ctrl+C, set PRESSED, and raise a
-    KeyboardInterrupt at the end, also if the body catches it.
+    These are seconds of processor time. If the body only waits, set WAITED, too. If it catches
+    MOST_INTERRUPTS, the process ends. In a debugger, there is no limit. If somebody presses Ctrl+C,
+    set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches it.
     """
 
     def on_interrupt(*_):

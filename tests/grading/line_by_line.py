@@ -1,4 +1,6 @@
-"""A wrong call, line by line: the tables of the student's functions, and sentences about what was seen."""
+"""A wrong call, line by line: the tables of the student's functions, and sentences about what was
+seen.
+"""
 
 import ast
 from math import isclose
@@ -28,7 +30,8 @@ class WrongCall:
     """A call of a student's function that gave something wrong, and was watched."""
 
     def __init__(self, function, sentence, watch: Watch, arguments, index, right):
-        """sentence says what is wrong, for the pendulum at index (or None). arguments are those of the call.
+        """sentence says what is wrong, for the pendulum at index (or None). arguments are those of
+        the call.
 
         right are pairs of a part of the handout's formula, and its right value in this call.
         """
@@ -54,16 +57,23 @@ class WrongCall:
             needed = self.needed(helper, [*begins, *self.ends(helper)])
             below = self.table(helper, needed)
             rank = min((row.rank for row in below), default=0)
-            rows.append(Row(rank, [f"{' ' * INDENT}Your function {self.name_of(helper)}, {CALLED}"]))
+            rows.append(
+                Row(rank, [f"{' ' * INDENT}Your function {self.name_of(helper)}, {CALLED}"])
+            )
             rows += below
             helper = self.helper(helper, needed)
         facts = [*self.question.facts]
         if not self.watch.error:
             facts += [*self.early_returns(runs), *self.nothing_returned(), *self.missing_calls()]
         if self.right and not self.watch.error:
-            facts.append(f"Right here: {', '.join(f'{name} = {shown(value)}' for name, value in self.right)}.")
+            facts.append(
+                f"Right here: {', '.join(f'{name} = {shown(value)}' for name, value in self.right)}."
+            )
         where = (
-            [stop.line for stop in self.stops.values()] or [*self.marks] or self.question.lines or self.ends(self.main)
+            [stop.line for stop in self.stops.values()]
+            or [*self.marks]
+            or self.question.lines
+            or self.ends(self.main)
         )
         return Explained(where[-1] if where else 0, rows, facts)
 
@@ -74,7 +84,8 @@ class WrongCall:
         """Return where the watched calls were stopped, the outer one first."""
         found, error = {}, self.watch.error
         step = error.__traceback__ if error else None
-        while step and not (found and isinstance(error, RecursionError)):  # of these, the outer call is enough
+        # Of these, the outer call is enough
+        while step and not (found and isinstance(error, RecursionError)):
             run = self.watch.runs.get(step.tb_frame)
             if run:
                 found[run] = Stop(step.tb_lineno, *words_of(error))
@@ -87,11 +98,16 @@ class WrongCall:
         return [node.lineno for node in nodes if isinstance(node, ast.Return)]
 
     def needed(self, run, begins) -> dict[int, int]:
-        """Return these lines of a call, all lines that set what they use, and the loops and conditions around them.
+        """Return these lines of a call, all lines that set what they use, and the loops and
+        conditions around them.
 
         Each has the number of steps that lead to it.
         """
-        own = [one.node for i, one in enumerate(self.watch.statements) if one.owner == run.definition != i]
+        own = [
+            one.node
+            for i, one in enumerate(self.watch.statements)
+            if one.owner == run.definition != i
+        ]
         found: dict[int, int] = {}
         left = [(line, 0) for line in begins]
         while left:
@@ -109,11 +125,15 @@ class WrongCall:
         return found
 
     def helper(self, run, needed) -> Run | None:
-        """Return the call of a helper that this call has made: the one that stopped, or that a needed line made."""
+        """Return the call of a helper that this call has made: the one that stopped, or that a
+        needed line made.
+        """
         stopped = [*self.stops]
         if run in stopped and run is not stopped[-1]:
             return stopped[stopped.index(run) + 1]
-        by_line = {self.watch.statements[number].node.lineno: seen for number, seen in run.seen.items()}
+        by_line = {
+            self.watch.statements[number].node.lineno: seen for number, seen in run.seen.items()
+        }
         for line in sorted(needed, key=lambda line: (needed[line], -line)):
             seen = by_line.get(line)
             if seen:
@@ -125,15 +145,29 @@ class WrongCall:
         return None
 
     def other_helper(self) -> Run | None:
-        """Return the last call of another function of the student's, or the one for the pendulum in question."""
-        others = [run for run in self.runs if self.name_of(run) != self.function and "__" not in self.name_of(run)]
+        """Return the last call of another function of the student's, or the one for the pendulum in
+        question.
+        """
+        others = [
+            run
+            for run in self.runs
+            if self.name_of(run) != self.function and "__" not in self.name_of(run)
+        ]
         if not others or self.stops:
             return None
-        return others[self.index] if self.index is not None and self.index < len(others) else others[-1]
+        return (
+            others[self.index]
+            if self.index is not None and self.index < len(others)
+            else others[-1]
+        )
 
     def missing_calls(self) -> list[str]:
-        """Return a sentence for each function that the handout tells to use, and that no line names."""
-        nodes = [one for run in self.runs for one in ast.walk(self.watch.statements[run.definition].node)]
+        """Return a sentence for each function that the handout tells to use, and that no line
+        names.
+        """
+        nodes = [
+            one for run in self.runs for one in ast.walk(self.watch.statements[run.definition].node)
+        ]
         names = {getattr(one, kind, "") for one in nodes for kind in ("id", "attr", "name")}
         missing = [name for name in FUNCTIONS[self.function].uses if name not in names]
         return [f"No line of your function calls {name}." for name in missing]
@@ -160,9 +194,11 @@ class WrongCall:
         return ["Your function has no return with a value."]
 
     def departures(self) -> dict[int, str]:
-        """Return the first line that gives a returned name a value that the handout's formula does not give.
+        """Return the first line that gives a returned name a value that the handout's formula does
+        not give.
 
-        It is certain only if the returned name has this value, and says which result it is: omega, or theta.
+        It is certain only if the returned name has this value, and says which result it is: omega,
+        or theta.
         """
         node = self.question.returned()
         parts = node.value.elts if node and isinstance(node.value, ast.Tuple) else []
@@ -191,7 +227,9 @@ def sets_what_is_used(one, node) -> bool:
 
 
 def words_of(error) -> tuple[str, bool]:
-    """Return how an error has stopped a line, in words, and whether it is an error of the line's own."""
+    """Return how an error has stopped a line, in words, and whether it is an error of the line's
+    own.
+    """
     if isinstance(error, EndlessError):
         return "still here after 1000 turns", False
     if isinstance(error, KeyboardInterrupt):

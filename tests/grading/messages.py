@@ -14,14 +14,24 @@ from vpython import box, cylinder, sphere, vector
 from grading.handout import FUNCTIONS
 from support.start.output import in_one_line
 
-COLUMNS, LABEL, WIDTH = 80, 12, 62  # of a terminal, of the labels of a message, and of the values beside them
+# Of a terminal, of the labels of a message, and of the values beside them
+COLUMNS = 80
+LABEL = 12
+WIDTH = 62
 MOST_ELEMENTS, DICTIONARIES = 20, 1  # elements shown of a list, and of a list of dictionaries
 FILE, ROWS = 8, 4  # lines of the longest file that is shown whole, and lines shown of a longer one
 LINES = 5  # lines shown of a result, and of an expected value
 MOST_CHARACTERS, MOST_PARTS = 300, 10_000  # shown of a text, and of a value
 
 SHAPES = {box: "an axle", sphere: "a bob", cylinder: "a cord"}
-FORMS = {list: "a list", tuple: "a tuple", dict: "a dictionary", str: "text", bool: "a bool", type(None): "None"}
+FORMS = {
+    list: "a list",
+    tuple: "a tuple",
+    dict: "a dictionary",
+    str: "text",
+    bool: "a bool",
+    type(None): "None",
+}
 
 
 @dataclass(frozen=True)
@@ -48,7 +58,8 @@ class Call(NamedTuple):
     times: int = 1
 
     def lines(self, index=0) -> list[str]:
-        """Return it as text: the call, and below it the values of the pendula and files that the function reads.
+        """Return it as text: the call, and below it the values of the pendula and files that the
+        function reads.
 
         index is that of a pendulum that must be among those of a list.
         """
@@ -62,7 +73,8 @@ class Call(NamedTuple):
             if is_long:
                 below += value_lines(name, value, function.reads, index)
                 if isinstance(value, PlainFile) and self.function != "extract_and_convert":
-                    below = [f"{name} is the path of {Path(value.path).name}"]  # the pendula say what is in it
+                    # The pendula say what is in it
+                    below = [f"{name} is the path of {Path(value.path).name}"]
         return [*wrap(f"{self.function}({', '.join(words)})", COLUMNS - LABEL), *below]
 
 
@@ -71,9 +83,14 @@ def plain(value):
     if isinstance(value, list):
         return [plain(element) for element in value]
     if isinstance(value, dict) and "objects" in value:
-        with suppress(TypeError, ValueError, AttributeError):  # a student's code may have changed the objects
+        # A student's code may have changed the objects
+        with suppress(TypeError, ValueError, AttributeError):
             axle, bob = value["objects"][:2]
-            place = {"axle": tuple(axle.pos.value), "bob": tuple(bob.pos.value), "radius": bob.radius}
+            place = {
+                "axle": tuple(axle.pos.value),
+                "bob": tuple(bob.pos.value),
+                "radius": bob.radius,
+            }
             return {**{name: part for name, part in value.items() if name != "objects"}, **place}
     if isinstance(value, str) and Path(value).is_file():
         return PlainFile(value, Path(value).read_text(encoding="utf-8", errors="replace"))
@@ -81,7 +98,9 @@ def plain(value):
 
 
 def value_lines(name, value, keys, index=0) -> list[str]:
-    """Return lines about a long argument: a file, a pendulum (these keys), or a list, with the pendulum at index."""
+    """Return lines about a long argument: a file, a pendulum (these keys), or a list, with the
+    pendulum at index.
+    """
     if isinstance(value, PlainFile):
         rows = value.text.splitlines()
         if len(rows) > FILE:
@@ -92,20 +111,31 @@ def value_lines(name, value, keys, index=0) -> list[str]:
         lines = [line for i in some for line in value_lines(f"{name}[{i}]", value[i], keys)]
         return [*lines, f"... ({len(value)} in all)"] if len(value) > len(some) else lines
     digits = {"bob": 4}
-    return [f"{name}: " + ", ".join(f"{key} {shown(value[key], digits.get(key, 6))}" for key in keys if key in value)]
+    return [
+        f"{name}: "
+        + ", ".join(
+            f"{key} {shown(value[key], digits.get(key, 6))}" for key in keys if key in value
+        )
+    ]
 
 
 def damage(before, names, arguments):
-    """Yield, for each pendulum in the arguments of a call that is none any more, its name and its value in words.
+    """Yield, for each pendulum in the arguments of a call that is none any more, its name and its
+    value in words.
 
-    before has plain copies of the arguments from before the call, names are their names with commas.
+    before has plain copies of the arguments from before the call, names are their names with
+    commas.
     """
     for name, old, value in zip(names.split(", "), before, arguments, strict=False):
         if isinstance(value, list) and isinstance(old, list):
             yield from damage(old, ", ".join(f"{name}[{i}]" for i in range(len(old))), value)
         elif isinstance(old, dict):
             now = plain(value)
-            lost = [] if not isinstance(now, dict) else sorted(old.keys() - now.keys() - {"axle", "bob", "radius"})
+            lost = (
+                []
+                if not isinstance(now, dict)
+                else sorted(old.keys() - now.keys() - {"axle", "bob", "radius"})
+            )
             if not isinstance(now, dict) or lost or "objects" in now or "bob" not in now:
                 if lost:
                     yield f"{name}: without {lost[0]}"
@@ -114,7 +144,9 @@ def damage(before, names, arguments):
 
 
 def shown(value, digits=6) -> str:
-    """Return a value as text: numbers with this number of digits, each dictionary of a list on its own line."""
+    """Return a value as text: numbers with this number of digits, each dictionary of a list on its
+    own line.
+    """
     try:
         return text_of(value, digits, iter(range(MOST_PARTS)))
     except RecursionError:
@@ -134,7 +166,9 @@ def form_of(value) -> str:
 
 
 def text_of(value, digits, parts) -> str:
-    """Return the same as shown, but let errors of the value pass. parts limits the number of its parts."""
+    """Return the same as shown, but let errors of the value pass. parts limits the number of its
+    parts.
+    """
     next(parts)
     if isinstance(value, Wanted):
         return value.words
@@ -161,7 +195,9 @@ def text_of(value, digits, parts) -> str:
 
 
 def joined(parts, whole, elements) -> str:
-    """Return the parts of a list, tuple or dictionary in lines, and the full number if parts are left out."""
+    """Return the parts of a list, tuple or dictionary in lines, and the full number if parts are
+    left out.
+    """
     has_pendula = any(isinstance(element, dict) for element in elements)
     if len(whole) > len(parts):
         parts = [*parts, f"... ({len(whole)} in all)"]
@@ -178,17 +214,25 @@ def about(what, value, digits=6) -> list[str]:
     lines = lines if len(lines) <= LINES else [*lines[: LINES - 1], " ..."]
     if not what:
         return lines
-    return [f"{what}: {lines[0]}"] if len(lines) == 1 and len(what + lines[0]) < WIDTH else [f"{what}:", *lines]
+    return (
+        [f"{what}: {lines[0]}"]
+        if len(lines) == 1 and len(what + lines[0]) < WIDTH
+        else [f"{what}:", *lines]
+    )
 
 
 def message(pairs) -> str:
-    """Return pairs of a label and a sentence (or a list of lines) as one text, without those that have no text."""
+    """Return pairs of a label and a sentence (or a list of lines) as one text, without those that
+    have no text.
+    """
     rows = []
     for label, text in pairs:
         lines = []
         for line in [text] if isinstance(text, str) else "\n".join(text).split("\n"):
             lines += wrap(line, COLUMNS - LABEL) or [""]
-        rows += [f"{label if i == 0 else '':<{LABEL}}{line}" for i, line in enumerate(lines) if text]
+        rows += [
+            f"{label if i == 0 else '':<{LABEL}}{line}" for i, line in enumerate(lines) if text
+        ]
     return "\n".join(rows)
 
 
@@ -202,7 +246,9 @@ def own_lines(places) -> list[str]:
 
 
 def end_of(raised, places) -> tuple[str, list[str]]:
-    """Return, as (label, lines), how a call was stopped, and at these places: by an error, or by the grader."""
+    """Return, as (label, lines), how a call was stopped, and at these places: by an error, or by
+    the grader.
+    """
     if not raised.limit:
         return "it raised", error_lines(raised)
     end = f"nothing; it {raised.limit} and was stopped"
@@ -211,5 +257,9 @@ def end_of(raised, places) -> tuple[str, list[str]]:
 
 def error_lines(raised) -> list[str]:
     """Return an error, and its places in the student's own lines, as lines of text."""
-    text = f"{raised.kind}, which has no text" if raised.text is None else f"{raised.kind}: {raised.text}"
+    text = (
+        f"{raised.kind}, which has no text"
+        if raised.text is None
+        else f"{raised.kind}: {raised.text}"
+    )
     return [*map(in_one_line, text[:MOST_CHARACTERS].split("\n")), *own_lines(raised.places)]

@@ -1,6 +1,8 @@
-"""The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table ends a run.
+"""The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table
+ends a run.
 
-With pytest-xdist (-n 2), other processes run the tests and report to the first one, which shows the table.
+With pytest-xdist (-n 2), other processes run the tests and report to the first one, which shows the
+table.
 """
 
 import json
@@ -47,9 +49,12 @@ def tier_name(text) -> str:
 
 def pytest_configure(config):
     if not __debug__:
-        raise pytest.UsageError("Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks.")
+        raise pytest.UsageError(
+            "Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks."
+        )
     for word in map(str, config.invocation_params.args):
-        if word.startswith("-") and word.endswith("=--"):  # up to Python 3.12, its value is an empty list
+        # Up to Python 3.12, its value is an empty list
+        if word.startswith("-") and word.endswith("=--"):
             raise pytest.UsageError(f"found {word!r}, allowed is no -- after =")
     config.grading = Grading()
     RAN.clear()
@@ -60,17 +65,27 @@ def pytest_configure(config):
             raise pytest.UsageError(f"found {word!r}, which is no file. {words}")
     file = config.option.grade_json
     if file is not None and (Path(file).is_dir() or not Path(file).parent.is_dir()):
-        raise pytest.UsageError(f"--grade-json: found {file!r}, allowed is a file in a folder that is there")
+        raise pytest.UsageError(
+            f"--grade-json: found {file!r}, allowed is a file in a folder that is there"
+        )
 
 
 def pytest_ignore_collect(collection_path, config):
     """Leave out the files of other tiers, without reading them: an import in them may fail."""
     tier = config.option.tier
-    return True if tier and collection_path.is_file() and collection_path.stem != SUITES[TIERS[tier]] else None
+    return (
+        True
+        if tier and collection_path.is_file() and collection_path.stem != SUITES[TIERS[tier]]
+        else None
+    )
 
 
 def pytest_pycollect_makeitem(collector, name, obj):
-    return Item.from_parent(collector, name=name, check=CHECKS[name]) if getattr(obj, "is_check", False) else None
+    return (
+        Item.from_parent(collector, name=name, check=CHECKS[name])
+        if getattr(obj, "is_check", False)
+        else None
+    )
 
 
 def pytest_collection_modifyitems(items):
@@ -103,7 +118,13 @@ class Item(pytest.Item):
 @pytest.hookimpl(tryfirst=True)  # before the terminal shows the report
 def pytest_runtest_logreport(report):
     """Take the outcome of a check out of its report, which may come from another process."""
-    RAN.update({name_of(report): Outcome(*fields) for key, fields in report.user_properties if key == OUTCOME})
+    RAN.update(
+        {
+            name_of(report): Outcome(*fields)
+            for key, fields in report.user_properties
+            if key == OUTCOME
+        }
+    )
 
 
 def name_of(report) -> str:
@@ -118,17 +139,27 @@ def pytest_report_teststatus(report):
 
 
 def pytest_sessionfinish(session):
-    """Write the grade. The exit status is 1 also if checks wait, and another one if the file cannot be written."""
+    """Write the grade.
+
+    The exit status is 1 also if checks wait, and another one if the file cannot be written.
+    """
     session.config.session = session
     if hasattr(session.config, "workerinput"):  # a process of xdist's, which has seen a part only
         return
     file = session.config.option.grade_json
-    if session.exitstatus == pytest.ExitCode.OK and any(outcome.state != PASSED for outcome in RAN.values()):
+    if session.exitstatus == pytest.ExitCode.OK and any(
+        outcome.state != PASSED for outcome in RAN.values()
+    ):
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
     if file and RAN:
         try:
-            graded = {**grade(RAN), "checks": {}, "text": [line for line, _ in words_of_run(session.config)]}
-            # Whether nothing has failed for want of what other programs use as well, or by a fault of the grader.
+            graded = {
+                **grade(RAN),
+                "checks": {},
+                "text": [line for line, _ in words_of_run(session.config)],
+            }
+            # Whether nothing has failed for want of what other programs use as well, or by a fault
+            # of the grader.
             is_fault = any(outcome.state == FAULT for outcome in RAN.values())
             graded["final"] = not (is_fault or limits.SHARED_WAS_SHORT.is_set())
             for check in made_checks(RAN):
@@ -145,7 +176,9 @@ def pytest_sessionfinish(session):
 
 def words_of_run(config) -> list[tuple[str, str]]:
     """Return what a student reads about this run, as lines of text, each with its color or ""."""
-    failed = getattr(config.pluginmanager.get_plugin("terminalreporter"), "stats", {}).get("failed", [])
+    failed = getattr(config.pluginmanager.get_plugin("terminalreporter"), "stats", {}).get(
+        "failed", []
+    )
     note = ""
     try:
         check_cradle(NC_FP)
@@ -158,7 +191,9 @@ def words_of_run(config) -> list[tuple[str, str]]:
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_terminal_summary(terminalreporter, config):
     """Show what students read below everything else."""
-    others = [report for report in terminalreporter.stats.get("failed", []) if name_of(report) not in RAN]
+    others = [
+        report for report in terminalreporter.stats.get("failed", []) if name_of(report) not in RAN
+    ]
     with patch.dict(terminalreporter.stats, failed=others):  # pytest shows these only
         yield
     terminalreporter.currentfspath = None  # no line is begun: or an empty one would be put in
@@ -172,12 +207,15 @@ def pytest_terminal_summary(terminalreporter, config):
 
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure(config):
-    """End the process with its exit status if a student's code has left a thread that runs: Python would wait for it.
+    """End the process with its exit status if a student's code has left a thread that runs: Python
+    would wait for it.
 
     Everything is printed and written by now; with pytest-xdist, this process has sent its reports.
     """
     main = threading.main_thread()
-    if hasattr(config, "session") and any(not each.daemon and each is not main for each in threading.enumerate()):
+    if hasattr(config, "session") and any(
+        not each.daemon and each is not main for each in threading.enumerate()
+    ):
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(config.session.exitstatus)

@@ -1,4 +1,6 @@
-"""The value in question: where the value that a sentence of the grader names comes from, in a call that was watched."""
+"""The value in question: where the value that a sentence of the grader names comes from, in a call
+that was watched.
+"""
 
 import ast
 import re
@@ -10,12 +12,15 @@ from grading.handout import FUNCTIONS
 from grading.values import in_words
 from grading.watch import LOOPS, Run, Store, Watch
 
-# What a sentence of comparing.py is about: a value of a pendulum, the keys of one, or a part of its objects.
+# What a sentence of comparing.py is about: a value of a pendulum, the keys of one, or a part of its
+# objects.
 PEND = r"(?P<pend>(?P<name>pend\w*)(?:\[(?P<index>\d+)\])?)"
 VALUE = re.compile(rf"(?P<key>\w+) of {PEND} ")
 KEYS = re.compile(rf"{PEND} (?:misses|must not have) the key ")
 IN_EACH = re.compile(r"the value of (?P<key>\w+) in each pendulum ")
-OBJECT = re.compile(r"(?P<what>\w+).* of (?:the )?(?P<part>axle|bob|cord)(?:\[| of pend_list\[)\d+\]")
+OBJECT = re.compile(
+    r"(?P<what>\w+).* of (?:the )?(?P<part>axle|bob|cord)(?:\[| of pend_list\[)\d+\]"
+)
 UNSEEN = {"update", "setdefault", "pop", "clear", "map", "setattr", "exec", "vars", "__setitem__"}
 MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parameters
 
@@ -24,7 +29,9 @@ class Question:
     """Finds the lines that have set the value in question. facts are sentences about it."""
 
     def __init__(self, function, sentence, watch: Watch, main: Run, arguments):
-        """main is the call of the function. sentence says what is wrong, arguments are those of the call."""
+        """main is the call of the function. sentence says what is wrong, arguments are those of the
+        call.
+        """
         self.function, self.sentence = FUNCTIONS[function], sentence
         self.watch, self.main = watch, main
         self.values = dict(zip(self.function.parameters.split(", "), arguments, strict=False))
@@ -34,7 +41,9 @@ class Question:
         self.lines: list[int] = self.found()  # the last one is where to look
 
     def found(self) -> list[int]:
-        """Return the lines that have set the value, or without such a line, those that give the result."""
+        """Return the lines that have set the value, or without such a line, those that give the
+        result.
+        """
         for pattern, search in (
             (VALUE, self.of_value),
             (KEYS, self.of_keys),
@@ -51,7 +60,9 @@ class Question:
         found = self.values.get(match["name"])
         if match["index"]:
             index = int(match["index"])
-            found = found[index] if isinstance(found, (list, tuple)) and index < len(found) else None
+            found = (
+                found[index] if isinstance(found, (list, tuple)) and index < len(found) else None
+            )
         return found if isinstance(found, dict) else None
 
     def of_value(self, match) -> list[int]:
@@ -74,24 +85,36 @@ class Question:
             if self.can_set_unseen():
                 self.facts.append(f"{key} of {name} is {words}.")
             else:
-                self.facts.append(f"No line of your function has set {key} of {name}: it is {words}.")
+                self.facts.append(
+                    f"No line of your function has set {key} of {name}: it is {words}."
+                )
         if setting:
             return [*lines, *self.conditions_around(setting[-1])]
         return [*lines, *(self.lines_without_effect() or self.lines_of_loops())] or self.of_result()
 
     def can_set_unseen(self) -> bool:
-        """Return whether a line can set a value in a way that is not watched, as p.update(e=0) in a comprehension."""
-        nodes = [one for run in self.watch.runs.values() for one in ast.walk(self.node(run.definition))]
+        """Return whether a line can set a value in a way that is not watched, as p.update(e=0) in a
+        comprehension.
+        """
+        nodes = [
+            one for run in self.watch.runs.values() for one in ast.walk(self.node(run.definition))
+        ]
         names = {getattr(one, kind, "") for one in nodes for kind in ("id", "attr")}
-        has_union = any(isinstance(one, ast.AugAssign) and isinstance(one.op, ast.BitOr) for one in nodes)
-        return has_union or bool(names & UNSEEN) or any(isinstance(one, AS_THEY_ARE) for one in nodes)
+        has_union = any(
+            isinstance(one, ast.AugAssign) and isinstance(one.op, ast.BitOr) for one in nodes
+        )
+        return (
+            has_union or bool(names & UNSEEN) or any(isinstance(one, AS_THEY_ARE) for one in nodes)
+        )
 
     def conditions_around(self, line) -> list[int]:
         """Return the line of the innermost condition that was not true, and has a line in it."""
         found = []
         for run, number in self.statements_that_ran():
             node = self.node(number)
-            is_around = isinstance(node, (ast.If, ast.While)) and node.lineno < line <= node.end_lineno
+            is_around = (
+                isinstance(node, (ast.If, ast.While)) and node.lineno < line <= node.end_lineno
+            )
             if is_around and run.seen[number][-1].words[0][1].endswith("False"):
                 found.append(node.lineno)
         return found[-1:]
@@ -101,14 +124,18 @@ class Question:
         found = []
         for run, number in self.statements_that_ran():
             words = [text for _, text in run.seen[number][-1].words]
-            if isinstance(self.node(number), ast.Expr) and any(text.startswith("gives") for text in words):
+            if isinstance(self.node(number), ast.Expr) and any(
+                text.startswith("gives") for text in words
+            ):
                 found.append(self.node(number).lineno)
         return found
 
     def lines_of_loops(self) -> list[int]:
         """Return the lines with loops: in one of them, the value could be set."""
         return [
-            self.node(number).lineno for _, number in self.statements_that_ran() if isinstance(self.node(number), LOOPS)
+            self.node(number).lineno
+            for _, number in self.statements_that_ran()
+            if isinstance(self.node(number), LOOPS)
         ]
 
     def lines_of_list(self) -> list[int]:
@@ -126,7 +153,10 @@ class Question:
         found, own = [], []
         for statement in self.watch.statements:
             for target in targets_of(statement.node):
-                if isinstance(target, ast.Subscript) and getattr(target.slice, "value", None) == key:
+                if (
+                    isinstance(target, ast.Subscript)
+                    and getattr(target.slice, "value", None) == key
+                ):
                     found.append(statement.node.lineno)
                     if ast.unparse(target.value) == name:
                         own.append(statement.node.lineno)
@@ -138,7 +168,9 @@ class Question:
         return lines_in(store for store in self.watch.stores if store.place is pend)
 
     def of_object(self, match) -> list[int]:
-        """Return the lines for a place or the looks of an object: those that set what make_pendulum gets for it."""
+        """Return the lines for a place or the looks of an object: those that set what make_pendulum
+        gets for it.
+        """
         parameter = match["what"] if match["what"] in MAKE_PENDULUM else "theta"
         if match["part"] == "axle":
             parameter = "axle_pos"
@@ -148,14 +180,22 @@ class Question:
                 given = dict(zip(MAKE_PENDULUM, call.args, strict=False))
                 given |= {option.arg: option.value for option in call.keywords}
                 if getattr(call.func, "id", "") == "make_pendulum" and parameter in given:
-                    return lines_in(self.stores_of(names_in_head(given[parameter]), run)) or [node.lineno]
+                    return lines_in(self.stores_of(names_in_head(given[parameter]), run)) or [
+                        node.lineno
+                    ]
         return []
 
     def of_result(self) -> list[int]:
-        """Return the lines for a result: those that set the wrong part of it, and those that give it."""
+        """Return the lines for a result: those that set the wrong part of it, and those that give
+        it.
+        """
         node = self.returned()
         names = self.function.returns.split(", ")
-        wrong = [i for i, name in enumerate(names) if re.match(rf"(\w+ of )?{name} (is|are|has) ", self.sentence)]
+        wrong = [
+            i
+            for i, name in enumerate(names)
+            if re.match(rf"(\w+ of )?{name} (is|are|has) ", self.sentence)
+        ]
         if not node or not node.value:
             return self.lines_with_calls()
         part = node.value
@@ -166,13 +206,19 @@ class Question:
         if not isinstance(part, ast.Name) or self.sentence.startswith("The result "):
             return [*lines, node.lineno]
         if wrong and part.id in self.values and not self.is_set(part.id):
-            self.facts.append(f"{names[wrong[0]]} is your {part.id}, and no line of your function has set it.")
+            self.facts.append(
+                f"{names[wrong[0]]} is your {part.id}, and no line of your function has set it."
+            )
         return lines or [node.lineno]
 
     def is_set(self, name) -> bool:
         """Return whether a line of the function can give a name another value."""
         nodes = [*ast.walk(self.node(self.main.definition))]
-        names = {one.id for one in nodes if isinstance(one, ast.Name) and not isinstance(one.ctx, ast.Load)}
+        names = {
+            one.id
+            for one in nodes
+            if isinstance(one, ast.Name) and not isinstance(one.ctx, ast.Load)
+        }
         return name in names or any(getattr(one, "name", "") == name for one in nodes)
 
     def lines_with_calls(self) -> list[int]:
@@ -204,7 +250,9 @@ class Question:
 
 
 def first_with_last_value(stores) -> int:
-    """Return the line that has given a place its last value; lines that have given it again do not count."""
+    """Return the line that has given a place its last value; lines that have given it again do not
+    count.
+    """
     last = stores[-1]
     for store in reversed(stores):
         if store.text != last.text or store.key != last.key:

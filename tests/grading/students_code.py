@@ -17,7 +17,9 @@ from grading.raised import StoppedError
 from grading.watch import Watch
 
 # The CSV that solutions read instead of the shipped one; each pendulum has another mass.
-SHIPPED_CSV = "mass,e,theta,omega,color,texture\n" + "".join(f"{i}.25,0.5,0.0,0.0,cyan,none\n" for i in range(1, 6))
+SHIPPED_CSV = "mass,e,theta,omega,color,texture\n" + "".join(
+    f"{i}.25,0.5,0.0,0.0,cyan,none\n" for i in range(1, 6)
+)
 
 
 class Code(NamedTuple):
@@ -35,29 +37,39 @@ class MissingError(Exception):
 class StudentsCode:
     """Finds and calls the student's functions, in the process of the grader.
 
-    They find a CSV of the grader in place of newton_cradle_pends.csv: yours may have a mistake, and stays as it is.
+    They find a CSV of the grader in place of newton_cradle_pends.csv: yours may have a mistake, and
+    stays as it is.
     """
 
     def __init__(self):
-        self.folder = TemporaryDirectory(ignore_cleanup_errors=True)  # a solution may leave a file open
+        # A solution may leave a file open
+        self.folder = TemporaryDirectory(ignore_cleanup_errors=True)
         self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
         self.shipped.write_text(SHIPPED_CSV)
-        self.has_written = False  # whether the last call has changed this CSV, which was then put back
+        # Whether the last call has changed this CSV, which was then put back
+        self.has_written = False
         self.count = 0  # of the calls since the check began
         self.watch: Watch | None = None  # for the call with the number watched
         self.watched = 0
         self.arguments: tuple = ()  # of the watched call
 
     def find(self, function) -> Callable:
-        """Return a function of the handout; raise a MissingError if its file lacks it. Errors of its import pass."""
+        """Return a function of the handout; raise a MissingError if its file lacks it.
+
+        Errors of its import pass.
+        """
         with patch("support.constants.NC_FP", str(self.shipped)):
-            found = getattr(importlib.import_module(module_of(FUNCTIONS[function].file)), function, None)
+            found = getattr(
+                importlib.import_module(module_of(FUNCTIONS[function].file)), function, None
+            )
         if not callable(found):
             raise MissingError
         return found
 
     def run(self, function, arguments, times=1) -> Any:
-        """Call a function of the handout, and return its result; raise a StoppedError if it or its import fails."""
+        """Call a function of the handout, and return its result; raise a StoppedError if it or its
+        import fails.
+        """
         solution = None
         self.count += 1
         try:
@@ -79,7 +91,10 @@ class StudentsCode:
             self.put_back()
 
     def repeated(self, solution, function, arguments, times) -> Any:
-        """Call a solution this number of times; return the last result. Each one begins the next call's arguments."""
+        """Call a solution this number of times; return the last result.
+
+        Each one begins the next call's arguments.
+        """
         for _ in range(times):
             if self.watch:
                 self.watch.begin(arguments)
@@ -91,7 +106,9 @@ class StudentsCode:
 
     def put_back(self) -> None:
         """Set has_written; if it is True, make the grader's CSV again."""
-        self.has_written = not (self.shipped.is_file() and self.shipped.read_text(errors="replace") == SHIPPED_CSV)
+        self.has_written = not (
+            self.shipped.is_file() and self.shipped.read_text(errors="replace") == SHIPPED_CSV
+        )
         if self.has_written:
             self.shipped.write_text(SHIPPED_CSV)
 
@@ -100,7 +117,9 @@ def code_of(function) -> Code:
     """Return what is known of a student's function, if it is there."""
     with suppress(Exception):  # it is not imported, or no plain function
         code = getattr(sys.modules[module_of(FUNCTIONS[function].file)], function).__code__
-        return Code(code.co_firstlineno, code.co_names, ", ".join(code.co_varnames[: code.co_argcount]))
+        return Code(
+            code.co_firstlineno, code.co_names, ", ".join(code.co_varnames[: code.co_argcount])
+        )
     return Code()
 
 

@@ -1,4 +1,6 @@
-"""The trace table of a call that was watched: a row for each line of the student's code, as teachers draw it."""
+"""The trace table of a call that was watched: a row for each line of the student's code, as
+teachers draw it.
+"""
 
 import ast
 import io
@@ -19,9 +21,11 @@ MOST_CALLS = 3  # of a line that are shown
 FEW = 4  # turns of a loop that are all shown
 SHORT = 12  # characters of a value that is shown again if all turns give the same
 LONG = 140  # characters of the values of all turns; if they are longer, only one turn is shown
-PROVIDED = "df = pd.read_csv(relative_filepath)", 'bad_rep = df.to_dict(orient="index")'  # by the handout
+# By the handout
+PROVIDED = "df = pd.read_csv(relative_filepath)", 'bad_rep = df.to_dict(orient="index")'
 
-# Ranks of rows: if there is no room for all, the highest ones are left out. Needed lines have ranks from 0 to 1.
+# Ranks of rows: if there is no room for all, the highest ones are left out. Needed lines have ranks
+# from 0 to 1.
 CALLS, VALUES, ABOVE, IDLE = 1, 2, 3, 4
 
 
@@ -51,20 +55,32 @@ class Said(NamedTuple):
 class Table:
     """The trace table of one call of a function that the student wrote."""
 
-    def __init__(self, watch: Watch, run: Run, stop: Stop | None, needed: dict[int, int], marks: dict[int, str], index):
+    def __init__(
+        self,
+        watch: Watch,
+        run: Run,
+        stop: Stop | None,
+        needed: dict[int, int],
+        marks: dict[int, str],
+        index,
+    ):
         """needed has the lines that matter, with the numbers of steps that lead to them.
 
-        marks has what is right, by the line that departs from it. index is that of the pendulum in question, or None.
+        marks has what is right, by the line that departs from it. index is that of the pendulum in
+        question, or None.
         """
         self.watch, self.run, self.stop = watch, run, stop
         self.needed, self.marks, self.index = needed, marks, index
         self.file = run.frame.f_code.co_filename
-        self.by_line: dict[int, list[int]] = {}  # the numbers of the statements that begin in a line
+        # The numbers of the statements that begin in a line
+        self.by_line: dict[int, list[int]] = {}
         for number, statement in enumerate(watch.statements):
             is_own = statement.owner == run.definition != number
             if is_own and (statement.is_shown or self.is_stopped_in(statement.node)):
                 self.by_line.setdefault(statement.node.lineno, []).append(number)
-        columns = [len(self.source(line)) - len(self.source(line).lstrip()) for line in self.by_line]
+        columns = [
+            len(self.source(line)) - len(self.source(line).lstrip()) for line in self.by_line
+        ]
         self.first_column = min(columns, default=0)
 
     def is_stopped_in(self, node) -> bool:
@@ -78,7 +94,10 @@ class Table:
         return linecache.getline(self.file, line).rstrip().expandtabs(4)
 
     def rows(self) -> list[Row]:
-        """Return the rows in the order of the code. A row with else has the rank of the one below it."""
+        """Return the rows in the order of the code.
+
+        A row with else has the rank of the one below it.
+        """
         lines = sorted({*self.by_line, *self.lines_with_else()})
         width = len(str(max(lines, default=0)))
         rows: list[Row] = []
@@ -89,7 +108,9 @@ class Table:
             elif rows:
                 said = Said(rows[0].rank)
             if said is not None:
-                rows.insert(0, Row(said.rank, laid_out(f"{line:>{width}}", self.code_of(line), said)))
+                rows.insert(
+                    0, Row(said.rank, laid_out(f"{line:>{width}}", self.code_of(line), said))
+                )
         return rows
 
     def lines_with_else(self) -> set[int]:
@@ -101,11 +122,17 @@ class Table:
                 if block:
                     above = range(node.lineno, block[0].lineno)
                     words = ("else", "finally")
-                    found.update([line for line in above if self.source(line).lstrip().startswith(words)][-1:])
+                    found.update(
+                        [line for line in above if self.source(line).lstrip().startswith(words)][
+                            -1:
+                        ]
+                    )
         return found
 
     def code_of(self, line) -> str:
-        """Return the code of the statement at a line, in one line and without comments; of a block, its head."""
+        """Return the code of the statement at a line, in one line and without comments; of a block,
+        its head.
+        """
         texts = [without_comment(self.source(line))]
         if line in self.by_line:
             node = self.node(self.by_line[line][0])
@@ -122,8 +149,12 @@ class Table:
     # --- what is said of a line ---
 
     def said(self, line) -> Said | None:
-        """Return what is said of a line with statements; None if it comes after the line that has stopped."""
-        numbers = [number for number in self.by_line[line] if not isinstance(self.node(number), TRIES)]
+        """Return what is said of a line with statements; None if it comes after the line that has
+        stopped.
+        """
+        numbers = [
+            number for number in self.by_line[line] if not isinstance(self.node(number), TRIES)
+        ]
         if not numbers:
             return Said(ABOVE)
         found = [self.said_of(number, line) for number in numbers]
@@ -152,21 +183,34 @@ class Table:
         if not seen:
             is_empty = isinstance(node, LOOPS) and number in self.run.values and not self.stop
             return Said(VALUES, "no turn") if is_empty else None
-        if self.stop and line == self.begin_of(self.stop.line) and count > 1 and not isinstance(node, LOOPS):
+        if (
+            self.stop
+            and line == self.begin_of(self.stop.line)
+            and count > 1
+            and not isinstance(node, LOOPS)
+        ):
             count -= 1  # the last turn has stopped here
-        beside = self.in_turns_of(seen, count, isinstance(node, LOOPS)) if count else once(seen[-1].words)
+        beside = (
+            self.in_turns_of(seen, count, isinstance(node, LOOPS))
+            if count
+            else once(seen[-1].words)
+        )
         calls = self.calls(number, seen, count)
         rank = VALUES if any(one.words for one in seen) else IDLE
         return Said(CALLS if any(one.calls for one in seen) else rank, beside, tuple(calls))
 
     def count_of(self, number) -> int:
-        """Return how many turns the innermost loop around a statement has made, or the loop that it is; else 0."""
+        """Return how many turns the innermost loop around a statement has made, or the loop that it
+        is; else 0.
+        """
         statement = self.watch.statements[number]
         loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
         return self.run.turns[loops[-1]] if loops else 0
 
     def stopped(self, numbers, found) -> Said:
-        """Return what is said of the line that has stopped: its earlier turns, and the values at which it stopped."""
+        """Return what is said of the line that has stopped: its earlier turns, and the values at
+        which it stopped.
+        """
         said = together([Said(0), *(one for one in found if one)])
         below = []
         for number in numbers:
@@ -187,7 +231,9 @@ class Table:
                 return f"stopped: {kind}"
         if not self.run.is_whole:
             return "(not watched further)"
-        return "(did not come to its end)" if self.run.begun.intersection(numbers) else "(never ran)"
+        return (
+            "(did not come to its end)" if self.run.begun.intersection(numbers) else "(never ran)"
+        )
 
     def begin_of(self, line) -> int:
         """Return the first line of the innermost statement in which a line is; 0 if it is in none."""
@@ -199,7 +245,9 @@ class Table:
     # --- the turns of a loop ---
 
     def shown_turns(self, count) -> list[int]:
-        """Return which turns of a loop are shown: the first two, the one in question, and the last one."""
+        """Return which turns of a loop are shown: the first two, the one in question, and the last
+        one.
+        """
         if count <= FEW:
             return [*range(1, count + 1)]
         some = {1, 2, count}
@@ -242,18 +290,23 @@ class Table:
         return values[0] if len(values) == 1 else f"({', '.join(values)})"
 
     def calls(self, number, seen: list[Seen], count) -> list[str]:
-        """Return what the functions got and gave that a statement has called, in the turns that are shown."""
+        """Return what the functions got and gave that a statement has called, in the turns that are
+        shown.
+        """
         calling = [one for one in seen if one.calls]
         in_question = []
         if self.index is not None and len(self.watch.statements[number].loops) == 1:
             in_question = [one for one in calling if one.turn == self.index + 1]
         node = self.node(number)
-        is_whole = isinstance(getattr(node, "value", None), ast.Call) and not isinstance(node, ast.AugAssign)
+        is_whole = isinstance(getattr(node, "value", None), ast.Call) and not isinstance(
+            node, ast.AugAssign
+        )
         lines = []
         for one in in_question or [*calling[: MOST_CALLS - 1], *calling[MOST_CALLS - 1 :][-1:]]:
             for called in one.calls:
                 parts = [f"got {called.got}"] if called.got else []
-                is_said = is_whole and len(one.calls) == 1 and one.words  # what the call gave is the row's value
+                # What the call gave is the row's value
+                is_said = is_whole and len(one.calls) == 1 and one.words
                 if not (called.gave.startswith("gave") and is_said):
                     parts.append(called.gave)
                 if parts:
@@ -269,11 +322,16 @@ def together(found: list[Said]) -> Said:
     if len(texts) > 1:  # whether a line ran in a turn stands in the others, too
         texts = {text: None for text in texts if {*text.split(" | ")} - {"ran", "-", "..."}}
     beside = "; ".join(texts)
-    return Said(min(one.rank for one in found), beside, tuple(text for one in found for text in one.below))
+    return Said(
+        min(one.rank for one in found), beside, tuple(text for one in found for text in one.below)
+    )
 
 
 def once(words) -> str:
-    """Return what a statement gave outside of loops. A place whose code stands in the line needs no label."""
+    """Return what a statement gave outside of loops.
+
+    A place whose code stands in the line needs no label.
+    """
     if len(words) == 1 and not words[0][0].isidentifier():
         return words[0][1]
     return ", ".join(f"{code} = {text}" if code else text for code, text in words)

@@ -22,7 +22,9 @@ def kind_of(shape) -> str:
 
 
 def names_in(frame: FrameType) -> dict[int, str]:
-    """Return the code that gives each dictionary and each list of a frame, by their ids: "pend_list[1]"."""
+    """Return the code that gives each dictionary and each list of a frame, by their ids:
+    "pend_list[1]".
+    """
     found: dict[int, str] = {}
     parameters = frame.f_code.co_varnames[: frame.f_code.co_argcount]
     names = frame.f_locals
@@ -40,7 +42,9 @@ def names_in(frame: FrameType) -> dict[int, str]:
 
 
 def elements_of(value) -> list[tuple]:
-    """Return the first indexes and elements of a list or a tuple, or keys and values of a dictionary."""
+    """Return the first indexes and elements of a list or a tuple, or keys and values of a
+    dictionary.
+    """
     if type(value) in (list, tuple):
         return [*enumerate(value[:MOST_NAMED])]
     return [*islice(value.items(), MOST_NAMED)] if type(value) is dict else []
@@ -114,8 +118,12 @@ def list_in_words(value, names) -> str:
     if all(isinstance(one, dict) and "mass" in one for one in value):
         is_one = len(value) > 1 and len({id(one) for one in value}) == 1
         same = ", all the same one" if is_one else ""
-        return "a list of 1 pendulum" if len(value) == 1 else f"a list of {len(value)} pendula{same}"
-    if len(value) <= MOST_ELEMENTS and not any(isinstance(one, (dict, list, tuple)) for one in value):
+        return (
+            "a list of 1 pendulum" if len(value) == 1 else f"a list of {len(value)} pendula{same}"
+        )
+    if len(value) <= MOST_ELEMENTS and not any(
+        isinstance(one, (dict, list, tuple)) for one in value
+    ):
         text = f"[{', '.join(in_words(one, names) for one in value)}]"
         if len(text) <= SHORT:
             return text

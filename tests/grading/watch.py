@@ -1,7 +1,8 @@
-"""A call of a student's function, watched: what each of its statements gave, in each turn of its loops.
+"""A call of a student's function, watched: what each of its statements gave, in each turn of its
+loops.
 
-For this call, instrument.py gives the student's functions other code, which hands its values to a Watch. trace_table.py
-writes down what the Watch has seen.
+For this call, instrument.py gives the student's functions other code, which hands its values to a
+Watch. trace_table.py writes down what the Watch has seen.
 """
 
 import ast
@@ -61,7 +62,9 @@ class Seen:
 
 
 class Store(NamedTuple):
-    """A value that a line has stored in a place: under a key of a dictionary, or under a name of a call."""
+    """A value that a line has stored in a place: under a key of a dictionary, or under a name of a
+    call.
+    """
 
     place: Any  # the dictionary, or the Run
     key: Any  # the key, or the name
@@ -76,16 +79,21 @@ class Run:
     def __init__(self, definition, frame):
         """definition is the number of its def."""
         self.definition, self.frame = definition, frame
-        self.turns: defaultdict[int, int] = defaultdict(int)  # by the number of the loop, all of the call
-        self.turns_now: defaultdict[int, int] = defaultdict(int)  # since the loop began the last time
-        self.seen: defaultdict[int, list[Seen]] = defaultdict(list)  # by the number of the statement
+        # By the number of the loop, all of the call
+        self.turns: defaultdict[int, int] = defaultdict(int)
+        # Since the loop began the last time
+        self.turns_now: defaultdict[int, int] = defaultdict(int)
+        # By the number of the statement
+        self.seen: defaultdict[int, list[Seen]] = defaultdict(list)
         # Of the statements that have begun, and not come to their ends, by their numbers:
         self.begun: set[int] = set()
         self.values: dict[int, Any] = {}  # the value of the expression
-        self.parts: defaultdict[int, dict] = defaultdict(dict)  # the values of its parts, by their places
+        # The values of its parts, by their places
+        self.parts: defaultdict[int, dict] = defaultdict(dict)
         self.calls: defaultdict[int, list[Called]] = defaultdict(list)
         self.before: dict[int, tuple] = {}  # what a method may change, and a copy from before
-        self.hidden: dict[int, str] = {}  # the errors that an except has taken, by the line that has stopped
+        # The errors that an except has taken, by the line that has stopped
+        self.hidden: dict[int, str] = {}
         self.result: Any = None
         self.has_result = False
         self.is_whole = True  # whether it was watched to its end
@@ -94,8 +102,8 @@ class Run:
 def noting(method):
     """Return a function that lets a method of the Watch note something of the call that calls it.
 
-    The function gets the number of the statement and some values, and returns the last value. It raises no error:
-    the values are a student's.
+    The function gets the number of the statement and some values, and returns the last value. It
+    raises no error: the values are a student's.
     """
 
     @wraps(method)
@@ -119,7 +127,8 @@ class Watch:
         self.statements: list[Statement] = []
         self.runs: dict[FrameType, Run] = {}  # in the order of the calls
         self.stores: list[Store] = []
-        self.known: dict[int, tuple] = {}  # dictionaries that others have made, copies of that time, and who gave them
+        # Dictionaries that others have made, copies of that time, and who gave them
+        self.known: dict[int, tuple] = {}
         self.error: BaseException | None = None  # what stopped the call
         self.notes = 0
 
@@ -131,7 +140,9 @@ class Watch:
         self.know(arguments, "")
 
     def know(self, values, giver) -> None:
-        """Keep copies of the dictionaries in these values. giver is the function that gives them, "" for the check."""
+        """Keep copies of the dictionaries in these values. giver is the function that gives them,
+        "" for the check.
+        """
         for one in pendula_in(values):
             self.known.setdefault(id(one), (one, dict(one), giver))
 
@@ -188,7 +199,10 @@ class Watch:
         if isinstance(self.statements[number].node, ast.For):
             self.end(run, number, self.stored(run, number))
         run.turns_now[number] += 1
-        can_be_endless = isinstance(self.statements[number].node, ast.While) or type(run.values.get(number)) is list
+        can_be_endless = (
+            isinstance(self.statements[number].node, ast.While)
+            or type(run.values.get(number)) is list
+        )
         if self.is_endless and can_be_endless and run.turns_now[number] >= MOST_TURNS:
             run.turns[number] -= 1  # the others are whole
             raise EndlessError
@@ -231,7 +245,9 @@ class Watch:
         self.end(run, number, [("", words)])
 
     def function(self, number, function):
-        """This value is called now: return it, or a function that calls it and notes what it got and gave."""
+        """This value is called now: return it, or a function that calls it and notes what it got
+        and gave.
+        """
         run = self.run_of(sys._getframe(1))
         plain = getattr(function, "__func__", function)  # of a method
         if not run or not isinstance(plain, FunctionType) or not is_named(plain):
@@ -239,7 +255,9 @@ class Watch:
 
         @wraps(plain)
         def noted(*arguments, **options):
-            called = Called(plain.__name__.strip("<>"), got_by(function, arguments, options, run.frame))
+            called = Called(
+                plain.__name__.strip("<>"), got_by(function, arguments, options, run.frame)
+            )
             run.calls[number].append(called)
             pendula = pendula_in([*arguments, *options.values()])
             before = [dict(one) for one in pendula]
@@ -262,7 +280,9 @@ class Watch:
         return Values(run.frame, run.parts[number])
 
     def run_after(self, count, function) -> Run | None:
-        """Return the call of a function that was the first one after count others, if it was watched."""
+        """Return the call of a function that was the first one after count others, if it was
+        watched.
+        """
         new = [*self.runs.values()][count : count + 1]
         if new and self.statements[new[0].definition].node.name == function.__name__:
             return new[0]
@@ -301,7 +321,9 @@ class Watch:
         return found
 
     def changed_by_method(self, run, number) -> list[tuple[str, str]]:
-        """Return what the method that a statement calls has changed, in words, and keep it in stores."""
+        """Return what the method that a statement calls has changed, in words, and keep it in
+        stores.
+        """
         node = self.statements[number].node
         value, before = run.before.pop(number)
         code, found = ast.unparse(node.value.func.value), []
@@ -315,7 +337,9 @@ class Watch:
         return found
 
     def lost(self, run, number) -> list[tuple[str, str]]:
-        """Return the value of an expression that no name gets, in words: None, and what a call got, is not lost."""
+        """Return the value of an expression that no name gets, in words: None, and what a call got,
+        is not lost.
+        """
         node, value = self.statements[number].node, run.values.get(number)
         if not isinstance(node, ast.Expr) or isinstance(node.value, ast.NamedExpr) or value is None:
             return []
@@ -343,7 +367,9 @@ class Watch:
                 whose = "" if words else f" of {len(pairs)} pendula"
                 words.append(f"set {key}{whose} to {', '.join(text for _, text in pairs)}")
             else:
-                words.append(f"set {key} of {' and '.join(f'{name} to {text}' for name, text in pairs)}")
+                words.append(
+                    f"set {key} of {' and '.join(f'{name} to {text}' for name, text in pairs)}"
+                )
         return words
 
 
@@ -373,7 +399,9 @@ def got_by(function, arguments, options, frame) -> str:
 
 
 def is_named(function) -> bool:
-    """Return whether the trace table names the calls of a function: those of src/, and the makers of pendula."""
+    """Return whether the trace table names the calls of a function: those of src/, and the makers
+    of pendula.
+    """
     file = Path(function.__code__.co_filename)
     return file.is_relative_to(ROOT / "src") or file == ROOT / "support" / "pendulum.py"
 

@@ -1,4 +1,6 @@
-"""What the project's tests share: they meet VPython itself in other processes, and in real browsers."""
+"""What the project's tests share: they meet VPython itself in other processes, and in real
+browsers.
+"""
 
 import os
 import shutil
@@ -15,7 +17,8 @@ from support.start.options import PORT_VARIABLE
 
 os.environ.pop(PORT_VARIABLE, None)  # or the programs that the tests start would all want that port
 
-# A program that is started inherits which signals are ignored, as with nohup, but none that has a handler.
+# A program that is started inherits which signals are ignored, as with nohup, but none that has a
+# handler.
 for name in ("SIGHUP", "SIGINT", "SIGQUIT"):
     if hasattr(signal, name) and signal.getsignal(getattr(signal, name)) == signal.SIG_IGN:
         signal.signal(getattr(signal, name), lambda *_: None)
@@ -30,7 +33,9 @@ def pytest_itemcollected(item):
 
 @pytest.fixture
 def program(tmp_path):
-    """The program in a project of its own, with five equal bobs, whatever has become of the shipped CSV."""
+    """The program in a project of its own, with five equal bobs, whatever has become of the shipped
+    CSV.
+    """
     return copy_project(tmp_path, FIVE_CSV) / "src" / PROGRAM.name
 
 
@@ -68,7 +73,9 @@ def firefox(driver):
     """Firefox on a screen that is only in memory: without any screen it has no WebGL."""
     if FIREFOX is None or shutil.which("Xvfb") is None:
         pytest.skip("Firefox or Xvfb is not installed")
-    with subprocess.Popen(["Xvfb", "-displayfd", "1"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as screen:
+    with subprocess.Popen(
+        ["Xvfb", "-displayfd", "1"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+    ) as screen:
         try:
             display = {**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"}
             program = {"channel": "moz-firefox", "executable_path": FIREFOX}

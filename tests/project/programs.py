@@ -1,4 +1,6 @@
-"""The programs as processes: how the tests start them, what they print first, how they end; and their pages."""
+"""The programs as processes: how the tests start them, what they print first, how they end; and
+their pages.
+"""
 
 import os
 import re
@@ -19,19 +21,34 @@ from support.constants import R_PARAM
 ROOT = Path(__file__).parents[2]
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
 ON_A_MAC = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome"
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome", ON_A_MAC))), None)
+CHROMIUM = next(
+    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome", ON_A_MAC))),
+    None,
+)
 FIREFOX = next(filter(None, map(shutil.which, ("firefox-esr", "firefox"))), None)
 ARGUMENTS = [
-    *("--no-sandbox", "--no-first-run", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"),
-    "--disable-gpu-compositing",  # without a graphics card it is what slows everything, thirty times
+    *(
+        "--no-sandbox",
+        "--no-first-run",
+        "--use-gl=angle",
+        "--use-angle=swiftshader",
+        "--enable-unsafe-swiftshader",
+    ),
+    # Without a graphics card it is what slows everything, thirty times
+    "--disable-gpu-compositing",
     *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
 ]
 SECONDS = 60  # after which something that is waited for counts as never coming
-OF_TESTS = {"PYTHONPATH": os.pathsep.join(sys.path)}  # the environment of a program that imports modules of the tests
+# The environment of a program that imports modules of the tests
+OF_TESTS = {"PYTHONPATH": os.pathsep.join(sys.path)}
 QUIETLY = (0, "", "")  # how a program ends that has printed nothing more
 
-with_vpython = pytest.mark.skipif(PathFinder.find_spec("vpython") is None, reason="VPython is not installed")
-on_posix = pytest.mark.skipif(os.name != "posix", reason="programs are sent signals as on Linux and macOS")
+with_vpython = pytest.mark.skipif(
+    PathFinder.find_spec("vpython") is None, reason="VPython is not installed"
+)
+on_posix = pytest.mark.skipif(
+    os.name != "posix", reason="programs are sent signals as on Linux and macOS"
+)
 needs_vpython = [with_vpython, on_posix]
 
 
@@ -39,13 +56,18 @@ def slow_but_for(kept, values):
     """Return the values as parameters of a test; all except the kept ones have the mark slow."""
     each = {value: value if isinstance(value, tuple) else (value,) for value in values}
     assert {*kept} <= {*each}
-    return [value if value in kept else pytest.param(*each[value], marks=pytest.mark.slow) for value in each]
+    return [
+        value if value in kept else pytest.param(*each[value], marks=pytest.mark.slow)
+        for value in each
+    ]
 
 
 def python(*arguments, folder=ROOT, **environment):
     """Run Python with these arguments in this folder; return the process, which has ended."""
     command, environment = [sys.executable, *map(str, arguments)], {**os.environ, **environment}
-    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, timeout=2 * SECONDS)
+    return subprocess.run(
+        command, cwd=folder, env=environment, capture_output=True, text=True, timeout=2 * SECONDS
+    )
 
 
 def copy_project(folder, csv) -> Path:
@@ -68,13 +90,22 @@ def call(main, capsys):
 
 
 @contextmanager
-def running(program=None, *arguments, folder=os.sep, python=sys.executable, patience=5 * SECONDS, **environment):
-    """Start the program as a user would, from this folder; yield the process, and end it in any case.
+def running(
+    program=None,
+    *arguments,
+    folder=os.sep,
+    python=sys.executable,
+    patience=5 * SECONDS,
+    **environment,
+):
+    """Start the program as a user would, from this folder; yield the process, and end it in any
+    case.
 
     After `patience` seconds it ends, too: a test that waits for its output then fails.
     """
     environment = {**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment}
-    environment.pop("PYTHONUNBUFFERED", None)  # it must not wait for a full buffer with what it has to say
+    # It must not wait for a full buffer with what it has to say
+    environment.pop("PYTHONUNBUFFERED", None)
     command = [python, str(program or PROGRAM), *arguments]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     process = subprocess.Popen(command, cwd=folder, env=environment, **pipes)
@@ -90,13 +121,17 @@ def running(program=None, *arguments, folder=os.sep, python=sys.executable, pati
 
 def first_lines(process):
     """Return the address of the page, from what the program prints before it waits for a browser."""
-    address = re.fullmatch(r"Newton's cradle is at (http://127\.0\.0\.1:\d+/\?key=\w+)\n", process.stdout.readline())[1]
+    address = re.fullmatch(
+        r"Newton's cradle is at (http://127\.0\.0\.1:\d+/\?key=\w+)\n", process.stdout.readline()
+    )[1]
     assert "Ctrl+C" in process.stdout.readline()
     return address
 
 
 def end(process):
-    """Wait until the program ends by itself; return its status, and what else it has printed on stdout and stderr."""
+    """Wait until the program ends by itself; return its status, and what else it has printed on
+    stdout and stderr.
+    """
     stdout, stderr = process.communicate(timeout=SECONDS)
     return process.returncode, stdout, stderr
 
@@ -145,10 +180,15 @@ def open_cradle(page, address, bobs=5, drawn=False):
 
 
 def wait_for_cradle(page, bobs=5, drawn=False):
-    """Wait for the bobs, their numbers, and a camera that fits the canvas. Only a test of the picture has it drawn."""
+    """Wait for the bobs, their numbers, and a camera that fits the canvas.
+
+    Only a test of the picture has it drawn.
+    """
     page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === {bobs}")
     draw(page, drawn)
-    page.wait_for_function("() => home && glowObjs[0].width === $('.canvas').width() * devicePixelRatio")
+    page.wait_for_function(
+        "() => home && glowObjs[0].width === $('.canvas').width() * devicePixelRatio"
+    )
 
 
 def draw(page, drawn):
@@ -159,7 +199,9 @@ def draw(page, drawn):
 
 def readout(page, name):
     """Return a number of the readout, by the word before it."""
-    return float(re.search(rf"^{name}\s+([-+0-9.]+)", page.locator(".readout").inner_text(), re.MULTILINE)[1])
+    return float(
+        re.search(rf"^{name}\s+([-+0-9.]+)", page.locator(".readout").inner_text(), re.MULTILINE)[1]
+    )
 
 
 def values(page):
@@ -175,7 +217,8 @@ def lifts(page):
 
 def pixel(page, bob, theta):
     """Return where this bob's centre is seen if its cord is at theta (degrees)."""
-    x, y = -0.1 + R_PARAM / 4 * bob + R_PARAM * sin(radians(theta)), R_PARAM / 5 - R_PARAM * cos(radians(theta))
+    x = -0.1 + R_PARAM / 4 * bob + R_PARAM * sin(radians(theta))
+    y = R_PARAM / 5 - R_PARAM * cos(radians(theta))
     return page.evaluate(PIXEL, [x, y])
 
 
@@ -217,15 +260,20 @@ def menu(page, name):
 
 def slide(page, name, value):
     """Click into a slider, where it has this value."""
-    thumb = 16  # pixels: the width of a slider's handle, whose middle stays half of it away from the ends
+    # pixels: the width of a slider's handle, whose middle stays half of it away from the ends
+    thumb = 16
     slider = page.get_by_role("slider", name=name, exact=True)
-    least, most, width, height = slider.evaluate("e => [+e.min, +e.max, e.offsetWidth, e.offsetHeight]")
+    least, most, width, height = slider.evaluate(
+        "e => [+e.min, +e.max, e.offsetWidth, e.offsetHeight]"
+    )
     x = thumb / 2 + (value - least) / (most - least) * (width - thumb)
     slider.click(position={"x": x, "y": height / 2})
 
 
 def violations(page):
-    """Return what axe finds on the page, on a pale and on a dark one: the broken rules, and by which elements."""
+    """Return what axe finds on the page, on a pale and on a dark one: the broken rules, and by
+    which elements.
+    """
     axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
     found = []
     for scheme in ("dark", "light"):

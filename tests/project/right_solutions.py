@@ -1,7 +1,9 @@
-"""Correct solutions in other ways. The graded suites must accept them all, and those in PLAIN (wrong_solutions.py).
+"""Correct solutions in other ways.
 
-RIGHT has ways to write each function of the handout: the body of the function, or a pair (old text, new text) for its
-body in PLAIN. Add one, and tests/project/test_graded_suites.py covers it.
+The graded suites must accept them all, and those in PLAIN (wrong_solutions.py).
+
+RIGHT has ways to write each function of the handout: the body of the function, or a pair (old text,
+new text) for its body in PLAIN. Add one, and tests/project/test_graded_suites.py covers it.
 """
 
 # A row is a line:

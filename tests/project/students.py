@@ -14,7 +14,10 @@ from grading.handout import FUNCTIONS, SUITES
 
 COUNTS = {tier: len(checks(tier=tier)) for tier in SUITES}
 
-CALLS = "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)", "newton_cradle_tick(pend_list, R_PARAM, DT, G)"
+CALLS = (
+    "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)",
+    "newton_cradle_tick(pend_list, R_PARAM, DT, G)",
+)
 
 
 @pytest.fixture(scope="session")
@@ -64,12 +67,16 @@ def put_files(folder, files):
 
 
 def write(starter, *functions, **bodies) -> None:
-    """Replace the stubs of these functions, for main its two calls; bodies has others than those of PLAIN."""
+    """Replace the stubs of these functions, for main its two calls; bodies has others than those of
+    PLAIN.
+    """
     for function in functions:
         path = starter / FUNCTIONS[function].file
         lines = path.read_text(encoding="utf-8").splitlines()
         for body in CALLS if function == "main" else [{**PLAIN, **bodies}[function]]:
-            number = next(i for i, line in enumerate(lines) if f'"{function} is not written yet"' in line)
+            number = next(
+                i for i, line in enumerate(lines) if f'"{function} is not written yet"' in line
+            )
             spaces = lines[number][: -len(lines[number].lstrip())]
             assert "# Write your code here" in lines[number - 1]
             lines[number - 1 : number + 1] = indent(dedent(body).strip(), spaces).splitlines()

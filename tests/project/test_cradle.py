@@ -1,4 +1,6 @@
-"""The cradles of the programs, single and double: options, reloads, release, hits, the dragged bob, and mistakes."""
+"""The cradles of the programs, single and double: options, reloads, release, hits, the dragged bob,
+and mistakes.
+"""
 
 import random
 import re
@@ -9,7 +11,16 @@ from math import inf, nan, pi, radians, sin
 
 import pytest
 from programs import slow_but_for
-from whole_cradles import check_places, distances, FIVE_CSV, hang_double, HEADER, make_swing, PERIOD, thetas
+from whole_cradles import (
+    check_places,
+    distances,
+    FIVE_CSV,
+    hang_double,
+    HEADER,
+    make_swing,
+    PERIOD,
+    thetas,
+)
 
 from grading.cradles import MIXED_CSV, R, row
 from src import special_cradles, visualize_cradle_run
@@ -34,8 +45,14 @@ def values(player, key):
 
 
 @BOTH
-def test_collisions_are_those_of_the_options_can_be_changed_in_full_swing_and_survive_a_reload(swing, kind):
-    for options, e in (({"elastic": True}, 1), ({"inelastic": True}, 0), ({"e": 0.25, "mass": 2.0}, 0.25)):
+def test_collisions_are_those_of_the_options_can_be_changed_in_full_swing_and_survive_a_reload(
+    swing, kind
+):
+    for options, e in (
+        ({"elastic": True}, 1),
+        ({"inelastic": True}, 0),
+        ({"e": 0.25, "mass": 2.0}, 0.25),
+    ):
         player = swing(MIXED_CSV, kind=kind, **options)
         assert values(player, "e") == [e] * 3
     assert values(player, "mass") == [2.0] * 3
@@ -55,16 +72,22 @@ def test_collisions_are_those_of_the_options_can_be_changed_in_full_swing_and_su
 
 @BOTH
 @pytest.mark.parametrize(("lifted", "expected"), [(0, 0), (2, 2), (9, 3)])
-def test_release_lifts_the_first_pendula_outwards_and_all_are_at_rest(swing, kind, lifted, expected):
+def test_release_lifts_the_first_pendula_outwards_and_all_are_at_rest(
+    swing, kind, lifted, expected
+):
     player = swing(MIXED_CSV, kind=kind)
     player.swing(500)
     player.cradle.release(thetas([30, -20])[: len(kind.angles)], lifted)
     for key, angle in zip(kind.angle_keys, (30, -20), strict=False):
-        assert values(player, key) == pytest.approx([from_lift(angle)] * expected + [0] * (3 - expected))
+        assert values(player, key) == pytest.approx(
+            [from_lift(angle)] * expected + [0] * (3 - expected)
+        )
     assert [values(player, key) for key in kind.rate_keys] == [[0, 0, 0]] * len(kind.rate_keys)
     for pend, axle in zip(player.cradle.pend_list, player.cradle.axles(), strict=True):
         check_places(pend, (axle.pos.x, axle.pos.y))
-    assert expected == 3 or axle.pos.y - player.cradle.bobs()[-1].pos.y == pytest.approx(player.cradle.reach)
+    assert expected == 3 or axle.pos.y - player.cradle.bobs()[-1].pos.y == pytest.approx(
+        player.cradle.reach
+    )
 
 
 INTO_OTHERS = product([1, 2], [(45, -120), (0, -14), (0, -20), (10, -40), (30, -110)])
@@ -109,7 +132,9 @@ def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(swing, kind, sepa
     ticks = round(0.6 * PERIOD / kind.dt)
     player.swing(ticks)
     for _ in range(ticks):
-        same.scope[kind.tick_name](same.pend_list, R_PARAM, kind.dt, G, approaching_only=not separating)
+        same.scope[kind.tick_name](
+            same.pend_list, R_PARAM, kind.dt, G, approaching_only=not separating
+        )
     assert player.cradle.coordinates() == same.coordinates()
     trains = " ".join(map(str, player.motion.trains.trains))
     assert (trains[:1], "stay together" in trains) == ("1", separating)
@@ -121,7 +146,8 @@ def test_the_speed_of_a_double_hit_is_that_of_the_nearest_bobs(swing, theta, phi
     while not player.motion.fastest:
         before = distances(player.cradle.pend_list)
         player.swing(1)
-    after, touching = distances(player.cradle.pend_list), BUFFER * 2 * player.cradle.bobs()[0].radius
+    after = distances(player.cradle.pend_list)
+    touching = BUFFER * 2 * player.cradle.bobs()[0].radius
     closer = (before[after.index(min(after))] - min(after)) * touching / DOUBLE_DT
     assert player.motion.fastest == pytest.approx(closer, rel=0.01)
 
@@ -137,7 +163,9 @@ def test_a_function_that_returns_no_pendula_with_the_e_of_the_options_is_named(s
 
 
 @pytest.mark.parametrize("value", [0.5, None, "0"])
-def test_a_strange_tick_that_calls_nothing_has_no_hits_and_a_wrong_value_is_named(swing, monkeypatch, value):
+def test_a_strange_tick_that_calls_nothing_has_no_hits_and_a_wrong_value_is_named(
+    swing, monkeypatch, value
+):
     """Hits that nobody has called are seen only in a tick that keeps the momentum."""
 
     def tick(pend_list, *_):
@@ -149,12 +177,17 @@ def test_a_strange_tick_that_calls_nothing_has_no_hits_and_a_wrong_value_is_name
         player.swing(10)
         assert player.motion.hits == 0
     else:
-        with pytest.raises(MistakeError, match=f"tick set omega of pendulum 1 to {value!r}; it must be a finite"):
+        with pytest.raises(
+            MistakeError, match=f"tick set omega of pendulum 1 to {value!r}; it must be a finite"
+        ):
             player.swing(10)
 
 
 def test_each_call_that_changes_a_velocity_is_a_hit(swing):
-    """Also where a bob has its old velocity after the tick. Bobs that move apart hit with a speed below 0."""
+    """Also where a bob has its old velocity after the tick.
+
+    Bobs that move apart hit with a speed below 0.
+    """
     cradle = swing(lift=0).cradle
     for bob in cradle.bobs():
         bob.radius *= 1.01
@@ -162,10 +195,14 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     cradle.hits.listen()
     for left, right in [*pairwise(cradle.pend_list), cradle.pend_list[:2]]:
         cradle.scope["handle_two_bobs"](left, right, R_PARAM)  # the last two are at rest
-    cradle.scope["handle_two_bobs"](cradle.pend_list[4], pend2=cradle.pend_list[3], r_param=R_PARAM)  # in any order
+    # In any order
+    cradle.scope["handle_two_bobs"](cradle.pend_list[4], pend2=cradle.pend_list[3], r_param=R_PARAM)
     cradle.hits.stop()
     speed = pytest.approx(2 * R_PARAM)
-    *four, last = [(*hit[:4], *(pend["omega"] for pend in (*hit.before, *hit.after))) for hit in cradle.hits.new]
+    *four, last = [
+        (*hit[:4], *(pend["omega"] for pend in (*hit.before, *hit.after)))
+        for hit in cradle.hits.new
+    ]
     assert four == [(i, i + 1, True, speed, 2, 0, 0, 2) for i in range(4)]
     assert last == (3, 4, True, pytest.approx(-2 * R_PARAM), 0, 2, 2, 0)
 
@@ -186,7 +223,9 @@ def test_a_held_bob_stays_and_throws_others_back(swing, kind, bob, separating):
     for _ in range(100):
         player.swing(round(0.9 * PERIOD / kind.dt / 100))
         assert player.motion.trains.lines() == []
-        assert [values(player, key)[1:] for key in kind.angle_keys] == [[0.0] * 4] * len(kind.angles)
+        assert [values(player, key)[1:] for key in kind.angle_keys] == [[0.0] * 4] * len(
+            kind.angles
+        )
         thrown_back = thrown_back or cradle.momentum() < -0.2
     assert thrown_back  # as from a wall
     assert sum(cradle.energies()) == pytest.approx(energy, rel=0.01)
@@ -202,31 +241,42 @@ def drag(pend_list, held, theta):
 @pytest.mark.parametrize("held", range(5))
 @pytest.mark.parametrize("theta", [-1.5, -0.3, -1e-4, 1e-4, 0.3, 1.5])
 def test_a_dragged_bob_pushes_those_in_its_way(held, theta):
-    """Pushed bobs just touch, at rest; the others swing on, and so do all if the bob moves less than the gap."""
+    """Pushed bobs just touch, at rest; the others swing on, and so do all if the bob moves less
+    than the gap.
+    """
     pend_list = row(5, omega=2.0)
-    pend_list[4]["objects"][1].radius *= 0.9 if abs(theta) < 1 else 1  # far up, a smaller bob slips past
+    # Far up, a smaller bob slips past
+    pend_list[4]["objects"][1].radius *= 0.9 if abs(theta) < 1 else 1
     assert drag(pend_list, held, theta)[held] == pytest.approx(theta)
     pushed = [abs(theta) > 0.01 and (i - held) * theta > 0 for i in range(5)]
     for i, pend in enumerate(pend_list):
-        assert (pend["theta"] != 0, pend["omega"]) == ((True, 0) if pushed[i] or i == held else (False, 2))
+        assert (pend["theta"] != 0, pend["omega"]) == (
+            (True, 0) if pushed[i] or i == held else (False, 2)
+        )
         check_places(pend, (i * R / 4, 0), R)
     for i, pair in enumerate(pairwise(pend_list)):
         assert 1 < min(distances(pair)) < (1 + 1e-6 if any(pushed[i : i + 2]) else inf)
 
 
 def test_a_dragged_bob_leaves_those_that_are_not_in_its_way():
-    assert drag(row(2), 0, -3.0) == pytest.approx([-3.0, 0])  # away from its neighbour, and on over its axle
+    # Away from its neighbour, and on over its axle
+    assert drag(row(2), 0, -3.0) == pytest.approx([-3.0, 0])
     pend_list = row(3)
     pend_list[1]["theta"] = 3.0
-    assert drag(pend_list, 1, -3.0) == pytest.approx([0, 2 * pi - 3.0, 0])  # the short way, over the top
+    # The short way, over the top
+    assert drag(pend_list, 1, -3.0) == pytest.approx([0, 2 * pi - 3.0, 0])
     turned = row(2)
     turned[1]["theta"] = -2 * pi
-    assert drag(turned, 0, 0.3) == pytest.approx(drag(row(2), 0, 0.3))  # pushed to the same side after a whole turn
+    # Pushed to the same side after a whole turn
+    assert drag(turned, 0, 0.3) == pytest.approx(drag(row(2), 0, 0.3))
 
 
 def double_row(count, phi=0.0):
     """Return double pendula R / 4 apart that move; their upper cords hang straight down."""
-    return [hang_double(phi=phi, axle=(i * R / 4, 0), omega=2.0, phi_omega=-1.0, r_param=R) for i in range(count)]
+    return [
+        hang_double(phi=phi, axle=(i * R / 4, 0), omega=2.0, phi_omega=-1.0, r_param=R)
+        for i in range(count)
+    ]
 
 
 @pytest.mark.parametrize("phi", [0.3, -0.3, 6.0, -6.0, 0.0, 2 * pi])
@@ -259,7 +309,9 @@ def test_both_bobs_push_those_in_their_way(held, bob, x, y):
 
 @pytest.mark.parametrize("seed", slow_but_for([26], [26, 47, 55, 57]))
 def test_a_bob_stops_if_those_in_its_way_have_no_room(seed):
-    """The neighbour's upper bob is stuck between the two bobs of the dragged pendulum; without a stop, they overlap."""
+    """The neighbour's upper bob is stuck between the two bobs of the dragged pendulum; without a
+    stop, they overlap.
+    """
     dice, pend_list = random.Random(seed), double_row(5)
     for _ in range(12):
         held, bob = dice.randrange(5), dice.randrange(2)
@@ -284,7 +336,9 @@ SHOWN = "must return a list of dictionaries, and main must show it; page.show go
 
 @pytest.fixture
 def change(monkeypatch):
-    """A function that lets change(result) replace the result of make_newton_cradle, or change the cradle of a tick."""
+    """A function that lets change(result) replace the result of make_newton_cradle, or change the
+    cradle of a tick.
+    """
 
     def replace(name, change):
         function = vars(visualize_cradle_run)[name]
@@ -309,9 +363,16 @@ def test_a_raised_bob_that_is_held_falls_by_less_than_a_hundredth_of_a_degree(sw
 
 @pytest.mark.parametrize(
     ("angle", "lifted", "lifts", "omega"),
-    [(None, None, [10, 10, 0], -2), (20, None, [20, 20, 0], 0), (None, 3, [10] * 3, 0), (5, 1, [5, 0, 0], 0)],
+    [
+        (None, None, [10, 10, 0], -2),
+        (20, None, [20, 20, 0], 0),
+        (None, 3, [10] * 3, 0),
+        (5, 1, [5, 0, 0], 0),
+    ],
 )
-def test_the_first_picture_shows_the_cradle_as_it_was_made(swing, change, angle, lifted, lifts, omega):
+def test_the_first_picture_shows_the_cradle_as_it_was_made(
+    swing, change, angle, lifted, lifts, omega
+):
     """But for the options: make_newton_cradle lifts two bobs by 10 degrees, and the last one moves."""
 
     def lift_two(pend_list):
@@ -328,7 +389,9 @@ def test_the_first_picture_shows_the_cradle_as_it_was_made(swing, change, angle,
 
 
 def put(key, value):
-    """Return a function that puts a value into the second pendulum of a cradle, and returns the cradle."""
+    """Return a function that puts a value into the second pendulum of a cradle, and returns the
+    cradle.
+    """
     return lambda pend_list: pend_list[1].update({key: value}) or pend_list
 
 
@@ -340,11 +403,23 @@ def put(key, value):
         (MAKE, tuple, f"{SHOWN} a tuple."),
         (MAKE, lambda pend_list: ["pendulum"], f"{SHOWN} a list."),
         (MAKE, put("theta", "0"), "set theta of pendulum 2 to '0'; it must be a finite number."),
-        (MAKE, put("objects", []), "set objects of pendulum 2 to a list; it must be a tuple of parts."),
-        (MAKE, lambda pend_list: pend_list[4].pop("omega") or pend_list, "set omega of pendulum 5 to nothing; it must"),
+        (
+            MAKE,
+            put("objects", []),
+            "set objects of pendulum 2 to a list; it must be a tuple of parts.",
+        ),
+        (
+            MAKE,
+            lambda pend_list: pend_list[4].pop("omega") or pend_list,
+            "set omega of pendulum 5 to nothing; it must",
+        ),
         (TICK, list.pop, "made 4 pendula from 5; it must keep their number."),
         (TICK, put("omega", nan), "set omega of pendulum 2 to nan; it must be a finite number."),
-        (TICK, put("theta", (1, 2)), "set theta of pendulum 2 to (1, 2); it must be a finite number."),
+        (
+            TICK,
+            put("theta", (1, 2)),
+            "set theta of pendulum 2 to (1, 2); it must be a finite number.",
+        ),
     ],
 )
 def test_a_result_that_is_no_cradle_is_named_with_its_function(swing, change, name, mistake, words):

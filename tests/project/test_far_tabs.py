@@ -1,4 +1,6 @@
-"""Tabs in real browsers, far from the program: another port, path or name, TLS, no websocket, a line that breaks."""
+"""Tabs in real browsers, far from the program: another port, path or name, TLS, no websocket, a
+line that breaks.
+"""
 
 import asyncio
 import re
@@ -13,7 +15,16 @@ from urllib.parse import urljoin, urlsplit
 
 import programs
 import pytest
-from programs import end, first_lines, needs_vpython, new_page, open_cradle, QUIETLY, running, wait_for_moves
+from programs import (
+    end,
+    first_lines,
+    needs_vpython,
+    new_page,
+    open_cradle,
+    QUIETLY,
+    running,
+    wait_for_moves,
+)
 
 pytestmark = [pytest.mark.browser, *needs_vpython]
 
@@ -25,8 +36,8 @@ NO_ANSWER = "The program does not answer."
 class Proxy(threading.Thread):
     """Passes on all data that reach its own port; while is_cut is True, it ends each connection.
 
-    It knows only paths with the prefix, and cuts it off, or not. A websocket passes, is asked as a page, or is never
-    answered.
+    It knows only paths with the prefix, and cuts it off, or not. A websocket passes, is asked as a
+    page, or is never answered.
     """
 
     def __init__(self, program_port, prefix, cuts, tls, websocket):
@@ -73,8 +84,12 @@ class Proxy(threading.Thread):
                 to_browser.write(b"HTTP/1.1 502 Bad Gateway\r\nContent-Length: 5\r\n\r\nSorry")
                 to_browser.close()
             else:
-                to_program.write(head.replace(f" {self.root if self.cuts else ''}".encode(), b" ", 1))
-                await asyncio.gather(self.pass_on(browser, to_program), self.pass_on(program, to_browser))
+                to_program.write(
+                    head.replace(f" {self.root if self.cuts else ''}".encode(), b" ", 1)
+                )
+                await asyncio.gather(
+                    self.pass_on(browser, to_program), self.pass_on(program, to_browser)
+                )
 
     async def pass_on(self, reader, writer):
         with suppress(OSError):
@@ -85,12 +100,19 @@ class Proxy(threading.Thread):
 
 @contextmanager
 def far_tab(browser, csv, name="127.0.0.1", prefix="/", cuts=False, tls=None, websocket="passes"):
-    """Run a program and a Proxy; yield the process, a tab, the page's address at the proxy, and the proxy."""
+    """Run a program and a Proxy; yield the process, a tab, the page's address at the proxy, and the
+    proxy.
+    """
     with running(None, str(csv)) as process, new_page(browser, ignore_https_errors=True) as page:
         near = urlsplit(first_lines(process))
         proxy = Proxy(near.port, prefix, cuts, tls, websocket)
         try:
-            yield process, page, f"{'https' if tls else 'http'}://{name}:{proxy.port}{prefix}?{near.query}", proxy
+            yield (
+                process,
+                page,
+                f"{'https' if tls else 'http'}://{name}:{proxy.port}{prefix}?{near.query}",
+                proxy,
+            )
         finally:
             proxy.end()
 
@@ -100,7 +122,9 @@ def tls(tmp_path):
     """TLS with a certificate that nobody has signed."""
     if not shutil.which("openssl"):
         pytest.skip("openssl is not installed")
-    command = "openssl req -x509 -newkey rsa:2048 -nodes -keyout key -out certificate -days 1 -subj /CN=a"
+    command = (
+        "openssl req -x509 -newkey rsa:2048 -nodes -keyout key -out certificate -days 1 -subj /CN=a"
+    )
     subprocess.run(command.split(), cwd=tmp_path, check=True, capture_output=True)
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
     context.load_cert_chain(tmp_path / "certificate", tmp_path / "key")
@@ -119,7 +143,9 @@ def tls(tmp_path):
     ],
     ids=str,
 )
-def test_a_page_shows_the_moving_bobs_through_a_proxy_and_asks_nobody_else(chromium, csv, request, how):
+def test_a_page_shows_the_moving_bobs_through_a_proxy_and_asks_nobody_else(
+    chromium, csv, request, how
+):
     """When the program has ended, and the proxy answers in its place, the page says so."""
     how, asked = {**how, "tls": how.get("tls") and request.getfixturevalue("tls")}, []
     with far_tab(chromium, csv, **how) as (process, page, address, _):
@@ -145,14 +171,16 @@ def test_a_page_whose_websocket_does_not_come_through_says_so(chromium, csv, web
         assert page.get_by_text(ENDED).count() == 0
 
 
-# What a page has of its own: camera, Sound; how often VPython has made something; whether a box shows the true state.
+# What a page has of its own: camera, Sound; how often VPython has made something; whether a box
+# shows the true state.
 OWN = """() => [scene().forward.toString(), one("#sound").checked, glowObjs.length, one("[name=arrows]").checked,
     window.same]"""
 
 
 @pytest.mark.parametrize("browser", ["chromium", "firefox"])
 def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
-    """It is not loaded again, nothing is made twice, and the same cradle swings on; so do a question and Present.
+    """It is not loaded again, nothing is made twice, and the same cradle swings on; so do a
+    question and Present.
 
     A bob that is held swings on at once, though the mouse is still down.
     """
@@ -167,7 +195,9 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
 
         open_cradle(page, address)
         wait_for_moves(page)
-        page.evaluate("one('#sound').click(), scene().forward = vec(-1, -0.5, -1), window.same = true")
+        page.evaluate(
+            "one('#sound').click(), scene().forward = vec(-1, -0.5, -1), window.same = true"
+        )
         before, time = page.evaluate(OWN), programs.readout(page, "t")
         page.mouse.move(*programs.pixel(page, 3, 0))
         page.mouse.down()
@@ -193,7 +223,9 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
         page.get_by_text(ENDED).wait_for()
 
 
-def test_a_page_says_of_a_killed_program_only_what_it_sees_and_of_a_new_start_that_the_old_one_has_ended(page, csv):
+def test_a_page_says_of_a_killed_program_only_what_it_sees_and_of_a_new_start_that_the_old_one_has_ended(
+    page, csv
+):
     with running(None, str(csv)) as process:
         open_cradle(page, first_lines(process))
         process.kill()

@@ -1,4 +1,6 @@
-"""Files: CSVs, read or refused, edited and written; each is written whole or not at all; the recorded data."""
+"""Files: CSVs, read or refused, edited and written; each is written whole or not at all; the
+recorded data.
+"""
 
 import errno
 import os
@@ -18,7 +20,15 @@ from grading.cradles import MIXED, MIXED_CSV
 from src.pds_helper import extract_and_convert, write_to_csv
 from src.special_cradles import make_newton_cradle
 from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
-from support.files.cradle_csv import check_cradle, clean_copy, LARGEST, LiveFile, POLL, read_cells, Snapshot
+from support.files.cradle_csv import (
+    check_cradle,
+    clean_copy,
+    LARGEST,
+    LiveFile,
+    POLL,
+    read_cells,
+    Snapshot,
+)
 from support.files.data_file import check_record, whole_file
 from support.page.chooser import with_numbers
 
@@ -34,32 +44,77 @@ NEEDS = "a cradle needs one column of each of mass, e, color, texture"
 # Files that are no CSV, or give no cradle. The message comes after the name of the file.
 REFUSED = {
     "blank": ("\ufeff\ufeff\n  \n\n", ": is empty, the first line must name the columns"),
-    "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte, allowed is text only, saved as UTF-8"),
-    "latin-1": (b"mass\n1\nros\xe9\n", ", line 3: found byte 0xe9, allowed is text only, saved as UTF-8"),
-    "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit (131072)"),
-    "large": (" " * (LARGEST + 1), ": cannot be read: found more than 10 MB, allowed are at most 10 MB"),
+    "zero byte": (
+        b"mass,e\n1,\x00\n",
+        ", line 2: found a zero byte, allowed is text only, saved as UTF-8",
+    ),
+    "latin-1": (
+        b"mass\n1\nros\xe9\n",
+        ", line 3: found byte 0xe9, allowed is text only, saved as UTF-8",
+    ),
+    "endless cell": (
+        HEADER + '"' + "x" * 200_000,
+        ", line 2: field larger than field limit (131072)",
+    ),
+    "large": (
+        " " * (LARGEST + 1),
+        ": cannot be read: found more than 10 MB, allowed are at most 10 MB",
+    ),
     "too many cells": (  # below a column without a name
         "color,texture,mass,e,\nred,metal,1,0,9\n",
         ", line 2: found 5 cells, allowed are at most 4, as in line 1; a comma starts a new cell, also inside a number",
     ),
-    "a separator in line 3": (HEADER + GOOD + "sep=,,,,,\n", f", line 3, column mass: found 'sep=', {ALLOWED['mass']}"),
-    "header only": (HEADER, ": names columns but has no pendulum, a cradle needs at least one row below them"),
-    "two columns mass": ("mass,mass\n", f", line 1: found 2 columns mass in 'mass', 'mass'; {NEEDS}"),
-    "no column": ("mass,E,color,texture\n", f", line 1: found no column e in 'mass', 'E', 'color', 'texture'; {NEEDS}"),
+    "a separator in line 3": (
+        HEADER + GOOD + "sep=,,,,,\n",
+        f", line 3, column mass: found 'sep=', {ALLOWED['mass']}",
+    ),
+    "header only": (
+        HEADER,
+        ": names columns but has no pendulum, a cradle needs at least one row below them",
+    ),
+    "two columns mass": (
+        "mass,mass\n",
+        f", line 1: found 2 columns mass in 'mass', 'mass'; {NEEDS}",
+    ),
+    "no column": (
+        "mass,E,color,texture\n",
+        f", line 1: found no column e in 'mass', 'E', 'color', 'texture'; {NEEDS}",
+    ),
     **{  # the line, what is found in it, and a hint
         kind: (content, f", line {line} must name the columns: found {found}; {NEEDS}{hint}")
         for kind, (content, line, found, hint) in {
             "tabs": ("mass\te\n", 1, "'mass\\te'", "; separate cells with commas, not tabs"),
-            "a decimal comma": ("sep=;\ne;mass\n1;1,0", 2, "'e;mass'", "; separate cells with commas, not semicolons"),
-            "quotes": ('"mass, e"\n"1,1"\n', 1, "'mass, e'", "; take away the quotes around each line"),
+            "a decimal comma": (
+                "sep=;\ne;mass\n1;1,0",
+                2,
+                "'e;mass'",
+                "; separate cells with commas, not semicolons",
+            ),
+            "quotes": (
+                '"mass, e"\n"1,1"\n',
+                1,
+                "'mass, e'",
+                "; take away the quotes around each line",
+            ),
             "a title": (f"Cradle; e, 1,,,\n{HEADER}{GOOD}", 1, "'Cradle; e', '1'", ""),
-            "names in quotes": ('"Mass";"E"\n', 1, """'Mass;"E"'""", "; separate cells with commas, not semicolons"),
+            "names in quotes": (
+                '"Mass";"E"\n',
+                1,
+                """'Mass;"E"'""",
+                "; separate cells with commas, not semicolons",
+            ),
             "full-width commas": ("mass\uff0ce\n", 1, "'mass\uff0ce'", PLAIN),
             "a long line": ("x" * 1000 + "\n", 1, f"'{'x' * 299}...", ""),
         }.items()
     },
-    "a workbook": (b"PK\3\4\xff", ": is a workbook; open it in Excel or the like, and save it as CSV"),
-    "an old workbook": (b"\xd0\xcf\x11\xe0", ": is a workbook; open it in Excel or the like, and save it as CSV"),
+    "a workbook": (
+        b"PK\3\4\xff",
+        ": is a workbook; open it in Excel or the like, and save it as CSV",
+    ),
+    "an old workbook": (
+        b"\xd0\xcf\x11\xe0",
+        ": is a workbook; open it in Excel or the like, and save it as CSV",
+    ),
     "row too short": (
         HEADER + "1,1,0,0,red\n",
         f", line 2, column texture: found nothing, {ALLOWED['texture']}; this line has 5 cells, not 6",
@@ -68,7 +123,8 @@ REFUSED = {
         HEADER + "1\u060c1,0,0,red,metal\n",
         f", line 2, column mass: found '1\u060c1', {ALLOWED['mass']}; this line has 5 cells, not 6{PLAIN}",
     ),
-    "too many pendula": (  # the row after them, with a cell that is too long for a CSV, is not even read
+    # The row after them, with a cell that is too long for a CSV, is not even read
+    "too many pendula": (
         HEADER + "\n" + GOOD * 1001 + '"' + "x" * 200_000,
         ", line 1003: found pendulum 1001, allowed are at most 1000, which already move in slow motion on the page",
     ),
@@ -81,7 +137,15 @@ REFUSED = {
 
 def cell(column, text):
     """Return a CSV with this text in this column of its third line."""
-    values = {"mass": "1", "e": "1", "theta": "0", "omega": "0", "color": "red", "texture": "none", column: text}
+    values = {
+        "mass": "1",
+        "e": "1",
+        "theta": "0",
+        "omega": "0",
+        "color": "red",
+        "texture": "none",
+        column: text,
+    }
     return HEADER + GOOD + ",".join(values.values()) + "\n"
 
 
@@ -119,10 +183,14 @@ def test_a_missing_file_a_folder_a_pipe_and_a_device_are_refused_at_once(tmp_pat
 
 
 @pytest.mark.parametrize("system", ["win32", "linux"])
-def test_windows_denies_the_permission_for_a_folder_and_for_a_file_that_excel_holds_open(system, csv, monkeypatch):
+def test_windows_denies_the_permission_for_a_folder_and_for_a_file_that_excel_holds_open(
+    system, csv, monkeypatch
+):
     """It says the same of both."""
     monkeypatch.setattr("sys.platform", system)
-    monkeypatch.setattr("os.open", Mock(side_effect=PermissionError(errno.EACCES, "Permission denied")))
+    monkeypatch.setattr(
+        "os.open", Mock(side_effect=PermissionError(errno.EACCES, "Permission denied"))
+    )
     held = "Permission denied" + "; another program may have it open" * (system == "win32")
     for file, reason in {csv: held, csv.parent: "found a folder, allowed is a file"}.items():
         with pytest.raises(ValueError, match=f"^{re.escape(str(file))}: cannot be read: {reason}$"):
@@ -132,7 +200,9 @@ def test_windows_denies_the_permission_for_a_folder_and_for_a_file_that_excel_ho
 READABLE = {
     "marks": MIXED_CSV.replace("mass", '\ufeff\ufeff"\ufeffmass"').replace("2.5", "\ufeff2.5"),
     "windows": MIXED_CSV.replace("\n", "\r\n\r\n") + "\x1a",
-    "spaces": "\n".join("  " + line.replace(",", " ,\t ") + "  " for line in MIXED_CSV.splitlines()),
+    "spaces": "\n".join(
+        "  " + line.replace(",", " ,\t ") + "  " for line in MIXED_CSV.splitlines()
+    ),
     "order": "\n".join(",".join(reversed(line.split(","))) for line in MIXED_CSV.splitlines()),
     "quotes": MIXED_CSV.replace("red", ' "red" '),
     "a spreadsheet": "Sep=,\n" + MIXED_CSV.replace("\n", ",,\n,,,,,,,,\n"),
@@ -153,23 +223,36 @@ def test_a_csv_is_read_however_a_program_has_written_it_and_also_when_it_is_gone
 
 
 def test_the_smallest_and_the_largest_cradle_are_allowed(save):
-    for content in (HEADER + GOOD, HEADER + GOOD * 1000, cell("e", "0"), cell("e", "1"), cell("mass", "1e-300")):
+    for content in (
+        HEADER + GOOD,
+        HEADER + GOOD * 1000,
+        cell("e", "0"),
+        cell("e", "1"),
+        cell("mass", "1e-300"),
+    ):
         check_cradle(save(content))
 
 
 def test_a_number_for_the_check_is_a_number_for_pandas(save):
-    """The check reads the text of a cell itself. A cell that it accepts must not become text in pend_list."""
+    """The check reads the text of a cell itself.
+
+    A cell that it accepts must not become text in pend_list.
+    """
     source, accepted = random.Random(1), []
     for _ in range(800):
         text = "".join(source.choices("0123456789.eE+-x ", k=source.randint(1, 6)))
         with suppress(ValueError):
-            check_cradle(Snapshot("cradle.csv", f"mass,e,color,texture\n{text},1,red,none\n".encode()))
+            check_cradle(
+                Snapshot("cradle.csv", f"mass,e,color,texture\n{text},1,red,none\n".encode())
+            )
             accepted.append(text)
     assert len(accepted) > 80
     for text in accepted:  # each in a file of its own: a column has one type
         with clean_copy(Snapshot("cradle.csv", f"mass\n{text}\n".encode())) as copy:
             [pend_dict] = extract_and_convert(copy)
-        assert isinstance(pend_dict["mass"], (int, float)) and pend_dict["mass"] == float(text), text
+        assert isinstance(pend_dict["mass"], (int, float)) and pend_dict["mass"] == float(text), (
+            text
+        )
 
 
 def test_the_copy_of_a_long_number_has_only_digits_that_pandas_2_reads():
@@ -182,7 +265,11 @@ def test_the_maps_have_all_names_of_vpython_and_none_for_a_plain_bob():
     """test_headless_vpython.py compares the colors of the stand-in with those of VPython."""
     for namespace, names in ((color, COLOR_MAP), (textures, TEXTURE_MAP)):
         public = {name: value for name, value in vars(namespace).items() if name[0] != "_"}
-        values = {name: getattr(namespace, name) for name, value in public.items() if isinstance(value, (str, vector))}
+        values = {
+            name: getattr(namespace, name)
+            for name, value in public.items()
+            if isinstance(value, (str, vector))
+        }
         assert {**values, **({"none": None} if namespace is textures else {})} == names
 
 
@@ -205,7 +292,9 @@ def test_write_to_csv_keeps_each_number_to_the_last_bit(tmp_path):
     assert list(map(repr, written)) == [repr((theta, -theta)) for theta in numbers]
 
 
-def test_write_to_csv_makes_a_column_of_each_key_but_objects_and_leaves_pend_list_alone(tmp_path, save):
+def test_write_to_csv_makes_a_column_of_each_key_but_objects_and_leaves_pend_list_alone(
+    tmp_path, save
+):
     """Also of a key that only some pendula have, and with text in any language."""
     pend_list, file = make_newton_cradle(save(MIXED_CSV), R_PARAM, 0.25), tmp_path / "written.csv"
     pend_list[1]["note"] = "schön, \u03c9"
@@ -233,10 +322,14 @@ def contents(folder):
     return {path.name: path.read_text() for path in folder.iterdir()}
 
 
-@pytest.mark.parametrize("step", ["pandas.DataFrame.to_csv", "os.fsync", "shutil.copymode", "os.replace"])
+@pytest.mark.parametrize(
+    "step", ["pandas.DataFrame.to_csv", "os.fsync", "shutil.copymode", "os.replace"]
+)
 def test_a_full_disk_leaves_the_old_file_and_nothing_else(step, csv, monkeypatch):
     monkeypatch.setattr(step, Mock(side_effect=OSError(errno.ENOSPC, "No space left on device")))
-    with pytest.raises(OSError, match=r"cannot be written: No space left on device: '.*cradle\.csv'") as caught:
+    with pytest.raises(
+        OSError, match=r"cannot be written: No space left on device: '.*cradle\.csv'"
+    ) as caught:
         write_to_csv(MIXED * 2, csv)
     assert (caught.value.errno, caught.value.filename) == (errno.ENOSPC, str(csv))
     assert contents(csv.parent) == {"cradle.csv": FIVE_CSV}
@@ -255,7 +348,9 @@ with whole_file(sys.argv[1]) as file:
 
 @on_posix
 def test_a_killed_program_leaves_the_old_file_and_a_hidden_part_that_git_does_not_see(csv):
-    """The part is UTF-8, also if the locale is another one, and a program that writes later does not need its name."""
+    """The part is UTF-8, also if the locale is another one, and a program that writes later does
+    not need its name.
+    """
     c_locale = {"LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
     with running("-c", HALF, csv, folder=ROOT, **c_locale) as process:
         assert process.stdout.readline() == "half\n"
@@ -268,9 +363,13 @@ def test_a_killed_program_leaves_the_old_file_and_a_hidden_part_that_git_does_no
     assert extract_and_convert(csv) == MIXED[:1]
 
 
-def test_the_name_stays_with_the_old_file_until_the_new_one_is_complete_and_on_the_disk(csv, monkeypatch):
+def test_the_name_stays_with_the_old_file_until_the_new_one_is_complete_and_on_the_disk(
+    csv, monkeypatch
+):
     seen = []
-    monkeypatch.setattr("os.fsync", lambda number: seen.append((csv.read_text(), os.fstat(number).st_size)))
+    monkeypatch.setattr(
+        "os.fsync", lambda number: seen.append((csv.read_text(), os.fstat(number).st_size))
+    )
     with pytest.raises(ZeroDivisionError), whole_file(csv) as new:
         new.write("half")
         raise ZeroDivisionError
@@ -289,17 +388,27 @@ def test_permissions_and_links_stay_and_a_new_file_has_the_usual_permissions(csv
     for path in (link, other):
         write_to_csv(MIXED[:1], path)
         assert extract_and_convert(path) == MIXED[:1]
-    assert (link.is_symlink(), csv.stat().st_mode & 0o777, other.stat().st_mode) == (True, 0o640, usual.stat().st_mode)
+    assert (link.is_symlink(), csv.stat().st_mode & 0o777, other.stat().st_mode) == (
+        True,
+        0o640,
+        usual.stat().st_mode,
+    )
 
 
-def test_only_a_file_that_may_be_written_is_replaced_and_the_message_has_the_given_name(csv, monkeypatch):
-    """Not a folder, a device such as /dev/full, or a protected file, which the administrator could still replace."""
+def test_only_a_file_that_may_be_written_is_replaced_and_the_message_has_the_given_name(
+    csv, monkeypatch
+):
+    """Not a folder, a device such as /dev/full, or a protected file, which the administrator could
+    still replace.
+    """
     monkeypatch.chdir(csv.parent)
     words = "cannot be written: it is not a file, or is write-protected"
     for path in (csv.parent, os.devnull, os.path.abspath(os.sep)):
         with pytest.raises(PermissionError, match=words):
             write_to_csv(MIXED, path)
-    with pytest.raises(FileNotFoundError, match="cannot be written: No such file or directory: 'gone/cradle.csv'$"):
+    with pytest.raises(
+        FileNotFoundError, match="cannot be written: No such file or directory: 'gone/cradle.csv'$"
+    ):
         write_to_csv(MIXED, "gone/cradle.csv")
     monkeypatch.setattr("os.access", lambda path, mode: False)
     with pytest.raises(PermissionError, match=words):
@@ -307,7 +416,9 @@ def test_only_a_file_that_may_be_written_is_replaced_and_the_message_has_the_giv
     assert contents(csv.parent) == {"cradle.csv": FIVE_CSV}
 
 
-def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same_also_if_it_goes_and_comes_back(csv):
+def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same_also_if_it_goes_and_comes_back(
+    csv,
+):
     """While it is gone or empty, the page says so."""
     csv.write_text("old\n")
     times = [0.0]
@@ -321,8 +432,10 @@ def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same_also_if_it_go
     csv.write_text("ne")  # the editor is still at work
     assert not look()
     csv.write_text("new\n")
-    os.utime(csv, ns=(before.st_atime_ns, before.st_mtime_ns))  # size and time do not show the change
-    assert [look(), look(0), look(0)] == [False] * 3  # the program does not read the file in each frame
+    # Size and time do not show the change
+    os.utime(csv, ns=(before.st_atime_ns, before.st_mtime_ns))
+    # The program does not read the file in each frame
+    assert [look(), look(0), look(0)] == [False] * 3
     assert [look() for _ in range(3)] == [True, False, False]
     assert read_cells(live_file.current) == [(1, ["new"])]
     assert 2 * POLL < 1  # s
@@ -334,8 +447,11 @@ def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same_also_if_it_go
     csv.write_text("new\n")
     assert [look(), look(), look()] == [False, True, False]
     assert read_cells(live_file.current) == [(1, ["new"])]
-    for number in (errno.EMFILE, errno.ENFILE):  # the program, or the machine, can open no more files
-        with patch("support.files.cradle_csv.read_file", side_effect=OSError(number, os.strerror(number))):
+    # The program, or the machine, can open no more files
+    for number in (errno.EMFILE, errno.ENFILE):
+        with patch(
+            "support.files.cradle_csv.read_file", side_effect=OSError(number, os.strerror(number))
+        ):
             assert not (look() or look() or look())
     assert not (look() or look())
 
@@ -348,10 +464,13 @@ def test_data_can_replace_only_data(tmp_path, monkeypatch):
         check_record(file)
     for text in (MIXED_CSV, "t,theta_1,mine\n", "t,mine,momentum\n"):
         file.write_text(text)
-        with pytest.raises(ValueError, match=f"^--record: found '{re.escape(str(file))}', which has no data"):
+        with pytest.raises(
+            ValueError, match=f"^--record: found '{re.escape(str(file))}', which has no data"
+        ):
             check_record(file)
     opened = Mock(side_effect=PermissionError(errno.EACCES, "Permission denied"))
     monkeypatch.setattr("builtins.open", opened)
     with pytest.raises(ValueError, match="^--record: .*: Permission denied(; another|$)"):
         check_record(file)
-    opened.assert_called_once_with(file, "r+b")  # Excel lets other programs read its file, but not write it
+    # Excel lets other programs read its file, but not write it
+    opened.assert_called_once_with(file, "r+b")

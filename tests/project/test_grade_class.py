@@ -63,12 +63,28 @@ def zip_of(files) -> bytes:
     return whole.getvalue()
 
 
-OTHERS = {"README.md": "text", "support/swinging.py": "mine", ".venv/lib/swinging.py": "x", "tests/swinging.py": "mine"}
+OTHERS = {
+    "README.md": "text",
+    "support/swinging.py": "mine",
+    ".venv/lib/swinging.py": "x",
+    "tests/swinging.py": "mine",
+}
 PROJECT = {**SOLUTION, **OTHERS}
 MAC = {**below("cradle", PROJECT), **{f"__MACOSX/{name}": "mac" for name in below("cradle")}}
 MORE = {"src/helpers/angles.py": "a", "src/notes.txt": "n", "src/__pycache__/x.py": "x"}
-NEWER = {**SOLUTION, "src/swinging (1).py": "1", "src/swinging-12.py": "12", "src/swinging-2.py": "2"}
-CANDIDATES = "Swinging.py", "swinging.PY", "swinging copy.py", "Copy of swinging.py", "swinging - Copy.py"
+NEWER = {
+    **SOLUTION,
+    "src/swinging (1).py": "1",
+    "src/swinging-12.py": "12",
+    "src/swinging-2.py": "2",
+}
+CANDIDATES = (
+    "Swinging.py",
+    "swinging.PY",
+    "swinging copy.py",
+    "Copy of swinging.py",
+    "swinging - Copy.py",
+)
 NONE = "none of the handout's files is there, found: "
 TOOK = [f"took src/{name.replace('.py', '-1.py')} as {name}" for name in sorted(READ)]
 LEFT = "took src/swinging-12.py as swinging.py, left src/swinging.py, src/swinging (1).py, src/swinging-2.py"
@@ -76,31 +92,58 @@ FORMS = {  # the files of a submission, those that count, and the problems
     "the files of src": (READ, READ, []),
     "a project of macOS": (MAC, READ, []),
     "more files": ({**SOLUTION, **MORE}, {**READ, "helpers/angles.py": b"a"}, []),
-    "two projects": ({**below("new"), "old/src/swinging.py": "old"}, READ, ["took new/src, left old/src"]),
+    "two projects": (
+        {**below("new"), "old/src/swinging.py": "old"},
+        READ,
+        ["took new/src, left old/src"],
+    ),
     "two candidates": (
         {**renamed("swinging", "my_swinging"), "src/swinging_old.py": "o"},
         {**renamed("swinging", "my_swinging", READ), "swinging_old.py": b"o"},
         ["src/swinging.py is missing, found 'my_swinging.py' and 'swinging_old.py'"],
     ),
-    "two versions": ({**below("Version 2"), **below("Version 1")}, READ, ["took Version 2/src, left Version 1/src"]),
-    "a long path": ({**SOLUTION, f"src/{'a/' * 120}long.py": ""}, READ, [f"left out {'/a' * 21}/long.py: {TOO_LONG}"]),
+    "two versions": (
+        {**below("Version 2"), **below("Version 1")},
+        READ,
+        ["took Version 2/src, left Version 1/src"],
+    ),
+    "a long path": (
+        {**SOLUTION, f"src/{'a/' * 120}long.py": ""},
+        READ,
+        [f"left out {'/a' * 21}/long.py: {TOO_LONG}"],
+    ),
     "nothing": ({}, {}, [NONE]),
-    "much": ({**SOLUTION, "src/big.py": "#" * MOST_BYTES}, {}, ["too large: allowed are at most 200 Python files"]),
-    "many": ({**SOLUTION, **{f"src/a{i}.py": "" for i in range(MOST_FILES)}}, {}, ["too large: allowed are"]),
+    "much": (
+        {**SOLUTION, "src/big.py": "#" * MOST_BYTES},
+        {},
+        ["too large: allowed are at most 200 Python files"],
+    ),
+    "many": (
+        {**SOLUTION, **{f"src/a{i}.py": "" for i in range(MOST_FILES)}},
+        {},
+        ["too large: allowed are"],
+    ),
     "all again": (renamed(".py", "-1.py"), READ, TOOK),
     "one again": (NEWER, {**READ, "swinging.py": b"12"}, [LEFT]),
     "again and again": (renamed(".py", "-1 (2).py"), READ, ["took "] * 5),
 }
 for name in CANDIDATES:
     own = {name: READ["swinging.py"]}
-    FORMS[name] = (renamed("swinging.py", name), {**READ, **own}, [f"took src/{name} as swinging.py"])
+    FORMS[name] = (
+        renamed("swinging.py", name),
+        {**READ, **own},
+        [f"took src/{name} as swinging.py"],
+    )
 
 
 @pytest.mark.parametrize(("files", "found", "problems"), FORMS.values(), ids=FORMS)
 @pytest.mark.parametrize("place", ["ann", "ann.zip", "ann/cradle.zip", "ann.zip/cradle.zip"])
 def test_the_files_of_src_are_found_and_problems_named(tmp_path, files, found, problems, place):
     (tmp_path / "ann").mkdir()
-    forms = {"ann": below("ann", files), "ann.zip/cradle.zip": {"ann.zip": zip_of({"cradle.zip": zip_of(files)})}}
+    forms = {
+        "ann": below("ann", files),
+        "ann.zip/cradle.zip": {"ann.zip": zip_of({"cradle.zip": zip_of(files)})},
+    }
     put_files(tmp_path, forms.get(place, {place: zip_of(files)}))
     read, told = read_submission([("", tmp_path / place.removesuffix("/cradle.zip"))])
     assert (read, len(told)) == (found, len(problems))
@@ -109,7 +152,10 @@ def test_the_files_of_src_are_found_and_problems_named(tmp_path, files, found, p
 
 
 ODD = {  # entries of a .zip that are left out, and how they are there
-    **dict.fromkeys(("C:/src/swinging.py", "/src/swinging.py", "src/../../swinging.py", "..\\src\\swinging.py"), {}),
+    **dict.fromkeys(
+        ("C:/src/swinging.py", "/src/swinging.py", "src/../../swinging.py", "..\\src\\swinging.py"),
+        {},
+    ),
     "src/link.py": {"external_attr": (stat.S_IFLNK | 0o777) << 16},
     "src/bzip2.py": {"compress_type": zipfile.ZIP_BZIP2},
     "src/lzma.py": {"compress_type": zipfile.ZIP_LZMA},
@@ -124,7 +170,8 @@ def test_an_odd_entry_of_a_zip_is_named_and_the_rest_is_taken(tmp_path, name):
     (tmp_path / "a.zip").write_bytes(zip_of({**SOLUTION, info: "x", f"src/a-{'9' * 200}.py": ""}))
     files, problems = read_submission([("", tmp_path / "a.zip")])
     assert (READ.items() <= files.items(), len(files)) == (True, len(READ) + 1)
-    assert problems[0] == f"left out {name.replace(os.sep, '/')}: {LEFT_OUT}"  # as zipfile reads it on Windows
+    # As zipfile reads it on Windows
+    assert problems[0] == f"left out {name.replace(os.sep, '/')}: {LEFT_OUT}"
 
 
 def test_an_encrypted_and_a_damaged_entry_are_named_and_the_rest_is_taken(tmp_path):
@@ -134,8 +181,13 @@ def test_an_encrypted_and_a_damaged_entry_are_named_and_the_rest_is_taken(tmp_pa
     data[central - 38] |= 1  # a flag: encrypted
     (tmp_path / "a.zip").write_bytes(data)
     files, problems = read_submission([("", tmp_path / "a.zip")])
-    assert files == {name: text for name, text in READ.items() if name not in ("swinging.py", "pds_helper.py")}
-    assert problems[:2] == [f"left out src/pds_helper.py: {LEFT_OUT}", "src/pds_helper.py is missing"]
+    assert files == {
+        name: text for name, text in READ.items() if name not in ("swinging.py", "pds_helper.py")
+    }
+    assert problems[:2] == [
+        f"left out src/pds_helper.py: {LEFT_OUT}",
+        "src/pds_helper.py is missing",
+    ]
     assert problems[2].startswith("left out src/swinging.py: ")
 
 
@@ -169,7 +221,9 @@ def test_pipes_and_links_are_not_read(tmp_path):
     assert {"src/special_cradles.py is missing", "src/swinging.py is missing"} <= {*problems}
 
 
-CLASS = {  # what is in the folder, and the student's key and the own name of the file: "" is a folder or an archive
+# What is in the folder, and the student's key and the own name of the file: "" is a folder or an
+# archive
+CLASS = {
     "Bea B/a.py": ("Bea B", ""),
     "a\x7fb/c\x85d/e\x85f": ("a_x7fb", ""),
     "cem.ZIP": ("cem", ""),
@@ -186,7 +240,10 @@ CLASS = {  # what is in the folder, and the student's key and the own name of th
 
 
 def test_each_folder_each_archive_and_each_name_of_a_flat_download_is_a_student(tmp_path):
-    """Letters of a name that cannot be printed are spelled out. A link may lead to somebody else's files."""
+    """Letters of a name that cannot be printed are spelled out.
+
+    A link may lead to somebody else's files.
+    """
     put_files(tmp_path, dict.fromkeys([*CLASS, ".git/a", "__MACOSX/a", "index.html"], ""))
     if os.name == "posix":
         (tmp_path / "link").symlink_to(tmp_path / "Bea B")
@@ -194,7 +251,10 @@ def test_each_folder_each_archive_and_each_name_of_a_flat_download_is_a_student(
     read = {(key, name, path.name) for key, paths in found.items() for name, path in paths}
     assert read == {(*owner, path.partition("/")[0]) for path, owner in CLASS.items()}
     assert others == (["index.html", "link"] if os.name == "posix" else ["index.html"])
-    assert read_submission(found["dan"])[1][0] == "dan.rar is no .zip that can be read: File is not a zip file"
+    assert (
+        read_submission(found["dan"])[1][0]
+        == "dan.rar is no .zip that can be read: File is not a zip file"
+    )
     assert read_submission(found["a_x7fb"]) == ({}, [rf"{NONE}c\x85d/e\x85f"])
     assert [*read_submission(found["li_1"])[0]] == ["swinging.py", "pds_helper.py"]
 
@@ -212,24 +272,36 @@ def test_each_folder_each_archive_and_each_name_of_a_flat_download_is_a_student(
 )
 def test_a_students_key_is_apart_from_all_others_on_any_file_system(tmp_path, names):
     students = {Student(name, name) for name in names}
-    guesses = {Student(key, key) for key in keys_of(students).values()}  # of others, who call themselves so
+    # Of others, who call themselves so
+    guesses = {Student(key, key) for key in keys_of(students).values()}
     keys = keys_of(students | guesses)
-    alike = {normalize("NFC", key.upper()) for key in keys.values()}  # as macOS and Windows compare names
+    # As macOS and Windows compare names
+    alike = {normalize("NFC", key.upper()) for key in keys.values()}
     assert len(alike) == len(students | guesses)
     for key in keys.values():
-        (tmp_path / f".{key}.txt.12345678.tmp").write_text("")  # as a file is called before it is whole
+        # As a file is called before it is whole
+        (tmp_path / f".{key}.txt.12345678.tmp").write_text("")
         assert key == key.strip(" .") and not {*key} & {*'<>:"/|?*\\\n'}
         assert key.partition(".")[0].upper() not in ("CON", "NUL")
 
 
 def test_a_key_is_the_plain_name_where_no_other_one_is_like_it():
     names = "Bea B", "Ünal (2)", "O'Brien", "con", "nul.txt"
-    assert [*keys_of([Student(name, name) for name in names]).values()] == [*names[:3], "_con", "_nul.txt"]
+    assert [*keys_of([Student(name, name) for name in names]).values()] == [
+        *names[:3],
+        "_con",
+        "_nul.txt",
+    ]
 
 
-@pytest.mark.parametrize("files", [{}, {"index.html": "a"}, PROJECT, READ], ids=["nothing", "a file", "project", "src"])
+@pytest.mark.parametrize(
+    "files", [{}, {"index.html": "a"}, PROJECT, READ], ids=["nothing", "a file", "project", "src"]
+)
 def test_a_folder_that_is_no_class_is_refused(tmp_path, files):
-    with pytest.raises(ValueError, match="allowed is a folder with a folder or a .zip for each student, or with files"):
+    with pytest.raises(
+        ValueError,
+        match="allowed is a folder with a folder or a .zip for each student, or with files",
+    ):
         submissions_in(put_files(tmp_path, files))
 
 
@@ -240,7 +312,10 @@ def empty(made, tmp_path_factory):
 
 
 def passed(grade):
-    return {**grade, "checks": {name: {**check, "state": "passed"} for name, check in grade["checks"].items()}}
+    return {
+        **grade,
+        "checks": {name: {**check, "state": "passed"} for name, check in grade["checks"].items()},
+    }
 
 
 FORGED = {  # how a solution could change what pytest writes
@@ -251,14 +326,24 @@ FORGED = {  # how a solution could change what pytest writes
     "not final": lambda grade: {**grade, "final": None},
     "nothing": lambda grade: "",
 }
-ENDS = {  # how a run has ended, what it has written, the points, the problem, and whether this is final
+# How a run has ended, what it has written, the points, the problem, and whether this is final
+ENDS = {
     "right": (0, passed, sum(COUNTS.values()), "", True),
     "waiting": (1, dict, 0, "", True),
     "a thread is left": (1, passed, sum(COUNTS.values()), "", True),
     "killed": (137, passed, sum(COUNTS.values()), "", False),
     "late": (one_run.LATE, FORGED["nothing"], 0, "no grade: pytest took longer than 600 s", False),
-    "not run": ("the files cannot be written", FORGED["nothing"], 0, "no grade: the files cannot be written", False),
-    **{name: (1, form, 0, "no grade: pytest ended with status 1", False) for name, form in FORGED.items()},
+    "not run": (
+        "the files cannot be written",
+        FORGED["nothing"],
+        0,
+        "no grade: the files cannot be written",
+        False,
+    ),
+    **{
+        name: (1, form, 0, "no grade: pytest ended with status 1", False)
+        for name, form in FORGED.items()
+    },
     "not final": (1, FORGED["not final"], 0, "", False),
 }
 
@@ -280,7 +365,11 @@ def test_a_grade_is_whole_and_only_that_of_a_run_with_an_end_is_final(box, name)
     text = output if isinstance(output, str) else json.dumps(output)
     box.run_files = lambda *_: (status, text.encode())
     run = box.run({}, jobs=2)
-    assert (sum(run.grade["points"].values()), run.problem, run.is_final) == (points, problem, is_final)
+    assert (sum(run.grade["points"].values()), run.problem, run.is_final) == (
+        points,
+        problem,
+        is_final,
+    )
     assert [*run.grade["checks"]] == [*box.empty["checks"]]
 
 
@@ -300,10 +389,14 @@ def test_what_a_solution_says_is_short_and_has_no_codes_of_a_terminal(empty, tmp
 
 
 def test_a_cell_is_no_formula():
-    assert [report.cell(name)[:1] for name in ("=1", "-a", "@b", "+c", " =1", "Bea")] == ["'"] * 5 + ["B"]
+    assert [report.cell(name)[:1] for name in ("=1", "-a", "@b", "+c", " =1", "Bea")] == [
+        "'"
+    ] * 5 + ["B"]
 
 
-@pytest.mark.parametrize("name", ["a" * 300 + ".py", "beyond/a/b.py/c.py", "nul\0.py", "a/" * 1500 + "b.py"])
+@pytest.mark.parametrize(
+    "name", ["a" * 300 + ".py", "beyond/a/b.py/c.py", "nul\0.py", "a/" * 1500 + "b.py"]
+)
 def test_files_that_cannot_be_written_are_told(box, name):
     run = box.run({"beyond/a/b.py": b"", name: b""}, jobs=2)
     assert run.problem.startswith("no grade: the files cannot be written: ")
@@ -311,7 +404,10 @@ def test_files_that_cannot_be_written_are_told(box, name):
 
 
 def test_a_full_disk_costs_no_student_a_point(box, monkeypatch):
-    """The cause may be another solution, whose files go. If it is still full later, this ends the class."""
+    """The cause may be another solution, whose files go.
+
+    If it is still full later, this ends the class.
+    """
     box.run_in = lambda *_: 1
     monkeypatch.setattr(shutil, "disk_usage", lambda _: Mock(free=1000))
     run = box.run({}, jobs=2)
@@ -325,8 +421,14 @@ def test_a_full_disk_costs_no_student_a_point(box, monkeypatch):
 def tables_of(folder):
     """Return the rows of grades.csv and the results in results.jsonl, each by student."""
     rows = csv.DictReader((folder / "grades.csv").read_text(encoding="utf-8-sig").splitlines())
-    lines = (folder / "results.jsonl").read_text(encoding="utf-8").splitlines() if len(os.listdir(folder)) > 2 else []
-    return tuple({each["student"]: each for each in table} for table in (rows, [*map(json.loads, lines)]))
+    lines = (
+        (folder / "results.jsonl").read_text(encoding="utf-8").splitlines()
+        if len(os.listdir(folder)) > 2
+        else []
+    )
+    return tuple(
+        {each["student"]: each for each in table} for table in (rows, [*map(json.loads, lines)])
+    )
 
 
 # In bubblewrap, four at a time: none takes what others need.
@@ -335,12 +437,16 @@ from teacher import sandbox as s
 s.LAST, s.ALONE, s.SPARE, os.cpu_count = 12, 8, 2, lambda: 4 if shutil.which("bwrap") else 2
 """
 UNBOXED = "--without-bubblewrap"
-needs_bwrap = pytest.mark.skipif(shutil.which("bwrap") is None, reason="bubblewrap is not installed")
+needs_bwrap = pytest.mark.skipif(
+    shutil.which("bwrap") is None, reason="bubblewrap is not installed"
+)
 
 
 @pytest.fixture
 def work():
-    """A folder for the program's own folders, which other users can pass; those of pytest they cannot."""
+    """A folder for the program's own folders, which other users can pass; those of pytest they
+    cannot.
+    """
     with TemporaryDirectory() as folder:
         os.chmod(folder, 0o755)
         yield Path(folder)
@@ -358,7 +464,9 @@ def python_for_all():
         python = f"{folder}/bin/python"
         with suppress(FileNotFoundError):  # the system has another version
             subprocess.run([f"/usr/bin/{name}", "-m", "venv", "--without-pip", folder], check=True)
-            put_files(Path(folder), {f"lib/{name}/site-packages/all.pth": sysconfig.get_path("purelib")})
+            put_files(
+                Path(folder), {f"lib/{name}/site-packages/all.pth": sysconfig.get_path("purelib")}
+            )
         if not is_for_all(python):
             pytest.skip("other users cannot start this Python")
         yield python
@@ -368,7 +476,12 @@ def is_for_all(python) -> bool:
     """Return whether other users can start this Python, and find pytest."""
     nobody = {"user": 65534, "group": 65534, "extra_groups": []}
     with suppress(OSError):
-        return subprocess.run([python, "-c", "import pandas, pytest"], cwd="/", **nobody, check=False).returncode == 0
+        return (
+            subprocess.run(
+                [python, "-c", "import pandas, pytest"], cwd="/", **nobody, check=False
+            ).returncode
+            == 0
+        )
     return False
 
 
@@ -380,24 +493,44 @@ def grading(made, tmp_path, work, request):
         python = request.getfixturevalue("python_for_all") if UNBOXED in options else sys.executable
         env = {**os.environ, "TMPDIR": str(work), "PYTHONPATH": str(ROOT / "tests")}
         words = [python, "-c", f"{FAST}{first}g.main()", "class", "--starter", str(made), *options]
-        return subprocess.Popen(words, cwd=tmp_path, env=env, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        return subprocess.Popen(
+            words, cwd=tmp_path, env=env, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        )
 
     return grading
 
 
-def test_a_class_is_graded_goes_on_and_forgets_who_is_gone(solved, starter, tmp_path, grading, work):
+def test_a_class_is_graded_goes_on_and_forgets_who_is_gone(
+    solved, starter, tmp_path, grading, work
+):
     write(starter, "extract_and_convert", "double_angle_update")
-    for student, files in {"ann": solved, "bea": solved, "cem": files_of(starter), "dan": {"a.txt": b""}}.items():
+    for student, files in {
+        "ann": solved,
+        "bea": solved,
+        "cem": files_of(starter),
+        "dan": {"a.txt": b""},
+    }.items():
         put_files(tmp_path / "class" / student / "src", files)
     change(tmp_path / "class" / "bea" / "src" / "swinging.py", "omega + -g", "omega + g")
-    put_files(tmp_path / "class", {f"eve_1_{i}_{name}": content for i, (name, content) in enumerate(solved.items())})
-    put_files(tmp_path / "class", {"eve_1_9_swinging-1.py": solved["swinging.py"].decode().encode("utf-16")})
+    put_files(
+        tmp_path / "class",
+        {f"eve_1_{i}_{name}": content for i, (name, content) in enumerate(solved.items())},
+    )
+    put_files(
+        tmp_path / "class",
+        {"eve_1_9_swinging-1.py": solved["swinging.py"].decode().encode("utf-16")},
+    )
     process = grading("--gradescope", "gradescope", first="g.SOME = 2; ")
     printed, errors = process.communicate(timeout=2 * SECONDS)
     assert (process.returncode, errors.count("\n")) == (0, int("Without bubblewrap" in errors))
     rows, first = tables_of(out := tmp_path / "class-grades")
-    convert, double = (len(checks(function=name)) for name in ("extract_and_convert", "double_angle_update"))
-    assert [(row["student"], row["grade"], *(int(row[tier]) for tier in SUITES)) for row in rows.values()] == [
+    convert, double = (
+        len(checks(function=name)) for name in ("extract_and_convert", "double_angle_update")
+    )
+    assert [
+        (row["student"], row["grade"], *(int(row[tier]) for tier in SUITES))
+        for row in rows.values()
+    ] == [
         ("ann", "Honor roll", *COUNTS.values()),
         ("bea", "D", COUNTS["D"], 0, COUNTS["B"], 0, COUNTS["Honor roll"]),
         ("cem", "none", convert, 0, 0, 0, double),
@@ -407,16 +540,28 @@ def test_a_class_is_graded_goes_on_and_forgets_who_is_gone(solved, starter, tmp_
     took = "took swinging-1.py as swinging.py, left swinging.py"
     assert [row["problems"] for row in rows.values()] == ["", "", "", f"{NONE}src/a.txt", took]
     assert rows["bea"]["next"].startswith("angle_update in src/swinging.py, line ")
-    for student, words in [("ann", "Grade: Honor roll."), ("bea", "Your code, line by line:"), ("eve", "UTF-8")]:
+    for student, words in [
+        ("ann", "Grade: Honor roll."),
+        ("bea", "Your code, line by line:"),
+        ("eve", "UTF-8"),
+    ]:
         assert words in (out / f"{student}.txt").read_text(encoding="utf-8")
     hint = "This is the result with + in front of the acceleration. Gravity pulls the bob back down: -."
     assert f"    1  {hint} (angle_update)\n" in printed
     assert "Honor roll           1\n" in printed
-    assert re.search(r"^2 solutions are graded. At this pace, the other 3 take \d+ s.$", printed, re.MULTILINE)
+    assert re.search(
+        r"^2 solutions are graded. At this pace, the other 3 take \d+ s.$", printed, re.MULTILINE
+    )
     assert os.name == "nt" or stat.S_IMODE(out.stat().st_mode) == 0o700
     result = json.loads((tmp_path / "gradescope" / "bea" / "results.json").read_text())
-    (test,) = (test for test in result["tests"] if test["name"].startswith("C: angle_update: Takes in"))
-    assert (test["score"], test["max_score"], "wrong       omega_new is 4, not 2." in test["output"]) == (0, 1, True)
+    (test,) = (
+        test for test in result["tests"] if test["name"].startswith("C: angle_update: Takes in")
+    )
+    assert (
+        test["score"],
+        test["max_score"],
+        "wrong       omega_new is 4, not 2." in test["output"],
+    ) == (0, 1, True)
     assert (
         result["score"]
         == sum(test["score"] for test in result["tests"])
@@ -424,7 +569,8 @@ def test_a_class_is_graded_goes_on_and_forgets_who_is_gone(solved, starter, tmp_
     )
     assert result["max_score"] == sum(COUNTS.values())
 
-    whole, *others = sorted((out / "results.jsonl").read_text().splitlines())  # the first one is ann's
+    # The first one is ann's
+    whole, *others = sorted((out / "results.jsonl").read_text().splitlines())
     damaged = [whole.replace('"passed"', way) for way in ("1", "null", '"excellent"', '{"a": []}')]
     damaged += [whole.replace('"seconds": ', '"seconds": "x'), "[" * 100_000, whole[:99]]
     shutil.rmtree(tmp_path / "class" / "bea")
@@ -432,10 +578,15 @@ def test_a_class_is_graded_goes_on_and_forgets_who_is_gone(solved, starter, tmp_
     grading().communicate(timeout=2 * SECONDS)
     rows, results = tables_of(out)
     assert len(results) == 4, rows
-    assert [*rows] == [json.loads(line)["student"] for line in sorted((out / "results.jsonl").read_text().splitlines())]
+    assert [*rows] == [
+        json.loads(line)["student"]
+        for line in sorted((out / "results.jsonl").read_text().splitlines())
+    ]
     assert [*rows] == ["ann", "cem", "dan", "eve"]
     assert results["ann"]["checks"] == first["ann"]["checks"]
-    assert [results[name] for name in ("cem", "dan", "eve")] == [first[name] for name in ("cem", "dan", "eve")]
+    assert [results[name] for name in ("cem", "dan", "eve")] == [
+        first[name] for name in ("cem", "dan", "eve")
+    ]
     assert not (out / "bea.txt").exists()
     assert os.listdir(work) == []
 
@@ -462,13 +613,21 @@ def left_by(work) -> list[Path]:
 @on_posix
 @pytest.mark.parametrize(
     ("options", "name"),
-    [pytest.param((), "SIGINT", marks=needs_bwrap), ((UNBOXED,), "SIGTERM"), ((UNBOXED,), "SIGHUP")],
+    [
+        pytest.param((), "SIGINT", marks=needs_bwrap),
+        ((UNBOXED,), "SIGTERM"),
+        ((UNBOXED,), "SIGHUP"),
+    ],
 )
-def test_an_interrupted_class_leaves_no_folder_and_no_process(solved, tmp_path, grading, work, options, name):
+def test_an_interrupted_class_leaves_no_folder_and_no_process(
+    solved, tmp_path, grading, work, options, name
+):
     number = getattr(signal, name)
     file = f"import os\n{LEAVES}\nwhile True: pass".replace("{sleeping}", sleeping(work))
     for student in range(8):
-        put_files(tmp_path / "class" / f"{student}" / "src", {**solved, "pds_helper.py": file.encode()})
+        put_files(
+            tmp_path / "class" / f"{student}" / "src", {**solved, "pds_helper.py": file.encode()}
+        )
     process = grading(*options)
     wait_until(lambda: left_by(work) or sys.platform != "linux" and [*work.glob("*/tmp*/own/src")])
     for _ in range(3):
@@ -482,14 +641,17 @@ def test_an_interrupted_class_leaves_no_folder_and_no_process(solved, tmp_path, 
 
 def test_ctrl_c_while_the_starter_is_made_ends_at_once_and_keeps_the_grades(tmp_path, grading):
     put_files(tmp_path, {"class/ann/a.txt": "", "class-grades/grades.csv": "before"})
-    process = grading(first="import signal; g.copy_starter = lambda *_: signal.raise_signal(signal.SIGINT); ")
+    process = grading(
+        first="import signal; g.copy_starter = lambda *_: signal.raise_signal(signal.SIGINT); "
+    )
     assert (process.communicate(timeout=SECONDS), process.returncode) == (("", ""), 130)
     assert (tmp_path / "class-grades" / "grades.csv").read_text() == "before"
 
 
 def test_a_solution_is_run_without_the_limits_that_a_system_refuses(tmp_path, monkeypatch, capfd):
     """macOS refuses DATA and AS with a ValueError, as remove() does here."""
-    resource, names = pytest.importorskip("resource"), ("CORE", "CPU", "FSIZE", "NOFILE", "NPROC", "NPROC")
+    resource = pytest.importorskip("resource")
+    names = ("CORE", "CPU", "FSIZE", "NOFILE", "NPROC", "NPROC")
     left = [getattr(resource, f"RLIMIT_{name}") for name in names]
     monkeypatch.setattr(resource, "setrlimit", lambda number, _: left.remove(number))
     monkeypatch.setattr(one_run, "PYTEST", "own")
@@ -507,7 +669,10 @@ def test_a_solution_never_runs_as_root(monkeypatch):
 
 @on_posix
 def test_a_bubblewrap_that_fails_ends_the_class_with_one_line(tmp_path, grading, monkeypatch):
-    put_files(tmp_path, {"class/ann/a.txt": "", "bin/bwrap": "#!/bin/sh\necho bwrap: No permissions >&2\nexit 1\n"})
+    put_files(
+        tmp_path,
+        {"class/ann/a.txt": "", "bin/bwrap": "#!/bin/sh\necho bwrap: No permissions >&2\nexit 1\n"},
+    )
     (tmp_path / "bin" / "bwrap").chmod(0o755)
     monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}:{os.environ['PATH']}")
     process = grading()
@@ -524,7 +689,9 @@ def test_a_folder_of_grades_is_nobody_elses(tmp_path):
     (linked / "grades.csv").symlink_to(tmp_path / "others.csv")
     (tmp_path / "link").symlink_to(put_files(tmp_path / "own", {"a": ""}))
     for folder in (planted, linked, tmp_path / "link", linked / "ann.txt"):
-        with pytest.raises(OSError, match="allowed is a new folder, or one that only you can write, without links"):
+        with pytest.raises(
+            OSError, match="allowed is a new folder, or one that only you can write, without links"
+        ):
             report.own_folder(folder)
     (tmp_path / "own").chmod(0o755)
     for folder in (tmp_path / "own", tmp_path / "new" / "one"):
@@ -532,7 +699,8 @@ def test_a_folder_of_grades_is_nobody_elses(tmp_path):
         assert stat.S_IMODE(folder.stat().st_mode) == 0o700
 
 
-# Two processes outlive the first one. One makes its successor, and ends. The other one is traced by a third process.
+# Two processes outlive the first one. One makes its successor, and ends. The other one is traced by
+# a third process.
 LEFT_OVER = """import ctypes, os, time
 if not os.fork():
     os.setsid()
@@ -586,14 +754,21 @@ s.Sandbox.run_files = run_files
 """
 
 
-def test_a_run_that_is_not_final_is_made_once_more_alone_and_only_a_grade_is_kept(solved, tmp_path, grading):
+def test_a_run_that_is_not_final_is_made_once_more_alone_and_only_a_grade_is_kept(
+    solved, tmp_path, grading
+):
     for student in ("ann", "bea", "cem"):
         put_files(tmp_path / "class" / student / "src", solved)
-    put_files(tmp_path / "class" / "dan" / "src", {**solved, "swinging.py": b"import os\nos.abort()"})
+    put_files(
+        tmp_path / "class" / "dan" / "src", {**solved, "swinging.py": b"import os\nos.abort()"}
+    )
     process = grading(first=f"{SPOILS}import atexit; atexit.register(lambda: print(runs[-3:])); ")
     printed, _ = process.communicate(timeout=SECONDS)
     rows, results = tables_of(tmp_path / "class-grades")
-    assert {name: row["grade"] for name, row in rows.items()} == {**dict.fromkeys(results, "Honor roll"), "dan": "none"}
+    assert {name: row["grade"] for name, row in rows.items()} == {
+        **dict.fromkeys(results, "Honor roll"),
+        "dan": "none",
+    }
     assert sorted(results) == ["ann", "bea", "cem"]
     assert rows["dan"]["problems"] == "no grade: pytest ended with status 134"
     assert printed.endswith(f"{[(True, 8, 1)] * 3}\n")
@@ -630,8 +805,10 @@ BOXED = {
     "takes memory in a file": "try: os.memfd_create('a')\nexcept OSError: pass\nelse: 1 / 0",
     "takes memory without a file": "import mmap\ntry: mmap.mmap(-1, 9)\nexcept OSError: pass\nelse: 1 / 0",
     "takes zeros": "assert not os.path.exists('/dev/zero')",
-    "calls in a ring": CALLS + "assert calls.syscall(425, 1, ctypes.create_string_buffer(120)) == -1",
-    "reads keys": CALLS + "assert calls.syscall(250 if os.uname().machine == 'x86_64' else 219, 0, -4, 1) == -1",
+    "calls in a ring": CALLS
+    + "assert calls.syscall(425, 1, ctypes.create_string_buffer(120)) == -1",
+    "reads keys": CALLS
+    + "assert calls.syscall(250 if os.uname().machine == 'x86_64' else 219, 0, -4, 1) == -1",
     "locks": "import fcntl\ntry: fcntl.flock(open('/one_run.py'), fcntl.LOCK_EX)\nexcept OSError: pass\nelse: 1 / 0",
     "leases": "import fcntl\ntry: fcntl.fcntl(open(__file__), 1024, 1)\nexcept OSError as e: assert e.errno == 38",
     "attaches": CALLS + "assert calls.ptrace(16, 1, 0, 0) == -1",
@@ -656,30 +833,52 @@ SPOILED = {
 
 @on_posix
 @pytest.mark.slow
-@pytest.mark.parametrize("options", [pytest.param((), marks=needs_bwrap), (UNBOXED,)], ids=["bubblewrap", "limits"])
+@pytest.mark.parametrize(
+    "options", [pytest.param((), marks=needs_bwrap), (UNBOXED,)], ids=["bubblewrap", "limits"]
+)
 def test_hostile_solutions_harm_nobody_else(solved, tmp_path, grading, work, options):
     boxed = not options
     (tmp_path / "secret.txt").write_text("secret")
-    outside = [str(tmp_path / name) for name in ("secret.txt", "class/an honest one/src/swinging.py", "new.txt")]
+    outside = [
+        str(tmp_path / name)
+        for name in ("secret.txt", "class/an honest one/src/swinging.py", "new.txt")
+    ]
     full = {**HARMLESS, **(BOXED if boxed else {})}
-    rows = {**full, **SPOILED, **({"kills all": "os.kill(-1, 9)"} if boxed else {}), "writes page.csv": ""}
+    rows = {
+        **full,
+        **SPOILED,
+        **({"kills all": "os.kill(-1, 9)"} if boxed else {}),
+        "writes page.csv": "",
+    }
     put_files(tmp_path / "class" / "an honest one" / "src", solved)
     with socket.create_server(("127.0.0.1", 0)) as listening:
         for name, text in rows.items():
-            text = text.replace("{outside}", f"{outside}").replace("{port}", f"{listening.getsockname()[1]}")
+            text = text.replace("{outside}", f"{outside}").replace(
+                "{port}", f"{listening.getsockname()[1]}"
+            )
             text = text.replace("{sleeping}", sleeping(work))
             files = {**solved, "swinging.py": solved["swinging.py"] + f"{HERE}{text}".encode()}
             put_files(tmp_path / "class" / name / "src", files)
         main = tmp_path / "class" / "writes page.csv" / "src" / "visualize_cradle_run.py"
-        change(main, "    pend_list = make", "    open(page.csv, 'w').close()\n    pend_list = make")
+        change(
+            main, "    pend_list = make", "    open(page.csv, 'w').close()\n    pend_list = make"
+        )
         before = contents(tmp_path)
         process = grading(*options)
         _, errors = process.communicate(timeout=10 * SECONDS)
-    assert (process.returncode, "Traceback" in errors, "Without bubblewrap" in errors) == (0, False, not boxed), errors
+    assert (process.returncode, "Traceback" in errors, "Without bubblewrap" in errors) == (
+        0,
+        False,
+        not boxed,
+    ), errors
     table, results = tables_of(tmp_path / "class-grades")
     points = {student: int(row["points"]) for student, row in table.items()}
-    assert {points[student] for student in (*full, "an honest one")} == {sum(COUNTS.values())}, points
-    assert {*results} == {student for student, row in table.items() if "no grade" not in row["problems"]}
+    assert {points[student] for student in (*full, "an honest one")} == {sum(COUNTS.values())}, (
+        points
+    )
+    assert {*results} == {
+        student for student, row in table.items() if "no grade" not in row["problems"]
+    }
     shutil.rmtree(tmp_path / "class-grades")
     assert contents(tmp_path) == before
     assert (os.listdir(work), left_by(work)) == ([], [])
@@ -710,23 +909,58 @@ def main(made, monkeypatch, capsys):
     ("program", "arguments", "words"),
     [
         (grade_class, "nowhere", "argument SUBMISSIONS: nowhere: |No such file or directory"),
-        (grade_class, "class/ann", "argument SUBMISSIONS: found '{here}/class/ann', allowed is a folder with"),
-        (grade_class, "class --out class/grades", "argument --out: found 'class/grades', allowed is a folder outside"),
-        (grade_class, "class --starter class", "argument --starter: found 'class', allowed is a folder made by"),
-        (grade_class, "class --out file.zip", "file.zip: allowed is a new folder, or one that only you can write"),
-        (make_autograder, "file.zip", "argument FILE.zip: found 'file.zip', allowed is a new file that ends in .zip"),
-        (make_autograder, "cradle.tar", "argument FILE.zip: found 'cradle.tar', allowed is a new file"),
-        (make_autograder, "nowhere/cradle.zip", "nowhere/cradle.zip cannot be made: No such file or directory"),
+        (
+            grade_class,
+            "class/ann",
+            "argument SUBMISSIONS: found '{here}/class/ann', allowed is a folder with",
+        ),
+        (
+            grade_class,
+            "class --out class/grades",
+            "argument --out: found 'class/grades', allowed is a folder outside",
+        ),
+        (
+            grade_class,
+            "class --starter class",
+            "argument --starter: found 'class', allowed is a folder made by",
+        ),
+        (
+            grade_class,
+            "class --out file.zip",
+            "file.zip: allowed is a new folder, or one that only you can write",
+        ),
+        (
+            make_autograder,
+            "file.zip",
+            "argument FILE.zip: found 'file.zip', allowed is a new file that ends in .zip",
+        ),
+        (
+            make_autograder,
+            "cradle.tar",
+            "argument FILE.zip: found 'cradle.tar', allowed is a new file",
+        ),
+        (
+            make_autograder,
+            "nowhere/cradle.zip",
+            "nowhere/cradle.zip cannot be made: No such file or directory",
+        ),
         (make_starter, "class", "found 'class', allowed is a new or an empty folder"),
-        (make_starter, "file.zip/new", "argument FOLDER: file.zip/new cannot be made: |Not a directory"),
+        (
+            make_starter,
+            "file.zip/new",
+            "argument FOLDER: file.zip/new cannot be made: |Not a directory",
+        ),
     ],
 )
-def test_wrong_arguments_are_refused_in_one_line(tmp_path, monkeypatch, main, program, arguments, words):
+def test_wrong_arguments_are_refused_in_one_line(
+    tmp_path, monkeypatch, main, program, arguments, words
+):
     monkeypatch.chdir(tmp_path)
     put_files(tmp_path, {"file.zip": "mine", "class/ann/a.txt": ""})
     status, printed, errors = main(program, *arguments.split())
     assert (status, printed, errors.count("\n")) == (2, "", 1)
-    ours, _, systems = words.format(here=tmp_path.as_posix()).partition("|")  # Windows has other words
+    # Windows has other words
+    ours, _, systems = words.format(here=tmp_path.as_posix()).partition("|")
     assert ours + systems * (os.name == "posix") in errors.replace(os.sep, "/")
     assert (tmp_path / "file.zip").read_text() == "mine"
 
@@ -740,7 +974,10 @@ def test_the_autograder_grades_a_solution_and_holds_no_answers(tmp_path, main, s
         modes = {info.filename: info.external_attr >> 16 for info in archive.infolist()}
         archive.extractall(tmp_path / "source")
     assert modes["run_autograder"] & modes["setup.sh"] & 0o111 == 0o111
-    assert "angle_update is not written yet" in (tmp_path / "source" / "src" / "swinging.py").read_text()
+    assert (
+        "angle_update is not written yet"
+        in (tmp_path / "source" / "src" / "swinging.py").read_text()
+    )
     assert not (tmp_path / "source" / "tests" / "project").exists()
     put_files(tmp_path / "venv" / "bin", {"python": f'#!/bin/sh\nexec "{sys.executable}" "$@"\n'})
     (tmp_path / "venv" / "bin" / "python").chmod(0o755)
@@ -749,7 +986,9 @@ def test_the_autograder_grades_a_solution_and_holds_no_answers(tmp_path, main, s
     if installs:
         shutil.rmtree(tmp_path / "venv")
         subprocess.run(["bash", tmp_path / "source" / "setup.sh"], check=True, capture_output=True)
-    subprocess.run(["bash", tmp_path / "run_autograder"], check=True, capture_output=True, timeout=2 * SECONDS)
+    subprocess.run(
+        ["bash", tmp_path / "run_autograder"], check=True, capture_output=True, timeout=2 * SECONDS
+    )
     results = json.loads((tmp_path / "results" / "results.json").read_text())
     convert = len(checks(function="extract_and_convert"))
     assert (results["score"], results["max_score"]) == (convert, sum(COUNTS.values()))

@@ -52,12 +52,16 @@ def solve(monkeypatch):
             assert version[0] in PLAIN[function]
             version = PLAIN[function].replace(*version)
         scope, made = vars(MODULES[function]), {}
-        for name, value in {"cos": cos, "sin": sin, "vector": vector, **scope}.items():  # no row needs to import them
+        # No row needs to import them
+        for name, value in {"cos": cos, "sin": sin, "vector": vector, **scope}.items():
             monkeypatch.setitem(scope, name, value)
         original = getattr(MODULES[function], function)
-        # The student's function has the parameters of the handout; for the honor roll, the handout names none.
+        # The student's function has the parameters of the handout; for the honor roll, the handout
+        # names none.
         own = signature(original).replace(return_annotation=Signature.empty)
-        parameters = own if FUNCTIONS[function].tier == HONOR else f"({FUNCTIONS[function].parameters})"
+        parameters = (
+            own if FUNCTIONS[function].tier == HONOR else f"({FUNCTIONS[function].parameters})"
+        )
         source = f"def {function}{parameters}:\n{indent(dedent(version), '    ')}"
         file = str(ROOT / "src" / f"my_{function}.py")  # there is none, but messages have its lines
         linecache.cache[file] = len(source), None, source.splitlines(keepends=True), file
@@ -70,18 +74,29 @@ def solve(monkeypatch):
 
 
 def outcomes_of(function, users=True) -> dict:
-    """Return the outcome of each check of this function, and of the functions that use it; all others are passed."""
+    """Return the outcome of each check of this function, and of the functions that use it; all
+    others are passed.
+    """
     grading = Grading()
-    made = [check for check in CHECKS if function in (check.function, *(needed(check.function) if users else ()))]
+    made = [
+        check
+        for check in CHECKS
+        if function in (check.function, *(needed(check.function) if users else ()))
+    ]
     grading.outcomes = {check.name: Outcome(PASSED) for check in CHECKS if check not in made}
     return {check: grading.judge(check) for check in made}
 
 
 def failures(function) -> list:
-    return [outcome for outcome in outcomes_of(function, users=False).values() if outcome.state == FAILED]
+    return [
+        outcome
+        for outcome in outcomes_of(function, users=False).values()
+        if outcome.state == FAILED
+    ]
 
 
-# The form of a failure: a sentence, the call, the result, the expected result, and the place in the handout.
+# The form of a failure: a sentence, the call, the result, the expected result, and the place in the
+# handout.
 FORM = r"(?s)wrong       .+\.\ncalled      .+?\n(came back|it raised)   .+?\nexpected    .+?\nread        handout, .+"
 
 WRONG = {
@@ -91,7 +106,8 @@ WRONG = {
     for words, version in mistakes.items()
 }
 KNOWN = [(function, words) for function, mistakes in HINTED.items() for words in mistakes]
-ALONE = ("handle_two_bobs", "moves the bobs apart")  # it fails in a check in which no mistake with a hint fails
+# It fails in a check in which no mistake with a hint fails
+ALONE = ("handle_two_bobs", "moves the bobs apart")
 
 
 @pytest.mark.parametrize(("function", "words"), slow_but_for([*KNOWN, ALONE], WRONG))
@@ -112,17 +128,25 @@ def test_a_wrong_solution_fails_its_own_checks_and_its_mistake_is_named(solve, f
 
 
 @pytest.mark.parametrize("users", slow_but_for([False], [False, True]))
-@pytest.mark.parametrize(("function", "way"), [(name, way) for name in FUNCTIONS for way in ("plainly", *RIGHT[name])])
+@pytest.mark.parametrize(
+    ("function", "way"), [(name, way) for name in FUNCTIONS for way in ("plainly", *RIGHT[name])]
+)
 def test_a_right_solution_passes(solve, function, way, users):
     """users: the checks of the functions that use it pass, too."""
     solve(function, RIGHT[function].get(way, PLAIN[function]))
     outcomes = outcomes_of(function, users)
-    assert {check.name: outcome for check, outcome in outcomes.items() if outcome.state != PASSED} == {}
+    assert {
+        check.name: outcome for check, outcome in outcomes.items() if outcome.state != PASSED
+    } == {}
 
 
 def test_a_right_solution_for_these_columns_only_has_a_note(solve):
     solve("extract_and_convert", RIGHT["extract_and_convert"]["the columns named"])
-    notes = [outcome.hint for outcome in outcomes_of("extract_and_convert", users=False).values() if outcome.hint]
+    notes = [
+        outcome.hint
+        for outcome in outcomes_of("extract_and_convert", users=False).values()
+        if outcome.hint
+    ]
     (note,) = notes
     assert note.startswith("Your extract_and_convert does not convert a CSV with other columns.")
 
@@ -130,9 +154,17 @@ def test_a_right_solution_for_these_columns_only_has_a_note(solve):
 @pytest.mark.parametrize(
     ("name", "value", "note"),
     [
-        ("csv", 0, "main always reads NC_FP. With page.csv, experiments and the CSV of a command would work, too."),
+        (
+            "csv",
+            0,
+            "main always reads NC_FP. With page.csv, experiments and the CSV of a command would work, too.",
+        ),
         ("THETA_INIT", 45, "THETA_INIT is 45 radians. Is it in degrees?"),
-        ("DT", 0.01, "DT is 0.01 s. Such long ticks are not exact, and bobs pass through each other."),
+        (
+            "DT",
+            0.01,
+            "DT is 0.01 s. Such long ticks are not exact, and bobs pass through each other.",
+        ),
     ],
 )
 def test_a_right_main_with_a_trap_has_a_note(solve, monkeypatch, name, value, note):
@@ -147,7 +179,9 @@ def test_a_right_main_with_a_trap_has_a_note(solve, monkeypatch, name, value, no
 # --- hints -----------------------------------------------------------------------------------------------------------
 
 
-def test_each_row_has_a_mistake_each_function_its_steps_and_each_check_a_title_of_its_own(monkeypatch):
+def test_each_row_has_a_mistake_each_function_its_steps_and_each_check_a_title_of_its_own(
+    monkeypatch,
+):
     """In the words of a row, a place for a value is any word."""
     rows = [
         words for name, (*_, words) in hints.ERRORS.items() if name not in ("no Python", "newer")
@@ -164,8 +198,12 @@ def test_each_row_has_a_mistake_each_function_its_steps_and_each_check_a_title_o
     assert {Grading().judge(check).state for check in CHECKS} == {PASSED}
     begins = [words.split() for mistakes in HINTED.values() for words in mistakes]
     for words in rows:
-        pairs = [zip(words.replace("{{ }}", "{ }").split(), begin, strict=False) for begin in begins]
-        assert any(all(word == said or re.search("{.", word) for word, said in each) for each in pairs), words
+        pairs = [
+            zip(words.replace("{{ }}", "{ }").split(), begin, strict=False) for begin in begins
+        ]
+        assert any(
+            all(word == said or re.search("{.", word) for word, said in each) for each in pairs
+        ), words
     assert {*grader.STEPS} == {*FUNCTIONS}
     lines = [line for steps in grader.STEPS.values() for line in steps.python]
     assert max(map(len, lines)) <= 80 - 9  # one row of the screen
@@ -190,7 +228,11 @@ def test_the_parts_of_the_formulas_are_those_of_the_appendix(solve):
 
 def test_two_mistakes_with_the_same_result_have_no_hint():
     first, second = (2.0, "You doubled it."), (2.0, "You added 1.")
-    assert comparing.words_of(2.0, [first]) == comparing.words_of(2.0, [first, first]) == "You doubled it."
+    assert (
+        comparing.words_of(2.0, [first])
+        == comparing.words_of(2.0, [first, first])
+        == "You doubled it."
+    )
     assert comparing.words_of(2.0, [first, second]) == comparing.words_of(3.0, [first]) == ""
 
 
@@ -222,7 +264,9 @@ def test_a_message_shows_the_part_of_pendula_and_files_that_matters(solve):
     solve("extract_and_convert", ("filepath)", "filepath).round(2)"))
     words = " ".join(failures("extract_and_convert")[0].message.split())
     file = " ".join(import_module("test_d").FILES["seven.csv"].split())
-    assert f" is the path of seven.csv: {file} came back at index 0: {{'mass': 12.62, 'e': 1," in words
+    assert (
+        f" is the path of seven.csv: {file} came back at index 0: {{'mass': 12.62, 'e': 1," in words
+    )
     assert " 'texture': 'none'} expected at index 0: {'mass': 12.625, 'e': 1," in words
 
 
@@ -265,7 +309,9 @@ def test_only_lines_of_files_are_a_students(monkeypatch, code):
 
 # --- limits ----------------------------------------------------------------------------------------------------------
 
-on_linux = pytest.mark.skipif(not limits.MEMORY_IN_USE.exists(), reason="the memory is limited on Linux")
+on_linux = pytest.mark.skipif(
+    not limits.MEMORY_IN_USE.exists(), reason="the memory is limited on Linux"
+)
 MEMORY = 60.0, "took more than 20 MB of memory"
 
 
@@ -274,11 +320,17 @@ MEMORY = 60.0, "took more than 20 MB of memory"
     [
         ("import time; time.sleep(100)", 0.1, "waited longer than 1 s"),
         # Python 3.11 catches nothing in a loop right below try.
-        ("try:\n omega = 0\n while True: omega += 1\nexcept: pass\nwhile True: pass", 0.3, "took longer than 0.3 s"),
+        (
+            "try:\n omega = 0\n while True: omega += 1\nexcept: pass\nwhile True: pass",
+            0.3,
+            "took longer than 0.3 s",
+        ),
         pytest.param("rows = [omega]\nfor row in rows: rows.append(row)", *MEMORY, marks=on_linux),
     ],
 )
-def test_what_takes_too_much_is_stopped_and_not_called_again(solve, monkeypatch, capsys, body, patience, words):
+def test_what_takes_too_much_is_stopped_and_not_called_again(
+    solve, monkeypatch, capsys, body, patience, words
+):
     monkeypatch.setattr(limits, "PATIENCE", patience)
     monkeypatch.setattr(limits, "MOST_MEMORY", 20)
     resource = import_module("resource") if os.name == "posix" else None
@@ -292,10 +344,14 @@ def test_what_takes_too_much_is_stopped_and_not_called_again(solve, monkeypatch,
 
 
 @pytest.mark.parametrize(
-    "line", ["import time; g == 8 and time.sleep(0.5)", "breakpoint()", "import pdb; pdb.set_trace()"]
+    "line",
+    ["import time; g == 8 and time.sleep(0.5)", "breakpoint()", "import pdb; pdb.set_trace()"],
 )
 def test_what_takes_no_processor_time_is_not_stopped(solve, monkeypatch, line):
-    """On a busy machine, the clock goes on while nothing runs. Without a terminal, nobody can debug."""
+    """On a busy machine, the clock goes on while nothing runs.
+
+    Without a terminal, nobody can debug.
+    """
     monkeypatch.setattr(limits, "PATIENCE", 0.3)
     monkeypatch.setattr(limits, "HAS_TERMINAL", False)
     solve("angle_update", f"{line}\n{dedent(PLAIN['angle_update'])}")
@@ -307,12 +363,19 @@ def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
     imports = {"src.swinging": lambda _: exec(code, {})}
     monkeypatch.setattr(limits, "PATIENCE", 1.0)
     monkeypatch.delitem(sys.modules, "src.swinging")
-    monkeypatch.setattr(students_code.importlib, "import_module", lambda name: imports.get(name, import_module)(name))
+    monkeypatch.setattr(
+        students_code.importlib,
+        "import_module",
+        lambda name: imports.get(name, import_module)(name),
+    )
     grading = Grading()
     first, second, *_ = (grading.judge(check) for check in checks(function="angle_update"))
     assert first.message.splitlines()[0] == "src/swinging.py, line 2:"
     assert first.message.endswith("took longer than 1 s\nDoes a loop in it ever end?")
-    waiting = {second.message, *(grading.judge(check).message for check in checks(function="full_swing_update"))}
+    waiting = {
+        second.message,
+        *(grading.judge(check).message for check in checks(function="full_swing_update")),
+    }
     assert waiting == {"waits for src/swinging.py"}
 
 
@@ -336,7 +399,10 @@ def test_a_solution_that_writes_the_shipped_file_fails_and_the_file_is_put_back(
     before = Path(NC_FP).read_bytes()
     writes = "from src.pds_helper import write_to_csv; write_to_csv(pend_list)\n        return"
     solve("uniform_mass_newton_cradle", ("return", writes))
-    assert failures("uniform_mass_newton_cradle")[0].wrong == "uniform_mass_newton_cradle writes into a file."
+    assert (
+        failures("uniform_mass_newton_cradle")[0].wrong
+        == "uniform_mass_newton_cradle writes into a file."
+    )
     assert Path(NC_FP).read_bytes() == before
 
 
@@ -350,16 +416,22 @@ def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
 
     outcome = Grading().judge(grader.CHECKS["test_with_a_fault"])
     first, *others = outcome.message.splitlines()
-    assert first == "This is a fault of the grader, not of your code. Please show it to your teacher."
+    assert (
+        first == "This is a fault of the grader, not of your code. Please show it to your teacher."
+    )
     assert (outcome.state, others[-1]) == (FAULT, "ZeroDivisionError: division by zero")
 
 
 def test_a_function_that_is_not_written_waits_and_so_do_written_functions_that_use_it(solve):
-    waits = dict.fromkeys(["newton_cradle_tick", "main"], "waits for angle_update, full_swing_update")
+    waits = dict.fromkeys(
+        ["newton_cradle_tick", "main"], "waits for angle_update, full_swing_update"
+    )
     for name in ("angle_update", "full_swing_update"):
         solve(name, STUB.format(name))
         waits[name] = f"waits for you to write {name} in src/my_{name}.py, line 2"
-    outcomes = {(check.function, *outcome[:2]) for check, outcome in outcomes_of("angle_update").items()}
+    outcomes = {
+        (check.function, *outcome[:2]) for check, outcome in outcomes_of("angle_update").items()
+    }
     assert outcomes == {(name, WAITING, words) for name, words in waits.items()}
 
 

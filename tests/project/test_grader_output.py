@@ -25,7 +25,11 @@ def run(folder, *options):
     """Return the exit status of pytest in a folder, and its output as rows of a terminal."""
     done = python(*PYTEST, *options, folder=folder, PYTEST_ADDOPTS="", COLUMNS=str(COLUMNS))
     assert done.stderr == ""
-    rows = [row for line in done.stdout.splitlines() for row in re.findall(f".{{1,{COLUMNS}}}", line) or [""]]
+    rows = [
+        row
+        for line in done.stdout.splitlines()
+        for row in re.findall(f".{{1,{COLUMNS}}}", line) or [""]
+    ]
     return done.returncode, rows
 
 
@@ -40,8 +44,12 @@ def test_with_x_a_fresh_starter_stops_at_the_first_function(starter):
     status, rows = run(starter, "--tier", "D", "-x")
     assert status == 1
     lines = (starter / "src/pds_helper.py").read_text().splitlines()
-    number = 1 + lines.index('    raise NotImplementedError("extract_and_convert is not written yet")')
-    assert section(rows, "Not written yet") == [f"extract_and_convert in src/pds_helper.py, line {number}"]
+    number = 1 + lines.index(
+        '    raise NotImplementedError("extract_and_convert is not written yet")'
+    )
+    assert section(rows, "Not written yet") == [
+        f"extract_and_convert in src/pds_helper.py, line {number}"
+    ]
     assert section([*rows, "==="], "Grade")[2] == "Grade: none yet."
     assert f"Next:  extract_and_convert in src/pds_helper.py, line {number}." in rows
     assert "       The steps: read_csv gives df, to_dict gives bad_rep, and pend_list gets" in rows
@@ -49,17 +57,32 @@ def test_with_x_a_fresh_starter_stops_at_the_first_function(starter):
 
 
 def test_a_mistake_is_told_on_a_screen(starter):
-    """pytest shows only the printed lines of the first mistake. Above the next step is a note about the CSV."""
+    """pytest shows only the printed lines of the first mistake.
+
+    Above the next step is a note about the CSV.
+    """
     body = PLAIN["make_newton_cradle"].replace("r_param, pend['theta']", "r_param, theta_init")
     body = "for i in range(25):\n    print('row', i)\n" + dedent(body)
-    write(starter, *FUNCTIONS, make_newton_cradle=body, handle_collision="print('collision')\nreturn omega1, omega2")
+    write(
+        starter,
+        *FUNCTIONS,
+        make_newton_cradle=body,
+        handle_collision="print('collision')\nreturn omega1, omega2",
+    )
     change(starter / "newton_cradle_pends.csv", "yellow", "grey")
-    change(starter / "src/visualize_cradle_run.py", "page.csv,", "__import__('support.constants').constants.NC_FP,")
+    change(
+        starter / "src/visualize_cradle_run.py",
+        "page.csv,",
+        "__import__('support.constants').constants.NC_FP,",
+    )
     status, rows = run(starter)
     assert status == 1
     assert len(rows) <= SCREEN
     shown = section(rows, "Use one relevant helper function to create the tuple of objects.")
-    assert shown[:6] == [*(f"printed     row {i}" for i in range(5)), "printed     ... (25 lines in all)"]
+    assert shown[:6] == [
+        *(f"printed     row {i}" for i in range(5)),
+        "printed     ... (25 lines in all)",
+    ]
     assert "called      make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.6)" in shown
     assert not [row for row in rows if "collision" in row and "printed" in row]
     before = (starter / "src/special_cradles.py").read_text().partition("make_pendulum(axle_pos")[0]
@@ -71,12 +94,19 @@ def test_a_mistake_is_told_on_a_screen(starter):
         "All bobs are lifted. make_pendulum must get the theta of each pendulum, and not",
     ):
         assert words in whole
-    assert "Note:  your CSV has a mistake. newton_cradle_pends.csv, line 3, column color: found 'grey'" in whole
+    assert (
+        "Note:  your CSV has a mistake. newton_cradle_pends.csv, line 3, column color: found 'grey'"
+        in whole
+    )
 
 
 WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5, not 6.")
 ERROR = WRONG._replace(wrong="E: f.", hint="Do.")
-HELPER = [[0, ["    7  a = 5"]], [0, ["    Your function f, called there:"]], [9, ["    2  b"] * 40]]
+HELPER = [
+    [0, ["    7  a = 5"]],
+    [0, ["    Your function f, called there:"]],
+    [9, ["    2  b"] * 40],
+]
 SEEN = WRONG._replace(help="It is so.", rows=[[0, ["    7  a = 5"]]], facts=["No line has set it."])
 
 
@@ -84,17 +114,42 @@ SEEN = WRONG._replace(help="It is so.", rows=[[0, ["    7  a = 5"]]], facts=["No
     ("tiers", "outcome", "words"),  # of the checks of the last tier; those of the others are passed
     [
         ("DB", Outcome(PASSED), ["Grade: D.", "Next:  run the checks of tier C: pytest --tier C."]),
-        ("DC", Outcome(FAULT), ["Grade: D.", "Next:  show your teacher the grader's fault in test_angle_update."]),
-        ("C", Outcome(PASSED), ["Tier C is complete.", "Next:  run the checks of tier D: pytest --tier D."]),
-        ("B", WRONG._replace(hint="Do."), ["Next:  handle_collision in a.py, line 7.", "       A is 5, not 6. Do."]),
-        ("B", ERROR, ["       The steps: both omegas become linear velocities; the two formulas of the"]),
+        (
+            "DC",
+            Outcome(FAULT),
+            ["Grade: D.", "Next:  show your teacher the grader's fault in test_angle_update."],
+        ),
+        (
+            "C",
+            Outcome(PASSED),
+            ["Tier C is complete.", "Next:  run the checks of tier D: pytest --tier D."],
+        ),
+        (
+            "B",
+            WRONG._replace(hint="Do."),
+            ["Next:  handle_collision in a.py, line 7.", "       A is 5, not 6. Do."],
+        ),
+        (
+            "B",
+            ERROR,
+            ["       The steps: both omegas become linear velocities; the two formulas of the"],
+        ),
         ("A", WRONG._replace(wrong="A."), ["       In Python, with books:"]),
         (
             "C",
             SEEN,
-            ["       It is so.", "       Your code, line by line:", "    7  a = 5", "       No line has set it."],
+            [
+                "       It is so.",
+                "       Your code, line by line:",
+                "    7  a = 5",
+                "       No line has set it.",
+            ],
         ),
-        ("C", WRONG._replace(rows=HELPER), ["       Your code, line by line (1 line is left out):", "    7  a = 5"]),
+        (
+            "C",
+            WRONG._replace(rows=HELPER),
+            ["       Your code, line by line (1 line is left out):", "    7  a = 5"],
+        ),
     ],
 )
 def test_the_grade_and_the_next_step(monkeypatch, tiers, outcome, words):
@@ -108,7 +163,8 @@ def test_the_grade_and_the_next_step(monkeypatch, tiers, outcome, words):
 
 CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
 MAIN = 'if __name__ == "__main__":\n    from'
-BROKEN = {  # a file and what is put into it, and the words that pytest prints about it, and no others
+# A file and what is put into it, and the words that pytest prints about it, and no others
+BROKEN = {
     "a bracket": (
         *("special_cradles", "    return pend_list", "    x = (1"),
         "src/special_cradles.py, line {}: x = (1 ^ SyntaxError: '(' was never closed",
@@ -133,7 +189,9 @@ def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter,
     file, before, after, words = BROKEN[name]
     write(starter, *FUNCTIONS)
     with (starter / "src/pds_helper.py").open("a") as source:
-        source.write("import threading\n\nthreading.Thread(target=threading.Event().wait).start()\n")
+        source.write(
+            "import threading\n\nthreading.Thread(target=threading.Event().wait).start()\n"
+        )
     source = starter / "src" / f"{file}.py"
     text = source.read_text().partition(before)
     source.write_text(f"{text[0]}{after}{text[2]}")
@@ -142,7 +200,8 @@ def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter,
     number = text[0].count("\n") + 1
     _, title, *found, last = rows
     assert title.strip("= ") == "Python cannot read a file"
-    assert "".join("".join(found).split()) == "".join(words.format(number, source).split())  # wrapped at 80 columns
+    # Wrapped at 80 columns
+    assert "".join("".join(found).split()) == "".join(words.format(number, source).split())
     assert last.startswith("1 failed, ")
 
 
@@ -203,7 +262,9 @@ def test_a_debugger_has_its_prompt_in_a_terminal(starter, debug):
     assert status == 0, rows
     ours, theirs = os.openpty()
     command = [sys.executable, *PYTEST, "--tier", "C"]
-    with subprocess.Popen(command, cwd=starter, stdin=theirs, stdout=theirs, stderr=theirs) as process:
+    with subprocess.Popen(
+        command, cwd=starter, stdin=theirs, stdout=theirs, stderr=theirs
+    ) as process:
         os.close(theirs)
         seen = b""
         while b"(Pdb) " not in seen:
@@ -221,20 +282,72 @@ def hides(name):
 
 
 SAID = {  # what a student does to the folder, a command of Python, and a line that it prints
-    "json.py": (hides("json.py"), PYTEST, "json.py hides the module json from Python and its packages."),
-    "no pandas": (str, ("-S", "pds_tester.py"), " has no pandas. Install it as README.md says, or start the Python"),
-    "no assert": (str, ("-O", *PYTEST), "Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out"),
-    "no folder": (str, (*PYTEST, "--grade-json", "no/a.json"), "--grade-json: found 'no/a.json', allowed is a file in"),
-    "its folder": (str, (*PYTEST, "--grade-json", "src"), "--grade-json: found 'src', allowed is a file in a folder"),
+    "json.py": (
+        hides("json.py"),
+        PYTEST,
+        "json.py hides the module json from Python and its packages.",
+    ),
+    "no pandas": (
+        str,
+        ("-S", "pds_tester.py"),
+        " has no pandas. Install it as README.md says, or start the Python",
+    ),
+    "no assert": (
+        str,
+        ("-O", *PYTEST),
+        "Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out",
+    ),
+    "no folder": (
+        str,
+        (*PYTEST, "--grade-json", "no/a.json"),
+        "--grade-json: found 'no/a.json', allowed is a file in",
+    ),
+    "its folder": (
+        str,
+        (*PYTEST, "--grade-json", "src"),
+        "--grade-json: found 'src', allowed is a file in a folder",
+    ),
     "no checks": (str, (*PYTEST, "src"), f"The checks are not here. Type: {PYTHON} -m pytest"),
-    "unittest": (str, ("-m", "unittest"), f"unittest does not find the checks. Type {PYTHON} -m pytest to run them."),
-    "a suite": (str, ("tests/test_d.py",), f"These are checks. Type {PYTHON} -m pytest to run them."),
-    "a test hides a module": (hides("tests/statistics.py"), PYTEST, "tests/statistics.py hides the module statistics"),
-    "a folder hides a module": (hides("pandas/__init__.py"), PYTEST, "pandas hides the module pandas from Python"),
-    "no support": (lambda path: (path / "support").rename(path / "src/support"), PYTEST, "support is not beside src"),
-    "a file without a program": (str, ("src/swinging.py",), f"This file has only functions. Type {PYTHON} -m pytest"),
-    "no value": (str, (*PYTEST, "--grade-json=--"), "found '--grade-json=--', allowed is no -- after ="),
-    "no tier": (str, (*PYTEST, "--tier", "E"), "argument --tier: found 'E', allowed is D, C, B, A or honor"),
+    "unittest": (
+        str,
+        ("-m", "unittest"),
+        f"unittest does not find the checks. Type {PYTHON} -m pytest to run them.",
+    ),
+    "a suite": (
+        str,
+        ("tests/test_d.py",),
+        f"These are checks. Type {PYTHON} -m pytest to run them.",
+    ),
+    "a test hides a module": (
+        hides("tests/statistics.py"),
+        PYTEST,
+        "tests/statistics.py hides the module statistics",
+    ),
+    "a folder hides a module": (
+        hides("pandas/__init__.py"),
+        PYTEST,
+        "pandas hides the module pandas from Python",
+    ),
+    "no support": (
+        lambda path: (path / "support").rename(path / "src/support"),
+        PYTEST,
+        "support is not beside src",
+    ),
+    "a file without a program": (
+        str,
+        ("src/swinging.py",),
+        f"This file has only functions. Type {PYTHON} -m pytest",
+    ),
+    "no value": (
+        str,
+        (*PYTEST, "--grade-json=--"),
+        "found '--grade-json=--', allowed is no -- after =",
+    ),
+    "no tier": (
+        str,
+        (*PYTEST, "--tier", "E"),
+        "argument --tier: found 'E', allowed is D, C, B, A or honor",
+    ),
 }
 
 
@@ -251,16 +364,24 @@ def test_from_another_folder_the_command_goes_to_the_checks_once(starter, tmp_pa
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
     done = python("-m", "pytest", starter / "src", folder=elsewhere)
-    [command] = [line for line in done.stdout.splitlines() if line.startswith("The checks are not here.")]
+    [command] = [
+        line for line in done.stdout.splitlines() if line.startswith("The checks are not here.")
+    ]
     assert command == f"The checks are not here. Type: cd {starter} && {sys.executable} -m pytest"
 
 
 @pytest.mark.slow
 def test_side_by_side_the_suites_say_the_same(starter):
-    """With pytest-xdist, one of two processes makes all checks. The first process writes the grade."""
+    """With pytest-xdist, one of two processes makes all checks.
+
+    The first process writes the grade.
+    """
     pytest.importorskip("xdist")
     written = FUNCTIONS.keys() - {"make_double_pendulum"}
-    bodies = {"angle_update": "print('swing')\nreturn omega, theta", "handle_collision": "return omega1, omega2"}
+    bodies = {
+        "angle_update": "print('swing')\nreturn omega, theta",
+        "handle_collision": "return omega1, omega2",
+    }
     write(starter, *written, **bodies)
     others = "import pytest\n\n\n@pytest.mark.parametrize('number', range(30))\ndef test_other(number): pass\n"
     (starter / "tests" / "test_others.py").write_text(others)
@@ -269,7 +390,8 @@ def test_side_by_side_the_suites_say_the_same(starter):
         status, rows = run(starter, "-vv", *options, "--grade-json", "grade.json")
         title = "Takes in theta and omega and updates them for a given timestep dt."
         begin = [row.strip("_ ") for row in rows].index(title)
-        ends.append((status, rows[begin:-1], (starter / "grade.json").read_text()))  # the last row has the time
+        # The last row has the time
+        ends.append((status, rows[begin:-1], (starter / "grade.json").read_text()))
         (starter / "grade.json").unlink()
     assert ends[0] == ends[1]
     done = re.findall(r"^\[(gw\d)\] .* tests/(test_\w+)\.py", "\n".join(rows), re.MULTILINE)
@@ -295,4 +417,6 @@ def test_a_function_that_nothing_stops_ends_pytest_with_its_line(starter):
     done = python("-c", IMPATIENT, folder=starter, PYTHONPATH=f"tests{os.pathsep}.")
     assert done.returncode == 1
     place = r"src/swinging\.py, line \d+"
-    assert re.fullmatch(rf"\n{place} catches all that could stop it, so pytest ends here\.\n", done.stderr)
+    assert re.fullmatch(
+        rf"\n{place} catches all that could stop it, so pytest ends here\.\n", done.stderr
+    )

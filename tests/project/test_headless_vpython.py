@@ -1,7 +1,9 @@
-"""The stand-in and VPython itself: the same short programs give the same numbers and the same errors.
+"""The stand-in and VPython itself: the same short programs give the same numbers and the same
+errors.
 
-VPython's vectors and shapes work without a browser if VPython believes that the page is open. Each side runs all
-programs in its own process, without a browser. test_page_again.py tests the picture, on VPython alone.
+VPython's vectors and shapes work without a browser if VPython believes that the page is open. Each
+side runs all programs in its own process, without a browser. test_page_again.py tests the picture,
+on VPython alone.
 """
 
 import json
@@ -18,8 +20,9 @@ def programs(table):
     return [program.strip() for line in table.strip().splitlines() for program in line.split(" | ")]
 
 
-# Statements, and at the end an expression; the test compares its value. RUNNER makes v, w, s and c. names are those
-# that `from vpython import *` brings; attributes(s) are all public ones of s, with their values.
+# Statements, and at the end an expression; the test compares its value. RUNNER makes v, w, s and c.
+# names are those that `from vpython import *` brings; attributes(s) are all public ones of s, with
+# their values.
 VALUES = programs("""
 names | attributes(v) | attributes(color) | attributes(textures) | attributes(box()) | attributes(s)
 attributes(cylinder()) | [scene.width, scene.height, scene.range, scene.fov, scene.center, scene.forward, scene.up]
@@ -63,7 +66,10 @@ lable | __import__("vpython").lable | exec("from vpython import lable"); v | imp
 """)
 # VPython's vectors with and without compiled code differ here. The kind of error of the stand-in:
 BY_ATTRIBUTE = programs("mag((1, 2, 3)) | norm(3) | dot(v, 3) | cross((1, 2, 3), v)")
-EITHER = {'vector("1", 2, 3)': "refused: TypeError", **dict.fromkeys(BY_ATTRIBUTE, "refused: AttributeError")}
+EITHER = {
+    'vector("1", 2, 3)': "refused: TypeError",
+    **dict.fromkeys(BY_ATTRIBUTE, "refused: AttributeError"),
+}
 
 # Both sides run this: it reads the programs, and prints the value or the kind of error of each.
 RUNNER = """
@@ -122,7 +128,11 @@ def flat(value):
     """Return the numbers and words of nested lists and dictionaries as one list."""
     if isinstance(value, dict):
         value = sorted(value.items())
-    return [leaf for item in value for leaf in flat(item)] if isinstance(value, (list, tuple)) else [value]
+    return (
+        [leaf for item in value for leaf in flat(item)]
+        if isinstance(value, (list, tuple))
+        else [value]
+    )
 
 
 @with_vpython
@@ -130,11 +140,16 @@ def flat(value):
 def test_values_and_refusals_are_the_same(program, both):
     headless, real = (outcomes[program] for outcomes in both)
     assert str(headless).startswith("refused") == (program in REFUSED)
-    exactly = [pytest.approx(leaf, rel=1e-15, abs=1e-15) if isinstance(leaf, float) else leaf for leaf in flat(real)]
+    exactly = [
+        pytest.approx(leaf, rel=1e-15, abs=1e-15) if isinstance(leaf, float) else leaf
+        for leaf in flat(real)
+    ]
     assert flat(headless) in (exactly, [EITHER.get(program)])
 
 
-@pytest.mark.parametrize("name", ["arrow", "curve", "extrusion", "gcurve", "keysdown", "shapes", "slider", "text"])
+@pytest.mark.parametrize(
+    "name", ["arrow", "curve", "extrusion", "gcurve", "keysdown", "shapes", "slider", "text"]
+)
 def test_the_rest_accepts_everything_and_does_nothing(name):
     thing = getattr(headless_vpython, name)("a", radius=3)
     thing.start.x = 5
@@ -188,8 +203,11 @@ def test_reloads_leave_nothing_behind(tmp_path):
     csv.write_text(texts[0])
     done = python("-c", RELOADS, csv, reloads, *texts, **OF_TESTS)
     assert done.returncode == 0, done.stderr
-    (objects_early, *_, objects_late), (early, middle, late) = zip(*json.loads(done.stdout).values(), strict=True)
+    (objects_early, *_, objects_late), (early, middle, late) = zip(
+        *json.loads(done.stdout).values(), strict=True
+    )
     assert objects_late == objects_early
-    # Memory that is not used again would come to megabytes; pandas before 3.0 itself keeps a little of each file it has
-    # read. Once in a while Python enlarges its table of names, by two megabytes: a leak grows in both halves.
+    # Memory that is not used again would come to megabytes; pandas before 3.0 itself keeps a little
+    # of each file it has read. Once in a while Python enlarges its table of names, by two
+    # megabytes: a leak grows in both halves.
     assert min(middle - early, late - middle) < 250 * reloads

@@ -43,7 +43,9 @@ COUNTER = """\
         color, texture = COLOR_MAP[pend['color']], TEXTURE_MAP[pend['texture']]
         pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)
     return pend_list"""
-ROWS = {  # a function, a wrong version, and rows of its tables; the numbers of the lines are those of the function
+# A function, a wrong version, and rows of its tables; the numbers of the lines are those of the
+# function
+ROWS = {
     "two mistakes, without the comments and the print": (
         *("handle_collision", TWO_MISTAKES),
         [
@@ -189,11 +191,15 @@ FACTS = {  # a function, a wrong version, the line to look at, and a sentence ab
 def test_a_sentence_says_where_the_value_in_question_comes_from(solve, name):  # noqa: F811
     function, version, line, fact = FACTS[name]
     first, _ = seen(solve, function, version)
-    assert fact in first.facts if fact else not [words for words in first.facts if "was set" in words]
+    assert (
+        fact in first.facts if fact else not [words for words in first.facts if "was set" in words]
+    )
     assert first.place.endswith(f", line {line}")
 
 
-@pytest.mark.parametrize(("function", "way"), [(name, way) for name in PLAIN for way in ("plainly", *RIGHT[name])])
+@pytest.mark.parametrize(
+    ("function", "way"), [(name, way) for name in PLAIN for way in ("plainly", *RIGHT[name])]
+)
 def test_a_watched_function_does_what_it_does_unwatched(solve, function, way):  # noqa: F811
     solve(function, RIGHT[function].get(way, PLAIN[function]))
     watch = Watch()
@@ -221,14 +227,21 @@ def test_harmless_lines_change_no_word(solve, function, words):  # noqa: F811
     assert told[0] == told[1]
 
 
-def test_an_endless_loop_is_shown_at_its_line_and_its_prints_appear_once(solve, monkeypatch, capsys):  # noqa: F811
+def test_an_endless_loop_is_shown_at_its_line_and_its_prints_appear_once(
+    solve,  # noqa: F811
+    monkeypatch,
+    capsys,
+):
     monkeypatch.setattr(limits, "PATIENCE", 0.5)
     _, rows = seen(
         solve,
         "angle_update",
         "print('begin')\ni = 0\nwhile i < 3:\n    j = i + abs(-1) + abs(-1) + abs(-1) + abs(-1) + abs(-1) + abs(-1) + abs(-1)\nreturn i, j",
     )
-    assert "4 while i < 3: 0 < 3 True, in each turn (1000 turns) <- still here after 1000 turns" in rows
+    assert (
+        "4 while i < 3: 0 < 3 True, in each turn (1000 turns) <- still here after 1000 turns"
+        in rows
+    )
     assert "6 return i, j (never ran)" in rows
     assert capsys.readouterr().out == "begin\n"
 

@@ -1,4 +1,6 @@
-"""many_ticks gives the same bits as the loop of main, on plain numbers; if this is not certain, it does nothing."""
+"""many_ticks gives the same bits as the loop of main, on plain numbers; if this is not certain, it
+does nothing.
+"""
 
 import random
 import sys
@@ -31,19 +33,25 @@ def digest() -> str:
     return sha256("".join(texts).encode()).hexdigest()[:16]
 
 
-module.DIGEST = digest()  # so that only one test fails if a file has changed, and the others say whether it matters
+# So that only one test fails if a file has changed, and the others say whether it matters
+module.DIGEST = digest()
 
 
 def random_cradle(seed):
-    """Return 0 to 12 random pendula, in every second cradle almost alike, and the arguments r_param, dt, g, ticks."""
+    """Return 0 to 12 random pendula, in every second cradle almost alike, and the arguments
+    r_param, dt, g, ticks.
+    """
     dice = random.Random(seed)
     pend_list = []
     for i in range(dice.randint(0, 12)):
         theta, omega = dice.uniform(-1, 1), dice.choice([1, 1, 20]) * dice.uniform(-5, 5)
         if seed % 2 and i:
             before, spread = pend_list[-1], dice.choice([0, 1e-6, 1e-3])
-            theta, omega = (before[key] + dice.uniform(-spread, spread) for key in ("theta", "omega"))
-        e, axle = dice.choice([0, 1, dice.random()]), (i * R / 4, dice.choice([0, 0.01]), dice.choice([0, 0.01]))
+            theta, omega = (
+                before[key] + dice.uniform(-spread, spread) for key in ("theta", "omega")
+            )
+        e = dice.choice([0, 1, dice.random()])
+        axle = (i * R / 4, dice.choice([0, 0.01]), dice.choice([0, 0.01]))
         pend_list.append(hang(theta, omega, 10 ** dice.uniform(-2, 2), e, axle))
         pend_list[-1]["objects"][1].radius *= dice.choice([1, dice.uniform(0.5, 1.1)])
     ticks = dice.choice([1, 10, 500, 2000, 5000])
@@ -53,11 +61,16 @@ def random_cradle(seed):
 
 
 def hair_breadth(seed):
-    """Return two bobs far from the origin that swing side by side at the contact distance, except for rounding."""
+    """Return two bobs far from the origin that swing side by side at the contact distance, except
+    for rounding.
+    """
     dice = random.Random(seed)
     theta, x = dice.uniform(-1, 1), dice.choice([1, 10, 100])
     radii = [R / 8 / 1.05 * (1 + dice.choice([0, 1e-15, 1e-14, -1e-15, -1e-14])) for _ in range(2)]
-    return [hang(theta, 0, 3**i, axle=(x + i * R / 4, 0, 0), radius=radius) for i, radius in enumerate(radii)]
+    return [
+        hang(theta, 0, 3**i, axle=(x + i * R / 4, 0, 0), radius=radius)
+        for i, radius in enumerate(radii)
+    ]
 
 
 def just_touching(seed):
@@ -68,7 +81,9 @@ def just_touching(seed):
     pend_list = [hang(*place, axle=axle) for place, axle in zip(places, axles, strict=True)]
     swinging.full_swing_update(pend_list, R, DT, G)
     radius = mag(pend_list[0]["objects"][1].pos - pend_list[1]["objects"][1].pos) / BUFFER / 2
-    return [hang(*place, axle=axle, radius=radius) for place, axle in zip(places, axles, strict=True)]
+    return [
+        hang(*place, axle=axle, radius=radius) for place, axle in zip(places, axles, strict=True)
+    ]
 
 
 def state(pend_list):
@@ -87,7 +102,9 @@ def same_contacts(make, **by):
 @pytest.mark.parametrize("approaching_only", [False, True])
 @pytest.mark.parametrize("seed", slow_but_for([5, 12, 16, 17, 18, 20, 22], range(30)))
 def test_random_cradles_end_in_the_same_bits_as_after_single_ticks(seed, approaching_only):
-    same_contacts(lambda: random_cradle(seed)[0], **random_cradle(seed)[1], approaching_only=approaching_only)
+    same_contacts(
+        lambda: random_cradle(seed)[0], **random_cradle(seed)[1], approaching_only=approaching_only
+    )
 
 
 @pytest.mark.parametrize("count", slow_but_for([3], [3, 20]))
@@ -100,11 +117,17 @@ def test_bobs_that_touch_or_not_by_a_rounding_error_end_in_the_same_bits(count):
 @pytest.mark.parametrize(("theta", "omega"), [*product([0, 0.0, -0.0, 3], [0, -0.0, 2])])
 def test_whole_numbers_and_zeros_of_both_signs_end_in_the_same_bits(theta, omega):
     for ticks, g in ((0, G), (1, 0), (100, -0.0), (3, 10)):
-        same_contacts(lambda: [hang(theta, omega, 1, 1, (0, -0.0, -0.0)), hang(axle=(R / 4, 0, 0))], g=g, ticks=ticks)
+        same_contacts(
+            lambda: [hang(theta, omega, 1, 1, (0, -0.0, -0.0)), hang(axle=(R / 4, 0, 0))],
+            g=g,
+            ticks=ticks,
+        )
 
 
 def is_taken() -> bool:
-    """Return whether the fast path replaces the loop of main; if not, check that it changes nothing."""
+    """Return whether the fast path replaces the loop of main; if not, check that it changes
+    nothing.
+    """
     pend_list = row(3, omega=1.0)
     before = state(pend_list)
     taken = many_ticks(vars(RUN), pend_list, 100, {"approaching_only": True}) is not None
@@ -120,7 +143,9 @@ def test_the_fast_path_knows_the_shipped_files():
 
 
 @pytest.mark.parametrize("number", range(3))
-def test_the_fast_path_steps_back_from_another_text_but_not_from_other_line_ends(number, tmp_path, monkeypatch):
+def test_the_fast_path_steps_back_from_another_text_but_not_from_other_line_ends(
+    number, tmp_path, monkeypatch
+):
     files = list(module.FILES)
     text = (ROOT / files[number]).read_bytes()
     files[number] = tmp_path / "file.py"
@@ -137,15 +162,27 @@ USED = {  # what the fast path replaces, by its module
     pendulum: "arm vector",
 }
 PATCHES = {  # an owner, a name in it, and what makes its new value from the old one
-    **{f"another {name}": (owner, name, partial) for owner, names in USED.items() for name in names.split()},
-    "a changed constant": (RUN.handle_two_bobs, "__code__", lambda code: code.replace(co_consts=(*code.co_consts, 2))),
+    **{
+        f"another {name}": (owner, name, partial)
+        for owner, names in USED.items()
+        for name in names.split()
+    },
+    "a changed constant": (
+        RUN.handle_two_bobs,
+        "__code__",
+        lambda code: code.replace(co_consts=(*code.co_consts, 2)),
+    ),
     "another distance": (pendulum, "BUFFER", lambda buffer: 2 * buffer),
     "another default": (RUN.handle_two_bobs, "__defaults__", lambda _: (True,)),
     "a default of a keyword": (RUN.newton_cradle_tick, "__kwdefaults__", lambda _: {"wind": 1}),
     "a constant of another kind": (RUN, "G", lambda g: type("Number", (float,), {})(g)),
     "a debugger": (sys, "gettrace", lambda _: lambda: print),
     "a profiler": (sys, "getprofile", lambda _: lambda: print),
-    "a tool of Python 3.12": (sys, "monitoring", lambda _: SimpleNamespace(get_tool=lambda number: number == 5)),
+    "a tool of Python 3.12": (
+        sys,
+        "monitoring",
+        lambda _: SimpleNamespace(get_tool=lambda number: number == 5),
+    ),
 }
 
 

@@ -1,4 +1,6 @@
-"""The programs run the handout's functions as they are written: a change shows, and a mistake is named in its place."""
+"""The programs run the handout's functions as they are written: a change shows, and a mistake is
+named in its place.
+"""
 
 import csv
 import os
@@ -20,7 +22,9 @@ from support.cradle.motion import Motion
 from support.start import mistake
 from support.start.checks_command import checks_command
 
-SWINGING, RUN, SPECIAL = map(Path, ("src/swinging.py", "src/visualize_cradle_run.py", "src/special_cradles.py"))
+SWINGING, RUN, SPECIAL = map(
+    Path, ("src/swinging.py", "src/visualize_cradle_run.py", "src/special_cradles.py")
+)
 SWING, OMEGA = "    full_swing_update(pend_list, r_param, dt, g)\n", "    omega_new = omega -"
 COLOR, CSV = 'COLOR_MAP[pend_dict["color"]]', "newton_cradle_pends.csv"
 LOSSY = FIVE_CSV.replace("1.0,1.0", "1.0,0.9")  # the two rules differ
@@ -37,7 +41,8 @@ def project(tmp_path, monkeypatch):
     monkeypatch.setattr(mistake, "ROOT", tmp_path.resolve())
     for name in [name for name in sys.modules if name.partition(".")[0] == "src"]:
         monkeypatch.delitem(sys.modules, name)
-    monkeypatch.setitem(sys.modules, "src.begin", Mock())  # it would forget what the tests have imported
+    # It would forget what the tests have imported
+    monkeypatch.setitem(sys.modules, "src.begin", Mock())
     monkeypatch.setattr("signal.signal", lambda *_: None)
     tabs = SimpleNamespace(have_room=bool, show=lambda state: None, is_seen=Mock(), are_gone=False)
     server = SimpleNamespace(tabs=tabs, close=lambda *_: None)
@@ -53,7 +58,11 @@ def start(program, *options):
 
 CHANGES = {  # a file, an old and a new text
     "nothing": (RUN, SWING, SWING),
-    "air resistance in the tick": (RUN, SWING, SWING + "    for pend in pend_list:\n        pend['omega'] *= 0.9999\n"),
+    "air resistance in the tick": (
+        RUN,
+        SWING,
+        SWING + "    for pend in pend_list:\n        pend['omega'] *= 0.9999\n",
+    ),
     "a wind": (SWINGING, "* dt\n    theta_new", "* dt + 0.001\n    theta_new"),
     "all moving": (SPECIAL, 'pend_dict["omega"] = 0', 'pend_dict["omega"] = -1.5'),
 }
@@ -63,7 +72,8 @@ CHANGES = {  # a file, an old and a new text
 def test_recorded_data_are_those_of_a_plain_loop_to_the_last_bit(project, name):
     change(*CHANGES[name])
     start(*RECORDED)
-    functions, player = import_module("src.visualize_cradle_run"), make_swing(project, LOSSY, None, None)
+    functions = import_module("src.visualize_cradle_run")
+    player = make_swing(project, LOSSY, None, None)
     pend_list, is_shipped = functions.make_newton_cradle(CSV, R_PARAM, THETA_INIT), []
     _, *rows = csv.reader((project / "data.csv").read_text().splitlines())
     for row in rows:
@@ -73,14 +83,44 @@ def test_recorded_data_are_those_of_a_plain_loop_to_the_last_bit(project, name):
         player.swing(round(0.05 / DT))
         for _ in range(round(0.05 / DT)):
             functions.newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
-    assert (len(rows), all(is_shipped)) == (7, name == "nothing")  # or the change would prove nothing
+    # Or the change would prove nothing
+    assert (len(rows), all(is_shipped)) == (7, name == "nothing")
 
 
-MISTAKES = {  # a change, and the end of stderr: the student's function, a part of the line, and the error
-    "late": (SWINGING, OMEGA, "    omegaa if theta > 0.1 else 0\n" + OMEGA, "angle_update", "omegaa if", "NameError:"),
-    "no color": (SPECIAL, COLOR, 'pend_dict["color"]', "make_newton_cradle", "pend_dict", "AttributeError: color"),
-    "no file": (SWINGING, OMEGA, "    open('no')\n" + OMEGA, "angle_update", "open('no')", "FileNotFoundError:"),
-    "no return": (SPECIAL, "    return pend_list\n", "", "make_newton_cradle", "def", "make_newton_cradle must return"),
+# A change, and the end of stderr: the student's function, a part of the line, and the error
+MISTAKES = {
+    "late": (
+        SWINGING,
+        OMEGA,
+        "    omegaa if theta > 0.1 else 0\n" + OMEGA,
+        "angle_update",
+        "omegaa if",
+        "NameError:",
+    ),
+    "no color": (
+        SPECIAL,
+        COLOR,
+        'pend_dict["color"]',
+        "make_newton_cradle",
+        "pend_dict",
+        "AttributeError: color",
+    ),
+    "no file": (
+        SWINGING,
+        OMEGA,
+        "    open('no')\n" + OMEGA,
+        "angle_update",
+        "open('no')",
+        "FileNotFoundError:",
+    ),
+    "no return": (
+        SPECIAL,
+        "    return pend_list\n",
+        "",
+        "make_newton_cradle",
+        "def",
+        "make_newton_cradle must return",
+    ),
     "exit": (RUN, SWING, "    exit()\n" + SWING, "newton_cradle_tick", "exit()", "SystemExit"),
 }
 
@@ -88,10 +128,17 @@ MISTAKES = {  # a change, and the end of stderr: the student's function, a part 
 def check_end(status, stderr, name):
     """Check that a program has ended with this mistake, and that stderr has no line of support/."""
     file, _, _, function, line, error = MISTAKES[name]
-    *_, place, text, last, more = [each for each in stderr.splitlines() if not re.fullmatch(r"[ ^~]+", each)]
+    *_, place, text, last, more = [
+        each for each in stderr.splitlines() if not re.fullmatch(r"[ ^~]+", each)
+    ]
     assert re.fullmatch(r"Type .*\bpytest: it says more about mistakes\.", more)
     assert re.search(rf'{file.name}", line \d+, in {function}$', place)
-    assert (status, line in text, last[: len(error)], "support" in stderr) == (1, True, error, False)
+    assert (status, line in text, last[: len(error)], "support" in stderr) == (
+        1,
+        True,
+        error,
+        False,
+    )
 
 
 @pytest.mark.parametrize("program", [PAGE, PLAYED, RECORDED], ids=["page", "played", "recorded"])
@@ -126,12 +173,21 @@ PYTHON, BESIDE = sys.executable, os.path.join(os.path.dirname(sys.executable), "
     ("started", "script", "on_path", "has_pytest", "folder", "command"),
     [
         (".venv/bin/python", "pds_tester.py", None, True, ROOT, ".venv/bin/python -m pytest"),
-        ("python3", "pds_tester.py", BESIDE, True, ROOT, "pytest"),  # an environment that is switched on
-        ("python3", "pds_tester.py", "/usr/bin/pytest", True, ROOT, "python3 -m pytest"),  # of another Python
+        # An environment that is switched on
+        ("python3", "pds_tester.py", BESIDE, True, ROOT, "pytest"),
+        # Of another Python
+        ("python3", "pds_tester.py", "/usr/bin/pytest", True, ROOT, "python3 -m pytest"),
         ("/a b/python", "pds_tester.py", None, True, ROOT, '"/a b/python" -m pytest'),
         (PYTHON, "./pytest", None, True, ROOT, "./pytest"),
         ("python3", "pds_tester.py", None, False, ROOT, ".venv/bin/pytest"),
-        ("python3", "../pds_tester.py", None, True, ROOT / "src", f"cd {ROOT} && {PYTHON} -m pytest"),
+        (
+            "python3",
+            "../pds_tester.py",
+            None,
+            True,
+            ROOT / "src",
+            f"cd {ROOT} && {PYTHON} -m pytest",
+        ),
     ],
 )
 def test_the_command_for_the_checks_is_one_that_works_as_python_was_started(

@@ -1,4 +1,6 @@
-"""A cradle in motion: its time, energy, samples and list of impacts; the player's frames, and their pace."""
+"""A cradle in motion: its time, energy, samples and list of impacts; the player's frames, and their
+pace.
+"""
 
 import random
 import re
@@ -23,12 +25,16 @@ from support.start.mistake import MistakeError
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
 def test_a_sample_has_all_figures_of_the_moment_by_their_names(tmp_path, kind):
     """The energies and the momentum are sums over the bobs of three unequal pendula."""
-    player, dice, keys = make_swing(tmp_path, MIXED_CSV, kind=kind), random.Random(1), kind.angle_keys + kind.rate_keys
+    player = make_swing(tmp_path, MIXED_CSV, kind=kind)
+    dice = random.Random(1)
+    keys = kind.angle_keys + kind.rate_keys
     for pend in player.cradle.pend_list:
         pend.update({key: dice.uniform(-2, 2) for key in keys})
     player.swing(10)
     sample, pend_list = player.motion.sample(), player.cradle.pend_list
-    coordinates = {f"{key}_{i}": pend[key] for key in keys for i, pend in enumerate(pend_list, start=1)}
+    coordinates = {
+        f"{key}_{i}": pend[key] for key in keys for i, pend in enumerate(pend_list, start=1)
+    }
     kinetic, potential, momentum = 0.0, 0.0, 0.0
     for pend in pend_list:
         axle, *bobs = (part.pos.y for part in pend["objects"] if type(part) is not cylinder)
@@ -36,8 +42,15 @@ def test_a_sample_has_all_figures_of_the_moment_by_their_names(tmp_path, kind):
             kinetic += pend["mass"] * mag2(v) / 2
             potential += pend["mass"] * G * (y - axle + cords * R_PARAM)
             momentum += pend["mass"] * v.x
-        assert player.cradle.velocity(pend) == pytest.approx(sum(v.x for v in velocities(pend)) / len(bobs))
-    figures = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential, "momentum": momentum}
+        assert player.cradle.velocity(pend) == pytest.approx(
+            sum(v.x for v in velocities(pend)) / len(bobs)
+        )
+    figures = {
+        "kinetic": kinetic,
+        "potential": potential,
+        "total": kinetic + potential,
+        "momentum": momentum,
+    }
     assert sample == pytest.approx({"t": 10 * kind.dt, **coordinates, **figures}, rel=1e-12)
     assert list(sample) == ["t", *coordinates, *figures]
 
@@ -50,7 +63,8 @@ LIE = [SLOW[0], SLOW[1]] * 100  # three bobs that lie on each other
 
 
 def lines(*trains, pause=DT):
-    """Return the lines after these trains, 0.1 s apart, each a list of hits with this pause (s) between them.
+    """Return the lines after these trains, 0.1 s apart, each a list of hits with this pause (s)
+    between them.
 
     A hit is (from, to), indices of bobs, and maybe False for a slow one; 2 is short for (2, 3).
     """
@@ -58,33 +72,49 @@ def lines(*trains, pause=DT):
     for i, train in enumerate(trains):
         for number, hit in enumerate(train):
             start, end, *is_fast = hit if isinstance(hit, tuple) else (hit, hit + 1)
-            found.add(0.1 * i + number * pause, min(start, end), max(start, end), start < end, *is_fast)
+            found.add(
+                0.1 * i + number * pause, min(start, end), max(start, end), start < end, *is_fast
+            )
     return found.lines()
 
 
 def test_a_long_pause_ends_a_train():
     """The latest train comes first."""
     assert lines([0, 1, 2], pause=0.9 * GAP) == ["t = 0.00 s  1-2-3-4"]
-    assert lines([SLOW[0], SLOW[0], 0, 1, 2], pause=0.9 * GAP) == ["t = 0.01 s  1-2-3-4"]  # from its first fast hit on
-    assert lines([0, 1, 2], pause=2 * GAP) == ["t = 0.02 s  3-4", "t = 0.01 s  2-3", "t = 0.00 s  1-2"]
+    # From its first fast hit on
+    assert lines([SLOW[0], SLOW[0], 0, 1, 2], pause=0.9 * GAP) == ["t = 0.01 s  1-2-3-4"]
+    assert lines([0, 1, 2], pause=2 * GAP) == [
+        "t = 0.02 s  3-4",
+        "t = 0.01 s  2-3",
+        "t = 0.00 s  1-2",
+    ]
 
 
 @pytest.mark.parametrize(
     ("trains", "expected"),
     [
         # A train has its bobs in the order of the hits.
-        ([[1, 0, 2, 1, 3, 2]], ["0.00 s  2-3-4-5  1-2-3-4"]),  # two bobs come in from the left, two go out
+        # Two bobs come in from the left, two go out
+        ([[1, 0, 2, 1, 3, 2]], ["0.00 s  2-3-4-5  1-2-3-4"]),
         ([[2, 1, 3, 0, 2, 1]], ["0.00 s  3-4-5  2-3-4  1-2-3"]),
-        ([[0, (4, 3), (3, 2), 1, 0, 2, 3]], ["0.00 s  1-2-3-4-5  5-4-3-2-1"]),  # the first and the last bob come in
-        ([[(0, 2), 2, (2, 4)]], ["0.00 s  1-3-4  3-5"]),  # in a double cradle, a hit goes past a neighbour
+        # The first and the last bob come in
+        ([[0, (4, 3), (3, 2), 1, 0, 2, 3]], ["0.00 s  1-2-3-4-5  5-4-3-2-1"]),
+        # In a double cradle, a hit goes past a neighbour
+        ([[(0, 2), 2, (2, 4)]], ["0.00 s  1-3-4  3-5"]),
         ([[0, 0, 0, 0]], ["0.00 s  1-2"]),  # two bobs that touch for a moment
         ([range(9)], ["0.00 s  1-2-3-...-10"]),
         ([[0, 1, 2, 3] * 15], ["0.00 s  1-2-3-4-5  1-2-3-4-5  1-2-3-4..."]),
         # Half of a hundred bobs are lifted: the two in the middle hit fifty times.
-        ([[i + hit for i in reversed(range(50)) for hit in range(50)]], ["0.00 s  50-51-52-...-100  49-50-51-....."]),
+        (
+            [[i + hit for i in reversed(range(50)) for hit in range(50)]],
+            ["0.00 s  50-51-52-...-100  49-50-51-....."],
+        ),
         ([[0, 3, 1] * 1000], ["0.00 s  1 to 3, 4 and 5 stay together"]),
         # Slow hits have no line, and no place in a path.
-        ([[SLOW[0]], [0, SLOW[3], 1], [SLOW[2]], [SLOW[1]], [SLOW[0], 0, 1, 2]], ["0.40 s  1-2-3-4", "0.10 s  1-2-3"]),
+        (
+            [[SLOW[0]], [0, SLOW[3], 1], [SLOW[2]], [SLOW[1]], [SLOW[0], 0, 1, 2]],
+            ["0.40 s  1-2-3-4", "0.10 s  1-2-3"],
+        ),
         ([[0], [0], [0]], ["0.20 s  1-2", "0.10 s  1-2", "0.00 s  1-2"]),
         # Bobs that stay together from swing to swing take one line, with those that join them.
         ([[0, 1], LIE, [*LIE, *[2] * 100], LIE], ["0.10 s  1 to 4 stay together", "0.00 s  1-2-3"]),
@@ -117,10 +147,14 @@ def test_bobs_that_hang_have_no_impacts_although_each_train_leaves_them_in_sligh
 
 
 class Timed(Player):
-    """Plays five pendula on a clock of the test until its time `until`: only ticks, calls and sleeps take time."""
+    """Plays five pendula on a clock of the test until its time `until`: only ticks, calls and
+    sleeps take time.
+    """
 
     def __init__(self, csv, until, tick=0.0, call=0.0, speed=1.0, hiccup=0.0):
-        """tick is the cost of a tick (s), call that of a call of the fast path (s); hiccup (s) delays frame 60."""
+        """tick is the cost of a tick (s), call that of a call of the fast path (s); hiccup (s)
+        delays frame 60.
+        """
         super().__init__(make_live(), Snapshot(csv), [None], None, 4, 100 * DT)
         self.now, self.until, self.tick, self.call = 0.0, until, tick, call
         self.hiccup, self.slept, self.frames = hiccup, 0.0, 0
@@ -160,12 +194,15 @@ def test_a_simulated_second_lasts_a_second_at_speed_1(csv, cost, speed):
     assert timed.run() == pytest.approx(10 * speed, abs=2 * FRAME * speed)
     assert timed.pace.kept_up == pytest.approx(1, abs=0.02)
     assert timed.frames == pytest.approx(10 / FRAME, rel=0.01)
-    assert timed.slept == pytest.approx(10 * (1 - cost * speed / DT), rel=0.01)  # whenever nothing is to do
+    # Whenever nothing is to do
+    assert timed.slept == pytest.approx(10 * (1 - cost * speed / DT), rel=0.01)
 
 
 @pytest.mark.parametrize("cost", [200e-6, 1e-3, 5e-3])
 def test_a_slow_machine_shows_slow_motion(csv, cost):
-    """Pictures keep coming, the simulation moves on steadily, and the threads of the page get time too."""
+    """Pictures keep coming, the simulation moves on steadily, and the threads of the page get time
+    too.
+    """
     timed = Timed(csv, until=20, tick=cost)
     assert timed.run() == pytest.approx(0.75 * 20 / cost * DT, rel=0.35)
     assert timed.frames == pytest.approx(20 / FRAME, rel=0.2)
@@ -179,11 +216,14 @@ def test_a_tick_or_a_call_longer_than_a_frame_ends_in_no_spiral(csv, tick, call,
     """Each frame does one tick, or one whole part in a call."""
     timed = Timed(csv, until=20, tick=tick, call=call)
     timed.run()
-    assert timed.frames == pytest.approx(20 / (0.1 + FRAME / 4), abs=3)  # the threads of the page get time, too
+    # The threads of the page get time, too
+    assert timed.frames == pytest.approx(20 / (0.1 + FRAME / 4), abs=3)
     assert timed.motion.ticks == pytest.approx(part * timed.frames, rel=0.02)
 
 
-@pytest.mark.parametrize(("hiccup", "made_up"), [(0.2, 0.2), (5, MAX_BEHIND), (8 * 3600.0, MAX_BEHIND)])
+@pytest.mark.parametrize(
+    ("hiccup", "made_up"), [(0.2, 0.2), (5, MAX_BEHIND), (8 * 3600.0, MAX_BEHIND)]
+)
 @pytest.mark.parametrize("speed", [0.1, 2])
 def test_a_short_delay_is_made_up_for_and_a_long_one_is_not(csv, speed, hiccup, made_up):
     timed = Timed(csv, until=10 + hiccup, tick=1e-6, speed=speed, hiccup=hiccup)
@@ -205,15 +245,29 @@ def test_after_a_pause_or_a_change_of_the_speed_slow_motion_is_forgotten(csv):
 
 
 CRADLE = "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)"
-SHOW, LOOP, TICK = "page.show(pend_list)", "while page.is_running():", "newton_cradle_tick(pend_list, R_PARAM, DT, G)"
+SHOW = "page.show(pend_list)"
+LOOP = "while page.is_running():"
+TICK = "newton_cradle_tick(pend_list, R_PARAM, DT, G)"
 ENDED = "ended, but the simulation still runs. Tick while page.is_running() is True."
 MISTAKES = {  # the lines of main, and what is said about it
-    "shows nothing": ([CRADLE, LOOP, f"  {TICK}"], "asked page.is_running() before page.show(pend_list)."),
+    "shows nothing": (
+        [CRADLE, LOOP, f"  {TICK}"],
+        "asked page.is_running() before page.show(pend_list).",
+    ),
     "shows nothing, and ends": ([CRADLE], "showed no cradle: page.show(pend_list) is missing."),
     "leaves its loop at once": ([CRADLE, SHOW, LOOP, f"  {TICK}", "  break"], ENDED),
-    "does not hear the answer": ([CRADLE, SHOW, "while True:", "  page.is_running()", f"  {TICK}"], "went on after"),
-    "makes it again and again": ([CRADLE, SHOW, LOOP, f"  {CRADLE}"], "used page.csv after page.show. Make the cradle"),
-    "shows it again and again": ([CRADLE, SHOW, LOOP, f"  {SHOW}"], "called page.show again. Show the cradle once,"),
+    "does not hear the answer": (
+        [CRADLE, SHOW, "while True:", "  page.is_running()", f"  {TICK}"],
+        "went on after",
+    ),
+    "makes it again and again": (
+        [CRADLE, SHOW, LOOP, f"  {CRADLE}"],
+        "used page.csv after page.show. Make the cradle",
+    ),
+    "shows it again and again": (
+        [CRADLE, SHOW, LOOP, f"  {SHOW}"],
+        "called page.show again. Show the cradle once,",
+    ),
 }
 
 
@@ -222,7 +276,16 @@ def test_a_main_that_is_no_loop_of_ticks_is_named_with_its_mistake(csv, name):
     lines, words = MISTAKES[name]
     timed, scope = Timed(csv, until=1), dict(vars(visualize_cradle_run))
     timed.cradle.scope = ChainMap(scope)
-    exec("\n".join(["def newton_cradle_tick(*_): pass", "def main(page):", *(f"  {line}" for line in lines)]), scope)
+    exec(
+        "\n".join(
+            [
+                "def newton_cradle_tick(*_): pass",
+                "def main(page):",
+                *(f"  {line}" for line in lines),
+            ]
+        ),
+        scope,
+    )
     with pytest.raises(MistakeError, match=re.escape(f"main {words}")):
         run(scope["main"], timed)
     assert scope["newton_cradle_tick"].__name__ == "newton_cradle_tick"  # it is in its place again

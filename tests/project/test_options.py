@@ -1,4 +1,6 @@
-"""The command line: accepted options, refused options, and the commands that the page and the messages show."""
+"""The command line: accepted options, refused options, and the commands that the page and the
+messages show.
+"""
 
 from math import degrees, inf
 
@@ -10,7 +12,15 @@ from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.pendulum import from_lift
 from support.start import options
 
-CRADLE = {"csv": NC_FP, "elastic": False, "inelastic": False, "e": None, "mass": None, "angle": None, "lift": None}
+CRADLE = {
+    "csv": NC_FP,
+    "elastic": False,
+    "inelastic": False,
+    "e": None,
+    "mass": None,
+    "angle": None,
+    "lift": None,
+}
 PAGE = {**CRADLE, "port": 0, "host": "127.0.0.1", "browser": True}
 PROGRAMS = {
     "page": (options.read_page_options, PAGE),
@@ -26,12 +36,24 @@ PROGRAMS = {
         ("page", "my.csv --inelastic", {"csv": "my.csv", "inelastic": True}),
         ("page", "--elastic --mass 1e-05 --lift 3", {"elastic": True, "mass": 1e-5, "lift": 3}),
         ("page", "--e 0 --lift 0 --angle 180", {"e": 0.0, "lift": 0, "angle": from_lift(180)}),
-        ("page", "--e 0.30000000000000004 --angle 33.3", {"e": 0.1 + 0.2, "angle": from_lift(33.3)}),
-        ("page", "--port 65535 --host :: --no-browser", {"port": 65535, "host": "::", "browser": False}),
+        (
+            "page",
+            "--e 0.30000000000000004 --angle 33.3",
+            {"e": 0.1 + 0.2, "angle": from_lift(33.3)},
+        ),
+        (
+            "page",
+            "--port 65535 --host :: --no-browser",
+            {"port": 65535, "host": "::", "browser": False},
+        ),
         ("double", "--phi=-180", {"phi": from_lift(-180)}),
         ("double", "--angle 77 --phi=-1e-05", {"angle": from_lift(77), "phi": from_lift(-1e-5)}),
         ("text", "--seconds 1e6 --mass 2 my.csv", {"seconds": 1e6, "mass": 2.0, "csv": "my.csv"}),
-        ("text", f"--seconds 1 --record data.csv --every {DT}", {"seconds": 1.0, "record": "data.csv", "every": DT}),
+        (
+            "text",
+            f"--seconds 1 --record data.csv --every {DT}",
+            {"seconds": 1.0, "record": "data.csv", "every": DT},
+        ),
     ],
 )
 def test_options_are_read_with_their_units(program, line, changed):
@@ -60,7 +82,9 @@ def test_the_port_may_be_in_vpythons_environment_variable(monkeypatch, capsys):
         ("PHI_INIT", None, "from -3.1416 to 3.1416 (rad)"),
     ],
 )
-def test_a_constant_with_which_no_cradle_works_is_refused_in_one_line(name, value, allowed, monkeypatch, capsys):
+def test_a_constant_with_which_no_cradle_works_is_refused_in_one_line(
+    name, value, allowed, monkeypatch, capsys
+):
     for module in (constants, options):  # options has some of them, too
         monkeypatch.setattr(module, name, value, raising=False)
     line = f"support/constants.py, {name}: found {value!r}, allowed is a number {allowed}\n"
@@ -114,7 +138,11 @@ BAD = [  # a program, an option, its bad values, and what is allowed
     ("program", "line", "message"),
     [
         *(
-            (program, f"{option}={value}", f"argument {option}: found {value!r}, allowed is {allowed}")
+            (
+                program,
+                f"{option}={value}",
+                f"argument {option}: found {value!r}, allowed is {allowed}",
+            )
             for program, option, values, allowed in BAD
             for value in values
         ),
@@ -127,7 +155,8 @@ BAD = [  # a program, an option, its bad values, and what is allowed
         ("text", "--no-browser", "unrecognized arguments: --no-browser"),
         ("text", "--record data.csv", "argument --record: needs --seconds, to say how long"),
         ("text", "--every 0.1 --seconds 5", "argument --every: needs --record"),
-        ("text", "my.csv \x1b[2J\udcffω", r"unrecognized arguments: \x1b[2J\udcffω"),  # not shown letters
+        # Not shown letters
+        ("text", "my.csv \x1b[2J\udcffω", r"unrecognized arguments: \x1b[2J\udcffω"),
     ],
 )
 def test_bad_options_are_refused_in_one_line(program, line, message, capsys):

@@ -1,4 +1,6 @@
-"""The controls of the page, in Chromium: on one page that the tests share, with all settings put back between them."""
+"""The controls of the page, in Chromium: on one page that the tests share, with all settings put
+back between them.
+"""
 
 import re
 import shlex
@@ -8,7 +10,19 @@ from itertools import combinations, pairwise
 
 import programs
 import pytest
-from programs import BOBS, lifts, menu, pause, pixel, press, readout, slide, values, violations, wait_until
+from programs import (
+    BOBS,
+    lifts,
+    menu,
+    pause,
+    pixel,
+    press,
+    readout,
+    slide,
+    values,
+    violations,
+    wait_until,
+)
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 # Put the settings back to those with which the page opens, pause, and restart the cradle.
@@ -40,7 +54,8 @@ ASK = """async () => {
     while (!state.question) await new Promise(requestAnimationFrame);
 }"""
 
-# Before the page's own scripts: peak() is the largest sample of the last 0.7 s at the loudspeaker, if it is in use.
+# Before the page's own scripts: peak() is the largest sample of the last 0.7 s at the loudspeaker,
+# if it is in use.
 LISTEN = """
 const connect = AudioNode.prototype.connect;
 window.peak = () => null;
@@ -57,11 +72,15 @@ AudioNode.prototype.connect = function (to, ...others) {
 
 @pytest.fixture(scope="module")
 def started(chromium, tmp_path_factory):
-    """A page with a touch screen, and its program's CSV. In the end, nothing more was printed than at the start."""
+    """A page with a touch screen, and its program's CSV. In the end, nothing more was printed than
+    at the start.
+    """
     project = programs.copy_project(tmp_path_factory.mktemp("shared"), FIVE_CSV)
     program = project / "src" / programs.PROGRAM.name
     with (
-        programs.running(program, "--angle", "45", folder=project, patience=60 * programs.SECONDS) as process,
+        programs.running(
+            program, "--angle", "45", folder=project, patience=60 * programs.SECONDS
+        ) as process,
         programs.new_page(chromium, has_touch=True) as page,
     ):
         page.add_init_script(LISTEN)
@@ -73,7 +92,9 @@ def started(chromium, tmp_path_factory):
 
 @pytest.fixture
 def shared(started):
-    """The shared page as it opens: with its settings and its CSV; the first bob has just been released."""
+    """The shared page as it opens: with its settings and its CSV; the first bob has just been
+    released.
+    """
     page, file = started
     page.mouse.up()
     if file.read_text() != FIVE_CSV:
@@ -107,7 +128,11 @@ def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
     shared.keyboard.press("Space")
     shared.get_by_role("button", name="Pause").wait_for()
     panel = shared.locator(".panel")
-    assert panel.evaluate("e => [scrollY, e.scrollTop, e.scrollHeight > e.clientHeight + 100]") == [0, 0, True]
+    assert panel.evaluate("e => [scrollY, e.scrollTop, e.scrollHeight > e.clientHeight + 100]") == [
+        0,
+        0,
+        True,
+    ]
 
 
 def test_what_you_type_counts_and_on_another_alphabet_the_place_of_the_key(shared):
@@ -122,7 +147,8 @@ def test_what_you_type_counts_and_on_another_alphabet_the_place_of_the_key(share
     shared.keyboard.press("ArrowRight")
     wait_until(lambda: readout(shared, "t") > before)
     assert values(shared) == ["1.0x", "1 of 5", "45°"]  # none of these keys has done anything
-    for key, code in (("к", "KeyR"), ("r", "KeyO")):  # on a Russian keyboard, and on one in Dvorak's order
+    # On a Russian keyboard, and on one in Dvorak's order
+    for key, code in (("к", "KeyR"), ("r", "KeyO")):
         shared.evaluate(typed, [key, code])
         wait_until(lambda: readout(shared, "t") == 0)
         shared.keyboard.press("ArrowRight")
@@ -149,7 +175,9 @@ def test_the_graph_has_even_ticks_and_a_choice(shared):
 
 
 def test_the_cursor_shows_that_a_bob_can_be_grabbed_and_it_is_let_go_outside_of_the_canvas(shared):
-    """In a second tab, which is then moved to a display with twice the pixels: the canvas has them, too."""
+    """In a second tab, which is then moved to a display with twice the pixels: the canvas has them,
+    too.
+    """
     cursor = "getComputedStyle(document.querySelector('.canvas canvas:last-of-type')).cursor"
     sizes = """() => {
         const canvas = one(".canvas canvas");
@@ -166,7 +194,12 @@ def test_the_cursor_shows_that_a_bob_can_be_grabbed_and_it_is_let_go_outside_of_
         wait_until(lambda: sharp.evaluate(cursor) == "grab")
         sharp.mouse.down()
         sharp.mouse.move(*pixel(sharp, 0, -30), steps=3)
-        wait_until(lambda: lifts(sharp)[0] == pytest.approx(-30, abs=1) and sharp.evaluate(cursor) == "grabbing")
+        wait_until(
+            lambda: (
+                lifts(sharp)[0] == pytest.approx(-30, abs=1)
+                and sharp.evaluate(cursor) == "grabbing"
+            )
+        )
         sharp.mouse.move(20, 230, steps=3)  # below the canvas
         wait_until(lambda: -32 < lifts(sharp)[0] < -20)
         sharp.mouse.up()
@@ -183,7 +216,10 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, started):
     colors = BOBS.replace("[o.pos.x, o.pos.y]", "[o.color.x, o.color.y, o.color.z]")
     file.write_text(HEADER + GOOD.replace("red", "blue") * 7)
     wait_until(lambda: shared.evaluate(colors) == [[0, 0, 1]] * 7 and values(shared)[1] == "1 of 7")
-    assert shared.get_by_role("slider", name="Bobs lifted").evaluate("e => [e.value, e.max]") == ["1", "7"]
+    assert shared.get_by_role("slider", name="Bobs lifted").evaluate("e => [e.value, e.max]") == [
+        "1",
+        "7",
+    ]
     file.write_text(FIVE_CSV + GOOD.replace("1.0", "-1", 1))
     error = shared.locator(".error").first
     error.wait_for(state="visible")
@@ -222,7 +258,8 @@ def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
     for name in ("One bob comes in.", "Two bobs come in."):
         shared.keyboard.press("n")
         question.get_by_text(name).wait_for()
-    shared.wait_for_function("() => asked === state.question.question")  # the picture of the sheet is there
+    # The picture of the sheet is there
+    shared.wait_for_function("() => asked === state.question.question")
     programs.draw(shared, False)
     assert violations(shared) == {}
     shared.keyboard.press("f")
@@ -236,13 +273,19 @@ def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
     shared.keyboard.press("a")
     question.get_by_text("What happened: C, Two bobs, as far as the two.").wait_for()
     assert shared.evaluate(seen) == [0, 6 + 6, 5 + 5]  # no bob moves while the picture rests
-    assert question.get_by_text("You said: A, One bob, twice as fast. Hands: A 0, B 0, C 1, D 0.").is_visible()
+    assert question.get_by_text(
+        "You said: A, One bob, twice as fast. Hands: A 0, B 0, C 1, D 0."
+    ).is_visible()
     assert printed(shared) < 0.2  # the first bob before its release, although it hangs now
-    assert all(shared.get_by_text(text).is_visible() for text in ("I measured", "swung to (degrees)"))
+    assert all(
+        shared.get_by_text(text).is_visible() for text in ("I measured", "swung to (degrees)")
+    )
     shared.emulate_media(media="screen")
     assert violations(shared) == {}
     shared.keyboard.press("h")
-    wait_until(lambda: hit.is_visible() and "m/s" in hit.inner_text() and shared.evaluate(seen)[0] == 2)
+    wait_until(
+        lambda: hit.is_visible() and "m/s" in hit.inner_text() and shared.evaluate(seen)[0] == 2
+    )
     shared.keyboard.press("Escape")
     menu(shared, "Collisions").wait_for()
     assert violations(shared) == {}
@@ -261,10 +304,13 @@ def test_the_table_moves_and_takes_a_mass(shared, started):
     shared.get_by_text("[0] theta -0.785398 -> ").wait_for()
     mass.fill("-3")
     mass.press("Tab")
-    rule = shared.get_by_text("mass: allowed is a number from 1e-300 to 1e6 (kg), such as 1.5", exact=True)
+    rule = shared.get_by_text(
+        "mass: allowed is a number from 1e-300 to 1e6 (kg), such as 1.5", exact=True
+    )
     rule.wait_for()
     assert mass.get_attribute("aria-invalid") == "true"
-    wait_until(lambda: shared.evaluate("document.activeElement.ariaLabel") == "e of pendulum 2")  # where Tab leads
+    # Where Tab leads
+    wait_until(lambda: shared.evaluate("document.activeElement.ariaLabel") == "e of pendulum 2")
     assert violations(shared) == {}
     mass.fill("2.5")
     mass.press("Enter")
@@ -306,12 +352,15 @@ PHONE, TABLET, LAPTOP, BOARD = (390, 844), (768, 1024), (1366, 625), (2560, 1440
 
 # The edges of an element, in the window: left, top, right, bottom.
 EDGES = "e => (r => [r.left, r.top, r.right, r.bottom])(e.getBoundingClientRect())"
-LETTERS = "() => parseFloat(getComputedStyle(document.querySelector('.readout')).fontSize)"  # at once: it is replaced
+# At once: it is replaced
+LETTERS = "() => parseFloat(getComputedStyle(document.querySelector('.readout')).fontSize)"
 
 
 @pytest.fixture
 def at_rest(shared):
-    """The page in a laptop's window, with all bobs at rest; the canvas is as large as it is for a user."""
+    """The page in a laptop's window, with all bobs at rest; the canvas is as large as it is for a
+    user.
+    """
     shared.evaluate("document.querySelector('#small').disabled = true")
     resize(shared, LAPTOP)
     pause(shared)
@@ -340,30 +389,61 @@ def is_whole(page, selector):
 
 @pytest.mark.parametrize("size", [PHONE, TABLET, LAPTOP, BOARD])
 def test_the_page_fits_the_window(at_rest, size):
-    """The whole swing is in view, and no part of the panel covers another. Only a tall window scrolls, up and down."""
+    """The whole swing is in view, and no part of the panel covers another.
+
+    Only a tall window scrolls, up and down.
+    """
     resize(at_rest, size)
     assert is_whole(at_rest, "canvas")
     left, top, right, bottom = edges(at_rest, "canvas")
-    wait_until(lambda: all(left < pixel(at_rest, bob, theta)[0] < right for bob, theta in ((0, -90), (4, 90))))
+    wait_until(
+        lambda: all(
+            left < pixel(at_rest, bob, theta)[0] < right for bob, theta in ((0, -90), (4, 90))
+        )
+    )
     shown = [part for part in at_rest.locator(".panel section > *").all() if part.is_visible()]
-    wait_until(lambda: all(part.evaluate(EDGES)[2] <= size[0] for part in shown))  # the graph follows the window, too
-    parts = [part.evaluate(EDGES) for part in at_rest.locator(".panel section").all() if part.is_visible()]
+    # The graph follows the window, too
+    wait_until(lambda: all(part.evaluate(EDGES)[2] <= size[0] for part in shown))
+    parts = [
+        part.evaluate(EDGES)
+        for part in at_rest.locator(".panel section").all()
+        if part.is_visible()
+    ]
     for (left1, top1, right1, bottom1), (left2, top2, right2, bottom2) in combinations(parts, 2):
-        assert min(min(right1, right2) - max(left1, left2), min(bottom1, bottom2) - max(top1, top2)) <= 0
+        assert (
+            min(min(right1, right2) - max(left1, left2), min(bottom1, bottom2) - max(top1, top2))
+            <= 0
+        )
     if size in (PHONE, TABLET):
-        assert all(is_whole(at_rest, f"button:has-text('{name}')") for name in ("Run", "Step", "Restart"))
+        assert all(
+            is_whole(at_rest, f"button:has-text('{name}')") for name in ("Run", "Step", "Restart")
+        )
         at_rest.locator("summary").click()
         scroll = "e => { (e.closest('tr')?.cells[0] ?? e).scrollIntoView() }"  # down, not sideways
         for name in ("tr:has(.now:not(:empty)) [aria-label='e of pendulum 5']", ".fold summary"):
-            wait_until(lambda name=name: at_rest.locator(name).evaluate(scroll) or is_whole(at_rest, name))
+            wait_until(
+                lambda name=name: at_rest.locator(name).evaluate(scroll) or is_whole(at_rest, name)
+            )
     else:
-        assert at_rest.evaluate("(e => e.scrollHeight - e.clientHeight)(document.querySelector('.panel'))") == 0
+        assert (
+            at_rest.evaluate(
+                "(e => e.scrollHeight - e.clientHeight)(document.querySelector('.panel'))"
+            )
+            == 0
+        )
         selectors = (".readout", ".impacts", ".graph", "select", "summary")
         assert all(is_whole(at_rest, selector) for selector in selectors)
         assert right < edges(at_rest, ".panel")[0] + 1
-        assert pixel(at_rest, 4, 90)[0] - pixel(at_rest, 0, -90)[0] >= 0.8 * (right - left) >= 0.45 * size[0]
+        assert (
+            pixel(at_rest, 4, 90)[0] - pixel(at_rest, 0, -90)[0]
+            >= 0.8 * (right - left)
+            >= 0.45 * size[0]
+        )
         assert at_rest.evaluate(LETTERS) >= 0.022 * size[1]
-    assert at_rest.evaluate("(e => e.scrollWidth - e.clientWidth)(document.querySelector('.panel'))") == 0
+    assert (
+        at_rest.evaluate("(e => e.scrollWidth - e.clientWidth)(document.querySelector('.panel'))")
+        == 0
+    )
 
 
 def test_a_page_on_paper_has_the_cradle_as_it_is_now_its_numbers_and_no_controls(at_rest):
@@ -380,7 +460,9 @@ CUT = """() => find(".panel *").filter(part => part.checkVisibility())
 
 
 def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver, shared):
-    """24 pixels in the settings of the browser; the small text follows, and the texts in the canvas."""
+    """24 pixels in the settings of the browser; the small text follows, and the texts in the
+    canvas.
+    """
     arguments = [*programs.ARGUMENTS, "--blink-settings=defaultFontSize=24"]
     sizes = "() => [...['body', '.impacts'].map(name => getComputedStyle(one(name)).fontSize), labels[0].height]"
     with (
@@ -397,12 +479,19 @@ def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver
 
 def test_impacts_break_between_paths_and_each_one_is_whole_or_hidden(at_rest):
     paths = ["1-2-3", "1-2-3-4", "1-2-3-4-5", "1-2-3-4-5-6", "1-2-3-4-5-6-7"]
-    at_rest.evaluate("lines => shows.impacts(lines)", [f"t = 12.34 s  {path}  {path}  {path}" for path in paths])
+    at_rest.evaluate(
+        "lines => shows.impacts(lines)", [f"t = 12.34 s  {path}  {path}  {path}" for path in paths]
+    )
     box = at_rest.locator(".trains").evaluate(EDGES)
     trains = [line.evaluate(EDGES) for line in at_rest.locator(".trains div").all()]
     seen = [bottom <= box[3] + 1 for left, _, _, bottom in trains if left < box[2]]
     assert 2 <= len(seen) < 5 and all(seen)
-    assert at_rest.evaluate("find('.trains span').map(path => path.getClientRects().length > 1)").count(True) == 0
+    assert (
+        at_rest.evaluate(
+            "find('.trains span').map(path => path.getClientRects().length > 1)"
+        ).count(True)
+        == 0
+    )
 
 
 def test_present_leaves_cradle_and_numbers(at_rest):
@@ -423,19 +512,25 @@ def test_present_leaves_cradle_and_numbers(at_rest):
 def test_light_dark_and_forced_colors_follow_the_system(at_rest):
     for scheme, is_dark in (("dark", True), ("light", False)):
         at_rest.emulate_media(color_scheme=scheme)
-        wait_until(lambda is_dark=is_dark: (at_rest.evaluate("glowObjs[0].background.x") < 0.3) == is_dark)
-        paper = at_rest.locator(".panel").evaluate("e => parseInt(getComputedStyle(e).backgroundColor.slice(4))")
+        wait_until(
+            lambda is_dark=is_dark: (at_rest.evaluate("glowObjs[0].background.x") < 0.3) == is_dark
+        )
+        paper = at_rest.locator(".panel").evaluate(
+            "e => parseInt(getComputedStyle(e).backgroundColor.slice(4))"
+        )
         assert (paper < 128) == is_dark
     at_rest.emulate_media(forced_colors="active")
     curves = at_rest.locator(".legendColorBox div div").all()
-    assert len({curve.evaluate("e => getComputedStyle(e).borderColor") for curve in curves}) == 3  # the legend's colors
+    # The legend's colors
+    assert len({curve.evaluate("e => getComputedStyle(e).borderColor") for curve in curves}) == 3
     at_rest.emulate_media(forced_colors="none")
 
 
 def test_one_finger_drags_a_bob_or_turns_the_camera_and_two_zoom(at_rest):
     fingers = at_rest.context.new_cdp_session(at_rest)
 
-    def touch(kind, *points):  # kind is Start, Move or End, with a finger at each of the points (x, y)
+    # Kind is Start, Move or End, with a finger at each of the points (x, y)
+    def touch(kind, *points):
         points = [{"x": x, "y": y} for x, y in points]
         fingers.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
 
@@ -463,7 +558,9 @@ def test_one_finger_drags_a_bob_or_turns_the_camera_and_two_zoom(at_rest):
 
 
 def test_controls_have_names_and_values_and_keep_their_keys(at_rest):
-    at_rest.get_by_role("img", name=re.compile("Newton's cradle with 5 bobs: t .* s, energy .* %")).wait_for()
+    at_rest.get_by_role(
+        "img", name=re.compile("Newton's cradle with 5 bobs: t .* s, energy .* %")
+    ).wait_for()
     assert violations(at_rest) == {}
     slider = at_rest.get_by_role("slider", name="Bobs lifted")
     slider.focus()
@@ -486,8 +583,12 @@ def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, shared, 
         blind = browser.new_page()
         blind.set_default_timeout(programs.SECONDS * 1000)
         blind.goto(shared.url)
-        blind.get_by_text("This browser cannot draw the cradle: WebGL 2 is missing or switched off.").wait_for()
+        blind.get_by_text(
+            "This browser cannot draw the cradle: WebGL 2 is missing or switched off."
+        ).wait_for()
         command = shlex.split(blind.locator(".notice code").inner_text())
-    done = subprocess.run([*command, "--seconds", "0.1"], cwd=started[1].parent, capture_output=True, text=True)
+    done = subprocess.run(
+        [*command, "--seconds", "0.1"], cwd=started[1].parent, capture_output=True, text=True
+    )
     assert "t = 0.10 s" in done.stdout
     programs.wait_for_moves(shared)

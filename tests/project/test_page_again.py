@@ -1,4 +1,6 @@
-"""Pages of their own, in real browsers: the first one, three tabs and a reload, hostile texts, the program's end."""
+"""Pages of their own, in real browsers: the first one, three tabs and a reload, hostile texts, the
+program's end.
+"""
 
 import signal
 import time
@@ -25,9 +27,11 @@ def test_the_cradle_swings_until_the_tab_is_closed(page, started):
     """It has a frame, the picture changes, and a bob can be dragged."""
     kinds = Counter(page.evaluate("() => glowObjs.filter(o => o).map(o => o.constructor.name)"))
     assert (kinds["box"], kinds["cylinder"], kinds["sphere"]) == (5 + 1, 5 + 6, 5)
-    page.wait_for_function(f"() => ({BOBS})()[4][0] > {-0.1 + 5 / 4 * R_PARAM}")  # the last bob has been hit
+    # The last bob has been hit
+    page.wait_for_function(f"() => ({BOBS})()[4][0] > {-0.1 + 5 / 4 * R_PARAM}")
     picture = picture_of(page)
-    page.wait_for_function(f"() => ({BOBS})()[0][0] < {-0.1 - R_PARAM / 4}")  # and then the first one again
+    # And then the first one again
+    page.wait_for_function(f"() => ({BOBS})()[0][0] < {-0.1 - R_PARAM / 4}")
     assert picture_of(page) != picture
 
     pause(page)
@@ -37,7 +41,8 @@ def test_the_cradle_swings_until_the_tab_is_closed(page, started):
     page.mouse.down()
     for theta in (20, 40):
         page.mouse.move(*programs.pixel(page, 3, theta), steps=3)
-    wait_until(lambda: lifts(page)[3] == pytest.approx(40, abs=1) and 38 < lifts(page)[4] < 50)  # it was in the way
+    # It was in the way
+    wait_until(lambda: lifts(page)[3] == pytest.approx(40, abs=1) and 38 < lifts(page)[4] < 50)
     assert lifts(page)[:3] == pytest.approx([0, 0, 0])
     page.mouse.up()
     page.keyboard.press("Space")
@@ -64,7 +69,9 @@ def test_the_first_picture_has_all_bobs_with_their_textures(page, program):
 
 def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
     lost = iter(["questions.js"])
-    page.route("**/questions.js", lambda route: route.abort() if next(lost, None) else route.continue_())
+    page.route(
+        "**/questions.js", lambda route: route.abort() if next(lost, None) else route.continue_()
+    )
     with programs.running(program) as process:
         page.goto(programs.first_lines(process))
         page.get_by_text("A part of this page did not arrive. It loads again by itself.").wait_for()
@@ -81,7 +88,9 @@ def picture_of(page):
 
 
 @pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
-def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again_when_it_is_back(page, started):
+def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again_when_it_is_back(
+    page, started
+):
     page.evaluate("""() => {
         glowObjs[0].forward = vec(0.6, -0.2, -1);
         window.driver = one("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
@@ -98,11 +107,17 @@ def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again_when_it_i
 
 
 def test_three_tabs_show_one_cradle_and_one_is_reloaded_and_closed(page, started):
-    """The cradle swings on, with the settings that somebody has chosen. Each tab has its own camera."""
+    """The cradle swings on, with the settings that somebody has chosen.
+
+    Each tab has its own camera.
+    """
     # The values of all controls.
     controls = """() => [find("select, input:not([type=checkbox])").map(control => control.value),
         find("input[type=checkbox]").map(box => box.checked), find("output").map(output => output.value)]"""
-    with programs.new_page(page.context.browser) as second, programs.new_page(page.context.browser) as third:
+    with (
+        programs.new_page(page.context.browser) as second,
+        programs.new_page(page.context.browser) as third,
+    ):
         tabs = [page, second, third]
         for tab in tabs[1:]:
             open_cradle(tab, page.url)
@@ -115,7 +130,9 @@ def test_three_tabs_show_one_cradle_and_one_is_reloaded_and_closed(page, started
         page.locator("summary").click()
         page.get_by_label("Separating bobs collide too").check()
         for tab in tabs:
-            tab.wait_for_function("() => glowObjs.some(o => o?.constructor.name === 'arrow' && o.visible)")
+            tab.wait_for_function(
+                "() => glowObjs.some(o => o?.constructor.name === 'arrow' && o.visible)"
+            )
             wait_until(lambda tab=tab: values(tab) == ["2.0x", "2 of 5", "70°"])
             programs.wait_for_moves(tab)
         pause(page)
@@ -128,7 +145,8 @@ def test_three_tabs_show_one_cradle_and_one_is_reloaded_and_closed(page, started
         second.mouse.down(button="right")
         second.mouse.move(160, 100, steps=3)
         second.mouse.up(button="right")
-        second.get_by_role("button", name="Reset view").wait_for()  # it is there as soon as the camera has moved
+        # It is there as soon as the camera has moved
+        second.get_by_role("button", name="Reset view").wait_for()
         page.evaluate("window.times = []; shows.now = () => times.push(parseFloat(state.motion.t))")
         third.reload()
         wait_for_cradle(third)
@@ -136,7 +154,11 @@ def test_three_tabs_show_one_cradle_and_one_is_reloaded_and_closed(page, started
             programs.wait_for_moves(tab)
         wait_until(lambda: third.evaluate(controls) == settings)
         assert not third.locator(".plot").is_visible()
-        assert [tab.get_by_role("button", name="Reset view").is_visible() for tab in tabs] == [False, True, False]
+        assert [tab.get_by_role("button", name="Reset view").is_visible() for tab in tabs] == [
+            False,
+            True,
+            False,
+        ]
         second.close()
         for tab in (page, third):
             programs.wait_for_moves(tab)
@@ -151,33 +173,47 @@ def test_the_ended_program_shows_how_to_start_it_again(page, started):
     started.send_signal(signal.SIGINT)
     assert programs.end(started) == programs.QUIETLY
     page.get_by_text("The program has ended.").wait_for()
-    assert page.locator(".notice code").inner_text().endswith(" src/visualize_cradle_run.py --angle 45")
-    assert float(page.locator(".canvas").evaluate("e => getComputedStyle(e).opacity")) < 0.5  # it is pale
+    assert (
+        page.locator(".notice code")
+        .inner_text()
+        .endswith(" src/visualize_cradle_run.py --angle 45")
+    )
+    # It is pale
+    assert float(page.locator(".canvas").evaluate("e => getComputedStyle(e).opacity")) < 0.5
     assert programs.violations(page) == {}
 
 
 def test_hostile_texts_are_shown_as_texts(page, program):
     evil = "<s><img src onerror>"  # a text that makes elements, where it is HTML
     file = program.parents[1] / "support" / "experiments" / "single" / "2_two_bobs.txt"
-    text = file.read_text().replace("Two bobs", evil)  # in its name, its question, its answers and its explanation
+    # In its name, its question, its answers and its explanation
+    text = file.read_text().replace("Two bobs", evil)
     for name in (file.name, "1_one_bob.txt"):
         file.with_name(name).write_text(text)
     with programs.running(program, folder=program.parents[1]) as process:
         open_cradle(page, programs.first_lines(process))
-        page.locator("ul.failed").get_by_text(f"'{evil}' is the name of another experiment").wait_for()
+        page.locator("ul.failed").get_by_text(
+            f"'{evil}' is the name of another experiment"
+        ).wait_for()
         page.get_by_role("checkbox", name="Predict first").check()
         programs.menu(page, "Experiment").select_option(evil)
         question = page.locator(".question")
         for words in (f"{evil} come in.", f"C\u2002{evil}, as far as the two"):
             question.get_by_text(words).wait_for()
         page.keyboard.press("a")
-        question.get_by_text(f"What happened: C, {evil}, as far as the two. {evil} came in at").wait_for()
-        (program.parents[1] / "newton_cradle_pends.csv").write_text(FIVE_CSV.replace("red", evil, 1))
+        question.get_by_text(
+            f"What happened: C, {evil}, as far as the two. {evil} came in at"
+        ).wait_for()
+        (program.parents[1] / "newton_cradle_pends.csv").write_text(
+            FIVE_CSV.replace("red", evil, 1)
+        )
         page.locator(".error").get_by_text(f"found '{evil}'").wait_for()
         assert page.locator("s, [onerror]").count() == 0
 
 
-def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it_and_comes_back(page, started):
+def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it_and_comes_back(
+    page, started
+):
     """Chromium keeps no page here; these two events are all that a kept page gets."""
     address = page.url
     page.goto("about:blank")
@@ -194,7 +230,8 @@ def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it_and_c
     assert programs.end(started) == programs.QUIETLY
 
 
-# The time on the wall (s) minus the simulated one, at each change of the readout in a second; and when it was read.
+# The time on the wall (s) minus the simulated one, at each change of the readout in a second; and
+# when it was read.
 LATENESS = """async () => {
     const text = () => document.querySelector(".readout").innerText, late = [], start = performance.now();
     let before = text();
@@ -212,8 +249,9 @@ LATENESS = """async () => {
 def test_simulated_time_keeps_step_with_the_wall(page, program):
     """Within 0.05 s in 6 s, with one bob: its ticks take little time.
 
-    A busy machine brings a reading to the page late, and none early: the promptest one of each second counts. Seconds
-    in which the program reports that the machine was too busy (0.6x real time) do not count.
+    A busy machine brings a reading to the page late, and none early: the promptest one of each
+    second counts. Seconds in which the program reports that the machine was too busy (0.6x real
+    time) do not count.
     """
     (program.parents[1] / "newton_cradle_pends.csv").write_text(HEADER + GOOD)
     readings = deque(maxlen=8)
@@ -225,4 +263,5 @@ def test_simulated_time_keeps_step_with_the_wall(page, program):
 
     with programs.running(program) as process:
         open_cradle(page, programs.first_lines(process), bobs=1)
-        wait_until(has_kept_step, 3 * programs.SECONDS)  # a busy machine seldom has seven seconds without a stall
+        # A busy machine seldom has seven seconds without a stall
+        wait_until(has_kept_step, 3 * programs.SECONDS)

@@ -1,4 +1,6 @@
-"""Swings, hits and energies of single pendula, by newton_cradle_tick, at the shipped constants, and theory."""
+"""Swings, hits and energies of single pendula, by newton_cradle_tick, at the shipped constants, and
+theory.
+"""
 
 import random
 from functools import partial
@@ -6,7 +8,16 @@ from math import cos, degrees, pi, radians, sin, sqrt
 
 import pytest
 from programs import slow_but_for
-from whole_cradles import advance, apart, contacts_in, energy, ExactCradle, make_row, outer_angles, SAMPLE
+from whole_cradles import (
+    advance,
+    apart,
+    contacts_in,
+    energy,
+    ExactCradle,
+    make_row,
+    outer_angles,
+    SAMPLE,
+)
 
 from src.visualize_cradle_run import handle_two_bobs
 from support.constants import DT, G, R_PARAM, THETA_INIT
@@ -16,8 +27,9 @@ from support.pendulum import BUFFER
 def exact_period(theta_max):
     """Return the period (s) of a pendulum with the amplitude theta_max (rad).
 
-    It is 4 sqrt(R / g) K(sin(theta_max / 2)), with the complete elliptic integral of the first kind,
-    K(k) = pi / (2 M(1, sqrt(1 - k^2))). M is the arithmetic-geometric mean (https://dlmf.nist.gov/19.8.E5).
+    It is 4 sqrt(R / g) K(sin(theta_max / 2)), with the complete elliptic integral of the first
+    kind, K(k) = pi / (2 M(1, sqrt(1 - k^2))). M is the arithmetic-geometric mean
+    (https://dlmf.nist.gov/19.8.E5).
     """
     arithmetic, geometric = 1.0, cos(theta_max / 2)
     while arithmetic - geometric > 1e-15:
@@ -62,7 +74,9 @@ def test_only_approaching_bobs_collide(theta, omega1, omega2, collide):
 
 @pytest.mark.parametrize("e", slow_but_for([0.9], [0.99, 0.9, 0.5, 0.1]))
 def test_two_equal_bobs_keep_part_of_the_energy(e):
-    """A hit does not change the half of the energy in the common motion; it multiplies the relative speed by e."""
+    """A hit does not change the half of the energy in the common motion; it multiplies the relative
+    speed by e.
+    """
     pend_list, hits = make_row(2, THETA_INIT, e=e), 0
     at_start = energy(pend_list)
     for _ in range(round(3 * exact_period(THETA_INIT) / 1e-3)):  # with two hits in a period
@@ -72,16 +86,23 @@ def test_two_equal_bobs_keep_part_of_the_energy(e):
     assert hits >= 5
 
 
-@pytest.mark.parametrize(("release", "seconds"), slow_but_for([(45, 10)], [(45, 10), (5, 60), (60, 60)]))
+@pytest.mark.parametrize(
+    ("release", "seconds"), slow_but_for([(45, 10)], [(45, 10), (5, 60), (60, 60)])
+)
 def test_five_equal_elastic_bobs_keep_the_energy(release, seconds):
-    """From release (degrees), the last bob rises as high as the first one was, and those between hardly move."""
+    """From release (degrees), the last bob rises as high as the first one was, and those between
+    hardly move.
+    """
     pend_list = make_row(5, -radians(release))
     at_start = energy(pend_list)
     highest = [0.0] * 5  # degrees
     for _ in range(round(seconds / SAMPLE)):
         advance(pend_list, SAMPLE)
         assert energy(pend_list) == pytest.approx(at_start, rel=0.001)
-        highest = [max(most, abs(degrees(pend["theta"]))) for most, pend in zip(highest, pend_list, strict=True)]
+        highest = [
+            max(most, abs(degrees(pend["theta"])))
+            for most, pend in zip(highest, pend_list, strict=True)
+        ]
     assert highest[4] == pytest.approx(release, rel=0.001)
     assert max(highest[1:4]) < 1.5
 
@@ -96,22 +117,28 @@ def test_the_outer_bobs_are_where_an_exact_cradle_has_them(dt, seconds, most):
     assert apart(outer_angles(move, seconds), outer_angles(ExactCradle().advance, seconds)) <= most
 
 
-@pytest.mark.parametrize(("count", "seconds", "rel"), slow_but_for([(2, 10, 0.02)], [(2, 10, 0.02), (5, 40, 0.1)]))
+@pytest.mark.parametrize(
+    ("count", "seconds", "rel"), slow_but_for([(2, 10, 0.02)], [(2, 10, 0.02), (5, 40, 0.1)])
+)
 def test_each_elastic_hit_adds_the_energy_that_the_tick_explains(count, seconds, rel):
     """Semi-implicit Euler keeps E - dt/2 m g R omega sin(theta), but for a small rest.
 
-    A hit adds dt/2 m g R (omega1 - omega2) (sin(theta1) - sin(theta2)): dt/2 m g / R times the speed of approach and
-    the distance by which the bobs are beyond their rest. This is the gap and, in the mean, half of the last step.
+    A hit adds dt/2 m g R (omega1 - omega2) (sin(theta1) - sin(theta2)): dt/2 m g / R times the
+    speed of approach and the distance by which the bobs are beyond their rest. This is the gap and,
+    in the mean, half of the last step.
     """
     pend_list = make_row(count, THETA_INIT)
     gap = R_PARAM / 4 - 2 * BUFFER * pend_list[0]["objects"][1].radius  # m
 
     def kept():
-        return energy(pend_list) - DT / 2 * G * R_PARAM * sum(pend["omega"] * sin(pend["theta"]) for pend in pend_list)
+        return energy(pend_list) - DT / 2 * G * R_PARAM * sum(
+            pend["omega"] * sin(pend["theta"]) for pend in pend_list
+        )
 
     at_start = kept()
     expected = sum(
-        DT / 2 * G / R_PARAM * speed * (gap + speed * DT / 2) for *_, speed in contacts_in(pend_list, seconds)
+        DT / 2 * G / R_PARAM * speed * (gap + speed * DT / 2)
+        for *_, speed in contacts_in(pend_list, seconds)
     )
     assert kept() - at_start == pytest.approx(expected, rel=rel)
 
@@ -122,7 +149,9 @@ def test_random_cradles_gain_no_energy(seed):
     thetas = [-1, *sorted(dice.choice([0, dice.uniform(-1, 1)]) for _ in range(dice.randint(1, 9)))]
     pend_list = make_row(len(thetas))
     for pend, theta in zip(pend_list, thetas, strict=True):
-        pend.update(theta=theta, mass=10 ** dice.uniform(-6, 6), e=dice.choice([0, 1, dice.random()]))
+        pend.update(
+            theta=theta, mass=10 ** dice.uniform(-6, 6), e=dice.choice([0, 1, dice.random()])
+        )
     at_start = energy(pend_list)
     assert contacts_in(pend_list, 0.5)
     for _ in range(5):

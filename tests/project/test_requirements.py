@@ -1,4 +1,6 @@
-"""What has to be installed: the short list, the names of VPython behind it, and the pages with no more than that."""
+"""What has to be installed: the short list, the names of VPython behind it, and the pages with no
+more than that.
+"""
 
 import re
 import venv
@@ -12,7 +14,11 @@ from programs import BOBS, end, first_lines, open_cradle, QUIETLY, ROOT, running
 from support.constants import R_PARAM
 
 LISTED, OF_TESTS = (
-    dict(re.findall(r"^([\w-]+)([^ \n]*)", (ROOT / folder / "requirements.txt").read_text(), re.MULTILINE))
+    dict(
+        re.findall(
+            r"^([\w-]+)([^ \n]*)", (ROOT / folder / "requirements.txt").read_text(), re.MULTILINE
+        )
+    )
     for folder in ("support", "tests")
 )
 
@@ -26,9 +32,25 @@ PRIVATE = {
         *("window.__GSlang =", "var glowObjs", "function decode(data)", "function handler(data)"),
     ],
     "vpython_libraries/glow.min.js": [
-        *("$.plot=", ".color.parse=", "__update:function(ev)", "__canvas_element=", "__overlay_element="),
-        *("window.__context", "window.Jupyter_VPython", "glowscript-canvas-wrapper", "userspin:", ".resizable("),
-        *('trigger("draw_complete"', 'cvs.waitfor_textures=false;cvs.trigger("textures"', "userzoom:"),
+        *(
+            "$.plot=",
+            ".color.parse=",
+            "__update:function(ev)",
+            "__canvas_element=",
+            "__overlay_element=",
+        ),
+        *(
+            "window.__context",
+            "window.Jupyter_VPython",
+            "glowscript-canvas-wrapper",
+            "userspin:",
+            ".resizable(",
+        ),
+        *(
+            'trigger("draw_complete"',
+            'cvs.waitfor_textures=false;cvs.trigger("textures"',
+            "userzoom:",
+        ),
         *("tickLabel", "legendColorBox"),
     ],
 }
@@ -43,7 +65,11 @@ def test_vpython_has_its_private_names_that_the_page_uses(file):
 
 
 def test_the_short_list_has_what_pyproject_names_and_each_package_has_both_bounds():
-    named = dict(re.findall(r'^    "([\w-]+)([<>=][^"]+)",', (ROOT / "pyproject.toml").read_text(), re.MULTILINE))
+    named = dict(
+        re.findall(
+            r'^    "([\w-]+)([<>=][^"]+)",', (ROOT / "pyproject.toml").read_text(), re.MULTILINE
+        )
+    )
     assert named.keys() == {"vpython", "pandas", "setuptools", "autobahn"}
     assert named.items() <= LISTED.items()
     for bounds in [*LISTED.values(), *OF_TESTS.values()]:
@@ -52,25 +78,42 @@ def test_the_short_list_has_what_pyproject_names_and_each_package_has_both_bound
 
 def test_the_workflow_has_the_lines_of_the_readme():
     """The README has a command for Linux and macOS, and lines for Windows."""
-    workflow, readme = ((ROOT / file).read_text() for file in (".github/workflows/test.yml", "README.md"))
-    pattern = re.search(r"sed -n 's/(.*)/\\1/p' README.md", workflow)[1].replace(r"\(", "(").replace(r"\)", ")")
+    workflow, readme = (
+        (ROOT / file).read_text() for file in (".github/workflows/test.yml", "README.md")
+    )
+    pattern = (
+        re.search(r"sed -n 's/(.*)/\\1/p' README.md", workflow)[1]
+        .replace(r"\(", "(")
+        .replace(r"\)", ")")
+    )
     assert len(re.findall(pattern, readme, re.MULTILINE)) == 1
     installs = re.findall(r"^    (\.venv\\Scripts\\p(?:ip|ytest).*)$", readme, re.MULTILINE)
     assert re.findall(r"^ +(\.venv\\.*)$", workflow, re.MULTILINE) == installs
 
 
-@pytest.mark.parametrize(("name", "bobs"), [("visualize_cradle_run.py", 5), ("visualize_double_cradle_run.py", 10)])
-def test_each_page_works_with_the_short_list_alone_until_the_tab_is_closed(page, program, tmp_path, name, bobs):
-    """In an environment with the packages of the Python that runs the tests; one that it does not have is left out."""
+@pytest.mark.parametrize(
+    ("name", "bobs"), [("visualize_cradle_run.py", 5), ("visualize_double_cradle_run.py", 10)]
+)
+def test_each_page_works_with_the_short_list_alone_until_the_tab_is_closed(
+    page, program, tmp_path, name, bobs
+):
+    """In an environment with the packages of the Python that runs the tests; one that it does not
+    have is left out.
+    """
     venv.create(tmp_path / "environment", symlinks=True)
     [place] = (tmp_path / "environment").glob("lib/python*/site-packages")
     for package in metadata.distributions():
-        for part in {file.parts[0] for file in package.files or () if package.name.lower() in LISTED}:
+        for part in {
+            file.parts[0] for file in package.files or () if package.name.lower() in LISTED
+        }:
             if part not in ("..", "__pycache__"):
                 (place / part).symlink_to(package.locate_file(part))
-    with running(program.with_name(name), python=str(tmp_path / "environment" / "bin" / "python")) as process:
+    with running(
+        program.with_name(name), python=str(tmp_path / "environment" / "bin" / "python")
+    ) as process:
         open_cradle(page, first_lines(process), bobs)
-        farthest = f"Math.max(...({BOBS})().map(bob => bob[0]))"  # to the right: only a hit brings a bob that far
+        # To the right: only a hit brings a bob that far
+        farthest = f"Math.max(...({BOBS})().map(bob => bob[0]))"
         page.wait_for_function(f"() => {farthest} > {-0.1 + 5 / 4 * R_PARAM}")
         page.close()
         assert end(process) == QUIETLY

@@ -1,4 +1,6 @@
-"""The rooms (folders) of the project import only allowed rooms: a test of every import in src/ and support/."""
+"""The rooms (folders) of the project import only allowed rooms: a test of every import in src/ and
+support/.
+"""
 
 import ast
 from graphlib import TopologicalSorter
@@ -20,21 +22,35 @@ MAY_IMPORT = {
     "support.files": {"support"},
     "support.start": {"support", "support.files"},
     "support.cradle": {"support", "support.files", "support.start"},
-    "support.page": {"support", "support.files", "support.cradle", "support.start", "support.page.scene"},
+    "support.page": {
+        "support",
+        "support.files",
+        "support.cradle",
+        "support.start",
+        "support.page.scene",
+    },
     "support.page.scene": {"support", "support.cradle"},
     "support.terminal": {"support", "support.files", "support.cradle", "support.start"},
     "src": {"support", "support.files"},
     BEGIN: {"support", "support.start"},
     PROGRAM: {"support", "support.files", "support.cradle", "support.start", "support.terminal"},
 }
-FILES = [file for folder in ("src", "support") for file in sorted((ROOT / folder).rglob("[!.]*.py"))]
+FILES = [
+    file for folder in ("src", "support") for file in sorted((ROOT / folder).rglob("[!.]*.py"))
+]
 MODULES = {".".join(file.relative_to(ROOT).with_suffix("").parts): file for file in FILES}
 
 
 def imports_of(name) -> set[str]:
-    """Return the project's modules that this module imports, without those for a start as a program."""
+    """Return the project's modules that this module imports, without those for a start as a
+    program.
+    """
     tree, names = ast.parse(MODULES[name].read_text(encoding="utf-8")), set()
-    tree.body = [node for node in tree.body if not (isinstance(node, ast.If) and "__main__" in ast.unparse(node.test))]
+    tree.body = [
+        node
+        for node in tree.body
+        if not (isinstance(node, ast.If) and "__main__" in ast.unparse(node.test))
+    ]
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             names |= {alias.name for alias in node.names}
@@ -65,10 +81,15 @@ def test_a_module_of_the_handout_imports_earlier_ones_and_only_one_program_is_no
 
 def test_imports_have_no_circle():
     graph = {name: imports_of(name) for name in MODULES}
-    assert len(list(TopologicalSorter(graph).static_order())) == len(MODULES)  # a CycleError names the circle
+    # A CycleError names the circle
+    assert len(list(TopologicalSorter(graph).static_order())) == len(MODULES)
 
 
 def test_only_a_start_as_a_program_changes_the_path():
-    files = [file for folder in ("src", "support", "tests") for file in (ROOT / folder).rglob("[!.]*.py")]
-    changing = [file.relative_to(ROOT) for file in files if "\nsys.path" in file.read_text(encoding="utf-8")]
+    files = [
+        file for folder in ("src", "support", "tests") for file in (ROOT / folder).rglob("[!.]*.py")
+    ]
+    changing = [
+        file.relative_to(ROOT) for file in files if "\nsys.path" in file.read_text(encoding="utf-8")
+    ]
     assert [*map(str, changing)] == [str(Path("tests/grading/begin.py"))]

@@ -1,4 +1,6 @@
-"""The frame, and the points that each tab's camera must show; the tests compute the cradle point by point."""
+"""The frame, and the points that each tab's camera must show; the tests compute the cradle point by
+point.
+"""
 
 from itertools import product
 from math import cos, pi, sin, tan
@@ -28,9 +30,11 @@ def surround(count, masses=None, scenery=None):
 
 
 def largest(places, scenery, size=(1000, 400)):
-    """Return how near these places come to the edges, at 1, of a canvas of this size that shows the scenery's points.
+    """Return how near these places come to the edges, at 1, of a canvas of this size that shows the
+    scenery's points.
 
-    canvas.js says what the range of a camera is, and how a point appears; its camera looks at the middle of the points.
+    canvas.js says what the range of a camera is, and how a point appears; its camera looks at the
+    middle of the points.
     """
     points, center = [vector(*point) for point in scenery.view()["points"]], vector(0, 0, 0)
     for direction in (FORWARD, SIDEWAYS, UPWARDS):
@@ -39,7 +43,8 @@ def largest(places, scenery, size=(1000, 400)):
 
     def least_range(shown):
         return max(
-            abs(dot(place - center, direction)) * min(size) / side - dot(place - center, FORWARD) * tan(scene.fov / 2)
+            abs(dot(place - center, direction)) * min(size) / side
+            - dot(place - center, FORWARD) * tan(scene.fov / 2)
             for place in shown
             for direction, side in zip((SIDEWAYS, UPWARDS), size, strict=True)
         )
@@ -48,11 +53,21 @@ def largest(places, scenery, size=(1000, 400)):
 
 
 def outline(count, lowest, highest):
-    """Return points around the first and the last bob of count pendula, on swings from lowest to highest (rad)."""
+    """Return points around the first and the last bob of count pendula, on swings from lowest to
+    highest (rad).
+    """
     axles, bobs = pendula(count)
     thetas = [side * (lowest + (highest - lowest) * i / 20) for i in range(21) for side in (-1, 1)]
-    ends = [axles[i].pos + vector(R * sin(theta), -R * cos(theta), 0) for i in (0, -1) for theta in thetas]
-    return [end + vector(cos(a), sin(a), 0) * bobs[0].radius for end in ends for a in (0, pi / 2, pi, 3 * pi / 2)]
+    ends = [
+        axles[i].pos + vector(R * sin(theta), -R * cos(theta), 0)
+        for i in (0, -1)
+        for theta in thetas
+    ]
+    return [
+        end + vector(cos(a), sin(a), 0) * bobs[0].radius
+        for end in ends
+        for a in (0, pi / 2, pi, 3 * pi / 2)
+    ]
 
 
 @pytest.mark.parametrize("count", [1, 5, 50])
@@ -60,9 +75,18 @@ def outline(count, lowest, highest):
 def test_every_swing_up_to_the_horizontal_is_in_view(count, size):
     scenery = surround(count)
     (base,) = (shape for shape in scenery.frame if type(shape) is box)
-    corners = [base.pos + vector(*half) for half in product(*((-part / 2, part / 2) for part in base.size.value))]
-    ends = [end for bar in scenery.frame if type(bar) is cylinder for end in (bar.pos, bar.pos + bar.axis)]
-    assert 0.85 < largest(outline(count, 0, pi / 2) + corners + ends, scenery, size) <= 1  # as large as possible
+    corners = [
+        base.pos + vector(*half)
+        for half in product(*((-part / 2, part / 2) for part in base.size.value))
+    ]
+    ends = [
+        end
+        for bar in scenery.frame
+        if type(bar) is cylinder
+        for end in (bar.pos, bar.pos + bar.axis)
+    ]
+    # As large as possible
+    assert 0.85 < largest(outline(count, 0, pi / 2) + corners + ends, scenery, size) <= 1
 
 
 @pytest.mark.parametrize("count", [1, 5, 50])
@@ -80,13 +104,17 @@ def test_a_bob_above_the_frame_widens_the_view_until_the_cradle_restarts(count):
 
 
 def test_the_frame_carries_the_axles():
-    """The rails run along the ends of the axles, and beyond the first and the last axle; posts stand on the base."""
+    """The rails run along the ends of the axles, and beyond the first and the last axle; posts
+    stand on the base.
+    """
     scenery, (axles, bobs) = surround(5), pendula(5)
     bars = [shape for shape in scenery.frame if type(shape) is cylinder]
     rails, posts = ([bar for bar in bars if bool(bar.axis.y) == stands] for stands in (False, True))
     (base,) = (shape for shape in scenery.frame if type(shape) is box)
     assert len(posts) == 4
-    assert sorted(rail.pos.z for rail in rails) == pytest.approx([-axles[0].width / 2, axles[0].width / 2])
+    assert sorted(rail.pos.z for rail in rails) == pytest.approx(
+        [-axles[0].width / 2, axles[0].width / 2]
+    )
     for rail in rails:
         assert rail.pos.x < axles[0].pos.x < axles[-1].pos.x < rail.pos.x + rail.axis.x
         assert rail.pos.y == axles[0].pos.y
@@ -100,10 +128,15 @@ def test_a_frame_of_another_size_takes_the_place_of_the_old_one():
     scenery = surround(5)
     before, short = len(scene.objects), scenery.frame[0].axis.x
     surround(9, scenery=scenery)
-    assert (len(scene.objects) - before, scenery.frame[0].axis.x - short) == (9 * 3, pytest.approx(4 * R / 4))
+    assert (len(scene.objects) - before, scenery.frame[0].axis.x - short) == (
+        9 * 3,
+        pytest.approx(4 * R / 4),
+    )
 
 
-@pytest.mark.parametrize(("masses", "texts"), [([2.5] * 3, ["1", "2", "3"]), ([1, 2.5, 1], ["1\n1", "2\n2.5", "3\n1"])])
+@pytest.mark.parametrize(
+    ("masses", "texts"), [([2.5] * 3, ["1", "2", "3"]), ([1, 2.5, 1], ["1\n1", "2\n2.5", "3\n1"])]
+)
 def test_the_axles_carry_their_numbers_and_masses_that_differ(masses, texts):
     """Above the axles; the view has space for them, and for more lines."""
     scenery, (axles, _) = surround(3, masses), pendula(3)

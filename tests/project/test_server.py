@@ -1,4 +1,6 @@
-"""The server of the page: what it does for a tab and for everyone else, at one port; and when the program ends."""
+"""The server of the page: what it does for a tab and for everyone else, at one port; and when the
+program ends.
+"""
 
 import json
 import random
@@ -30,7 +32,9 @@ WEB, BELOW = ROOT / "support" / "page" / "web", "/user/ann/proxy/8000/"
 
 
 def ask(page, path, query="{key}", host="127.0.0.1", method="GET", **headers):
-    """Send a request with exactly this path and query, by default the key; return the connection and the answer."""
+    """Send a request with exactly this path and query, by default the key; return the connection
+    and the answer.
+    """
     connection = HTTPConnection(host, page.port, timeout=SECONDS)
     headers = {name.replace("_", "-"): text for name, text in headers.items() if text is not None}
     connection.request(method, f"{path}?{query.format(key=page.query)}", headers=headers)
@@ -51,15 +55,23 @@ class Tab(ExitStack):
 
     def __init__(self, page, path="/ws", query="{key}", origin="http://127.0.0.1"):
         super().__init__()
-        headers = {"Sec_WebSocket_Version": "13", "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==", "Origin": origin}
-        self.connection, self.answer = ask(page, path, query, Upgrade="websocket", Connection="Upgrade", **headers)
+        headers = {
+            "Sec_WebSocket_Version": "13",
+            "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==",
+            "Origin": origin,
+        }
+        self.connection, self.answer = ask(
+            page, path, query, Upgrade="websocket", Connection="Upgrade", **headers
+        )
         self.callback(self.connection.close)
         self.callback(self.answer.close)
         if self.answer.status == 101:
             self.callback(self.leave)
 
     def leave(self):
-        """Say goodbye, and wait until it is heard: a socket that closes with unread bytes takes it back."""
+        """Say goodbye, and wait until it is heard: a socket that closes with unread bytes takes it
+        back.
+        """
         with suppress(OSError):  # the program may have ended
             self.tell(b"\x03\xe9", kind=8)  # it goes away
             self.connection.sock.shutdown(socket.SHUT_WR)
@@ -67,11 +79,18 @@ class Tab(ExitStack):
 
     def tell(self, message, kind=1):
         """Send a message; of kind 1 it is a text, of kind 2 it is bytes."""
-        size = [len(message) | 0x80] if len(message) < 126 else [126 | 0x80, *len(message).to_bytes(2, "big")]
+        size = (
+            [len(message) | 0x80]
+            if len(message) < 126
+            else [126 | 0x80, *len(message).to_bytes(2, "big")]
+        )
         self.connection.sock.sendall(bytes([0x80 | kind, *size, *bytes(4)]) + message)
 
     def hear(self):
-        """Return the next message of the program, and answer that the picture is drawn. Answer each ping before it."""
+        """Return the next message of the program, and answer that the picture is drawn.
+
+        Answer each ping before it.
+        """
         read = self.answer.fp.read
         while True:
             kind, size = read(2)
@@ -90,19 +109,25 @@ class Tab(ExitStack):
 
     def state(self, *names):
         """Return the next state that has these names."""
-        return next(state for state in iter(lambda: self.hear()["state"], None) if state.keys() >= {*names})
+        return next(
+            state for state in iter(lambda: self.hear()["state"], None) if state.keys() >= {*names}
+        )
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """A working folder with a secret, in a folder with a secret; both end as something that the server has."""
+    """A working folder with a secret, in a folder with a secret; both end as something that the
+    server has.
+    """
     files = dict.fromkeys(["secret.js", "working/secret.js"], "secret")
     return put_files(tmp_path_factory.mktemp("outside"), files) / "working"
 
 
 @pytest.fixture(scope="module")
 def site(folder):
-    """The address of a program that has a tab from beginning to end, and prints nothing more; its query is the key."""
+    """The address of a program that has a tab from beginning to end, and prints nothing more; its
+    query is the key.
+    """
     program = copy_project(folder.parent, FIVE_CSV) / "src" / programs.PROGRAM.name
     with running(program, folder=folder, patience=60 * SECONDS) as process:
         tab = Tab(page := urlsplit(first_lines(process)))
@@ -112,7 +137,9 @@ def site(folder):
         assert end(process) == QUIETLY
 
 
-def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the_program_says_so(site):
+def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the_program_says_so(
+    site,
+):
     other_address = "127.0.0.2"  # of this machine
     with pytest.raises(OSError):
         socket.create_connection((other_address, site.port), timeout=SECONDS)
@@ -124,8 +151,16 @@ def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the
 
 
 def test_only_files_that_everybody_can_download_come_without_the_key(site, folder):
-    """They come whole. vpython.js is a part of VPython's page, without the websocket there, which goes to localhost."""
-    for name in ("secret.js", "../secret.js", "%2e%2e%2fsecret.js", f"{'../' * 40}{folder}/secret.js", "page.html"):
+    """They come whole. vpython.js is a part of VPython's page, without the websocket there, which
+    goes to localhost.
+    """
+    for name in (
+        "secret.js",
+        "../secret.js",
+        "%2e%2e%2fsecret.js",
+        f"{'../' * 40}{folder}/secret.js",
+        "page.html",
+    ):
         status, _, content = get(site, f"/{name}")
         assert (name, status, content) == (name, 404, b"")
     vpython = Path(PathFinder.find_spec("vpython").origin).parent
@@ -137,13 +172,19 @@ def test_only_files_that_everybody_can_download_come_without_the_key(site, folde
     assert b"WebSocket" not in script
 
 
-@pytest.mark.parametrize("query", ["", "key=", "key=wrong", "{key}0", "key=%ff%00", "redirect=http://evil.example"])
+@pytest.mark.parametrize(
+    "query", ["", "key=", "key=wrong", "{key}0", "key=%ff%00", "redirect=http://evil.example"]
+)
 @pytest.mark.parametrize("path", ["/", BELOW])
 def test_without_the_key_the_page_is_a_sentence_and_the_websocket_is_refused(site, path, query):
     """A request can have all headers of a browser: another program on this machine can send it."""
     for name in ("", "alive"):
-        status, headers, content = get(site, path + name, query, Origin="http://a", Sec_Fetch_Site="same-origin")
-        assert (status, content.decode()) == (403, server.NO_KEY) and site.query[4:] not in str(headers)
+        status, headers, content = get(
+            site, path + name, query, Origin="http://a", Sec_Fetch_Site="same-origin"
+        )
+        assert (status, content.decode()) == (403, server.NO_KEY) and site.query[4:] not in str(
+            headers
+        )
     with Tab(site, f"{path}ws", query) as tab:
         assert tab.answer.status in (400, 403)
 
@@ -153,7 +194,8 @@ def test_without_the_key_the_page_is_a_sentence_and_the_websocket_is_refused(sit
 def test_with_the_key_a_browser_gets_all_below_any_path_from_any_address(site, path, query):
     """The page sends its address to no other site, and leads to none.
 
-    Without an Origin it is no browser; the Origin null is that of a file, or of a frame that a page has shut in.
+    Without an Origin it is no browser; the Origin null is that of a file, or of a frame that a page
+    has shut in.
     """
     for name, expected in (("", (WEB / "page.html").read_bytes()), ("alive", b"alive")):
         status, headers, content = get(site, path + name, query)
@@ -164,13 +206,42 @@ def test_with_the_key_a_browser_gets_all_below_any_path_from_any_address(site, p
             assert tab.answer.status in ([101] if origin and "://" in origin else [400, 403])
 
 
-TEXTS = [b"", b"[", b"{}", b"[]", b"seen ", b'"pause"', b"\0", b"[" * 60_000, b'["speed",' + b"9" * 5000 + b"]"]
-TEXTS += [b"5", b'["speed", 1e400]', b'["lifted", "<b>"]', b'["restart", 1]', b"[[], 1]", b'[null, {"a": []}]']
-KEPT = "title", "running", "lifted", "lifts", "collision", "experiment", "arrows", "slow hits", "mass", "e"
+TEXTS = [
+    b"",
+    b"[",
+    b"{}",
+    b"[]",
+    b"seen ",
+    b'"pause"',
+    b"\0",
+    b"[" * 60_000,
+    b'["speed",' + b"9" * 5000 + b"]",
+]
+TEXTS += [
+    b"5",
+    b'["speed", 1e400]',
+    b'["lifted", "<b>"]',
+    b'["restart", 1]',
+    b"[[], 1]",
+    b'[null, {"a": []}]',
+]
+KEPT = (
+    "title",
+    "running",
+    "lifted",
+    "lifts",
+    "collision",
+    "experiment",
+    "arrows",
+    "slow hits",
+    "mass",
+    "e",
+)
 
 
 def test_rubbish_changes_nothing_and_prints_nothing(site):
-    """Messages of a tab; and connections that a browser has opened in advance, or that somebody tries out.
+    """Messages of a tab; and connections that a browser has opened in advance, or that somebody
+    tries out.
 
     test_table.py has more commands that are refused.
     """
@@ -184,8 +255,16 @@ def test_rubbish_changes_nothing_and_prints_nothing(site):
         while tab.state("speed")["speed"] != 0.5:
             pass
         assert tab.state("motion") != tab.state("motion")  # it swings on
-    for request in (b"", b"GET /../secret.js HTTP/1.1\r\n\r\n", b"\x16\x03\r\n\r\n", *map(chance.randbytes, range(99))):
-        with suppress(ConnectionError), socket.create_connection(("127.0.0.1", site.port), SECONDS) as idle:
+    for request in (
+        b"",
+        b"GET /../secret.js HTTP/1.1\r\n\r\n",
+        b"\x16\x03\r\n\r\n",
+        *map(chance.randbytes, range(99)),
+    ):
+        with (
+            suppress(ConnectionError),
+            socket.create_connection(("127.0.0.1", site.port), SECONDS) as idle,
+        ):
             idle.sendall(request)
             assert get(site, "/")[0] == 200
     with Tab(site) as tab:
@@ -195,14 +274,19 @@ def test_rubbish_changes_nothing_and_prints_nothing(site):
 
 @pytest.mark.slow
 def test_the_program_waits_for_a_tab_whose_browser_crashes_and_says_so(csv):
-    """In the middle of a message. Before that: a tab gets the largest cradle; one that would fill the memory ends."""
+    """In the middle of a message.
+
+    Before that: a tab gets the largest cradle; one that would fill the memory ends.
+    """
     csv.write_text(HEADER + GOOD * 1000)
     with running(None, str(csv)) as process:
         page, named = urlsplit(first_lines(process)), "{key}&page=1"
         with Tab(page) as tab:
             assert len(tab.hear()["cmds"]) > 3000
         with Tab(page, query=named) as tab, suppress(ConnectionResetError):
-            tab.connection.sock.sendall(b"\x81\xff" + (server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4))
+            tab.connection.sock.sendall(
+                b"\x81\xff" + (server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4)
+            )
             tab.answer.fp.read()  # until the end
         with Tab(page, query=named) as tab:
             tab.connection.sock.sendall(b"\x81\xff")
@@ -212,7 +296,8 @@ def test_the_program_waits_for_a_tab_whose_browser_crashes_and_says_so(csv):
         assert end(process) == QUIETLY
 
 
-# A browser: it writes down who can read the file that it gets, where that leads to, and what the page answers at once.
+# A browser: it writes down who can read the file that it gets, where that leads to, and what the
+# page answers at once.
 BROWSER = """#!{python}
 import os, re, sys, urllib.request as web
 address = re.search('url=([^"]*)', web.urlopen(sys.argv[1]).read().decode())[1]
@@ -221,9 +306,14 @@ print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{vis
 """
 
 
-@pytest.mark.parametrize(("until", "status"), [("a tab", 0), ("SIGINT", 0), ("SIGTERM", 143), ("SIGHUP", 129), ("", 0)])
+@pytest.mark.parametrize(
+    ("until", "status"), [("a tab", 0), ("SIGINT", 0), ("SIGTERM", 143), ("SIGHUP", 129), ("", 0)]
+)
 def test_a_browser_with_pictures_gets_a_file_that_leads_on(tmp_path, until, status):
-    """All users of a machine can read a command; only you the file. It goes with the first tab, or with the program."""
+    """All users of a machine can read a command; only you the file.
+
+    It goes with the first tab, or with the program.
+    """
     name = "browser" if until else "w3m"
     folder, visited, browser = (tmp_path / path for path in ("100% ü #1", "visited", name))
     folder.mkdir()
@@ -246,7 +336,9 @@ def test_a_browser_with_pictures_gets_a_file_that_leads_on(tmp_path, until, stat
     assert (visited.exists(), [*folder.iterdir()]) == (bool(until), [])
 
 
-@pytest.mark.parametrize(("release", "place"), [("6.1.0-18-amd64", "file"), ("5.15.90-Microsoft-WSL2", "http")])
+@pytest.mark.parametrize(
+    ("release", "place"), [("6.1.0-18-amd64", "file"), ("5.15.90-Microsoft-WSL2", "http")]
+)
 def test_a_browser_that_sees_no_file_of_this_system_gets_the_address(monkeypatch, release, place):
     opened = Queue()
     monkeypatch.setattr("platform.release", lambda: release)
@@ -277,11 +369,17 @@ END"""
 
 
 def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back(program):
-    """As in IPython: with changed files, with and without VPython. The page shows what a file draws, and that once."""
+    """As in IPython: with changed files, with and without VPython.
+
+    The page shows what a file draws, and that once.
+    """
     folder = program.parents[1]
     site = folder / "support" / "page" / "server.py"
-    site.write_text(site.read_text().replace("RETURN, LOADING = 3.0", "RETURN, LOADING = 0.1"))  # s: quickly
-    with running("-c", SESSION.format(python=sys.executable, folder=folder), python="sh") as session:
+    # s: quickly
+    site.write_text(site.read_text().replace("RETURN, LOADING = 3.0", "RETURN, LOADING = 0.1"))
+    with running(
+        "-c", SESSION.format(python=sys.executable, folder=folder), python="sh"
+    ) as session:
 
         def until_the_prompt():
             return [*iter(session.stdout.readline, "the prompt\n")]
@@ -305,16 +403,23 @@ def test_an_address_that_the_page_cannot_have_is_refused_in_one_line_and_a_port_
     """192.0.2.1 is no address of this machine; browsers refuse 6000."""
     with server.listen("127.0.0.1", 0) as listener:
         port = listener.getsockname()[1]
-        none = [("127.0.0.1", port, port), ("127.0.0.1", 6000, "6000.* browsers"), ("192.0.2.1", 0, "192.0.2.1")]
+        none = [
+            ("127.0.0.1", port, port),
+            ("127.0.0.1", 6000, "6000.* browsers"),
+            ("192.0.2.1", 0, "192.0.2.1"),
+        ]
         for host, number, words in (*none, ("no such host", 0, "host: found 'no such host")):
             with pytest.raises(ValueError, match=rf"^[^\n]*\b{words}\b[^\n]+$"):
                 server.listen(host, number)
         with socket.create_connection(("127.0.0.1", port)):
-            listener.accept()[0].close()  # the side that closes first keeps the connection's port busy for a while
+            # The side that closes first keeps the connection's port busy for a while
+            listener.accept()[0].close()
     server.listen("127.0.0.1", port).close()
 
 
-CUT, LEFT = (False, 1006, ""), (True, 1001, "")  # how a websocket closes: its line was cut, its page was left
+# How a websocket closes: its line was cut, its page was left
+CUT = (False, 1006, "")
+LEFT = (True, 1001, "")
 
 
 @pytest.fixture
@@ -322,7 +427,9 @@ def silent_site(monkeypatch):
     """A server without a network, and without time: site.wait(seconds) does the looks of this time."""
     loop = SimpleNamespace(call_later=lambda delay, function: site.later.append(function))
     monkeypatch.setattr(server, "own_files", dict)
-    monkeypatch.setattr(server.Server, "serve", lambda site, ready: setattr(site, "loop", loop) or ready.set())
+    monkeypatch.setattr(
+        server.Server, "serve", lambda site, ready: setattr(site, "loop", loop) or ready.set()
+    )
     site = server.Server(None, Tabs())
     site.later = []
     site.wait = lambda seconds: [site.look() for _ in range(round(seconds / LOOK))]
@@ -339,14 +446,20 @@ def connection(site, **parameters):
 
 
 def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkeypatch, capsys):
-    """A tab that loads has longer: a slow machine loads the page for seconds before it opens the websocket.
+    """A tab that loads has longer: a slow machine loads the page for seconds before it opens the
+    websocket.
 
     Before the first tab, the program waits for ever. A request without the key wins no time.
     """
     site, stops = silent_site, []
     monkeypatch.setattr(server, "interrupt_main", lambda: stops.append("now"))
     tab, other, stranger = connection(site), connection(site), connection(site)
-    for event, *how in ((stranger.onClose, *CUT), (tab.onOpen,), (other.onOpen,), (other.onClose, *LEFT)):
+    for event, *how in (
+        (stranger.onClose, *CUT),
+        (tab.onOpen,),
+        (other.onOpen,),
+        (other.onClose, *LEFT),
+    ):
         event(*how)
         tab.onPong(b"")
         site.wait(9)
@@ -369,7 +482,10 @@ def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkey
 
 @pytest.mark.parametrize("is_silent", [False, True])
 def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys, is_silent):
-    """Its bob swings on at once. When it goes on before the program has noticed, its old websocket costs no minute."""
+    """Its bob swings on at once.
+
+    When it goes on before the program has noticed, its old websocket costs no minute.
+    """
     site, given = silent_site, []
     site.tabs.give = lambda command, *values: given.append(command)
     tab, again = connection(site, page="0.5", has="7"), connection(site, page="0.5", has="9" * 5000)
@@ -383,7 +499,9 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
         tab.onClose(*CUT)
     assert given == ["grab", "let go"]
     site.wait(server.LOST)
-    words = "A page does not answer: its line is cut, its machine sleeps, or its browser has ended. "
+    words = (
+        "A page does not answer: its line is cut, its machine sleeps, or its browser has ended. "
+    )
     assert capsys.readouterr().out == f"{words}The program waits 57 s for it.\n"
     tab.onOpen()
     again.onOpen()  # before anything says that tab is lost
@@ -414,9 +532,13 @@ def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent_site):
 
 
 @pytest.mark.parametrize("path", ["/", "", "/user/ann/proxy/8000", BELOW])
-@pytest.mark.parametrize("request_line", ["HEAD {} HTTP/1.1", "GET {} HTTP/1.0", "HEAD {} HTTP/1.0"])
+@pytest.mark.parametrize(
+    "request_line", ["HEAD {} HTTP/1.1", "GET {} HTTP/1.0", "HEAD {} HTTP/1.0"]
+)
 def test_a_request_in_another_way_is_answered_as_well(site, path, request_line):
-    """Without the last slash of a proxy's address; its head only; of an older version, without a Host."""
+    """Without the last slash of a proxy's address; its head only; of an older version, without a
+    Host.
+    """
     expected = get(site, path)
     assert expected[::2] == (200, (WEB / "page.html").read_bytes())
     with socket.create_connection((site.hostname, site.port), timeout=SECONDS) as client:
@@ -427,10 +549,16 @@ def test_a_request_in_another_way_is_answered_as_well(site, path, request_line):
 
 
 def test_neither_many_connections_nor_an_endless_request_keep_others_away(site):
-    """The oldest connection ends when there are too many; so does one that sends too long a head. Another one stays."""
+    """The oldest connection ends when there are too many; so does one that sends too long a head.
+
+    Another one stays.
+    """
     with ExitStack() as stack:
         place = site.hostname, site.port
-        idle = [stack.enter_context(socket.create_connection(place, SECONDS)) for _ in range(server.MOST_WAITING + 1)]
+        idle = [
+            stack.enter_context(socket.create_connection(place, SECONDS))
+            for _ in range(server.MOST_WAITING + 1)
+        ]
         idle[-1].sendall(bytes(server.LARGEST_HEAD + 1))
         for ended in (idle[0], idle[-1]):
             with suppress(ConnectionResetError):
@@ -444,7 +572,8 @@ def test_neither_many_connections_nor_an_endless_request_keep_others_away(site):
 @pytest.mark.slow
 def test_the_page_names_the_function_that_does_not_return_until_it_does(tmp_path):
     """The one with the loop, not one that it calls again and again."""
-    program, stuck = copy_project(tmp_path, FIVE_CSV) / "src" / programs.PROGRAM.name, tmp_path / "stuck"
+    program = copy_project(tmp_path, FIVE_CSV) / "src" / programs.PROGRAM.name
+    stuck = tmp_path / "stuck"
     begin = "    for pend_dict in pend_list:\n"
     loop = f"    while __import__('os').path.exists({str(stuck)!r}):\n"
     call = "        swing_update(pend_list[0], r_param, dt, g)\n"

@@ -1,4 +1,6 @@
-"""The table of the pendula on the stand-in: masses and e to change, live numbers, one tick; and refused commands."""
+"""The table of the pendula on the stand-in: masses and e to change, live numbers, one tick; and
+refused commands.
+"""
 
 from math import inf, nan
 
@@ -16,9 +18,15 @@ def test_the_table_shows_pend_list_as_it_is_now(wall):
     wall.wait(0.3)
     now = wall.state["now"]
     assert list(now) == [f"{key}_{i}" for key in ("theta", "omega") for i in range(1, 6)]
-    assert [*map(float, now.values())] == pytest.approx(wall.values("theta") + wall.values("omega"), abs=5e-7)
+    assert [*map(float, now.values())] == pytest.approx(
+        wall.values("theta") + wall.values("omega"), abs=5e-7
+    )
     assert any(wall.values("omega"))
-    assert [wall.state[name] for name in ("keys", "mass", "e")] == [["theta", "omega"], [1] * 5, [1] * 5]
+    assert [wall.state[name] for name in ("keys", "mass", "e")] == [
+        ["theta", "omega"],
+        [1] * 5,
+        [1] * 5,
+    ]
 
 
 def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_shown(wall, csv):
@@ -63,32 +71,84 @@ def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(wall, csv):
     words = "mass: allowed is at most 1e6 times the smallest mass, in a double cradle"
     assert double.state["refused"] == {"3,mass": ["9e-7 ", words]}
     double.give("edit", 3, "mass", "1e-6")
-    double.save(HEADER + "".join(GOOD.replace("1.0", mass, 1) for mass in ("0.5", "500000", "3", ".4")))
+    double.save(
+        HEADER + "".join(GOOD.replace("1.0", mass, 1) for mass in ("0.5", "500000", "3", ".4"))
+    )
     assert double.values("mass") == [1, 1, 1, 1e-6, 1]
-    assert "line 3, column mass: found '500000', and '.4' in line 5, allowed is at most" in double.state["error"]
+    assert (
+        "line 3, column mass: found '500000', and '.4' in line 5, allowed is at most"
+        in double.state["error"]
+    )
 
 
 # --- commands that are none ------------------------------------------------------------------------------------------
 
 HUGE, AHEAD = 10**400, [0, 0, -1]
-BESIDE = [R_PARAM / 20, -0.8 * R_PARAM, 0]  # the third bob's middle: a ray from here grabs it, and drags it a little
-NO_TEXTS = [None, True, 1, nan, ["Angles theta"], {"Energies": 1}, "", "nobody", "__class__", "x" * 10**6]
+# The third bob's middle: a ray from here grabs it, and drags it a little
+BESIDE = [R_PARAM / 20, -0.8 * R_PARAM, 0]
+NO_TEXTS = [
+    None,
+    True,
+    1,
+    nan,
+    ["Angles theta"],
+    {"Energies": 1},
+    "",
+    "nobody",
+    "__class__",
+    "x" * 10**6,
+]
 NO_COUNTS = [None, True, -1, 1.0, 1e400, nan, "1", [1], {}, HUGE]
 NO_NUMBERS = [None, True, "1", [1], {}, nan, inf, -inf, HUGE, -HUGE, 1e300]
-NO_POINTS = [*NO_NUMBERS, [], [0, 0], [0, 0, 0, 0], {"x": 0}, [[[[]]]] * 3, *([0, 0, value] for value in NO_NUMBERS)]
+NO_POINTS = [
+    *NO_NUMBERS,
+    [],
+    [0, 0],
+    [0, 0, 0, 0],
+    {"x": 0},
+    [[[[]]]] * 3,
+    *([0, 0, value] for value in NO_NUMBERS),
+]
 NO_RAYS = [[], [BESIDE], [BESIDE, AHEAD, AHEAD], [BESIDE, [0, 0, 0]], [BESIDE, [1e-9] * 3]]
 NO_RAYS += [ray for point in NO_POINTS for ray in ([point, AHEAD], [BESIDE, point])]
 REFUSED = {  # lists of values, for each command that an honest page gives with others
-    **{name: [["x"], [1], [[]], [False, 1]] for name in ("pause", "step", "tick", "restart", "next", "let go")},
-    **{name: [["x"], [1], [0], [None], [[True]], [], [True, True]] for name in ("arrows", "slow hits", "ask first")},
+    **{
+        name: [["x"], [1], [[]], [False, 1]]
+        for name in ("pause", "step", "tick", "restart", "next", "let go")
+    },
+    **{
+        name: [["x"], [1], [0], [None], [[True]], [], [True, True]]
+        for name in ("arrows", "slow hits", "ask first")
+    },
     "separating": [[1], [], ["true"], [True, True]],
     "again": [[1], [], [None], [True], [False]],  # there is no run to repeat
     "speed": [[0], [0.09], [2.01], [-1], [], [1, 1], *([value] for value in NO_NUMBERS)],
     "lifted": [[6], [], [1, 1], *([value] for value in NO_COUNTS)],
-    "lift": [[0], [1, 30], [0, 180.5], *([0, n] for n in NO_NUMBERS), *([n, 30] for n in NO_COUNTS)],
-    **{name: [[], *([value] for value in NO_TEXTS)] for name in ("collision", "graph", "span", "experiment")},
-    "edit": [[0, "color", ""], [0, "e", 0], [0, "e", "0" * 1000], [0, ["e"], "0"], *([n, "e", "0"] for n in NO_COUNTS)],
-    "answer": [["2_two_bobs", 0], ["2_two_bobs"], [[], 0], ["", None], *(["", n] for n in NO_COUNTS)],
+    "lift": [
+        [0],
+        [1, 30],
+        [0, 180.5],
+        *([0, n] for n in NO_NUMBERS),
+        *([n, 30] for n in NO_COUNTS),
+    ],
+    **{
+        name: [[], *([value] for value in NO_TEXTS)]
+        for name in ("collision", "graph", "span", "experiment")
+    },
+    "edit": [
+        [0, "color", ""],
+        [0, "e", 0],
+        [0, "e", "0" * 1000],
+        [0, ["e"], "0"],
+        *([n, "e", "0"] for n in NO_COUNTS),
+    ],
+    "answer": [
+        ["2_two_bobs", 0],
+        ["2_two_bobs"],
+        [[], 0],
+        ["", None],
+        *(["", n] for n in NO_COUNTS),
+    ],
     "vote": [["2_two_bobs", 0], ["", 0], ["2_two_bobs", None]],
     **dict.fromkeys(("grab", "drag"), NO_RAYS),
     **{name: [[1]] for name in ("", "nobody", "__init__", "make_actions", "reload", "frame")},

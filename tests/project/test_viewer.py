@@ -1,4 +1,7 @@
-"""The viewer, its state and its graph on the stand-in. Time passes only when a test moves its own wall clock."""
+"""The viewer, its state and its graph on the stand-in.
+
+Time passes only when a test moves its own wall clock.
+"""
 
 import re
 from itertools import pairwise
@@ -36,7 +39,8 @@ def test_pause_and_run(wall):
     assert not wall.viewer.running
     wall.wait(1)
     assert wall.state["running"]
-    assert wall.time() == pytest.approx(2, abs=4 * FRAME)  # the simulation does not catch up after the pause
+    # The simulation does not catch up after the pause
+    assert wall.time() == pytest.approx(2, abs=4 * FRAME)
 
 
 @pytest.mark.parametrize("speed", [0.1, 1, 2])
@@ -60,7 +64,9 @@ def test_the_box_of_a_fixed_rule_is_fixed(csv, monkeypatch):
     tick = visualize_cradle_run.newton_cradle_tick
     state = Wall(csv).state
     assert (state["has rule"], state["separating"]) == (True, False)
-    monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", lambda p, r, dt, g: tick(p, r, dt, g))
+    monkeypatch.setattr(
+        visualize_cradle_run, "newton_cradle_tick", lambda p, r, dt, g: tick(p, r, dt, g)
+    )
     fixed = Wall(csv)
     fixed.give("separating", False)
     assert (fixed.state["has rule"], fixed.state["separating"]) == (False, True)
@@ -73,7 +79,10 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
     wall.give("lift", 0, 75)
     wall.give("lift", 1, -12.5)
     assert [wall.values(key)[0] for key in ("theta", "phi")] == pytest.approx(thetas([75, -12.5]))
-    assert (wall.state["lifts"], wall.state["keys"]) == ([75, -12.5], ["theta", "phi", "omega", "phi_omega"])
+    assert (wall.state["lifts"], wall.state["keys"]) == (
+        [75, -12.5],
+        ["theta", "phi", "omega", "phi_omega"],
+    )
     assert wall.state["graphs"] == [
         *(ENERGY, "Angles theta", "Angles phi", "Velocities omega", "Velocities phi_omega"),
         *("Phase 1, theta", "Phase 1, phi", "Phase 2, theta", "Phase 2, phi", NOTHING),
@@ -136,7 +145,9 @@ def test_the_first_cradle_is_released_when_a_tab_has_drawn_it(wall):
         assert (wall.now - start, viewer.motion.ticks) == (time, 0)
 
 
-@pytest.mark.parametrize("moment", ["while it runs", "while it is paused", "before a tab has drawn a picture"])
+@pytest.mark.parametrize(
+    "moment", ["while it runs", "while it is paused", "before a tab has drawn a picture"]
+)
 def test_the_loop_ends_when_the_last_tab_is_closed(wall, moment):
     if "paused" in moment:
         wall.give("pause")
@@ -172,9 +183,18 @@ def test_arrows_show_each_velocity_and_bars_the_momenta_and_their_sum(csv, kind)
         wall.wait(0.15)
         cradle, bars = wall.viewer.cradle, visible(wall, "bars")
         moves = [(vx, vy) for pend in cradle.pend_list for _, vx, vy in bob_motions(pend, R_PARAM)]
-        shown = [(*bob.pos.value[:2], *v) for bob, v in zip(cradle.bobs(), moves, strict=True) if hypot(*v) > STILL]
-        arrows = [(*arrow.pos.value[:2], *(arrow.axis / ARROW_TIME).value[:2]) for arrow in visible(wall, "arrows")]
-        assert arrows == [pytest.approx(each) for each in shown] and len(shown) == len(kind.angle_keys)
+        shown = [
+            (*bob.pos.value[:2], *v)
+            for bob, v in zip(cradle.bobs(), moves, strict=True)
+            if hypot(*v) > STILL
+        ]
+        arrows = [
+            (*arrow.pos.value[:2], *(arrow.axis / ARROW_TIME).value[:2])
+            for arrow in visible(wall, "arrows")
+        ]
+        assert arrows == [pytest.approx(each) for each in shown] and len(shown) == len(
+            kind.angle_keys
+        )
         momenta = [momentum([pend], R_PARAM) for pend in cradle.pend_list]
         marks, momenta = wall.viewer.marks, [*momenta, sum(momenta)]
         unit, flat = marks.height / max(marks.largest, *map(abs, momenta)), FLAT * marks.height
@@ -182,25 +202,37 @@ def test_arrows_show_each_velocity_and_bars_the_momenta_and_their_sum(csv, kind)
             expected = [x, marks.level + p * unit / 2, max(flat, abs(p * unit))]
             assert [bar.pos.x, bar.pos.y, bar.size.y] == pytest.approx(expected)
         assert marks.xs[:-1] == [axle.pos.x for axle in cradle.axles()]
-        assert [bar.color for bar in bars[:-1]] == [pend["objects"][1].color for pend in cradle.pend_list]
+        assert [bar.color for bar in bars[:-1]] == [
+            pend["objects"][1].color for pend in cradle.pend_list
+        ]
         (left, level, words), (right, *_) = wall.state["view"]["words"]
         assert (left < marks.xs[0], right > marks.xs[-1]) == (True, True)
         assert (level, words) == (marks.level, "momentum\n(up = right)")
         assert lowest(wall) < marks.level - marks.height < marks.level + marks.height < ground
     wall.give("arrows", False)
-    assert (visible(wall, "arrows"), visible(wall, "bars"), wall.state["view"]["words"]) == ([], [], [])
+    assert (visible(wall, "arrows"), visible(wall, "bars"), wall.state["view"]["words"]) == (
+        [],
+        [],
+        [],
+    )
     assert lowest(wall) == ground
 
 
 def reversed_order(pend_list, r_param, dt, g):
-    """Let the pairs collide from right to left, as a student may have written it, without approaching_only."""
+    """Let the pairs collide from right to left, as a student may have written it, without
+    approaching_only.
+    """
     visualize_cradle_run.full_swing_update(pend_list, r_param, dt, g)
     for pend1, pend2 in reversed([*pairwise(pend_list)]):
         visualize_cradle_run.handle_two_bobs(pend1, pend2, r_param, approaching_only=True)
 
 
-@pytest.mark.parametrize(("tick", "pairs"), [(None, "23 12 34 23 45 34"), (reversed_order, "23 34 12 45 23 34")])
-def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_goes_on(csv, monkeypatch, tick, pairs):
+@pytest.mark.parametrize(
+    ("tick", "pairs"), [(None, "23 12 34 23 45 34"), (reversed_order, "23 34 12 45 23 34")]
+)
+def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_goes_on(
+    csv, monkeypatch, tick, pairs
+):
     """With its speeds, its halos and the arrows after it."""
     if tick:
         monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", tick)
@@ -214,12 +246,19 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
         assert bool(hit) == bool(words) == bool(visible(wall, "halos"))
         if not hit or f"Hit {len(shown)}:" in words["title"]:
             continue
-        left, right = map(int, re.fullmatch(rf"Hit {len(shown) + 1}: bobs (\d) and (\d)", words["title"]).groups())
+        left, right = map(
+            int, re.fullmatch(rf"Hit {len(shown) + 1}: bobs (\d) and (\d)", words["title"]).groups()
+        )
         shown.append(f"{left}{right}")
-        assert words["lines"] == [f"bob {left}: +1.07 → +0.00 m/s", f"bob {right}: +0.00 → +1.07 m/s"]
+        assert words["lines"] == [
+            f"bob {left}: +1.07 → +0.00 m/s",
+            f"bob {right}: +0.00 → +1.07 m/s",
+        ]
         assert words["note"].startswith("This order is the model's: a tick takes")
         moving, places = moving - {left} | {right}, [bob.pos.x for bob in wall.viewer.cradle.bobs()]
-        assert [arrow.pos.x for arrow in visible(wall, "arrows")] == [places[number - 1] for number in sorted(moving)]
+        assert [arrow.pos.x for arrow in visible(wall, "arrows")] == [
+            places[number - 1] for number in sorted(moving)
+        ]
         assert [halo.pos.x for halo in visible(wall, "halos")] == places[left - 1 : right]
         ticks = wall.viewer.motion.ticks
     assert " ".join(shown) == pairs
@@ -227,9 +266,12 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
     assert wall.viewer.motion.ticks == ticks
     wall.wait(0.5)
     assert not any(shape.color == YELLOW for shape in scene.objects)
-    ticks, same = wall.viewer.motion.ticks - ticks, Wall(csv, 45, lifted=2).viewer  # nothing else has moved the bobs
+    # Nothing else has moved the bobs
+    ticks, same = wall.viewer.motion.ticks - ticks, Wall(csv, 45, lifted=2).viewer
     for _ in range(wall.viewer.motion.ticks):
-        visualize_cradle_run.newton_cradle_tick(same.cradle.pend_list, R_PARAM, same.cradle.dt, G, **same.rule)
+        visualize_cradle_run.newton_cradle_tick(
+            same.cradle.pend_list, R_PARAM, same.cradle.dt, G, **same.rule
+        )
     assert (ticks > 0, same.cradle.values("theta")) == (True, wall.thetas())
 
 
@@ -252,8 +294,12 @@ AHEAD, ALONG = (0, 0, -1), (-1, 0, 0)  # the direction of the view: onto the row
 
 
 @pytest.mark.parametrize("paused", [False, True])
-@pytest.mark.parametrize(("kind", "bob", "cords"), [(Cradle, 4, 1), (DoubleCradle, 8, 1), (DoubleCradle, 9, 2)])
-def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(csv, kind, bob, cords, paused):
+@pytest.mark.parametrize(
+    ("kind", "bob", "cords"), [(Cradle, 4, 1), (DoubleCradle, 8, 1), (DoubleCradle, 9, 2)]
+)
+def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(
+    csv, kind, bob, cords, paused
+):
     """Also in a slanting view, and where no point in the plane of swing is under the mouse."""
     wall, slanting = Wall(csv, *[0] * len(kind.angles), kind=kind), (-0.3, -0.2, -1)
     cradle, pend = wall.viewer.cradle, wall.viewer.cradle.pend_list[4]
@@ -265,11 +311,18 @@ def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(csv, 
     assert not any(pend[key] for key in kind.rate_keys)
     wall.mouse("drag", axle + vector(3, -3, 0), slanting)  # far away
     wall.mouse("drag", vector(1, 1, 1), ALONG)
-    for after in (lambda: wall.wait(0.5), lambda: wall.give("let go"), lambda: wall.mouse("drag", axle)):
+    for after in (
+        lambda: wall.wait(0.5),
+        lambda: wall.give("let go"),
+        lambda: wall.mouse("drag", axle),
+    ):
         assert wall.lifts() == [0, 0, 0, 0, 45]
-        assert (bob.pos - axle).value == pytest.approx([cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0])
+        assert (bob.pos - axle).value == pytest.approx(
+            [cords * R_PARAM * 0.5**0.5, -cords * R_PARAM * 0.5**0.5, 0]
+        )
         assert wall.state["motion"]["energy"] == "100.00 %"
-        assert not paused or drawn(wall)["total"][-1][1] == pytest.approx(100)  # the graph has the same scale
+        # The graph has the same scale
+        assert not paused or drawn(wall)["total"][-1][1] == pytest.approx(100)
         assert len({*recorded(wall, "total")}) == len(wall.viewer.graph.rows)  # a row for each time
         assert not any(pend[key] for key in kind.rate_keys)
         after()
@@ -279,9 +332,12 @@ def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(csv, 
 
 
 @pytest.mark.parametrize(
-    ("bob", "radii", "ray", "taken"), [(4, 1.4, AHEAD, 4), (4, -1.4, AHEAD, 3), (2, 0, ALONG, 4), (4, 1.6, AHEAD, None)]
+    ("bob", "radii", "ray", "taken"),
+    [(4, 1.4, AHEAD, 4), (4, -1.4, AHEAD, 3), (2, 0, ALONG, 4), (4, 1.6, AHEAD, None)],
 )
-def test_the_nearest_bob_is_taken_or_the_foremost_one_or_none_far_away(wall, bob, radii, ray, taken):
+def test_the_nearest_bob_is_taken_or_the_foremost_one_or_none_far_away(
+    wall, bob, radii, ray, taken
+):
     """A finger may be beside it. A click that takes none begins no new 100 %."""
     wall.tabs.give("pause")
     wall.give("lifted", 0)
@@ -296,12 +352,20 @@ def test_a_saved_csv_makes_a_new_cradle_also_while_paused(wall):
     wall.wait(1)
     wall.give("lifted", 3)
     wall.save(HEADER + "2.0,0.5,0,0,blue,wood\n" * 2)
-    assert (wall.values("mass"), wall.state["lifted"], wall.time() < 3 * POLL) == ([2, 2], [2, 2], True)
+    assert (wall.values("mass"), wall.state["lifted"], wall.time() < 3 * POLL) == (
+        [2, 2],
+        [2, 2],
+        True,
+    )
     wall.save(FIVE_CSV)
     assert wall.state["lifted"] == [3, 5]  # the old settings, where they are possible again
     wall.give("pause")
     wall.save(HEADER + GOOD * 9)
-    assert (len(wall.viewer.cradle.bobs()), len(wall.state["view"]["numbers"]), wall.time()) == (9, 9, 0)
+    assert (len(wall.viewer.cradle.bobs()), len(wall.state["view"]["numbers"]), wall.time()) == (
+        9,
+        9,
+        0,
+    )
 
 
 def test_a_broken_csv_shows_its_error_until_it_is_good_again(wall):
@@ -309,7 +373,8 @@ def test_a_broken_csv_shows_its_error_until_it_is_good_again(wall):
     wall.give("experiment", "A heavy one hits light ones")
     wall.save(FIVE_CSV + GOOD.replace("red", "<b>pink"))
     assert "cradle.csv, line 7, column color: found '<b>pink', allowed" in wall.state["error"]
-    assert (wall.time() > 0.3, wall.values("mass")) == (True, [5, 1, 1, 1, 1])  # the old one swings on
+    # The old one swings on
+    assert (wall.time() > 0.3, wall.values("mass")) == (True, [5, 1, 1, 1, 1])
     wall.save(FIVE_CSV)
     assert (wall.state["error"], wall.values("mass")) == ("", [1] * 5)
 
@@ -338,10 +403,18 @@ def test_a_key_that_the_handout_does_not_have_is_named(csv):
 
 @pytest.mark.parametrize(
     ("omega", "text"),
-    [(3, "+{:.3f} kg m/s →"), (-3, "-{:.3f} kg m/s ←"), (0, "+{:.3f} kg m/s"), (1e154, "+{:.2e} kg m/s →")],
+    [
+        (3, "+{:.3f} kg m/s →"),
+        (-3, "-{:.3f} kg m/s ←"),
+        (0, "+{:.3f} kg m/s"),
+        (1e154, "+{:.2e} kg m/s →"),
+    ],
 )
 def test_the_readout(wall, omega, text):
-    """The momentum has the arrow of its sign. A percentage is at most 999, also if it has no end, and 0 of 0 is 0."""
+    """The momentum has the arrow of its sign.
+
+    A percentage is at most 999, also if it has no end, and 0 of 0 is 0.
+    """
     wall.give("pause")
     wall.viewer.cradle.pend_list[0].update(theta=0.0, omega=omega)
     wall.viewer.note()
@@ -349,7 +422,11 @@ def test_the_readout(wall, omega, text):
     start = G * R_PARAM * (1 - 3**0.5 / 2)  # J: 1 kg at 30 degrees
     percent = 100 * (omega * R_PARAM) ** 2 / 2 / start
     energy = "> 999 %" if percent > 999 else f"{percent:.2f} %"
-    assert wall.state["motion"] == {"t": "0.00 s", "energy": energy, "momentum": text.format(abs(omega) * R_PARAM)}
+    assert wall.state["motion"] == {
+        "t": "0.00 s",
+        "energy": energy,
+        "momentum": text.format(abs(omega) * R_PARAM),
+    }
     wall.give("lifted", 0)
     assert wall.state["motion"]["energy"] == "0.00 %"
 
@@ -368,13 +445,18 @@ def test_the_impacts_until_a_restart(wall):
 # --- the graph -------------------------------------------------------------------------------------------------------
 
 ANGLES, VELOCITIES = "Angles theta", "Velocities omega"
-ON_THE_PAGE = {name: f"rgb({', '.join(f'{255 * part:.0f}' for part in v.value)})" for name, v in COLOR_MAP.items()}
+ON_THE_PAGE = {
+    name: f"rgb({', '.join(f'{255 * part:.0f}' for part in v.value)})"
+    for name, v in COLOR_MAP.items()
+}
 
 
 def drawn(wall):
     """Return the points of the curves by the curves' labels."""
     curves, rows = wall.state["curves"]["curves"], wall.state["curves"]["rows"]
-    return {label: [[row[0], row[at]] for row in rows] for at, (label, _) in enumerate(curves, start=1)}
+    return {
+        label: [[row[0], row[at]] for row in rows] for at, (label, _) in enumerate(curves, start=1)
+    }
 
 
 def colors(wall):
@@ -427,7 +509,10 @@ def test_the_angles_and_velocities_of_all_bobs_are_drawn_in_their_colors(wall):
     for choice, key, unit in ((ANGLES, "theta", "rad"), (VELOCITIES, "omega", "rad/s")):
         wall.give("graph", choice)
         wall.wait(0.5)
-        assert (wall.state["curves"]["x"], wall.state["curves"]["y"]) == ("t (s)", f"{key} ({unit})")
+        assert (wall.state["curves"]["x"], wall.state["curves"]["y"]) == (
+            "t (s)",
+            f"{key} ({unit})",
+        )
         assert list(drawn(wall)) == ["1", "2", "3"]
         for number in "123":
             values = recorded(wall, f"{key}_{number}")
@@ -449,7 +534,8 @@ def test_a_new_cradle_has_its_own_choices_and_keeps_the_present_one_if_it_can(wa
     wall.give("graph", ANGLES)
     wall.save(HEADER + GOOD.replace("red", "green") * (MOST_DRAWN + 3))
     assert wall.state["graph"] == ANGLES
-    assert list(drawn(wall)) == [str(number) for number in range(1, MOST_DRAWN + 1)]  # the first ones
+    # The first ones
+    assert list(drawn(wall)) == [str(number) for number in range(1, MOST_DRAWN + 1)]
     assert {*colors(wall)} == {ON_THE_PAGE["green"]}
     wall.give("graph", "Phase 7")
     wall.save(HEADER + GOOD * 2)
@@ -462,6 +548,7 @@ def test_no_graph_sends_nothing_and_a_restart_empties_it(wall):
     wall.wait(1)
     assert wall.state["curves"] == {"x": "", "y": "", "curves": [], "rows": []}
     wall.give("graph", ENERGY)
-    assert len(drawn(wall)["total"]) == pytest.approx(2 / EVERY, abs=2)  # it shows what was recorded meanwhile
+    # It shows what was recorded meanwhile
+    assert len(drawn(wall)["total"]) == pytest.approx(2 / EVERY, abs=2)
     wall.give("restart")
     assert [len(points) for points in drawn(wall).values()] == [1, 1, 1]

@@ -1,4 +1,6 @@
-"""The ways in which students import, rename, wrap and rebuild: each has its impacts, its sound and its experiments."""
+"""The ways in which students import, rename, wrap and rebuild: each has its impacts, its sound and
+its experiments.
+"""
 
 import shutil
 import sys
@@ -20,7 +22,9 @@ MAKE = "from src.special_cradles import make_newton_cradle\n"
 CONSTANTS = "from support.constants import DT, G, R_PARAM, THETA_INIT\n"
 MADE = "make_newton_cradle(page.csv, R_PARAM, THETA_INIT)"
 TICKS = "newton_cradle_tick(pend_list, R_PARAM, DT, G, **page.rule)"
-PAIRS = "    for pend1, pend2 in pairwise(pend_list):\n        handle_two_bobs(pend1, pend2, r_param)\n"
+PAIRS = (
+    "    for pend1, pend2 in pairwise(pend_list):\n        handle_two_bobs(pend1, pend2, r_param)\n"
+)
 TOUCH = "mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius)"
 # As a student writes them.
 OWN = f"""
@@ -80,15 +84,27 @@ DEF = "def newton_cradle_tick(pend_list, r_param, dt, g):\n"
 
 WAYS = {  # the changes: (old text, new text) in the file with main
     "as in the handout": [],
-    "a module by a short name": [(MAKE, "import src.special_cradles as sc\n"), (MADE, f"sc.{MADE}")],
-    "a module from its folder": [(MAKE, "from src import special_cradles\n"), (MADE, f"special_cradles.{MADE}")],
-    "a module by its whole name": [(MAKE, "import src.special_cradles\n"), (MADE, f"src.special_cradles.{MADE}")],
+    "a module by a short name": [
+        (MAKE, "import src.special_cradles as sc\n"),
+        (MADE, f"sc.{MADE}"),
+    ],
+    "a module from its folder": [
+        (MAKE, "from src import special_cradles\n"),
+        (MADE, f"special_cradles.{MADE}"),
+    ],
+    "a module by its whole name": [
+        (MAKE, "import src.special_cradles\n"),
+        (MADE, f"src.special_cradles.{MADE}"),
+    ],
     "a function by another name": [
         (MAKE, MAKE.strip() + " as make\n"),
         (MADE, MADE.replace("make_newton_cradle", "make")),
     ],
     "all names of a module": [(MAKE, "from src.special_cradles import *\n")],
-    "an import in main": [(MAKE, ""), (f"    pend_list = {MADE}", f"    {MAKE}    pend_list = {MADE}")],
+    "an import in main": [
+        (MAKE, ""),
+        (f"    pend_list = {MADE}", f"    {MAKE}    pend_list = {MADE}"),
+    ],
     "the swings as a module": [
         ("from src.swinging import full_swing_update", "import src.swinging as s"),
         ("    full_s", "    s.full_s"),
@@ -112,7 +128,9 @@ WAYS = {  # the changes: (old text, new text) in the file with main
         (TICKS, "tick(pend_list, R_PARAM, DT, G)"),
     ],
     "a tick in a decorator": [(DEF, f"{DECORATOR}@counted\n{DEF}")],
-    "a collision in a decorator": [("def handle_two_bobs", f"{DECORATOR}@counted\ndef handle_two_bobs")],
+    "a collision in a decorator": [
+        ("def handle_two_bobs", f"{DECORATOR}@counted\ndef handle_two_bobs")
+    ],
     "a collision as a default": [
         (DEF, DEF.replace("g)", "g, hit=handle_two_bobs)")),
         (COLLIDE, COLLIDE.replace("handle_two_bobs", "hit")),
@@ -132,8 +150,15 @@ WAYS = {  # the changes: (old text, new text) in the file with main
             "    for pair in pairwise(pend_list):\n        hit(*pair)\n",
         )
     ],
-    "map": [(PAIRS, "    list(map(lambda pair: handle_two_bobs(*pair, r_param), pairwise(pend_list)))\n")],
-    "a comprehension": [(PAIRS, "    [handle_two_bobs(a, b, r_param) for a, b in zip(pend_list, pend_list[1:])]\n")],
+    "map": [
+        (
+            PAIRS,
+            "    list(map(lambda pair: handle_two_bobs(*pair, r_param), pairwise(pend_list)))\n",
+        )
+    ],
+    "a comprehension": [
+        (PAIRS, "    [handle_two_bobs(a, b, r_param) for a, b in zip(pend_list, pend_list[1:])]\n")
+    ],
     "keywords": [(COLLIDE, "        handle_two_bobs(pend2=pend2, r_param=r_param, pend1=pend1)\n")],
     "numbers of pendula": [
         (
@@ -153,11 +178,18 @@ WAYS = {  # the changes: (old text, new text) in the file with main
         (SWING, SWING.replace("pend_list", "row")),
         (PAIRS, PAIRS.replace("pend_list", "row")),
     ],
-    "new dictionaries in each tick": [(SWING, "    pend_list[:] = [dict(pend) for pend in pend_list]\n" + SWING)],
-    "a new dictionary in each place": [
-        (SWING, "    for i, pend in enumerate(pend_list):\n        pend_list[i] = {**pend}\n" + SWING)
+    "new dictionaries in each tick": [
+        (SWING, "    pend_list[:] = [dict(pend) for pend in pend_list]\n" + SWING)
     ],
-    "new dictionaries behind the tick": [(PAIRS, PAIRS + "    pend_list[:] = [dict(pend) for pend in pend_list]\n")],
+    "a new dictionary in each place": [
+        (
+            SWING,
+            "    for i, pend in enumerate(pend_list):\n        pend_list[i] = {**pend}\n" + SWING,
+        )
+    ],
+    "new dictionaries behind the tick": [
+        (PAIRS, PAIRS + "    pend_list[:] = [dict(pend) for pend in pend_list]\n")
+    ],
     "copies that collide": [(PAIRS, COPIES)],
     "a tick without the other function": [(PAIRS, ALONE)],
     "a main in a class": [("def main(page)", f"{CLASS}@Counted\ndef main(page)")],
@@ -171,17 +203,25 @@ WAYS = {  # the changes: (old text, new text) in the file with main
         ("    while page.is_running():", "    goes_on = page.is_running\n    while goes_on():")
     ],
     "an endless while with break": [
-        ("    while page.is_running():", "    while True:\n        if not page.is_running():\n            break")
+        (
+            "    while page.is_running():",
+            "    while True:\n        if not page.is_running():\n            break",
+        )
     ],
 }
 
 
 def moved_to_helpers(text) -> tuple[str, str]:
-    """Return the text of the file with main, and of a file of the student's own that has the collisions."""
+    """Return the text of the file with main, and of a file of the student's own that has the
+    collisions.
+    """
     head, _, rest = text.partition("def handle_collision")
     collisions, _, tick = rest.partition("def newton_cradle_tick")
     own = f"from vpython import mag\n\n\ndef handle_collision{collisions}"
-    return f"{head}from src.helpers import handle_collision, handle_two_bobs\n\n\ndef newton_cradle_tick{tick}", own
+    return (
+        f"{head}from src.helpers import handle_collision, handle_two_bobs\n\n\ndef newton_cradle_tick{tick}",
+        own,
+    )
 
 
 @pytest.fixture
@@ -195,8 +235,17 @@ def folder(tmp_path, monkeypatch):
     return tmp_path / "src"
 
 
-OFTEN = ["a module by a short name", "a file of one's own", "the constants as a module", "a collision as a default"]
-OFTEN += ["new dictionaries in each tick", "copies that collide", "a tick without the other function"]
+OFTEN = [
+    "a module by a short name",
+    "a file of one's own",
+    "the constants as a module",
+    "a collision as a default",
+]
+OFTEN += [
+    "new dictionaries in each tick",
+    "copies that collide",
+    "a tick without the other function",
+]
 
 
 @pytest.mark.parametrize("way", slow_but_for(OFTEN, [*WAYS, "a file of one's own"]))
@@ -212,13 +261,20 @@ def test_whatever_is_right_has_its_impacts_its_sound_and_its_experiments(way, fo
         text, own = moved_to_helpers(text)
         (folder / "helpers.py").write_text(own)
     (folder / RUN).write_text(text)
-    main, special_cradles = import_module("src.visualize_cradle_run").main, import_module("src.special_cradles")
-    cradle = Cradle(main, special_cradles, SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None))
+    main = import_module("src.visualize_cradle_run").main
+    special_cradles = import_module("src.special_cradles")
+    cradle = Cradle(
+        main, special_cradles, SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
+    )
     now, state = [100.0], {}
-    tabs = SimpleNamespace(have_room=lambda: True, show=state.update, is_seen=Event(), are_gone=False)
+    tabs = SimpleNamespace(
+        have_room=lambda: True, show=state.update, is_seen=Event(), are_gone=False
+    )
     tabs.is_seen.set()
     viewer = Viewer(cradle, LiveFile(csv, lambda: now[0]), [None], None, tabs)
-    viewer.pace = RealTime(cradle.dt, lambda: now[0], lambda seconds: now.append(now.pop() + seconds))
+    viewer.pace = RealTime(
+        cradle.dt, lambda: now[0], lambda seconds: now.append(now.pop() + seconds)
+    )
 
     def lesson():
         yield 0.6

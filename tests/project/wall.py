@@ -15,14 +15,20 @@ from support.page.viewer import Viewer
 
 
 class Wall:
-    """The wall clock, the viewer that uses it, and its only tab, which has drawn a picture and always has room."""
+    """The wall clock, the viewer that uses it, and its only tab, which has drawn a picture and
+    always has room.
+    """
 
     def __init__(self, csv, *angles, kind=Cradle, lifted: int | None = 1, **texts):
         self.now, self.file, self.state = 100.0, csv, {}
-        self.tabs = SimpleNamespace(have_room=lambda: True, show=self.take, is_seen=Event(), are_gone=False)
+        self.tabs = SimpleNamespace(
+            have_room=lambda: True, show=self.take, is_seen=Event(), are_gone=False
+        )
         self.tabs.is_seen.set()
         file = LiveFile(csv, self.clock)
-        self.viewer = Viewer(make_live(kind), file, thetas(angles or [30]), lifted, self.tabs, **texts)
+        self.viewer = Viewer(
+            make_live(kind), file, thetas(angles or [30]), lifted, self.tabs, **texts
+        )
         self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=lambda seconds: None)
         self.viewer.want_cradle()
         go_on(self.viewer)

@@ -1,4 +1,6 @@
-"""More cradles for the project's tests: CSV text, double pendula made by hand, and cradles that run."""
+"""More cradles for the project's tests: CSV text, double pendula made by hand, and cradles that
+run.
+"""
 
 from bisect import bisect_left
 from contextlib import ExitStack, suppress
@@ -25,14 +27,18 @@ from support.pendulum import BUFFER, from_lift
 # s, for small swings; it uses the constants, so the tests wait long enough if someone edits them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
 
-SAMPLE, FINE = 0.01, 10**12  # s between two looks at a cradle; parts of a step in which an exact cradle looks for a hit
+# S between two looks at a cradle; parts of a step in which an exact cradle looks for a hit
+SAMPLE = 0.01
+FINE = 10**12
 
 # Five equal elastic pendula, as in the shipped file.
 HEADER, GOOD = "mass,e,theta,omega,color,texture\n", "1.0,1.0,0.0,0.0,red,metal\n"
 FIVE_CSV = HEADER + GOOD * 5
 
 
-def hang_double(theta=0.0, phi=0.0, omega=0.0, phi_omega=0.0, mass=1.0, e=1.0, axle=(0, 0), r_param=R_PARAM) -> dict:
+def hang_double(
+    theta=0.0, phi=0.0, omega=0.0, phi_omega=0.0, mass=1.0, e=1.0, axle=(0, 0), r_param=R_PARAM
+) -> dict:
     """Return a double pendulum that hangs from axle (x, y in m)."""
     objects = make_double_pendulum(vector(*axle, 0), r_param, theta, phi, color.white, None)
     angles = {"theta": theta, "phi": phi, "omega": omega, "phi_omega": phi_omega}
@@ -40,7 +46,9 @@ def hang_double(theta=0.0, phi=0.0, omega=0.0, phi_omega=0.0, mass=1.0, e=1.0, a
 
 
 def along(pend, keys) -> list[float]:
-    """Return the sums of a pendulum's values of these keys (upper cord, lower cord), with one cord only the first."""
+    """Return the sums of a pendulum's values of these keys (upper cord, lower cord), with one cord
+    only the first.
+    """
     return list(accumulate(pend[key] for key in keys if key in pend))
 
 
@@ -48,7 +56,9 @@ def check_places(pend, axle, r_param=R_PARAM) -> None:
     """Check that the cords and bobs of a pendulum hang from axle (x, y in m) at its angles."""
     end, (box, *parts) = vector(*axle, 0), pend["objects"]
     found, expected = [box.pos], [end]
-    for angle, bob, cord in zip(along(pend, ("theta", "phi")), parts[::2], parts[1::2], strict=True):
+    for angle, bob, cord in zip(
+        along(pend, ("theta", "phi")), parts[::2], parts[1::2], strict=True
+    ):
         arm = r_param * vector(sin(angle), -cos(angle), 0)
         found += [cord.pos, cord.axis, bob.pos]
         expected += [end, arm, end + arm]
@@ -59,7 +69,9 @@ def check_places(pend, axle, r_param=R_PARAM) -> None:
 def velocities(pend) -> list:
     """Return the velocities (m/s) of a pendulum's bobs as vectors, the upper one first."""
     turns = zip(along(pend, ("theta", "phi")), along(pend, ("omega", "phi_omega")), strict=True)
-    return [*accumulate(R_PARAM * rate * vector(cos(angle), sin(angle), 0) for angle, rate in turns)]
+    return [
+        *accumulate(R_PARAM * rate * vector(cos(angle), sin(angle), 0) for angle, rate in turns)
+    ]
 
 
 def energy(pend_list) -> float:
@@ -91,7 +103,9 @@ class FrameError(Exception):
 
 
 def go_on(player) -> None:
-    """Do what run and main do, until the player has nothing more for them to do, and would begin a frame."""
+    """Do what run and main do, until the player has nothing more for them to do, and would begin a
+    frame.
+    """
     cradle, scope = player.cradle, player.cradle.scope
     player.loop, starts = scope["main"], [THETA_INIT, PHI_INIT][: len(cradle.angles)]
     with ExitStack() as stack:
@@ -125,10 +139,16 @@ class Swing(Player):
         go_on(self)
 
 
-def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4, kind=Cradle, phi=20, **options) -> Swing:
-    """Write this CSV to the folder; return its cradle with these options, released from angle and phi (degrees)."""
+def make_swing(
+    folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4, kind=Cradle, phi=20, **options
+) -> Swing:
+    """Write this CSV to the folder; return its cradle with these options, released from angle and
+    phi (degrees).
+    """
     angles = thetas([angle, phi][: len(kind.angles)])
-    player = Swing(make_live(kind, **options), Snapshot(folder / "cradle.csv"), angles, lift, impacts, 1e9)
+    player = Swing(
+        make_live(kind, **options), Snapshot(folder / "cradle.csv"), angles, lift, impacts, 1e9
+    )
     player.read(csv)
     return player
 
@@ -136,17 +156,23 @@ def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4, kind=Cradle, p
 def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False):
     """Call many_ticks with the shipped functions and these constants; return the contacts, or None."""
     scope = {**vars(visualize_cradle_run), "R_PARAM": r_param, "DT": dt, "G": g}
-    return many_ticks(scope, pend_list, ticks, {"approaching_only": True} if approaching_only else {})
+    return many_ticks(
+        scope, pend_list, ticks, {"approaching_only": True} if approaching_only else {}
+    )
 
 
 def make_row(count, theta=0.0, **values) -> list[dict]:
-    """Return pendula with these values (as for hang), the first one at theta (rad), the others hanging."""
+    """Return pendula with these values (as for hang), the first one at theta (rad), the others
+    hanging.
+    """
     row = [hang(axle=(i * R_PARAM / 4, 0, 0), r_param=R_PARAM, **values) for i in range(count)]
     row[0]["theta"] = theta
     return row
 
 
-def do_one_by_one(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False) -> list[tuple]:
+def do_one_by_one(
+    pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False
+) -> list[tuple]:
     """Call newton_cradle_tick `ticks` times; return the contacts as many_ticks does."""
     contacts, original = [], visualize_cradle_run.handle_two_bobs
 
@@ -156,7 +182,15 @@ def do_one_by_one(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching
         original(pend1, pend2, r_param, **rule)
         if (pend1["omega"], pend2["omega"]) != before:
             left = next(i for i, pend in enumerate(pend_list) if pend is pend1)
-            contacts.append((tick, left, left + 1, sum(velocities) > 0, (velocities[0] - velocities[1]) * r_param))
+            contacts.append(
+                (
+                    tick,
+                    left,
+                    left + 1,
+                    sum(velocities) > 0,
+                    (velocities[0] - velocities[1]) * r_param,
+                )
+            )
 
     with patch.object(visualize_cradle_run, "handle_two_bobs", handle_two_bobs):
         for tick in range(ticks):  # noqa: B007  for the contacts
@@ -177,11 +211,15 @@ def contacts_in(pend_list, seconds) -> list[tuple]:
 
 
 class ExactCradle:
-    """Five equal elastic pendula with the programs' gaps, by Runge-Kutta steps of the fourth order; hits any time."""
+    """Five equal elastic pendula with the programs' gaps, by Runge-Kutta steps of the fourth order;
+    hits any time.
+    """
 
     def __init__(self):
-        self.reach = 2 * BUFFER * hang(r_param=R_PARAM)["objects"][1].radius / R_PARAM  # in cord lengths
-        self.states = [(theta, 0.0) for theta in (THETA_INIT, 0.0, 0.0, 0.0, 0.0)]  # theta (rad) and omega (rad/s)
+        # In cord lengths
+        self.reach = 2 * BUFFER * hang(r_param=R_PARAM)["objects"][1].radius / R_PARAM
+        # theta (rad) and omega (rad/s)
+        self.states = [(theta, 0.0) for theta in (THETA_INIT, 0.0, 0.0, 0.0, 0.0)]
 
     def after(self, i, dt) -> tuple[float, float]:
         """Return the state of pendulum i after dt (s) without a hit (https://dlmf.nist.gov/3.7.v)."""
@@ -194,14 +232,20 @@ class ExactCradle:
         return theta + dt / 6 * turn, omega + dt / 6 * pull
 
     def hit(self, left, dt) -> bool:
-        """Return whether this bob and the next one touch and approach each other after dt (s) without a hit."""
+        """Return whether this bob and the next one touch and approach each other after dt (s)
+        without a hit.
+        """
         (theta1, omega1), (theta2, omega2) = self.after(left, dt), self.after(left + 1, dt)
         distance = dist((sin(theta1), cos(theta1)), (1 / 4 + sin(theta2), cos(theta2)))
         return distance <= self.reach and omega1 * cos(theta1) > omega2 * cos(theta2)
 
     def instant(self, left, dt) -> float:
         """Return after how many seconds, at most dt, this bob and the next one hit each other."""
-        return bisect_left(range(FINE), True, key=lambda part: self.hit(left, part / FINE * dt)) / FINE * dt
+        return (
+            bisect_left(range(FINE), True, key=lambda part: self.hit(left, part / FINE * dt))
+            / FINE
+            * dt
+        )
 
     def advance(self, seconds, dt=0.001) -> list[float]:
         """Advance the cradle, in steps of dt (s) or up to a hit; return the thetas (rad)."""
@@ -219,7 +263,9 @@ class ExactCradle:
 
 
 def outer_angles(advance, seconds) -> list[float]:
-    """Return theta (degrees) of the first and the last pendulum at each SAMPLE; advance(SAMPLE) returns all thetas."""
+    """Return theta (degrees) of the first and the last pendulum at each SAMPLE; advance(SAMPLE)
+    returns all thetas.
+    """
     thetas = (advance(SAMPLE) for _ in range(round(seconds / SAMPLE)))
     return [degrees(theta) for first, *_, last in thetas for theta in (first, last)]
 

@@ -1,9 +1,11 @@
 """Wrong solutions with the mistakes of beginners. The graded suites must reject them all.
 
-HINTED has a mistake for each row of tests/grading/hints.py, and for each known result of the suites; OTHERS has more.
+HINTED has a mistake for each row of tests/grading/hints.py, and for each known result of the
+suites; OTHERS has more.
 
-A version of a function is the body, or a pair (old text, new text) that puts a mistake into the right body in PLAIN. It
-can use all names of the function's file, and `from ... import ...`. right_solutions.py has the correct versions.
+A version of a function is the body, or a pair (old text, new text) that puts a mistake into the
+right body in PLAIN. It can use all names of the function's file, and `from ... import ...`.
+right_solutions.py has the correct versions.
 """
 
 PLAIN = {
@@ -307,7 +309,8 @@ OTHERS = {
     },
 }
 
-# Mistakes in the formulas of handle_collision, by their hint: an old and a new text in the first one, and in the second.
+# Mistakes in the formulas of handle_collision, by their hint: an old and a new text in the first
+# one, and in the second.
 FORMULAS = {
     "e is missing.": ("m2*e*", "m2*", "m1*e*", "m1*"),
     "the sign before e is wrong.": ("- m2*e", "+ m2*e", "+ m1*e", "- m1*e"),

@@ -1,4 +1,6 @@
-"""A key for each student of a class: a name for files that no other student's files can meet, on any file system."""
+"""A key for each student of a class: a name for files that no other student's files can meet, on
+any file system.
+"""
 
 import hashlib
 import re
@@ -9,7 +11,8 @@ from unicodedata import normalize
 from support.start.output import in_one_line
 
 REFUSED = re.compile(r'[<>:"/\\|?*]')  # in names of files on Windows
-DEVICES = re.compile(r"(con|prn|aux|nul|com.|lpt.)(\..*)?", re.IGNORECASE)  # names that mean something else there
+# Names that mean something else there
+DEVICES = re.compile(r"(con|prn|aux|nul|com.|lpt.)(\..*)?", re.IGNORECASE)
 MOST_BYTES = 100  # of a key without its hash: a file system takes 255, an encrypted one 143
 WITH_HASH = re.compile(r".*-[0-9a-f]{16}")
 
@@ -18,20 +21,26 @@ class Student(NamedTuple):
     """What the names of files say of a student."""
 
     short: str  # ann
-    full: str  # ann_12 for ann_12_345_swinging.py, as two students may be called ann; ann.zip for ann.zip
+    # ann_12 for ann_12_345_swinging.py, as two students may be called ann; ann.zip for ann.zip
+    full: str
 
 
 def keys_of(students) -> dict[Student, str]:
-    """Return a key for each student of a class: the short name or, if two could meet, the full name or a hash of it.
+    """Return a key for each student of a class: the short name or, if two could meet, the full name
+    or a hash of it.
 
-    A key depends only on the students who could meet. It differs from the others also where a file system takes
-    capitals for small letters, or e and an accent for one letter.
+    A key depends only on the students who could meet. It differs from the others also where a file
+    system takes capitals for small letters, or e and an accent for one letter.
     """
     names = {student: [plain(student.short), plain(student.full)] for student in students}
     counts = Counter(alike for both in names.values() for alike in {*map(folded, both)})
     keys = {}
     for student, both in names.items():
-        apart = [name for name in both if counts[folded(name)] == 1 and not WITH_HASH.fullmatch(folded(name))]
+        apart = [
+            name
+            for name in both
+            if counts[folded(name)] == 1 and not WITH_HASH.fullmatch(folded(name))
+        ]
         digest = hashlib.sha256(repr(student).encode()).hexdigest()
         keys[student] = apart[0] if apart else f"{both[1]}-{digest[:16]}"
     return keys

@@ -1,4 +1,6 @@
-"""Run pytest in a copy of folders, with limits, as the user with a number, or as yourself if the number is 0."""
+"""Run pytest in a copy of folders, with limits, as the user with a number, or as yourself if the
+number is 0.
+"""
 
 import ctypes
 import os
@@ -7,17 +9,28 @@ import subprocess
 import sys
 from contextlib import suppress
 
-PYTEST = "pytest --assert=plain -p no:cacheprovider -o faulthandler_timeout=20 --grade-json=grade.json"
+PYTEST = (
+    "pytest --assert=plain -p no:cacheprovider -o faulthandler_timeout=20 --grade-json=grade.json"
+)
 NO_NEW_PRIVILEGES = 38  # prctl's number
 LATE = 124  # the exit status after the time by the clock
 MOST_BYTES, MOST_OUTPUT = 1_000_000, 3000  # bytes of a grade, and of what pytest has printed
 MOST_PROCESSES = 8  # with threads; pytest and the grader have 4
-# Seconds and bytes of each process. grading/limits.py allows less than DATA; in AS, shared memory counts, too.
-LIMITS = {"CORE": 0, "CPU": 60, "FSIZE": 40 * 10**6, "NOFILE": 256, "DATA": 1300 * 10**6, "AS": 2500 * 10**6}
+# Seconds and bytes of each process. grading/limits.py allows less than DATA; in AS, shared memory
+# counts, too.
+LIMITS = {
+    "CORE": 0,
+    "CPU": 60,
+    "FSIZE": 40 * 10**6,
+    "NOFILE": 256,
+    "DATA": 1300 * 10**6,
+    "AS": 2500 * 10**6,
+}
 
 
 def main(user, seconds, *folders) -> int:
-    """Print the grade or, without one, the end of pytest's output; return its exit status, LATE after these seconds.
+    """Print the grade or, without one, the end of pytest's output; return its exit status, LATE
+    after these seconds.
 
     As root, it takes the number of another user, or raises an OSError.
     """
@@ -27,13 +40,15 @@ def main(user, seconds, *folders) -> int:
         os.setuid(user)
     elif os.name != "nt" and os.geteuid() == 0:
         raise PermissionError("a solution does not run as root")
-    if sys.platform == "linux":  # no program gives it the rights of another user: one that a solution has left, too
+    # No program gives it the rights of another user: one that a solution has left, too
+    if sys.platform == "linux":
         ctypes.CDLL(None).prctl(NO_NEW_PRIVILEGES, 1, 0, 0, 0)
     if os.name != "nt":  # what pytest and all that it starts can take, as far as the system allows
         import resource
 
         for name, most in LIMITS.items():
-            with suppress(ValueError, OSError):  # macOS refuses some, and a system those above its own
+            # macOS refuses some, and a system those above its own
+            with suppress(ValueError, OSError):
                 resource.setrlimit(getattr(resource, f"RLIMIT_{name}"), (most, most))
         limit_processes(resource)
     for folder in folders:  # a file in a later one takes the place of that in an earlier one
@@ -53,7 +68,9 @@ def main(user, seconds, *folders) -> int:
 
 
 def as_in_a_shell(status) -> int:
-    """Return the exit status of a process as a shell does: 128 and the number of the signal that has ended it."""
+    """Return the exit status of a process as a shell does: 128 and the number of the signal that
+    has ended it.
+    """
     return status if status >= 0 else 128 - status
 
 
@@ -63,7 +80,9 @@ def at_once(path, flags) -> int:
 
 
 def limit_processes(resource) -> None:
-    """Allow MOST_PROCESSES more than this user has now: outside of a sandbox, the system counts all of them."""
+    """Allow MOST_PROCESSES more than this user has now: outside of a sandbox, the system counts all
+    of them.
+    """
     hard = resource.getrlimit(resource.RLIMIT_NPROC)[1]
     for most in range(1, 50_000):
         with suppress(ValueError, OSError):
@@ -72,7 +91,9 @@ def limit_processes(resource) -> None:
             if child == 0:
                 os._exit(0)
             os.waitpid(child, 0)
-            resource.setrlimit(resource.RLIMIT_NPROC, (most - 1 + MOST_PROCESSES, most - 1 + MOST_PROCESSES))
+            resource.setrlimit(
+                resource.RLIMIT_NPROC, (most - 1 + MOST_PROCESSES, most - 1 + MOST_PROCESSES)
+            )
             return
 
 

@@ -11,7 +11,11 @@ from contextlib import suppress
 from math import inf
 from pathlib import Path
 
-NO_CTRL_C = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP} if os.name == "nt" else {"start_new_session": True}
+NO_CTRL_C = (
+    {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
+    if os.name == "nt"
+    else {"start_new_session": True}
+)
 SUBREAPER = 36  # prctl's number: what the children of this process leave behind becomes its child
 PATIENCE = 5  # s, to find processes that are left
 LOOK = 0.1  # s from one look at a process to the next
@@ -29,7 +33,8 @@ class Processes:
     def run(self, *command, seconds=inf, stop=lambda: False, **options) -> int | None:
         """Run a command to its end, and end what it leaves; return its exit status.
 
-        Return None after these seconds, and once stop, which is asked again and again, returns True.
+        Return None after these seconds, and once stop, which is asked again and again, returns
+        True.
         """
         with self.lock:
             job = ctypes.windll.kernel32.CreateJobObjectW(None, None) if os.name == "nt" else None
@@ -55,7 +60,8 @@ class Processes:
     def end_orphans(self) -> None:
         """End the processes that others have left; on other systems than Linux, nobody finds them.
 
-        They are stopped before they are killed: as long as one is there, another one cannot be made in its place.
+        They are stopped before they are killed: as long as one is there, another one cannot be made
+        in its place.
         """
         deadline = time.monotonic() + PATIENCE
         stopped: set[int] = set()
@@ -77,7 +83,9 @@ class Processes:
 
 
 def wait(process, seconds, stop) -> int | None:
-    """Return the exit status of a process, None if it takes longer than these seconds, or if stop returns True."""
+    """Return the exit status of a process, None if it takes longer than these seconds, or if stop
+    returns True.
+    """
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline and not stop():
         with suppress(subprocess.TimeoutExpired):
@@ -88,7 +96,8 @@ def wait(process, seconds, stop) -> int | None:
 def end(process) -> None:
     """End a process, and those of its group."""
     process.kill()
-    with suppress(OSError, AttributeError):  # macOS refuses it for a process that has just ended; Windows has no groups
+    # macOS refuses it for a process that has just ended; Windows has no groups
+    with suppress(OSError, AttributeError):
         os.killpg(process.pid, signal.SIGKILL)
 
 

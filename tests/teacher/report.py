@@ -1,4 +1,6 @@
-"""The grade that a run of pytest has written, and what a teacher gets of a class: tables and a summary."""
+"""The grade that a run of pytest has written, and what a teacher gets of a class: tables and a
+summary.
+"""
 
 import csv
 import hashlib
@@ -17,7 +19,8 @@ MOST_LETTERS, MOST_LINES, MOST_OF_CELL = 10_000, 200, 2000  # of a text, and let
 
 
 def read_grade(empty, output) -> dict | None:
-    """Return what pytest --grade-json has written: grade, points by tier, next, text, checks, and whether it is final.
+    """Return what pytest --grade-json has written: grade, points by tier, next, text, checks, and
+    whether it is final.
 
     Return None without the form of empty, the grade of the starter.
     """
@@ -30,7 +33,9 @@ def read_grade(empty, output) -> dict | None:
             checks[name] = check | {key: safe(read["checks"][name][key]) for key in SEEN}
         points = Counter(check["tier"] for check in checks.values() if check["state"] == "passed")
         return {
-            "grade": highest(points, {tier: counts["of"] for tier, counts in empty["tiers"].items()}),
+            "grade": highest(
+                points, {tier: counts["of"] for tier, counts in empty["tiers"].items()}
+            ),
             "points": {tier: points[tier] for tier in SUITES},
             "next": safe(read["next"]),
             "text": safe("\n".join(read["text"])),
@@ -47,7 +52,9 @@ def no_grade(empty, output) -> dict:
         "points": dict.fromkeys(SUITES, 0),
         "next": "",
         "text": safe(output[:MOST_LETTERS].decode(errors="replace")),
-        "checks": {name: {**check, "message": "was not run"} for name, check in empty["checks"].items()},
+        "checks": {
+            name: {**check, "message": "was not run"} for name, check in empty["checks"].items()
+        },
     }
 
 
@@ -79,21 +86,34 @@ def digest_of(*values) -> str:
 
 
 def own_folder(folder) -> None:
-    """Make a folder that only this user can read and write, or let one be so; raise an OSError if it cannot be.
+    """Make a folder that only this user can read and write, or let one be so; raise an OSError if
+    it cannot be.
 
     A link in it could lead the program to another file.
     """
     with suppress(FileExistsError):
         folder.mkdir(mode=0o700, parents=True)
     status = folder.lstat()
-    is_ours = not hasattr(os, "geteuid") or status.st_uid == os.geteuid() and not status.st_mode & (S_IWGRP | S_IWOTH)
-    if not is_ours or not folder.is_dir() or any(path.is_symlink() for path in (folder, *folder.iterdir())):
-        raise OSError(0, "allowed is a new folder, or one that only you can write, without links", f"{folder}")
+    is_ours = (
+        not hasattr(os, "geteuid")
+        or status.st_uid == os.geteuid()
+        and not status.st_mode & (S_IWGRP | S_IWOTH)
+    )
+    if (
+        not is_ours
+        or not folder.is_dir()
+        or any(path.is_symlink() for path in (folder, *folder.iterdir()))
+    ):
+        raise OSError(
+            0, "allowed is a new folder, or one that only you can write, without links", f"{folder}"
+        )
     folder.chmod(0o700)
 
 
 def cell(text) -> str:
-    """Return a text that no spreadsheet takes for a formula or, where it splits at ";", for several cells."""
+    """Return a text that no spreadsheet takes for a formula or, where it splits at ";", for several
+    cells.
+    """
     text = in_one_line(text[:MOST_OF_CELL]).replace(";", ",")
     return f"'{text}" if text.lstrip()[:1] in tuple("=+-@") else text
 
@@ -108,16 +128,28 @@ class Report:
         self.hints = Counter()  # that a student sees: of the first check that fails
 
     def add(self, folder, result) -> None:
-        """Write a student's text into a folder, and take what the tables need. Raises an OSError if this fails."""
+        """Write a student's text into a folder, and take what the tables need.
+
+        Raises an OSError if this fails.
+        """
         student, problems = result["student"], result["problems"]
         points = [*result["points"].values()]
         grade = result["grade"] or "none"
-        row = [cell(student), grade, *points, sum(points), cell(result["next"]), f"{result['seconds']:.1f}"]
+        row = [
+            cell(student),
+            grade,
+            *points,
+            sum(points),
+            cell(result["next"]),
+            f"{result['seconds']:.1f}",
+        ]
         self.rows.append([*row, cell(". ".join(problems))])
         text = "\n".join([student, *problems, "", result["text"], ""])
         (folder / f"{student}.txt").write_text(text, encoding="utf-8", errors="backslashreplace")
         self.grades[grade] += 1
-        failed = [(name, check) for name, check in result["checks"].items() if check["state"] == "failed"]
+        failed = [
+            (name, check) for name, check in result["checks"].items() if check["state"] == "failed"
+        ]
         self.failed.update(f"{name} ({check['function']})" for name, check in failed)
         if failed:
             _, first = failed[0]
@@ -140,17 +172,24 @@ class Report:
             ("Checks that most solutions fail", self.failed),
             ("Hints that most students see", self.hints),
         ):
-            rows = [f"{count:>5}  {in_one_line(words)[:150]}" for words, count in counts.most_common(5)]
+            rows = [
+                f"{count:>5}  {in_one_line(words)[:150]}" for words, count in counts.most_common(5)
+            ]
             lines += ["", title, *rows] if rows else []
         return lines
 
 
 def write_gradescope(folder, result) -> None:
-    """Write results.json: https://gradescope-autograders.readthedocs.io/en/latest/specs/. It may raise an OSError."""
+    """Write results.json: https://gradescope-autograders.readthedocs.io/en/latest/specs/. It may
+    raise an OSError.
+    """
     tests = []
     for check in result["checks"].values():
-        title, points = f"{check['tier']}: {check['function']}: {check['title']}", int(check["state"] == "passed")
-        tests.append({"name": title, "score": points, "max_score": 1, "output": check["message"] or "passed"})
+        title = f"{check['tier']}: {check['function']}: {check['title']}"
+        points = int(check["state"] == "passed")
+        tests.append(
+            {"name": title, "score": points, "max_score": 1, "output": check["message"] or "passed"}
+        )
     whole = {
         "output": "\n".join([*result["problems"], result["text"]]),
         "execution_time": round(result["seconds"]),

@@ -1,6 +1,7 @@
 """A fresh folder and a pytest for each submission: what it may reach, and how long it may take.
 
-In bubblewrap, it sees Python, libraries and a folder in memory, and no network. github.com/containers/bubblewrap
+In bubblewrap, it sees Python, libraries and a folder in memory, and no network.
+github.com/containers/bubblewrap
 """
 
 import json
@@ -21,20 +22,31 @@ from teacher.processes import Processes
 from teacher.report import no_grade, read_grade
 from teacher.seccomp import seccomp_filter
 
-LAST = 600  # s by the clock for a submission: ten times the processor time that one_run.py gives a process
+# S by the clock for a submission: ten times the processor time that one_run.py gives a process
+LAST = 600
 ALONE = 120  # s by the clock if nothing runs beside it
 SPARE = 10  # s in which one_run.py ends a pytest that takes too long
 SPACE = 50_000_000  # bytes of a folder in memory
 LEAST_FREE = 1_000_000_000  # bytes of the disk, if there are more now
-STARTER, OWN, FOLDER, PROGRAM = "/starter", "/own", "/cradle", "/one_run.py"  # in bubblewrap: copied, to where, by what
+# In bubblewrap: copied, to where, by what
+STARTER = "/starter"
+OWN = "/own"
+FOLDER = "/cradle"
+PROGRAM = "/one_run.py"
 SYSTEM = "/bin /sbin /lib /lib32 /lib64 /libx32 /nix/store /etc/alternatives /etc/ld.so.cache /etc/localtime"
-DEVICES = "/dev/null", "/dev/random", "/dev/urandom"  # not /dev/zero: shared, it is memory that no process has
-IN_PREFIX = "bin", "lib", "lib32", "lib64", "libx32", "libexec", "share", "pyvenv.cfg"  # of Python's folders and /usr
+# Not /dev/zero: shared, it is memory that no process has
+DEVICES = "/dev/null", "/dev/random", "/dev/urandom"
+# Of Python's folders and /usr
+IN_PREFIX = "bin", "lib", "lib32", "lib64", "libx32", "libexec", "share", "pyvenv.cfg"
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 USERS = range(60_600, 61_100)  # numbers that systems give to nobody
-REMOVE = ["cmd", "/c", "rd", "/s", "/q"] if os.name == "nt" else ["sh", "-c", 'chmod -R u+rwx "$0"; rm -rf "$0"']
-# END_ALL kills all processes of a user at once. It becomes this user last, so they have no time to kill it. REMOVE_ALL
-# removes the user's files from the folders in which everybody can write.
+REMOVE = (
+    ["cmd", "/c", "rd", "/s", "/q"]
+    if os.name == "nt"
+    else ["sh", "-c", 'chmod -R u+rwx "$0"; rm -rf "$0"']
+)
+# END_ALL kills all processes of a user at once. It becomes this user last, so they have no time to
+# kill it. REMOVE_ALL removes the user's files from the folders in which everybody can write.
 END_ALL = "import os, sys; user = int(sys.argv[1]); os.setgroups([]); os.setgid(user); os.setuid(user); os.kill(-1, 9)"
 REMOVE_ALL = 'ipcrm -a; find /tmp /var/tmp /dev/shm -user "$0" -delete'
 QUIETLY = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
@@ -49,7 +61,10 @@ class Run(NamedTuple):
 
 
 class Sandbox:
-    """Runs pytest for submissions in a copy of the starter, below the folder work. Open it first."""
+    """Runs pytest for submissions in a copy of the starter, below the folder work.
+
+    Open it first.
+    """
 
     def __init__(self, starter, work, has_bubblewrap, stopped):
         """stopped is an Event: once it is set, all ends that runs, and nothing more begins."""
@@ -71,7 +86,9 @@ class Sandbox:
         with suppress(ValueError):
             self.empty = json.loads(output)
         if read_grade(self.empty, output) is None:
-            raise OSError(0, f"pytest does not grade it{self.why_not(status, output)}", "The starter")
+            raise OSError(
+                0, f"pytest does not grade it{self.why_not(status, output)}", "The starter"
+            )
 
     def why_not(self, status, output) -> str:
         """Return what is known of a starter without a grade, in words."""
@@ -81,7 +98,8 @@ class Sandbox:
         return f" in bubblewrap: {said}. See --help" if self.has_bubblewrap else f" here: {said}"
 
     def run(self, files, jobs, is_alone=False) -> Run:
-        """Run pytest for the files of a submission, by their paths below src/, as one of these jobs side by side.
+        """Run pytest for the files of a submission, by their paths below src/, as one of these jobs
+        side by side.
 
         Raises an OSError if it is alone, and the disk is full.
         """
@@ -128,7 +146,8 @@ class Sandbox:
         except (OSError, ValueError, RecursionError, MemoryError) as error:
             return f"the files cannot be written: {getattr(error, 'strerror', error)}", b""
         finally:
-            with suppress(OSError):  # no process can be started now: the folder goes with those of the others
+            # No process can be started now: the folder goes with those of the others
+            with suppress(OSError):
                 self.processes.run(*REMOVE, str(folder), **QUIETLY)
 
     def run_in(self, folder, output, seconds, jobs) -> int:
@@ -147,8 +166,12 @@ class Sandbox:
         pipes = {"stdin": subprocess.DEVNULL, "stdout": output, "stderr": output}
         options = {"env": self.environment(folder), "cwd": folder, **pipes}
         try:
-            with memory.bounded(self.command(user, folder, seconds), memory.share(jobs), self.has_systemd) as command:
-                status = self.processes.run(*command, seconds=seconds + SPARE, stop=self.must_stop, **options)
+            with memory.bounded(
+                self.command(user, folder, seconds), memory.share(jobs), self.has_systemd
+            ) as command:
+                status = self.processes.run(
+                    *command, seconds=seconds + SPARE, stop=self.must_stop, **options
+                )
         finally:
             if user and not self.has_bubblewrap:
                 self.processes.run(sys.executable, "-c", END_ALL, str(user), **QUIETLY)
@@ -171,12 +194,27 @@ class Sandbox:
             given = {name: os.environ[name] for name in memory.BUS if name in os.environ}
             given |= {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
         home = FOLDER if self.has_bubblewrap else str(folder)
-        own = {"HOME": home, "TMPDIR": home, "PYTHONUSERBASE": site.getuserbase(), "OPENBLAS_NUM_THREADS": "1"}
-        return given | own | {"PYTHONDONTWRITEBYTECODE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "COLUMNS": "100"}
+        own = {
+            "HOME": home,
+            "TMPDIR": home,
+            "PYTHONUSERBASE": site.getuserbase(),
+            "OPENBLAS_NUM_THREADS": "1",
+        }
+        return (
+            given
+            | own
+            | {
+                "PYTHONDONTWRITEBYTECODE": "1",
+                "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+                "COLUMNS": "100",
+            }
+        )
 
 
 def free_user() -> tuple[int, socket.socket]:
-    """Return the number of a user that no other run has, also of another class, as long as the socket is open."""
+    """Return the number of a user that no other run has, also of another class, as long as the
+    socket is open.
+    """
     for user in USERS:
         claim = socket.socket(type=socket.SOCK_DGRAM)
         with suppress(OSError):  # another run has the port with this number
@@ -187,11 +225,19 @@ def free_user() -> tuple[int, socket.socket]:
 
 
 def bubblewrap(filter_file) -> list[str]:
-    """Return the words before a command that start it in bubblewrap; write the kernel's filter into this file."""
+    """Return the words before a command that start it in bubblewrap; write the kernel's filter into
+    this file.
+    """
     prefixes = ["/usr", "/usr/local", *map(os.path.abspath, (sys.base_prefix, sys.prefix))]
     python = [f"{prefix}/{name}" for prefix in prefixes for name in IN_PREFIX]
-    visible = [path for path in [*SYSTEM.split(), *python, site.getusersitepackages()] if os.path.exists(path)]
-    folders = sorted({"/dev", STARTER, OWN, *(str(parent) for path in visible for parent in Path(path).parents)})
+    visible = [
+        path
+        for path in [*SYSTEM.split(), *python, site.getusersitepackages()]
+        if os.path.exists(path)
+    ]
+    folders = sorted(
+        {"/dev", STARTER, OWN, *(str(parent) for path in visible for parent in Path(path).parents)}
+    )
     mounts = [word for folder in folders for word in ("--perms", "0755", "--dir", folder)]
     mounts += [word for path in visible for word in ("--ro-bind", path, path)]
     mounts += [word for device in DEVICES for word in ("--dev-bind", device, device)]
@@ -199,12 +245,20 @@ def bubblewrap(filter_file) -> list[str]:
     size = ["--size", str(SPACE)] if b"--size" in options else []  # from version 0.8 on
     mounts += ["--ro-bind", one_run.__file__, PROGRAM, *size, "--perms", "1777", "--tmpfs", FOLDER]
     mounts += ["--remount-ro", "/", "--chdir", FOLDER]  # it writes only into its own folder
-    # Root makes the sandbox, and one_run.py becomes another user in it: limits of root's processes have no effect.
+    # Root makes the sandbox, and one_run.py becomes another user in it: limits of root's processes
+    # have no effect.
     alone = [f"--unshare-{name}" for name in ("ipc", "pid", "net", "uts", "cgroup-try")]
     if not IS_ROOT:
         alone.append("--unshare-user")
     filter_file.write_bytes(seccomp_filter())
-    start = ["sh", "-c", 'exec "$@" 9<"$0"', str(filter_file), f"{shutil.which('bwrap')}", "--die-with-parent"]
+    start = [
+        "sh",
+        "-c",
+        'exec "$@" 9<"$0"',
+        str(filter_file),
+        f"{shutil.which('bwrap')}",
+        "--die-with-parent",
+    ]
     if seccomp_filter():
         start += ["--seccomp", "9"]
     return [*start, *alone, *mounts]

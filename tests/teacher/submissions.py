@@ -1,7 +1,8 @@
 """The submissions of a class, in the forms in which course systems hand them out.
 
-A student has a folder, a .zip, or files beside those of the others: Canvas names them ann_12_345_swinging.py, and
-Moodle Ann A_12_assignsubmission_file_swinging.py. Only the Python files of src/ count, wherever they lie.
+A student has a folder, a .zip, or files beside those of the others: Canvas names them
+ann_12_345_swinging.py, and Moodle Ann A_12_assignsubmission_file_swinging.py. Only the Python files
+of src/ count, wherever they lie.
 """
 
 import os
@@ -23,20 +24,27 @@ HANDOUTS = sorted({PurePosixPath(function.file).name for function in FUNCTIONS.v
 SKIPPED = {"__MACOSX", "__pycache__", "node_modules", "site-packages", "support", "tests", "venv"}
 ARCHIVES = (".zip", ".7z", ".bz2", ".gz", ".rar", ".tar", ".tgz", ".xz")
 MOST_FILES, MOST_BYTES = 200, 1_000_000  # of the Python files of a submission
-MOST_ZIPS, MOST_ZIP = 4, 20_000_000  # .zips in another one or in a folder, and bytes of a file in a .zip
-MOST_LIST = 5_000_000  # bytes of the list of files in a .zip; that of a project with its .venv has 3 MB
+# .zips in another one or in a folder, and bytes of a file in a .zip
+MOST_ZIPS = 4
+MOST_ZIP = 20_000_000
+# Bytes of the list of files in a .zip; that of a project with its .venv has 3 MB
+MOST_LIST = 5_000_000
 MOST_MEMORY = 200  # MB to read a submission
 MOST_PATH = 250  # letters of a path in a submission
 MOST_PROBLEMS, MOST_LETTERS = 8, 200  # of a submission, and of a problem
-READ = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED  # with other methods, a few bytes can take all memory
+# With other methods, a few bytes can take all memory
+READ = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 LEFT_OUT = "allowed is no link, no password, no path outside, only a deflated file of at most 20 MB"
 TOO_LONG = f"allowed is a path of at most {MOST_PATH} letters"
 
-# These names are read from their end, because a student can choose the beginning. Canvas writes the student's name, the
-# student's number, a number of the file, and the file's own name.
+# These names are read from their end, because a student can choose the beginning. Canvas writes the
+# student's name, the student's number, a number of the file, and the file's own name.
 CANVAS = re.compile(r"(?P<student>.+)_(?P<number>\d+)_\d+_(?P<file>.+)")
-# Moodle puts the name and a number before it. Its folders have such names, too, and an online text is one more.
-MOODLE = re.compile(r"(?P<student>.+)_(?P<number>\d+)_assignsubmission_(file|onlinetext)_?(?P<file>.*)")
+# Moodle puts the name and a number before it. Its folders have such names, too, and an online text
+# is one more.
+MOODLE = re.compile(
+    r"(?P<student>.+)_(?P<number>\d+)_assignsubmission_(file|onlinetext)_?(?P<file>.*)"
+)
 # A file that is handed in or downloaded again: swinging-1.py, "swinging (1).py".
 AGAIN = re.compile(r"(?: ?\(|-)(\d{1,9})(?!\d)\)?(?=[-() \d]*\.py$)")
 
@@ -44,8 +52,9 @@ AGAIN = re.compile(r"(?: ?\(|-)(\d{1,9})(?!\d)\)?(?=[-() \d]*\.py$)")
 def submissions_in(folder) -> tuple[dict[str, list[tuple[str, Path]]], list[str]]:
     """Return the submissions by the student's key, and the names of the rest.
 
-    A submission is a list of ("", a folder or an archive) and (name, a file). No link is followed. Raises a ValueError
-    with one line if the folder is a project, or has no submission; an OSError if it cannot be read.
+    A submission is a list of ("", a folder or an archive) and (name, a file). No link is followed.
+    Raises a ValueError with one line if the folder is a project, or has no submission; an OSError
+    if it cannot be read.
     """
     folder = Path(folder)
     found = defaultdict(list)
@@ -58,7 +67,9 @@ def submissions_in(folder) -> tuple[dict[str, list[tuple[str, Path]]], list[str]
             others.append(path.name)
         else:
             found[student].append((file, path))
-    is_project = any((path / file).is_file() for path in (folder, folder / "src") for file in HANDOUTS)
+    is_project = any(
+        (path / file).is_file() for path in (folder, folder / "src") for file in HANDOUTS
+    )
     if is_project or not found:
         allowed = "a folder with a folder or a .zip for each student, or with files like ann_12_345_swinging.py"
         raise ValueError(f"found '{folder}', allowed is {allowed}")
@@ -89,34 +100,43 @@ def owner_of(path) -> tuple[Student | None, str]:
 
 @limited_memory(MOST_MEMORY)
 def read_submission(paths) -> tuple[dict[str, bytes], list[str]]:
-    """Return the files of a submission, by their paths below src/, and the problems with it, each in a sentence."""
+    """Return the files of a submission, by their paths below src/, and the problems with it, each
+    in a sentence.
+    """
     problems: list[str] = []
     files: dict[str, bytes] = {}
     try:
         entries = entries_of(paths, problems)
         files = select(entries, problems)
     except Exception as error:  # also too deep a folder; the class goes on
-        problems.append(f"cannot be read: {getattr(error, 'strerror', None) or f'{error}' or type(error).__name__}")
+        problems.append(
+            f"cannot be read: {getattr(error, 'strerror', None) or f'{error}' or type(error).__name__}"
+        )
     if len(problems) > MOST_PROBLEMS:
         problems[MOST_PROBLEMS:] = ["and more"]
     return files, [in_one_line(problem[:MOST_LETTERS]) for problem in problems]
 
 
 def entries_of(paths, problems) -> dict:
-    """Return a function that opens it for each file of a submission, by its path, and those of .zips in it."""
+    """Return a function that opens it for each file of a submission, by its path, and those of
+    .zips in it.
+    """
     entries = {}
     for name, path in paths:
         if path.is_dir():
             entries |= in_folder(path, problems)
         elif not stat.S_ISREG(path.stat().st_mode):
-            raise OSError(f"{path.name} is neither a folder nor a plain file")  # a pipe would never end
+            # A pipe would never end
+            raise OSError(f"{path.name} is neither a folder nor a plain file")
         elif name:
             entries[name] = partial(open, path, "rb")
         else:
             entries |= in_zip(partial(open, path, "rb"), path.name, problems)
     if not any(meant(PurePosixPath(name)) for name in entries):
         zips = [name for name in entries if name.lower().endswith(".zip")]
-        problems += [f"left out {name}: allowed are at most {MOST_ZIPS} in one" for name in zips[MOST_ZIPS:]]
+        problems += [
+            f"left out {name}: allowed are at most {MOST_ZIPS} in one" for name in zips[MOST_ZIPS:]
+        ]
         for name in zips[:MOST_ZIPS]:
             inner = in_zip(entries[name], name, problems)
             entries |= {f"{name}/{path}": opens for path, opens in inner.items()}
@@ -124,7 +144,10 @@ def entries_of(paths, problems) -> dict:
 
 
 def in_folder(folder, problems) -> dict:
-    """Return a function that opens it for each plain file of a folder, by its path. It does not follow links."""
+    """Return a function that opens it for each plain file of a folder, by its path.
+
+    It does not follow links.
+    """
     entries = {}
     for parent, folders, names in os.walk(folder):
         folders[:] = sorted(filter(is_own, folders))
@@ -157,7 +180,9 @@ def in_zip(opens, name, problems) -> dict:
         path = PurePosixPath(info.filename.replace("\\", "/"))
         is_link = stat.S_ISLNK(info.external_attr >> 16)
         leads_outside = ":" in str(path) or ".." in path.parts or path.is_absolute()
-        is_read = info.compress_type in READ and not info.flag_bits & 1 and info.file_size <= MOST_ZIP
+        is_read = (
+            info.compress_type in READ and not info.flag_bits & 1 and info.file_size <= MOST_ZIP
+        )
         if leads_outside or is_link or not is_read:
             if path.suffix in (".py", ".zip"):
                 problems.append(f"left out {info.filename}: {LEFT_OUT}")
@@ -167,15 +192,21 @@ def in_zip(opens, name, problems) -> dict:
 
 
 def list_size(file) -> int:
-    """Return how many bytes the list of files in a .zip has, as its end says, before all of it is read.
+    """Return how many bytes the list of files in a .zip has, as its end says, before all of it is
+    read.
 
-    The end of a .zip can be in several places: the largest list counts. That of a .zip of 64 bits always is too large.
+    The end of a .zip can be in several places: the largest list counts. That of a .zip of 64 bits
+    always is too large.
     """
     size = file.seek(0, os.SEEK_END)
     file.seek(max(0, size - 2**16 - 100))
     last = file.read()
     sizes = [last[end.start() + 12 : end.start() + 16] for end in re.finditer(b"PK\5\6", last)]
-    return MOST_LIST + 1 if b"PK\6\7" in last else max((int.from_bytes(each, "little") for each in sizes), default=0)
+    return (
+        MOST_LIST + 1
+        if b"PK\6\7" in last
+        else max((int.from_bytes(each, "little") for each in sizes), default=0)
+    )
 
 
 def is_own(folder) -> bool:
@@ -184,7 +215,9 @@ def is_own(folder) -> bool:
 
 
 def meant(path) -> str:
-    """Return the handout's file that a file is, or may be meant for: "Copy of swinging.py". "" stands for none."""
+    """Return the handout's file that a file is, or may be meant for: "Copy of swinging.py". ""
+    stands for none.
+    """
     name = path.name.casefold()
     fits = [file for file in HANDOUTS if file.removesuffix(".py") in name and name.endswith(".py")]
     return fits[0] if fits else ""
@@ -211,20 +244,25 @@ def select(entries, problems) -> dict[str, bytes]:
         except Exception as error:  # the .zip is damaged, or the file cannot be read
             problems.append(f"left out {source}: {error}")
         if len(taken) > MOST_FILES or sum(map(len, files.values())) > MOST_BYTES:
-            problems.append(f"too large: allowed are at most {MOST_FILES} Python files with {MOST_BYTES:,} bytes")
+            problems.append(
+                f"too large: allowed are at most {MOST_FILES} Python files with {MOST_BYTES:,} bytes"
+            )
             return {}
     return files
 
 
 def best_folder(paths, problems) -> PurePosixPath | None:
-    """Return the folder with most of the handout's files; of two, the one with the higher numbers in its path."""
+    """Return the folder with most of the handout's files; of two, the one with the higher numbers
+    in its path.
+    """
     exact = [path for path in paths if AGAIN.sub("", path.name) in HANDOUTS]
     files = defaultdict(set)
     for path in exact or filter(meant, paths):
         files[path.parent].add(meant(path))
 
     def rank(folder):
-        numbers = [-int(number) for number in re.findall(r"\d{1,9}", str(folder))]  # "Version 2" is newer
+        # "Version 2" is newer
+        numbers = [-int(number) for number in re.findall(r"\d{1,9}", str(folder))]
         return -len(files[folder]), numbers or [0], folder.name != "src", len(folder.parts), folder
 
     best, *others = sorted(files, key=rank) or [None]
@@ -245,11 +283,17 @@ def newest(paths, problems) -> dict[PurePosixPath, PurePosixPath]:
 
 
 def add_candidate(taken, folder, name, problems) -> None:
-    """Take the only file that may be meant for this file of the handout, which is missing, or name those there are."""
-    candidates = [source for path, source in taken.items() if path.parent == folder and meant(path) == name]
+    """Take the only file that may be meant for this file of the handout, which is missing, or name
+    those there are.
+    """
+    candidates = [
+        source for path, source in taken.items() if path.parent == folder and meant(path) == name
+    ]
     if len(candidates) == 1:
         taken[folder / name] = candidates[0]
         problems.append(f"took {candidates[0]} as {name}")
     else:
-        found = ", found " + " and ".join(f"'{path.name}'" for path in candidates) if candidates else ""
+        found = (
+            ", found " + " and ".join(f"'{path.name}'" for path in candidates) if candidates else ""
+        )
         problems.append(f"src/{name} is missing{found}")

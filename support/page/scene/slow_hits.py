@@ -15,13 +15,18 @@ class SlowHits:
 
     def clear(self) -> None:
         """Forget all hits: the cradle is new, or its hits were not shown until now."""
-        self.waiting: deque[tuple] = deque()  # each is a Hit, its number in its train, and all pendula as after it
+        # Each is a Hit, its number in its train, and all pendula as after it
+        self.waiting: deque[tuple] = deque()
         self.shown: tuple | None = None
         self.until = -inf  # the time on the pace's clock at which the next one comes
-        self.count, self.last = 0, -inf  # of this train: the number and the time (s) of its last hit
+        # Of this train: the number and the time (s) of its last hit
+        self.count = 0
+        self.last = -inf
 
     def add(self, hits, time, least) -> None:
-        """Take the hits of the last few ticks, at this simulated time (s), that are not slower than least (m/s)."""
+        """Take the hits of the last few ticks, at this simulated time (s), that are not slower than
+        least (m/s).
+        """
         pendula = list(self.cradle.pend_list)
         for hit in reversed(hits):  # back to the velocities before them
             pendula[hit.left], pendula[hit.right] = hit.before
@@ -33,9 +38,13 @@ class SlowHits:
                 self.waiting.append((hit, self.count, list(pendula)))
 
     def go_on(self, now) -> bool:
-        """Go on to the next hit if it is due (now is the time on the pace's clock); return whether one is shown."""
+        """Go on to the next hit if it is due (now is the time on the pace's clock); return whether
+        one is shown.
+        """
         if not self.shown or now >= self.until:
-            self.shown, self.until = (self.waiting.popleft(), now + EACH) if self.waiting else (None, -inf)
+            self.shown, self.until = (
+                (self.waiting.popleft(), now + EACH) if self.waiting else (None, -inf)
+            )
         return bool(self.shown)
 
     def words(self) -> dict | None:
@@ -47,7 +56,10 @@ class SlowHits:
         moves = zip((hit.left, hit.right), hit.before, hit.after, strict=True)
         return {
             "title": f"Hit {number}: {two} {hit.left + 1} and {hit.right + 1}",
-            "lines": [f"{one} {i + 1}: {self.velocity(old)} → {self.velocity(new)} m/s" for i, old, new in moves],
+            "lines": [
+                f"{one} {i + 1}: {self.velocity(old)} → {self.velocity(new)} m/s"
+                for i, old, new in moves
+            ],
             "note": "This order is the model's: a tick takes one pair after the other.",
         }
 
