@@ -8,9 +8,9 @@ if __name__ == "__main__":
     import sys
 
     sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/.."))  # the project's folder
-    from src import begin
+    from support.start import program
 
-    begin.program(needs_vpython=False)
+    program.begin(needs_vpython=False)
 
 import sys
 
@@ -18,10 +18,10 @@ import pandas as pd
 
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
-from support.files.cradle_csv import check_cradle, clean_copy, Snapshot
+from support.files.cradle_csv import clean_copy, require_cradle, Snapshot
 from support.start.checks_command import checks_command
 from support.start.early import stop_on_signals
-from support.start.mistake import tell_endless, tell_mistake
+from support.start.mistake import report_endless_loop, report_mistake
 from support.start.output import refuse, while_it_is_read
 
 
@@ -31,7 +31,7 @@ def main() -> None:
     stop_on_signals()
     csv = Snapshot(NC_FP)
     try:
-        check_cradle(csv)
+        require_cradle(csv)
     except ValueError as error:
         refuse(error)
     with clean_copy(csv) as relative_filepath:
@@ -52,10 +52,10 @@ def main() -> None:
             print(f"\npend_list: missing, because {error}. Its place is in src/pds_helper.py.")
             return
         except KeyboardInterrupt as stopped:
-            tell_endless(stopped)
+            report_endless_loop(stopped)
             sys.exit(*stopped.args)
         except Exception as error:
-            tell_mistake(error)
+            report_mistake(error)
             sys.exit(1)
         print(
             "\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum."

@@ -97,18 +97,16 @@ def turn_cords(pend_dict, upper, lower, turn1, turn2) -> None:
     pend_dict[lower] += turn2 - turn1
 
 
-def handle_two_double_bobs(pend1, pend2, r_param, approaching_only=True) -> bool:
-    """Let two double pendula, pend1 left of pend2, collide where their bobs touch; return whether
-    any bobs collided.
+def handle_two_double_bobs(pend1, pend2, r_param) -> bool:
+    """Let two double pendula, pend1 left of pend2, collide where their bobs touch.
 
-    e is pend1's. Each bob of pend1 can touch each bob of pend2. With approaching_only, touching
-    bobs that move apart do not collide; this is the default here, because the handout has no rule
-    for double pendula.
+    e is pend1's. Each bob of pend1 can touch each bob of pend2. Touching bobs that move apart do
+    not collide. Return whether any bobs collided.
     """
     collided = False
     for _, _, (v1, w1, *turns1), (v2, w2, *turns2) in touching_bobs(pend1, pend2, r_param):
         approach = v1 - v2
-        if approach > ROUNDING or (approach < -ROUNDING and not approaching_only):
+        if approach > ROUNDING:
             impulse = (1 + pend1["e"]) * approach / (w1 + w2)
             turn_cords(pend1, "omega", "phi_omega", *(-impulse * turn for turn in turns1))
             turn_cords(pend2, "omega", "phi_omega", *(impulse * turn for turn in turns2))
@@ -141,20 +139,20 @@ def keep_apart(pend1, pend2, r_param) -> bool:
     return moved
 
 
-def collide_pairs(pend_list, r_param, approaching_only) -> list[tuple[int, int]]:
+def collide_pairs(pend_list, r_param) -> list[tuple[int, int]]:
     """Let touching double pendula collide, pair by pair from left to right.
 
     Not only neighbours touch: a lower bob swings past its neighbour's cord to the bobs behind it.
-    With approaching_only, the pairs collide again while there are hits, up to SWEEPS times. Return
-    the pairs that collided, in the order of their hits, as (left, right), indices into pend_list.
+    The pairs collide again while there are hits, up to SWEEPS times. Return the pairs that
+    collided, in the order of their hits, as (left, right), indices into pend_list.
     """
     pairs = touching_pairs(pend_list, r_param)
     hits: list[tuple[int, int]] = []
-    for _ in range(SWEEPS if approaching_only else 1):
+    for _ in range(SWEEPS):
         sweep = [
             (left, right)
             for left, right in pairs
-            if handle_two_double_bobs(pend_list[left], pend_list[right], r_param, approaching_only)
+            if handle_two_double_bobs(pend_list[left], pend_list[right], r_param)
         ]
         if not sweep:
             break

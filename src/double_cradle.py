@@ -160,15 +160,14 @@ def double_swing_update(pend_dict, r_param, dt, g) -> None:
     show_double_pendulum(pend_dict, r_param)
 
 
-def double_cradle_tick(pend_list, r_param, dt, g, approaching_only=True) -> None:
+def double_cradle_tick(pend_list, r_param, dt, g) -> None:
     """Advance the whole cradle by dt (s): swing all double pendula, then let touching bobs collide.
 
     The bobs of any two pendula can touch, not only those of neighbours.
-    With approaching_only, touching bobs that move apart do not collide.
     """
     for pend_dict in pend_list:
         double_swing_update(pend_dict, r_param, dt, g)
-    for left, right in sorted(set(collide_pairs(pend_list, r_param, approaching_only))):
+    for left, right in sorted(set(collide_pairs(pend_list, r_param))):
         if keep_apart(pend_list[left], pend_list[right], r_param):
             show_double_pendulum(pend_list[left], r_param)
             show_double_pendulum(pend_list[right], r_param)

@@ -8,9 +8,9 @@ if __name__ == "__main__":
     import sys
 
     sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
-    from src import begin
+    from support.start import program
 
-    begin.program(needs_vpython=False)
+    program.begin(needs_vpython=False)
 
 import sys
 
@@ -19,11 +19,11 @@ from src.visualize_cradle_run import main as cradle_main
 from support.cradle.cradle import Cradle
 from support.cradle.many_ticks import many_ticks
 from support.cradle.player import run
-from support.files.cradle_csv import check_cradle, Snapshot
-from support.files.data_file import check_record
+from support.files.cradle_csv import require_cradle, Snapshot
+from support.files.data_file import require_replaceable
 from support.start.early import stop_on_signals
-from support.start.mistake import own_frames, tell_endless, tell_mistake
-from support.start.options import check_lift, read_text_options
+from support.start.mistake import own_frames, report_endless_loop, report_mistake
+from support.start.options import read_text_options, require_lifted
 from support.start.output import complain, is_unread, refuse, while_it_is_read
 from support.start.preview import what_there_is
 from support.terminal.players import has_terminal, Lines, own_screen, Pictures, record
@@ -40,10 +40,10 @@ def main() -> None:
     options = read_text_options()
     csv = Snapshot(options.csv)
     try:
-        check_cradle(csv)
-        check_lift(options.lift, csv)
+        require_cradle(csv)
+        require_lifted(options.lift, csv)
         if options.record:
-            check_record(options.record)
+            require_replaceable(options.record)
     except ValueError as error:
         refuse(error)
     cradle = Cradle(cradle_main, special_cradles, options, many_ticks)
@@ -60,7 +60,7 @@ def main() -> None:
         else:
             run(loop, Lines(cradle, csv, options, remark))
     except KeyboardInterrupt as stopped:
-        tell_endless(stopped)
+        report_endless_loop(stopped)
         if options.record is None:
             sys.exit(*stopped.args)
         words = "The recording ended too early."
@@ -73,7 +73,7 @@ def main() -> None:
         cause = error.__cause__ or error
         if is_unread(error) or isinstance(error, OSError) and not own_frames(cause):
             raise  # while_it_is_read ends the program
-        tell_mistake(cause)
+        report_mistake(cause)
         sys.exit(1)
 
 

@@ -5,9 +5,9 @@ if __name__ == "__main__":
     import sys
 
     sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
-    from src import begin
+    from support.start import program
 
-    begin.program()
+    program.begin()
 
 from itertools import pairwise
 from math import cos
@@ -17,6 +17,7 @@ from vpython import mag
 from src.special_cradles import make_newton_cradle
 from src.swinging import full_swing_update
 from support.constants import DT, G, R_PARAM, THETA_INIT
+from support.main_page import Page
 
 
 def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
@@ -65,14 +66,10 @@ def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> Non
         handle_two_bobs(pend1, pend2, r_param, **rule)
 
 
-def main(page) -> None:
+def main(page: Page) -> None:
     """Make the cradle, show it, and let it tick as long as it runs: once for each cradle.
 
-    page is the cradle's page in the browser, or its picture in the terminal
-    (support/cradle/player.py). page.csv is the path of the cradle's file: a copy of
-    newton_cradle_pends.csv, or of the file in the command.
-
-    page.rule has the value of approaching_only, if the functions have this parameter.
+    page shows the cradle, in the browser or in the terminal, and says when to tick.
     """
     pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
     page.show(pend_list)

@@ -5,25 +5,24 @@ if __name__ == "__main__":
     import sys
 
     sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
-    from src import begin
+    from support.start import program
 
-    begin.program()
+    program.begin()
 
 from src.double_cradle import double_cradle_tick, make_double_newton_cradle
 from support.constants import DOUBLE_DT, G, PHI_INIT, R_PARAM, THETA_INIT
+from support.main_page import Page
 
 
-def main(page) -> None:
+def main(page: Page) -> None:
     """Make the double cradle, show it, and let it tick as long as it runs: once for each cradle.
 
-    page is the cradle's page in the browser (support/cradle/player.py). page.csv is the path of the
-    cradle's file: a copy of newton_cradle_pends.csv, or of the file in the command. page.rule has
-    the value of approaching_only, if the functions have this parameter.
+    page shows the cradle in the browser, and says when to tick.
     """
     pend_list = make_double_newton_cradle(page.csv, R_PARAM, THETA_INIT, PHI_INIT)
     page.show(pend_list)
     while page.is_running():  # in step with the clock, until another cradle is wanted
-        double_cradle_tick(pend_list, R_PARAM, DOUBLE_DT, G, **page.rule)
+        double_cradle_tick(pend_list, R_PARAM, DOUBLE_DT, G)
 
 
 if __name__ == "__main__":

@@ -11,14 +11,14 @@ from vpython import box, color, cylinder, sphere, vector
 BUFFER = 1.05
 
 
-def from_lift(lift) -> float:
+def outwards_to_angle(lift) -> float:
     """Return the angle (rad, positive to the right) of a cord that is lifted to the left by lift
     (degrees).
     """
     return -radians(lift)
 
 
-def to_lift(angle) -> float:
+def angle_to_outwards(angle) -> float:
     """Return the lift outwards (degrees) of a cord at this angle (rad, positive to the right)."""
     return round(degrees(0 - angle), 9)  # 45, not 45.00000000000001; 0, not -0
 

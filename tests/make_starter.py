@@ -39,9 +39,9 @@ NO_PROGRAM = """if __name__ == "__main__":
     import sys
 
     sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
-    from src import begin
+    from support.start import program
 
-    begin.no_program()
+    program.refuse_to_run()
 
 """
 
@@ -49,8 +49,8 @@ NO_PROGRAM = """if __name__ == "__main__":
 # handout, and how the double cradle integrates.
 CUT = (
     r" *from \S+ import (?:(?:collide_pairs|cos|keep_apart|many_ticks|pairwise)(?:, |\n))+\n?",
-    r", (?:\*\*page\.rule|approaching_only=?\w*|many_ticks)(?=\))",
-    r'\n+    (?:With approaching_only|page\.rule)[^"]*(?=\n    "{3})',
+    r", (?:\*\*page\.rule|approaching_only=\w+|many_ticks)(?=\))",
+    r'\n+    (?:With approaching_only)[^"]*(?=\n    "{3})',
     r"(?s)\n    The motion is chaotic.*?(?=\"{3})|def (?:rates|moved)\(.*?\n\n\n",
 )
 

@@ -19,7 +19,7 @@ from support.cradle.impacts import Hits
 from support.energy import bob_motions, energies, momentum
 from support.files.cradle_csv import read_cells
 from support.pendulum import cord_angles, discard
-from support.start.mistake import check_list, check_made, check_numbers, MistakeError
+from support.start.mistake import MistakeError, require_list, require_numbers, require_pendula
 from support.start.preview import unwritten_in
 
 AS_MADE = "as in the CSV"  # how bobs collide: each pendulum keeps its own e
@@ -129,7 +129,7 @@ class Cradle:
         complete pendula.
         """
         keys = ("mass", "e", *self.angle_keys, *self.rate_keys)
-        check_made(self.scope[self.make_name], pend_list, keys, 1 + 2 * len(self.angles))
+        require_pendula(self.scope[self.make_name], pend_list, keys, 1 + 2 * len(self.angles))
         self.pend_list = pend_list
         self.places = {tuple(axle.pos.value): number for number, axle in enumerate(self.axles())}
         self.count = len(pend_list)
@@ -149,7 +149,7 @@ class Cradle:
             raise MistakeError(
                 self.tick, f"made {now} pendula from {self.count}; it must keep their number."
             )
-        check_numbers(self.tick, self.pend_list, (*self.angle_keys, *self.rate_keys))
+        require_numbers(self.tick, self.pend_list, (*self.angle_keys, *self.rate_keys))
 
     def remark(self) -> str:
         """Return a sentence that names a key of a pendulum that the handout does not have, or
@@ -177,8 +177,8 @@ class Cradle:
         Raises a MistakeError if it returns no list of pendula, or if a value is no finite number.
         """
         made = make(*arguments)
-        check_list(make, made, "return a list of dictionaries; it returned")
-        check_numbers(make, made, [key])
+        require_list(make, made, "return a list of dictionaries; it returned")
+        require_numbers(make, made, [key])
         # Main may have read a different file
         for pend, other in zip(self.pend_list, made, strict=False):
             pend[key] = other[key]

@@ -284,7 +284,7 @@ def check_header(place, header) -> None:
             raise ValueError(f"{place}: found {found} {column} in {names}; {allowed}")
 
 
-def check_cradle(filepath, cords=1) -> None:
+def require_cradle(filepath, cords=1) -> None:
     """Raise a ValueError for the first mistake in the CSV of a cradle.
 
     It names the file, the line, the column, the value found and the allowed values. cords is the

@@ -42,7 +42,7 @@ def whole_file(filepath):
             unfinished.unlink()
 
 
-def check_record(filepath) -> None:
+def require_replaceable(filepath) -> None:
     """Raise a ValueError with a one-line message if this file exists, and has no data of a cradle
     to replace.
 

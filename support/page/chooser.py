@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from support.files.cradle_csv import (
     are_in_range,
-    check_cradle,
     IN_RANGE,
     read_cells,
+    require_cradle,
     RULES,
     Snapshot,
     to_number,
@@ -83,7 +83,7 @@ class Chooser:
 
     def take(self, snapshot) -> None:
         """Take your saved CSV; raises a ValueError with a one-line message if it has a mistake."""
-        check_cradle(snapshot, self.cords)
+        require_cradle(snapshot, self.cords)
         self.choose(YOUR_CSV)
         self.set(csv=snapshot)
 

@@ -8,14 +8,14 @@ from pathlib import Path
 
 from support.cradle.cradle import Cradle, DoubleCradle
 from support.cradle.player import run
-from support.files.cradle_csv import check_cradle, LiveFile
+from support.files.cradle_csv import LiveFile, require_cradle
 from support.start.early import end_on_signals
-from support.start.mistake import tell_endless, tell_mistake
+from support.start.mistake import report_endless_loop, report_mistake
 from support.start.options import (
-    check_lift,
     command_line,
     read_double_page_options,
     read_page_options,
+    require_lifted,
 )
 from support.start.output import refuse, say, while_it_is_read
 from support.start.preview import end_if_unwritten, what_there_is
@@ -66,8 +66,8 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     file = LiveFile(options.csv)
     try:
         # here, because later mistakes in the file appear only on the page
-        check_cradle(file.current, len(angles))
-        check_lift(options.lift, file.current)
+        require_cradle(file.current, len(angles))
+        require_lifted(options.lift, file.current)
         server = open_page(options)
     except ValueError as error:
         refuse(error)
@@ -80,9 +80,9 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     try:
         run(main, viewer)
     except KeyboardInterrupt as stopped:  # in a session; else Ctrl+C has ended the process
-        tell_endless(stopped)
+        report_endless_loop(stopped)
     except BaseException as error:
-        server.tabs.show({**texts, "ended": tell_mistake(error)})
+        server.tabs.show({**texts, "ended": report_mistake(error)})
         server.tabs.is_seen.wait(GOODBYE)  # the browser may be on its way
         server.close(GOODBYE)
         sys.exit(1)

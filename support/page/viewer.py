@@ -21,7 +21,7 @@ from support.page.questions import Questions
 from support.page.scene.marks import Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
-from support.pendulum import from_lift, to_lift
+from support.pendulum import angle_to_outwards, outwards_to_angle
 
 REFRESH = 0.1  # s between two changes of the state
 # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick
@@ -189,7 +189,7 @@ class Viewer(Player):
             "speed": round(self.pace.speed, 2),
             "lifted": [lifted, count],
             "angles": [(name, *ends) for name, ends in cradle.angles.items()],
-            "lifts": [to_lift(angle) for angle in angles],  # degrees
+            "lifts": [angle_to_outwards(angle) for angle in angles],  # degrees
             "collisions": self.collision_names(),
             "collision": self.collision_names()[[*cradle.collisions].index(cradle.collision)],
             "has rule": cradle.takes_rule,
@@ -356,7 +356,7 @@ class Viewer(Player):
         """Release the bobs with this lift (degrees); number is the index of the slider."""
         self.leave_poses()
         angles = self.chooser.now.angles
-        self.chooser.set(angles=[*angles[:number], from_lift(lift), *angles[number + 1 :]])
+        self.chooser.set(angles=[*angles[:number], outwards_to_angle(lift), *angles[number + 1 :]])
         self.restart()
 
     def set_lifted(self, lifted) -> None:

@@ -49,7 +49,7 @@ def own_frames(error) -> list[traceback.FrameSummary]:
     return [frames[number] for number in own]
 
 
-def tell_mistake(error) -> str:
+def report_mistake(error) -> str:
     """Print the traceback of an error on stderr, and return the error in one line, with its place.
 
     The traceback has only lines of the handout's files: what they call is right, but got a wrong
@@ -71,7 +71,7 @@ def tell_mistake(error) -> str:
     return f"{words} ({place}, line {last.lineno})"
 
 
-def tell_endless(error) -> None:
+def report_endless_loop(error) -> None:
     """Say where Ctrl+C (a KeyboardInterrupt) has stopped functions that have not returned, the
     innermost one first.
 
@@ -86,16 +86,16 @@ def tell_endless(error) -> None:
         say(f"{place}: does a loop in {names} never end?", sys.stderr)
 
 
-def check_made(make, pend_list, keys, parts) -> None:
+def require_pendula(make, pend_list, keys, parts) -> None:
     """Raise a MistakeError if pend_list, the result of the function make, is no list of complete
     pendula.
 
     keys are those of a pendulum's numbers, parts is the number of its objects.
     """
-    check_list(
+    require_list(
         make, pend_list, "return a list of dictionaries, and main must show it; page.show got"
     )
-    check_numbers(make, pend_list, keys)
+    require_numbers(make, pend_list, keys)
     for number, pend in enumerate(pend_list, start=1):
         objects = pend.get("objects")
         if not isinstance(objects, tuple) or len(objects) != parts:
@@ -105,7 +105,7 @@ def check_made(make, pend_list, keys, parts) -> None:
             )
 
 
-def check_list(make, pend_list, must) -> None:
+def require_list(make, pend_list, must) -> None:
     """Raise a MistakeError if pend_list is no list of dictionaries; must says what the function
     make must do.
     """
@@ -120,7 +120,7 @@ def check_list(make, pend_list, must) -> None:
         raise MistakeError(make, f"must {must} {found}")
 
 
-def check_numbers(function, pend_list, keys) -> None:
+def require_numbers(function, pend_list, keys) -> None:
     """Raise a MistakeError if the function has set one of these keys of a pendulum to no finite
     number.
     """

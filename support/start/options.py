@@ -15,7 +15,7 @@ from support import constants
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.cradle_csv import read_cells, RULES, to_number
 from support.files.data_file import EVERY
-from support.pendulum import from_lift, to_lift
+from support.pendulum import angle_to_outwards, outwards_to_angle
 from support.start.output import refuse
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -65,11 +65,13 @@ def angle_from(least):
     """
     words = f"a number from {least} to 180 (degrees)"
     return allowed(
-        lambda text: from_lift(float(text)), lambda text: least <= to_number(text) <= 180, words
+        lambda text: outwards_to_angle(float(text)),
+        lambda text: least <= to_number(text) <= 180,
+        words,
     )
 
 
-def check_constants() -> None:
+def require_constants() -> None:
     """Exit with status 2 and one line if a constant is out of its range."""
     for name, (least, most, unit) in CONSTANTS.items():
         found = getattr(constants, name)
@@ -103,7 +105,7 @@ def to_port(text) -> int:
 
 def cradle_options(description) -> OneLineParser:
     """Return a parser with the options of a cradle; each program adds its own options."""
-    check_constants()
+    require_constants()
     e, mass = (allowed(float, *RULES[column]) for column in ("e", "mass"))
     lift = allowed(int, str.isdecimal, "a whole number, 0 or more")
 
@@ -136,7 +138,7 @@ def cradle_options(description) -> OneLineParser:
         metavar="KG",
         help="one mass, in kg, for all pendula (default: the CSV's)",
     )
-    text = f"release angle of the lifted bobs, from 0 to 180 degrees (default: {to_lift(THETA_INIT):g})"
+    text = f"release angle of the lifted bobs, from 0 to 180 degrees (default: {angle_to_outwards(THETA_INIT):g})"
     add("--angle", type=angle_from(0), metavar="DEGREES", help=text)
     add("--lift", type=lift, metavar="K", help="number of lifted bobs, from the left (default: 1)")
     return parser
@@ -172,7 +174,7 @@ def read_double_page_options(arguments=None) -> argparse.Namespace:
     """
     parser = page_options("The double Newton's cradle in the browser, to play with.")
     text = "angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees"
-    text = f"{text} (default: {to_lift(PHI_INIT):g})"
+    text = f"{text} (default: {angle_to_outwards(PHI_INIT):g})"
     parser.add_argument("--phi", type=angle_from(-180), metavar="DEGREES", help=text)
     return parser.parse_args(arguments)
 
@@ -227,7 +229,7 @@ def is_in_ticks(text) -> bool:
     return 0.5 < ticks <= 1e6 / DT and abs(ticks - round(ticks)) < 1e-6
 
 
-def check_lift(lift, csv) -> None:
+def require_lifted(lift, csv) -> None:
     """Raise a ValueError with a one-line message if this CSV has fewer than lift pendula; lift can
     be None.
     """

@@ -23,7 +23,7 @@ from grading.grade import grade, made_checks, words
 from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.handout import SUITES
 from support.constants import NC_FP
-from support.files.cradle_csv import check_cradle
+from support.files.cradle_csv import require_cradle
 from support.files.data_file import whole_file
 from support.start.checks_command import checks_command
 
@@ -181,7 +181,7 @@ def words_of_run(config) -> list[tuple[str, str]]:
     )
     note = ""
     try:
-        check_cradle(NC_FP)
+        require_cradle(NC_FP)
     except ValueError as error:  # the checks have files of their own
         note = f"your CSV has a mistake. {error}".replace(f"{config.rootpath}{os.sep}", "")
     printed = {name_of(report): report.capstdout for report in failed}

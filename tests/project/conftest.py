@@ -9,8 +9,8 @@ import subprocess
 
 import pytest
 from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, needs_vpython, new_page, PROGRAM
+from rig import Rig
 from students import made, solved, starter  # noqa: F401  fixtures
-from wall import Wall
 from whole_cradles import FIVE_CSV
 
 from support.start.options import PORT_VARIABLE
@@ -48,9 +48,9 @@ def csv(tmp_path):
 
 
 @pytest.fixture
-def wall(csv):
+def rig(csv):
     """A viewer of five bobs, on the stand-in."""
-    return Wall(csv)
+    return Rig(csv)
 
 
 @pytest.fixture(scope="session")

@@ -8,8 +8,8 @@ from math import acos, atan2, copysign, cos, degrees, radians, sqrt
 
 import pytest
 from programs import copy_project, OF_TESTS, python, slow_but_for
+from rig import Rig
 from students import put_files
-from wall import Wall
 from whole_cradles import go_on, GOOD, HEADER, make_live, PERIOD, Swing
 
 from support.constants import G, R_PARAM
@@ -157,18 +157,18 @@ THAT, OTHER, ASKING = "That is what happened.", f"What happened: C, {ANSWERS[2]}
 
 
 @pytest.fixture
-def asking(wall):
+def asking(rig):
     """A viewer that asks the question of an experiment, Two bobs."""
-    wall.give("ask first", True)
-    wall.give("experiment", TWO)
-    return wall
+    rig.give("ask first", True)
+    rig.give("experiment", TWO)
+    return rig
 
 
-def asked(wall):
+def asked(rig):
     """Return whether the state has a question, and what it says about the answer and about what
     happened.
     """
-    question = wall.state["question"]
+    question = rig.state["question"]
     return question and (
         question["asking"],
         question["said"],
@@ -176,7 +176,7 @@ def asked(wall):
     )
 
 
-def test_an_experiment_is_as_its_file_says_and_back_at_your_csv_all_is_as_you_had_set_it(wall):
+def test_an_experiment_is_as_its_file_says_and_back_at_your_csv_all_is_as_you_had_set_it(rig):
     """Also after two changes of an experiment, and if the file was saved meanwhile, which then
     comes back.
     """
@@ -186,34 +186,34 @@ def test_an_experiment_is_as_its_file_says_and_back_at_your_csv_all_is_as_you_ha
         ("lifted", 2),
         ("collision", INELASTIC),
     ):
-        wall.give(command, *values)
+        rig.give(command, *values)
     for saves, masses in ((False, [1, 3, 1, 1, 1]), (True, [2] * 6)):
-        wall.give("experiment", HEAVY)
-        assert (wall.values("mass"), wall.values("e")) == ([5, 1, 1, 1, 1], [1] * 5)
-        assert (wall.lifts(), wall.state["collision"], asked(wall)) == (
+        rig.give("experiment", HEAVY)
+        assert (rig.values("mass"), rig.values("e")) == ([5, 1, 1, 1, 1], [1] * 5)
+        assert (rig.lifts(), rig.state["collision"], asked(rig)) == (
             [45, 0, 0, 0, 0],
             "as in the experiment",
             None,
         )
-        wall.give("experiment", FROM_BOTH_SIDES)
-        assert (wall.lifts(), wall.state["lifted"], wall.state["lifts"]) == (
+        rig.give("experiment", FROM_BOTH_SIDES)
+        assert (rig.lifts(), rig.state["lifted"], rig.state["lifts"]) == (
             [45, 0, 0, 0, 45],
             [1, 5],
             [45],
         )
-        assert [theta > 0 for theta in wall.thetas()] == [False, False, False, False, True]
+        assert [theta > 0 for theta in rig.thetas()] == [False, False, False, False, True]
         # Also when it was edited and chosen again
-        assert (wall.values("mass"), wall.values("e")) == ([1] * 5, [1] * 5)
-        wall.give("edit", 0, "e", "0.5")
-        assert (wall.lifts(), wall.values("e")) == ([45, 0, 0, 0, 45], [0.5, 1, 1, 1, 1])
-        wall.give("lifted", 5)
-        assert (wall.lifts(), wall.state["experiment"]) == ([45] * 5, f"{FROM_BOTH_SIDES}, changed")
-        wall.save(HEADER + GOOD * 6) if saves else None
-        wall.give(*("restart",) if saves else ("experiment", CSV))
-        assert (wall.state["experiment"], wall.state["collision"]) == (CSV, INELASTIC)
-        assert wall.lifts() == [20, 20] + [0] * (len(masses) - 2)
-        assert (wall.values("mass"), wall.values("e")) == (masses, [0] * len(masses))
-        wall.viewer.chooser.set(mass=2.0)  # as with --mass
+        assert (rig.values("mass"), rig.values("e")) == ([1] * 5, [1] * 5)
+        rig.give("edit", 0, "e", "0.5")
+        assert (rig.lifts(), rig.values("e")) == ([45, 0, 0, 0, 45], [0.5, 1, 1, 1, 1])
+        rig.give("lifted", 5)
+        assert (rig.lifts(), rig.state["experiment"]) == ([45] * 5, f"{FROM_BOTH_SIDES}, changed")
+        rig.save(HEADER + GOOD * 6) if saves else None
+        rig.give(*("restart",) if saves else ("experiment", CSV))
+        assert (rig.state["experiment"], rig.state["collision"]) == (CSV, INELASTIC)
+        assert rig.lifts() == [20, 20] + [0] * (len(masses) - 2)
+        assert (rig.values("mass"), rig.values("e")) == (masses, [0] * len(masses))
+        rig.viewer.chooser.set(mass=2.0)  # as with --mass
 
 
 def test_a_mistake_in_an_experiment_is_shown_as_plain_text_and_no_other_one_is_next(
@@ -221,10 +221,10 @@ def test_a_mistake_in_an_experiment_is_shown_as_plain_text_and_no_other_one_is_n
 ):
     folder = put_files(tmp_path / "experiments", {"single/one.txt": "<s>"})
     monkeypatch.setattr("support.page.chooser.EXPERIMENTS", folder)
-    wall = Wall(csv)
-    wall.give("next")
-    assert (wall.state["experiments"], wall.state["experiment"]) == ([CSV], CSV)
-    [mistake] = wall.state["mistakes"]
+    rig = Rig(csv)
+    rig.give("next")
+    assert (rig.state["experiments"], rig.state["experiment"]) == ([CSV], CSV)
+    [mistake] = rig.state["mistakes"]
     assert mistake.startswith(
         f"{folder / 'single' / 'one.txt'}, line 1: found '<s>', allowed before"
     )
@@ -301,28 +301,28 @@ def test_an_answer_to_another_question_does_nothing(asking, value):
     assert (asked(asking), asking.time(), asking.state["question"]["votes"]) == (ASKING, 0, [0] * 4)
 
 
-def test_the_box_asks_at_once_and_takes_the_question_back(wall):
+def test_the_box_asks_at_once_and_takes_the_question_back(rig):
     for name, (time, words) in {CSV: (0.2, None), TWO: (0, ASKING)}.items():
-        wall.give("experiment", name)
-        wall.wait(0.2)
-        wall.give("ask first", True)
-        assert (wall.time(), asked(wall), wall.state["ask first"]) == (
+        rig.give("experiment", name)
+        rig.wait(0.2)
+        rig.give("ask first", True)
+        assert (rig.time(), asked(rig), rig.state["ask first"]) == (
             pytest.approx(time, abs=0.05),
             words,
             True,
         )
-        wall.give("ask first", False)
-        wall.wait(0.2)
-        assert (wall.time() > 0.1, asked(wall)) == (True, None)
+        rig.give("ask first", False)
+        rig.wait(0.2)
+        assert (rig.time() > 0.1, asked(rig)) == (True, None)
 
 
 CHANGES = {
-    "angle": lambda wall: wall.give("lift", 0, 10),
-    "collisions": lambda wall: wall.give("collision", INELASTIC),
-    "separating": lambda wall: wall.give("separating", True),
-    "drag": lambda wall: wall.mouse("grab", wall.viewer.cradle.bobs()[4].pos),
-    "edit": lambda wall: wall.give("edit", 0, "mass", "2"),
-    "file": lambda wall: wall.save(HEADER + GOOD * 6),
+    "angle": lambda rig: rig.give("lift", 0, 10),
+    "collisions": lambda rig: rig.give("collision", INELASTIC),
+    "separating": lambda rig: rig.give("separating", True),
+    "drag": lambda rig: rig.mouse("grab", rig.viewer.cradle.bobs()[4].pos),
+    "edit": lambda rig: rig.give("edit", 0, "mass", "2"),
+    "file": lambda rig: rig.save(HEADER + GOOD * 6),
 }
 
 
@@ -370,12 +370,12 @@ def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):
     assert (asking.time() > 0.6, ghosts(asking), asked(asking)[1]) == (True, [], said)
 
 
-def ghosts(wall):
+def ghosts(rig):
     """Return the angles of the visible ghosts (degrees)."""
-    visible = [ghost for ghost in wall.viewer.marks.shapes["ghosts"] if ghost.visible]
+    visible = [ghost for ghost in rig.viewer.marks.shapes["ghosts"] if ghost.visible]
     arms = [
         ghost.pos - axle.pos
-        for ghost, axle in zip(visible, wall.viewer.cradle.axles(), strict=bool(visible))
+        for ghost, axle in zip(visible, rig.viewer.cradle.axles(), strict=bool(visible))
     ]
     return [degrees(atan2(arm.x, -arm.y)) for arm in arms]
 

@@ -21,15 +21,15 @@ from src.pds_helper import extract_and_convert, write_to_csv
 from src.special_cradles import make_newton_cradle
 from support.constants import COLOR_MAP, NC_FP, R_PARAM, TEXTURE_MAP
 from support.files.cradle_csv import (
-    check_cradle,
     clean_copy,
     LARGEST,
     LiveFile,
     POLL,
     read_cells,
+    require_cradle,
     Snapshot,
 )
-from support.files.data_file import check_record, whole_file
+from support.files.data_file import require_replaceable, whole_file
 from support.page.chooser import with_numbers
 
 ALLOWED = {
@@ -168,7 +168,7 @@ def test_a_csv_is_refused_with_the_place_of_its_mistake(mistake, save):
     content, message = REFUSED[mistake]
     filepath = save(content)
     with pytest.raises(ValueError, match=f"^{re.escape(filepath + message)}$"):
-        check_cradle(filepath)
+        require_cradle(filepath)
 
 
 @on_posix
@@ -230,7 +230,7 @@ def test_the_smallest_and_the_largest_cradle_are_allowed(save):
         cell("e", "1"),
         cell("mass", "1e-300"),
     ):
-        check_cradle(save(content))
+        require_cradle(save(content))
 
 
 def test_a_number_for_the_check_is_a_number_for_pandas(save):
@@ -242,7 +242,7 @@ def test_a_number_for_the_check_is_a_number_for_pandas(save):
     for _ in range(800):
         text = "".join(source.choices("0123456789.eE+-x ", k=source.randint(1, 6)))
         with suppress(ValueError):
-            check_cradle(
+            require_cradle(
                 Snapshot("cradle.csv", f"mass,e,color,texture\n{text},1,red,none\n".encode())
             )
             accepted.append(text)
@@ -458,19 +458,19 @@ def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same_also_if_it_go
 
 def test_data_can_replace_only_data(tmp_path, monkeypatch):
     file = tmp_path / "data.csv"
-    check_record(file)
+    require_replaceable(file)
     for text in ("", "t,theta_1,momentum\n0.0,1.0,2.0\n"):
         file.write_text(text)
-        check_record(file)
+        require_replaceable(file)
     for text in (MIXED_CSV, "t,theta_1,mine\n", "t,mine,momentum\n"):
         file.write_text(text)
         with pytest.raises(
             ValueError, match=f"^--record: found '{re.escape(str(file))}', which has no data"
         ):
-            check_record(file)
+            require_replaceable(file)
     opened = Mock(side_effect=PermissionError(errno.EACCES, "Permission denied"))
     monkeypatch.setattr("builtins.open", opened)
     with pytest.raises(ValueError, match="^--record: .*: Permission denied(; another|$)"):
-        check_record(file)
+        require_replaceable(file)
     # Excel lets other programs read its file, but not write it
     opened.assert_called_once_with(file, "r+b")

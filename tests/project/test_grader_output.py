@@ -170,7 +170,7 @@ BROKEN = {
         "src/special_cradles.py, line {}: x = (1 ^ SyntaxError: '(' was never closed",
     ),
     "a circle": (
-        *("swinging", "from support", f"{CIRCLE}\nfrom support"),
+        *("swinging", "from support.p", f"{CIRCLE}\nfrom support.p"),
         f"src/swinging.py, line {{}}: {CIRCLE} ImportError: cannot import name 'full_swing_update' from partially "
         "initialized module 'src.swinging' (most likely due to a circular import) ({}) "
         "Your files import each other in a circle. Remove the import in this file.",

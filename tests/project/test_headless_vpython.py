@@ -176,17 +176,17 @@ import vpython
 vpython.baseObj._view_constructed = True
 
 from pathlib import Path
-from wall import Wall
+from rig import Rig
 from support.page.tabs import Tabs
 
 csv, reloads, texts = Path(sys.argv[1]), int(sys.argv[2]), sys.argv[3:]
-wall, tabs, measured = Wall(csv, 45), Tabs(), {}
-wall.give("pause")  # the time goes to the reloads
+rig, tabs, measured = Rig(csv, 45), Tabs(), {}
+rig.give("pause")  # the time goes to the reloads
 tracemalloc.start()
 for reload in range(1, reloads + 1):
-    wall.save(texts[reload % len(texts)])
-    assert len(wall.thetas()) == texts[reload % len(texts)].count("\\n") - 1
-    tabs.show(wall.state)
+    rig.save(texts[reload % len(texts)])
+    assert len(rig.thetas()) == texts[reload % len(texts)].count("\\n") - 1
+    tabs.show(rig.state)
     if reload in (10, reloads // 2, reloads):
         gc.collect()
         measured[reload] = len(vpython.baseObj.object_registry), tracemalloc.get_traced_memory()[0]

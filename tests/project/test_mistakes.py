@@ -42,7 +42,7 @@ def project(tmp_path, monkeypatch):
     for name in [name for name in sys.modules if name.partition(".")[0] == "src"]:
         monkeypatch.delitem(sys.modules, name)
     # It would forget what the tests have imported
-    monkeypatch.setitem(sys.modules, "src.begin", Mock())
+    monkeypatch.setitem(sys.modules, "support.start.program", Mock())
     monkeypatch.setattr("signal.signal", lambda *_: None)
     tabs = SimpleNamespace(have_room=bool, show=lambda state: None, is_seen=Mock(), are_gone=False)
     server = SimpleNamespace(tabs=tabs, close=lambda *_: None)

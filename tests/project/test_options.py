@@ -9,7 +9,7 @@ from programs import call
 
 from support import constants
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
-from support.pendulum import from_lift
+from support.pendulum import outwards_to_angle
 from support.start import options
 
 CRADLE = {
@@ -35,19 +35,27 @@ PROGRAMS = {
         *((program, "", {}) for program in PROGRAMS),
         ("page", "my.csv --inelastic", {"csv": "my.csv", "inelastic": True}),
         ("page", "--elastic --mass 1e-05 --lift 3", {"elastic": True, "mass": 1e-5, "lift": 3}),
-        ("page", "--e 0 --lift 0 --angle 180", {"e": 0.0, "lift": 0, "angle": from_lift(180)}),
+        (
+            "page",
+            "--e 0 --lift 0 --angle 180",
+            {"e": 0.0, "lift": 0, "angle": outwards_to_angle(180)},
+        ),
         (
             "page",
             "--e 0.30000000000000004 --angle 33.3",
-            {"e": 0.1 + 0.2, "angle": from_lift(33.3)},
+            {"e": 0.1 + 0.2, "angle": outwards_to_angle(33.3)},
         ),
         (
             "page",
             "--port 65535 --host :: --no-browser",
             {"port": 65535, "host": "::", "browser": False},
         ),
-        ("double", "--phi=-180", {"phi": from_lift(-180)}),
-        ("double", "--angle 77 --phi=-1e-05", {"angle": from_lift(77), "phi": from_lift(-1e-5)}),
+        ("double", "--phi=-180", {"phi": outwards_to_angle(-180)}),
+        (
+            "double",
+            "--angle 77 --phi=-1e-05",
+            {"angle": outwards_to_angle(77), "phi": outwards_to_angle(-1e-5)},
+        ),
         ("text", "--seconds 1e6 --mass 2 my.csv", {"seconds": 1e6, "mass": 2.0, "csv": "my.csv"}),
         (
             "text",

@@ -28,7 +28,7 @@ from grading.cradles import MIXED, MIXED_CSV
 from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from support.constants import R_PARAM, THETA_INIT
 from support.page.page import show_cradle, show_double_cradle
-from support.pendulum import to_lift
+from support.pendulum import angle_to_outwards
 from support.start.checks_command import checks_command
 from support.start.early import import_later, stop_on_signals
 from support.start.output import complain, say, while_it_is_read
@@ -128,8 +128,8 @@ def test_an_obstacle_is_named_before_a_program_stumbles(obstacle, status, words)
 
 
 DRAWN = """
-from src import begin
-begin.program()
+from support.start import program
+program.begin()
 from vpython import *
 sphere().clone()
 for refused in {refused}.split():
@@ -333,7 +333,7 @@ HERE, ALL, REMARK = "127.0.0.1", "0.0.0.0", "Write next: <main>."
             "Newton's cradle",
             "",
             (HERE, 0, True),
-            [(0.9, 1.5, to_lift(THETA_INIT)), (0.8, 2.5, 0), (0.7, 0.5, 0)],
+            [(0.9, 1.5, angle_to_outwards(THETA_INIT)), (0.8, 2.5, 0), (0.7, 0.5, 0)],
         ),
         ("Newton's cradle", SOME, (HERE, 8000, False), [(0, 3, 20)] * 3),
         (
@@ -356,7 +356,9 @@ def test_main_does_as_the_options_say(start, program, line, given, pendula):
     )
     for pend, (e, mass, *lifts) in zip(viewer.cradle.pend_list, pendula, strict=True):
         assert (pend["e"], pend["mass"]) == (e, mass)
-        assert [to_lift(pend[key]) for key in viewer.cradle.angle_keys] == pytest.approx(lifts)
+        assert [angle_to_outwards(pend[key]) for key in viewer.cradle.angle_keys] == pytest.approx(
+            lifts
+        )
 
 
 def test_main_refuses_in_one_line_before_a_page_opens(start, capsys):

@@ -14,7 +14,7 @@ HANDOUT = (
     *("src.pds_helper", "src.special_cradles", "src.swinging", "src.visualize_cradle_run"),
     *("src.double_collisions", "src.double_cradle", "src.visualize_double_cradle_run"),
 )
-BEGIN, PROGRAM = "src.begin", "src.text_cradle_run"
+PROGRAM = "src.text_cradle_run"
 # The other rooms that the modules of a room, or one module, may import.
 MAY_IMPORT = {
     "support": set(),
@@ -32,7 +32,6 @@ MAY_IMPORT = {
     "support.page.scene": {"support", "support.cradle"},
     "support.terminal": {"support", "support.files", "support.cradle", "support.start"},
     "src": {"support", "support.files"},
-    BEGIN: {"support", "support.start"},
     PROGRAM: {"support", "support.files", "support.cradle", "support.start", "support.terminal"},
 }
 FILES = [
@@ -76,7 +75,7 @@ def test_a_module_of_the_handout_imports_earlier_ones_and_only_one_program_is_no
     for name in HANDOUT:
         assert {other for other in imports_of(name) if room_of(other) == "src"} <= earlier, name
         earlier.add(name)
-    assert {name for name in MODULES if room_of(name) == "src"} == {*earlier, BEGIN, PROGRAM}
+    assert {name for name in MODULES if room_of(name) == "src"} == {*earlier, PROGRAM}
 
 
 def test_imports_have_no_circle():

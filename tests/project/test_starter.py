@@ -81,7 +81,6 @@ def test_the_lines_of_the_handout_are_there_as_it_has_them(made):
 def test_the_folder_has_the_handouts_files_the_programs_and_the_graded_tests_alone(made):
     others = {
         "src/__init__.py",
-        "src/begin.py",
         "src/text_cradle_run.py",
         "src/visualize_double_cradle_run.py",
     }
@@ -256,7 +255,7 @@ def run(monkeypatch, capsys):
         monkeypatch.setattr(sys, "path", [str(starter / "src"), str(starter), *sys.path])
         monkeypatch.setattr(sys, "argv", [str(starter / program), *arguments])
         # It would forget what the tests have imported
-        monkeypatch.setitem(sys.modules, "src.begin", Mock())
+        monkeypatch.setitem(sys.modules, "support.start.program", Mock())
         return call(lambda: runpy.run_path(str(starter / program), run_name="__main__"), capsys)
 
     kept = taken()

@@ -27,7 +27,7 @@ from support.constants import DT
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import RealTime
 from support.files.cradle_csv import Snapshot
-from support.pendulum import from_lift
+from support.pendulum import outwards_to_angle
 from support.start import output
 from support.terminal import players
 
@@ -51,7 +51,9 @@ def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     """On a clock on which only sleeping takes time."""
     seconds, slept = 0.7 + PERIOD / 2, []  # after the hits have run through the row and back
     player = players.Lines(
-        make_live(), Snapshot(csv), SimpleNamespace(angle=from_lift(30), lift=1, seconds=seconds)
+        make_live(),
+        Snapshot(csv),
+        SimpleNamespace(angle=outwards_to_angle(30), lift=1, seconds=seconds),
     )
     player.pace = RealTime(
         DT, lambda: 50.0 + sum(slept), lambda pause: slept.append(max(pause, 1e-4))
@@ -292,8 +294,8 @@ def test_a_row_is_recorded_at_each_multiple_up_to_the_end(
     table = pd.read_csv(data)
     assert table["t"].to_list() == pytest.approx([every * i for i in range(count)])
     assert table.loc[0, ["theta_1", "theta_2", "theta_3"]].to_list() == [
-        from_lift(20),
-        from_lift(20),
+        outwards_to_angle(20),
+        outwards_to_angle(20),
         0,
     ]
     assert (len(parts), parts[-1]) == (max(1, round(last / (players.PART * dt))), 1)

@@ -22,7 +22,7 @@ from support.cradle.many_ticks import many_ticks
 from support.cradle.player import Player
 from support.energy import energies
 from support.files.cradle_csv import Snapshot
-from support.pendulum import BUFFER, from_lift
+from support.pendulum import BUFFER, outwards_to_angle
 
 # s, for small swings; it uses the constants, so the tests wait long enough if someone edits them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
@@ -121,7 +121,7 @@ def go_on(player) -> None:
 
 def thetas(lifts) -> list:
     """Return theta (rad) for each lift (degrees); None stays None."""
-    return [None if lift is None else from_lift(lift) for lift in lifts]
+    return [None if lift is None else outwards_to_angle(lift) for lift in lifts]
 
 
 class Swing(Player):

@@ -1,4 +1,4 @@
-"""A viewer on the stand-in, with a wall clock that a test moves, and the state as a tab has it."""
+"""A viewer on the stand-in, with a clock that a test moves, and the state as a tab has it."""
 
 import json
 from math import pi
@@ -14,8 +14,8 @@ from support.files.cradle_csv import LiveFile, POLL
 from support.page.viewer import Viewer
 
 
-class Wall:
-    """The wall clock, the viewer that uses it, and its only tab, which has drawn a picture and
+class Rig:
+    """The clock, the viewer that uses it, and its only tab, which has drawn a picture and
     always has room.
     """
 

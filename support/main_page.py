@@ -1,0 +1,26 @@
+"""What main asks of the page that shows its cradle."""
+
+from typing import Protocol
+
+
+class Page(Protocol):
+    """Shows a cradle, and says when to tick: in the browser, in the terminal, or as data in a file.
+
+    support/cradle/player.py has what all three do.
+    """
+
+    @property
+    def csv(self) -> str:
+        """The path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the
+        command.
+        """
+
+    @property
+    def rule(self) -> dict[str, bool]:
+        """The keyword of newton_cradle_tick with which only approaching bobs collide, or none."""
+
+    def show(self, pend_list: list) -> None:
+        """Show a new cradle."""
+
+    def is_running(self) -> bool:
+        """Wait until the next tick is due; return False when the cradle must not tick any more."""
