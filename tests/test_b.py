@@ -11,27 +11,28 @@ from math import pi
 from grading.comparing import same
 from grading.cradles import hang
 from grading.grader import check, expect, result_of, steps
-from grading.messages import shown
+from grading.messages import text_of
 from support.pendulum import contact_distance
 
 steps(
     "handle_collision",
-    "both omegas become linear velocities; the two formulas of the appendix use these, never each other; both results "
-    "become angular again.",
+    "both omegas become linear velocities; the two formulas of the appendix use these, never each "
+    "other; both results become angular again.",
     "area = 2 * (width + height)  # each product needs its *",
     "return low, high  # gives two values back, in this order",
 )
 steps(
     "handle_two_bobs",
-    "mass, omega and bob of both, e of pend1; if the bobs are close, handle_collision gives the new omegas; each "
-    "pendulum stores its own.",
+    "mass, omega and bob of both, e of pend1; if the bobs are close, handle_collision gives the "
+    "new omegas; each pendulum stores its own.",
     "title, pages, price = book['facts']  # takes a tuple apart",
     "low, high = prices(book)  # stores the two results of one call",
 )
 
 # The arguments e, omega1, omega2, m1, m2, and the result; by hand from the two formulas of the
 # appendix.
-HIT, AFTER = (0.7, 3.0, -4.0, 2.0, 8.0), (-6.52, -1.62)
+HIT = (0.7, 3.0, -4.0, 2.0, 8.0)
+AFTER = (-6.52, -1.62)
 COLLISIONS = [
     ((0.5, 4.0, 0.0, 1.0, 1.0), (1.0, 3.0)),
     ((1, 3.0, 0.0, 1.0, 1.0), (0.0, 3.0)),  # equal masses, elastic: the velocities change places
@@ -84,53 +85,54 @@ FORMULAS = [
     ("v1 and v2 are exchanged in the momenta.", -2.32, 2.58),
 ]
 RESULTS = [
-    ((first, AFTER[1]), f"This is the result if, in the first formula, {words}")
-    for words, first, _ in FORMULAS
-]
-RESULTS += [
-    ((AFTER[0], second), f"This is the result if, in the second formula, {words}")
-    for words, _, second in FORMULAS
-]
-RESULTS += [
-    ((first, second), f"This is the result if, in both formulas, {words}")
-    for words, first, second in FORMULAS
-]
-RESULTS += [
     ((-8.14, -0.09), "This is the result if omega1 is not converted: r_param multiplies it, too."),
     ((-14.68, -5.58), "This is the result if omega2 is not converted: r_param multiplies it, too."),
     (
         (-16.3, -4.05),
-        "This is the result if the omegas are not converted to linear velocities, but the end is converted back.",
+        "This is the result if the omegas are not converted to linear velocities, but the end is "
+        "converted back.",
     ),
     (
         (-1.0432, -0.2592),
-        "This is the result if r_param multiplies twice. At the end, convert back: divide by r_param.",
+        "This is the result if r_param multiplies twice. At the end, convert back: divide by "
+        "r_param.",
     ),
     (
         (-6.52, -6.52),
-        "Both results are the right one of the first bob. The second one comes from the second formula, with + m1 e.",
+        "Both results are the right one of the first bob. The second one comes from the second "
+        "formula, with + m1 e.",
     ),
     (
         (-6.52, -2.9528),
-        "This is the result with the new velocity of the first bob behind e in the second formula. Use the old one.",
+        "This is the result with the new velocity of the first bob behind e in the second formula. "
+        "Use the old one.",
     ),
     (
         (-6.52, -4.8568),
-        "This is the result with the new velocity of the first bob in all of the second formula. Use the old one.",
+        "This is the result with the new velocity of the first bob in all of the second formula. "
+        "Use the old one.",
     ),
     (
         (-4.0, 3.0),
-        "These are the two omegas of the call, exchanged. So it is only for equal masses and e = 1.",
+        "These are the two omegas of the call, exchanged. So it is only for equal masses and "
+        "e = 1.",
     ),
 ]
+for mistake, first, second in FORMULAS:
+    RESULTS += [
+        ((first, AFTER[1]), f"This is the result if, in the first formula, {mistake}"),
+        ((AFTER[0], second), f"This is the result if, in the second formula, {mistake}"),
+        ((first, second), f"This is the result if, in both formulas, {mistake}"),
+    ]
 
 
-def check_hit(wanted, e, omega1, omega2, m1, m2, r_param, **options):
+def check_hit(wanted, e, omega1, omega2, m1, m2, r_param, results=()):
     """Check the result of handle_collision.
 
     A student reads the parts of the formulas, which follow from the result.
     """
-    v1, v2 = r_param * omega1, r_param * omega2
+    v1 = r_param * omega1
+    v2 = r_param * omega2
     right = [
         ("v1", v1),
         ("v2", v2),
@@ -139,18 +141,8 @@ def check_hit(wanted, e, omega1, omega2, m1, m2, r_param, **options):
         ("v1_new", r_param * wanted[0]),
         ("v2_new", r_param * wanted[1]),
     ]
-    expect(
-        "handle_collision",
-        e,
-        omega1,
-        omega2,
-        m1,
-        m2,
-        r_param,
-        wanted=wanted,
-        right=right,
-        **options,
-    )
+    call = "handle_collision", e, omega1, omega2, m1, m2, r_param
+    expect(*call, wanted=wanted, right=right, results=results)
 
 
 @check("handle_collision")
@@ -176,84 +168,92 @@ def test_the_cord_length_does_not_matter():
 @check("handle_collision")
 def test_laws_of_the_collision():
     """The system should conserve kinetic energy and linear momentum."""
-    momentum = "momentum m1 new_omega1 + m2 new_omega2"
-    energy = "energy m1 new_omega1^2 + m2 new_omega2^2"
-    # e, what stays, the power of omega
-    laws = [(0, momentum, 1), (0.3, momentum, 1), (1, momentum, 1), (1, energy, 2)]
-    for (m1, m2), (e, what, power) in product([(1.0, 1.0), (0.2, 5.0), (7.0, 0.1)], laws):
+    for m1, m2 in ((1.0, 1.0), (0.2, 5.0), (7.0, 0.1)):
 
-        def see(omegas, m1=m1, m2=m2, power=power):
-            return m1 * omegas[0] ** power + m2 * omegas[1] ** power
+        def momentum(omegas, m1=m1, m2=m2):
+            return m1 * omegas[0] + m2 * omegas[1]
 
-        expect(
-            "handle_collision",
-            e,
-            2.5,
-            -1.5,
-            m1,
-            m2,
-            0.4,
-            wanted=see((2.5, -1.5)),
-            see=see,
-            what=what,
-        )
+        def energy(omegas, m1=m1, m2=m2):
+            return m1 * omegas[0] ** 2 + m2 * omegas[1] ** 2
+
+        what = "momentum m1 new_omega1 + m2 new_omega2"
+        for e in (0, 0.3, 1):
+            check_law(momentum, what, e, m1, m2)
+        check_law(energy, "energy m1 new_omega1^2 + m2 new_omega2^2", 1, m1, m2)
 
 
-# omega of pend1 before, and the omegas of both after, with e = 0.5 and equal masses.
-LEFT, HITS, MISSES = 4.0, (1.0, 3.0), (4.0, 0.0)
+def check_law(see, what, e, m1, m2):
+    """Check that what see(omegas) returns is the same before and after a collision."""
+    omegas = 2.5, -1.5
+    call = "handle_collision", e, *omegas, m1, m2, 0.4
+    expect(*call, wanted=see(omegas), see=see, what=what)
+
+
+LEFT = 4.0  # omega of pend1 before
+# The omegas of both after, with e = 0.5 and equal masses.
+HITS = (1.0, 3.0)
+MISSES = (4.0, 0.0)
 
 
 def pair(apart=1.0, radius1=0.5, radius2=0.5, **values):
-    """Return two pendula.
+    """Return two pendula. pend1 moves.
 
-    Their axles are apart (m), and the cords 4 times as long, as in a cradle. pend1 moves.
-
-    values are those of hang, with a 1 or a 2 behind the name.
+    Their axles are apart (m), and the cords 4 times as long, as in a cradle. values are those of
+    hang, with a 1 or a 2 behind the name.
     """
     values = {"omega1": LEFT, "e1": 0.5, "e2": 0.5, **values}
-    one, two = (
-        {name[:-1]: value for name, value in values.items() if name[-1] == number}
-        for number in "12"
-    )
-    pend1 = hang(r_param=4 * apart, radius=radius1, **one)
-    return pend1, hang(r_param=4 * apart, axle=(apart, 0, 0), radius=radius2, **two)
+    values1 = {}
+    values2 = {}
+    for name, value in values.items():
+        values_of_one = values1 if name.endswith("1") else values2
+        values_of_one[name[:-1]] = value
+    pend1 = hang(r_param=4 * apart, radius=radius1, **values1)
+    pend2 = hang(r_param=4 * apart, axle=(apart, 0, 0), radius=radius2, **values2)
+    return pend1, pend2
 
 
 def check_pair(wanted, apart=1.0, *radii, results=(), **values):
     """Check the omegas of two such pendula after the call."""
-    pend1, pend2 = pair(apart, *radii, **values)
-    options = {"help": help_for(pend1, pend2, 4 * apart, wanted), "results": results}
+    pends = pair(apart, *radii, **values)
+    expect_omegas(wanted, *pends, 4 * apart, results=results)
+
+
+def expect_omegas(wanted, pend1, pend2, r_param, results=()):
+    """Check the omegas of these pendula after the call."""
     expect(
-        "handle_two_bobs", pend1, pend2, 4 * apart, wanted=wanted, **options, **omegas(pend1, pend2)
+        "handle_two_bobs",
+        pend1,
+        pend2,
+        r_param,
+        wanted=wanted,
+        see=lambda _: (pend1["omega"], pend2["omega"]),
+        what="omega of pend1, omega of pend2",
+        help=help_for(pend1, pend2, r_param, wanted),
+        results=results,
     )
 
 
 def help_for(pend1, pend2, r_param, wanted) -> str:
-    """Return whether the bobs of these pendula touch, and what handle_collision gives then, in
-    words.
-    """
-    bob1, bob2 = pend1["objects"][1], pend2["objects"][1]
-    apart, reach = (bob1.pos - bob2.pos).mag, contact_distance(bob1.radius, bob2.radius)
-    words = f"the magnitude of the difference of their positions is {shown(apart)} m"
+    """Return whether the bobs of these pendula touch, and what handle_collision gives then."""
+    bob1 = pend1["objects"][1]
+    bob2 = pend2["objects"][1]
+    apart = (bob1.pos - bob2.pos).mag
+    reach = contact_distance(bob1.radius, bob2.radius)
+    distance = f"the magnitude of the difference of their positions is {text_of(apart)} m"
     if apart > reach:
-        return f"These bobs do not touch: {words}, more than {shown(reach)} m."
+        return f"These bobs do not touch: {distance}, more than {text_of(reach)} m."
     values = pend1["e"], pend1["omega"], pend2["omega"], pend1["mass"], pend2["mass"], r_param
-    gives = f"handle_collision{shown(values)} gives {shown(wanted)}"
-    return f"These bobs touch: {words}, at most {shown(reach)} m. {gives}."
-
-
-def omegas(pend1, pend2):
-    """Return options of expect to compare both omegas after the call."""
-    return {
-        "see": lambda _: (pend1["omega"], pend2["omega"]),
-        "what": "omega of pend1, omega of pend2",
-    }
+    gives = f"handle_collision{text_of(values)} gives {text_of(wanted)}"
+    return f"These bobs touch: {distance}, at most {text_of(reach)} m. {gives}."
 
 
 @check("handle_two_bobs")
 def test_masses_and_omegas_are_those_of_each():
     """For each pendulum dictionary, get the masses, bobs and angular velocity (omega)."""
-    again = "This is the result if handle_collision is called again after pend1 has changed. Call it once, for both."
+    again = (
+        "This is the result if handle_collision is called again after pend1 has changed. Call it "
+        "once, for both."
+    )
     results = [
         ((1.125, 1.0390625), again),
         ((1.40625, 1.53125), "This is the result with the product of both e."),
@@ -340,9 +340,8 @@ def test_bobs_that_touch_collide_whatever_their_velocities_are():
     check_pair((-2.5, -1.5), omega1=-1.0, omega2=-3.0)
     check_pair((1.75, 3.25), omega2=1.0)
     check_pair((1e-8, 3e-8), omega1=4e-8)
-    for (e, mass), omega in zip(
-        product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0)), cycle((-5.0, 0.0, 6.0))
-    ):
+    es_and_masses = product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0))
+    for (e, mass), omega in zip(es_and_masses, cycle((-5.0, 0.0, 6.0))):
         wanted = result_of("handle_collision", e, LEFT, omega, 1.0, mass, 4.0)
         check_pair(wanted, e1=e, e2=0.25, mass2=mass, omega2=omega)
 
@@ -362,14 +361,15 @@ def test_omegas_are_updated_and_nothing_else():
     """Then, update both dictionaries with their respective new omega values."""
     for apart in (1.0, 2.0):
         pends = pair(apart, mass1=2.0, theta1=0.01, e2=0.9, theta2=0.02)
-
         before = all_but_omega(*pends)
 
         def changed(_, pends=pends, before=before):
             now = all_but_omega(*pends)
-            return {
-                key: now.get(key) for key in before | now if not same(now.get(key), before.get(key))
-            }
+            values = {}
+            for key in before | now:
+                if not same(now.get(key), before.get(key)):
+                    values[key] = now.get(key)
+            return values
 
         what = "changed values (besides omega)"
         expect("handle_two_bobs", *pends, 4 * apart, wanted={}, see=changed, what=what)
@@ -378,9 +378,6 @@ def test_omegas_are_updated_and_nothing_else():
 @check("handle_two_bobs")
 def test_earlier_calls_do_not_matter():
     """Handles the pairwise interactions between two bobs."""
-    pend1, pend2 = pair()
+    pends = pair()
     for wanted in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
-        words = help_for(pend1, pend2, 4.0, wanted)
-        expect(
-            "handle_two_bobs", pend1, pend2, 4.0, wanted=wanted, help=words, **omegas(pend1, pend2)
-        )
+        expect_omegas(wanted, *pends, 4.0)

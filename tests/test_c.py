@@ -9,14 +9,14 @@ from math import cos, pi, sin
 
 from vpython import vector
 
-from grading.cradles import each, hang, LEFT_OVER, left_over, R, shapes, touching
+from grading.cradles import hang, LEFT_OVER, left_over, R, see_each, shapes, touching
 from grading.grader import check, expect, steps
 from grading.messages import Wanted
 
 steps(
     "angle_update",
-    "the acceleration from g, theta and r_param; omega plus its change in dt; theta plus its change, with the new "
-    "omega; return both.",
+    "the acceleration from g, theta and r_param; omega plus its change in dt; theta plus its "
+    "change, with the new omega; return both.",
     "area = 2 * (width + height)  # each product needs its *",
     "return low, high  # gives two values back, in this order",
 )
@@ -29,7 +29,8 @@ steps(
 
 # The arguments omega, theta, r_param, dt, g, and the result; by hand from the two formulas of the
 # appendix.
-STEP, AFTER = (3.0, 5 * pi / 6, 0.4, 0.1, 8.0), (2.0, 5 * pi / 6 + 0.2)  # omega falls by 1
+STEP = (3.0, 5 * pi / 6, 0.4, 0.1, 8.0)
+AFTER = (2.0, 5 * pi / 6 + 0.2)  # omega falls by 1
 STEPS = [
     # On the left, gravity pulls to the right
     ((2.0, -pi / 6, 0.5, 0.1, 10.0), (3.0, -pi / 6 + 0.3)),
@@ -56,7 +57,10 @@ STEPS = [
 
 
 # Wrong results of the first step, and what they are.
-DEGREES = "This is the result with degrees. theta is in radians already, as sin() takes it. Do not convert it."
+DEGREES = (
+    "This is the result with degrees. theta is in radians already, as sin() takes it. Do not "
+    "convert it."
+)
 RESULTS = [
     (
         (2.0, 2.917993878),
@@ -64,7 +68,8 @@ RESULTS = [
     ),
     (
         (4.0, 3.017993878),
-        "This is the result with + in front of the acceleration. Gravity pulls the bob back down: -.",
+        "This is the result with + in front of the acceleration. Gravity pulls the bob back "
+        "down: -.",
     ),
     ((2.908647, 2.908858878), DEGREES),
     ((4.429753, 3.060968878), DEGREES),
@@ -140,12 +145,18 @@ SWINGING = [
 
 def swinging_row(count):
     """Return count pendula, and their (omega, theta) after the swing: SWINGING, again and again."""
-    rows = [SWINGING[i % len(SWINGING)] for i in range(count)]
-    pend_list = [
-        hang(*values, axle=(7 * i % 10 * 0.1, 0.05, 0), r_param=0.5)
-        for i, (values, _) in enumerate(rows)
-    ]
-    return pend_list, [after for _, after in rows]
+    pend_list = []
+    after = []
+    for i in range(count):
+        values, omega_and_theta = SWINGING[i % len(SWINGING)]
+        pend_list.append(hang(*values, axle=(7 * i % 10 * 0.1, 0.05, 0), r_param=0.5))
+        after.append(omega_and_theta)
+    return pend_list, after
+
+
+def expect_swing(pend_list, **options):
+    """Check what full_swing_update does in 0.1 s with g = 10 m/s^2 and cords of 0.5 m."""
+    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, **options)
 
 
 @check("full_swing_update")
@@ -153,99 +164,84 @@ def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
     for count in (3, 10, 40):
         pend_list, after = swinging_row(count)
-        expect(
-            "full_swing_update",
-            pend_list,
-            0.5,
-            0.1,
-            10.0,
-            wanted=after,
-            **each(pend_list, "omega", "theta"),
-        )
-    one, what = [hang(theta=-pi / 6, omega=2.0, r_param=0.25)], "omega of one pendulum"
+        expect_swing(pend_list, wanted=after, **see_each(pend_list, "omega", "theta"))
+    pend = hang(theta=-pi / 6, omega=2.0, r_param=0.25)
     expect(
         "full_swing_update",
-        one,
+        [pend],
         0.25,
         0.2,
         5.0,
         wanted=4.0,
-        see=lambda _: one[0]["omega"],
-        what=what,
+        see=lambda _: pend["omega"],
+        what="omega of one pendulum",
     )
-    expect(
-        "full_swing_update",
-        [],
-        0.5,
-        0.1,
-        10.0,
-        wanted=Wanted("no error for an empty pend_list", lambda _: True),
-    )
+    expect_swing([], wanted=Wanted("no error for an empty pend_list", lambda _: True))
 
 
 @check("full_swing_update")
 def test_bobs_and_cords_move():
     """Updates the angle and position of the pendulum components."""
     pend_list, after = swinging_row(3)
-    parts_of = [pend["objects"] for pend in pend_list]
+    objects = [pend["objects"] for pend in pend_list]
 
     def see(_):
-        return [(axle.pos, bob.pos, ends(cord)) for axle, bob, cord in parts_of]
+        return [(axle.pos, bob.pos, ends(cord)) for axle, bob, cord in objects]
 
     def ends(cord):  # a student may draw it from either end
         return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: end.y)
 
-    axles = [vector(axle.pos) for axle, _, _ in parts_of]
-    cords = [vector(0.5 * sin(theta), -0.5 * cos(theta), 0) for _, theta in after]
-    wanted = [
-        (axle, axle + cord, [axle + cord, axle]) for axle, cord in zip(axles, cords, strict=True)
-    ]
-    what = "axle, bob, ends of the cord of each pendulum"
-    old, parts = shapes(), [part for objects in parts_of for part in objects]
-    expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=wanted, see=see, what=what)
-    expect(
-        "full_swing_update",
-        pend_list,
-        0.5,
-        0.1,
-        10.0,
-        see=lambda _: left_over(old, parts),
-        **LEFT_OVER,
+    wanted = []
+    parts = []
+    for (axle, bob, cord), (_, theta) in zip(objects, after, strict=True):
+        lower = axle.pos + vector(0.5 * sin(theta), -0.5 * cos(theta), 0)
+        wanted.append((vector(axle.pos), lower, [lower, vector(axle.pos)]))
+        parts += [axle, bob, cord]
+    old = shapes()
+    expect_swing(
+        pend_list, wanted=wanted, see=see, what="axle, bob, ends of the cord of each pendulum"
     )
+    expect_swing(pend_list, see=lambda _: left_over(old, parts), **LEFT_OVER)
 
 
 @check("full_swing_update")
 def test_a_swing_changes_nothing_else():
     """The pend_dict is updated."""
-    pend_list, *_ = swinging_row(3)
+    pend_list, _ = swinging_row(3)
     for pend in pend_list:
         pend["objects"][1].radius = 0.02  # so the bobs do not touch
-    pendula, objects = list(pend_list), [pend["objects"] for pend in pend_list]
+    pendula = [*pend_list]
+    objects = [pend["objects"] for pend in pend_list]
 
     def values(_=None):
-        kept = [{key: pend[key] for key in ("mass", "e", "color", "texture")} for pend in pend_list]
-        return [
-            {**pend, "radius": bob.radius} for pend, (_, bob, _) in zip(kept, objects, strict=True)
-        ]
+        found = []
+        for pend, (_, bob, _) in zip(pend_list, objects, strict=True):
+            kept = {key: pend[key] for key in ("mass", "e", "color", "texture")}
+            found.append({**kept, "radius": bob.radius})
+        return found
 
     def are_same(now, old):
-        return len(now) == len(old) and all(
-            one is other for one, other in zip(now, old, strict=True)
-        )
+        return [*map(id, now)] == [*map(id, old)]
 
-    def have_objects(_):
+    def are_same_pendula(_):
+        return are_same(pend_list, pendula)
+
+    def have_same_objects(_):
         return all(map(are_same, (pend["objects"] for pend in pend_list), objects))
 
-    for what, wanted, see in (
-        ("each pendulum", values(), values),
-        (
-            "that the list has the same pendula in the same order",
-            True,
-            lambda _: are_same(pend_list, pendula),
-        ),
-        ("that all pendula have the same objects", True, have_objects),
-    ):
-        expect("full_swing_update", pend_list, 0.5, 0.1, 10.0, wanted=wanted, see=see, what=what)
+    expect_swing(pend_list, wanted=values(), see=values, what="each pendulum")
+    expect_swing(
+        pend_list,
+        wanted=True,
+        see=are_same_pendula,
+        what="that the list has the same pendula in the same order",
+    )
+    expect_swing(
+        pend_list,
+        wanted=True,
+        see=have_same_objects,
+        what="that all pendula have the same objects",
+    )
 
 
 @check("full_swing_update")
@@ -253,4 +249,5 @@ def test_a_swing_is_no_collision():
     """The functionality of each individual pendulum: how each pendulum swings."""
     omegas = [1.0, -1.0, 0.5]
     pend_list = touching(*omegas)
-    expect("full_swing_update", pend_list, R, 1e-9, 9.81, wanted=omegas, **each(pend_list, "omega"))
+    states = see_each(pend_list, "omega")
+    expect("full_swing_update", pend_list, R, 1e-9, 9.81, wanted=omegas, **states)

@@ -5,7 +5,6 @@ if __name__ == "__main__":
 
     refuse_to_run()
 
-from itertools import product
 from math import pi
 
 from vpython import box, cylinder, sphere, textures, vector
@@ -17,29 +16,40 @@ from support.pendulum import arm, make_pendulum
 
 steps(
     "make_double_pendulum",
-    "make_pendulum for the upper one; make_bob_and_cord from the upper bob, with the angle from straight down; five "
-    "objects are returned.",
+    "make_pendulum for the upper one; make_bob_and_cord from the upper bob, with the angle from "
+    "straight down; five objects are returned.",
     "title, pages, price = book['facts']  # takes a tuple apart",
     "return low, high  # gives two values back, in this order",
 )
 steps(
     "double_angle_update",
-    "alpha, beta and their rates; double_accelerations; the new rates, then the new angles; back to theta and phi.",
+    "alpha, beta and their rates; double_accelerations; the new rates, then the new angles; back "
+    "to theta and phi.",
     "low, high = prices(book)  # stores the two results of one call",
     "return low, high  # gives two values back, in this order",
 )
 
-AXLE, CORD = vector(0.3, 0.1, 0), 0.5  # m
+AXLE = vector(0.3, 0.1, 0)  # m
+CORD = 0.5  # m
 RED = vector(1, 0, 0)
 
 
 def check_double_pendulum(see, what, theta, phi, wanted, cord=CORD, texture=textures.wood, help=""):
     """Check what see(objects) returns for a double pendulum."""
-    words = (
-        f"From straight down, the upper cord is at {theta:g}, and the lower one at {theta + phi:g}."
+    angles = f"the upper cord is at {theta:g}, and the lower one at {theta + phi:g}"
+    expect(
+        "make_double_pendulum",
+        AXLE,
+        cord,
+        theta,
+        phi,
+        RED,
+        texture,
+        wanted=wanted,
+        see=see,
+        what=what,
+        help=help or f"From straight down, {angles}.",
     )
-    options = {"wanted": wanted, "see": see, "what": what, "help": help or words}
-    expect("make_double_pendulum", AXLE, cord, theta, phi, RED, texture, **options)
 
 
 @check("make_double_pendulum")
@@ -47,12 +57,11 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
     """Define a make_double_pendulum() that makes the double-pendulum structure."""
     kinds = box, sphere, cylinder, sphere, cylinder
 
-    def is_one(found):
+    def are_parts(found):
         return isinstance(found, tuple) and len(found) == 5 and all(map(isinstance, found, kinds))
 
-    wanted = Wanted(
-        "a tuple of axle, upper bob, upper cord, lower bob and lower cord", is_one, like=(None,) * 5
-    )
+    parts = "a tuple of axle, upper bob, upper cord, lower bob and lower cord"
+    wanted = Wanted(parts, are_parts, like=(None,) * 5)
     order = "Five objects come back, in this order: axle, bob1, cord1, bob2, cord2."
     check_double_pendulum(None, "", 0.7, 0.4, wanted, help=order)
     old = shapes()
@@ -68,20 +77,22 @@ def test_bobs_are_where_the_angles_say():
         return axle.pos, bob1.pos, bob2.pos
 
     what = "position of axle, position of bob1, position of bob2"
-    # theta, phi, and by hand the lower cord's angle from straight down
-    angles = [
-        (0.7, 0.4, 1.1),
-        (0, 0, 0),
-        (0.7, 0, 0.7),
-        (0, 0.7, 0.7),
-        (0.6, -0.4, 0.2),
-        (-2.0, 3.0, 1.0),
-    ]
-    angles += [(3.5, 1.0, 4.5), (0.5, 4.0, 4.5), (-7.0, -9.0, -16.0)]
-    for (theta, phi, beta), times in [*((each, 1) for each in angles), (angles[0], 3)]:
-        joint = AXLE + arm(theta, times * CORD)
-        wanted = AXLE, joint, joint + arm(beta, times * CORD)
-        check_double_pendulum(see, what, theta, phi, wanted, cord=times * CORD)
+    # theta, phi, by hand the lower cord's angle from straight down, and the length of a cord (m)
+    for theta, phi, beta, cord in (
+        (0.7, 0.4, 1.1, CORD),
+        (0, 0, 0, CORD),
+        (0.7, 0, 0.7, CORD),
+        (0, 0.7, 0.7, CORD),
+        (0.6, -0.4, 0.2, CORD),
+        (-2.0, 3.0, 1.0, CORD),
+        (3.5, 1.0, 4.5, CORD),
+        (0.5, 4.0, 4.5, CORD),
+        (-7.0, -9.0, -16.0, CORD),
+        (0.7, 0.4, 1.1, 3 * CORD),
+    ):
+        joint = AXLE + arm(theta, cord)
+        wanted = AXLE, joint, joint + arm(beta, cord)
+        check_double_pendulum(see, what, theta, phi, wanted, cord)
 
 
 @check("make_double_pendulum")
@@ -90,10 +101,10 @@ def test_cords_hold_the_bobs():
 
     def see(objects):
         _, _, cord1, _, cord2 = objects
-        return [
-            sorted([cord.pos, cord.pos + cord.axis], key=lambda end: -end.y)
-            for cord in (cord1, cord2)
-        ]
+        return [ends(cord1), ends(cord2)]
+
+    def ends(cord):  # the upper one first
+        return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: -end.y)
 
     joint = AXLE + arm(0.7, CORD)
     wanted = [[AXLE, joint], [joint, joint + arm(1.1, CORD)]]
@@ -114,7 +125,9 @@ def test_both_bobs_have_the_looks_that_are_given():
         check_double_pendulum(see, what, 0.7, 0.4, wanted, texture=texture)
 
 
-LENGTH, DT, G = 0.5, 1e-6, 10.0  # m, s, m/s^2: g / R is 20 / s^2
+LENGTH = 0.5  # m
+DT = 1e-6  # s
+G = 10.0  # m/s^2: g / R is 20 / s^2
 
 # omega_theta, omega_phi, theta, phi, and the accelerations of theta and of phi (rad/s^2), by hand,
 # for equal masses.
@@ -139,47 +152,71 @@ def test_both_angles_are_updated():
     """Define a double_angle_update() that updates both angles of the pendulum."""
     state = 3.0, -2.0, 0.6, -0.4
     rest = "With dt = 0, nothing moves."
-    counted = "This is the result if phi counts from straight down. It counts from the upper cord; omega_phi, too."
+    counted = (
+        "This is the result if phi counts from straight down. It counts from the upper cord; "
+        "omega_phi, too."
+    )
     results = [((3.0, 1.0, 0.6, 0.2), counted)]
     expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state, help=rest, results=results)
     slow = 4e-8, -4e-8, 0.6, -0.4
     expect("double_angle_update", *slow, LENGTH, 0.0, G, wanted=slow, help=rest)
     straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity, it turns evenly
-    words = "Both cords are in one line, and there is no gravity: the pendulum turns evenly."
-    turned = {"wanted": (3.0, 0.0, 0.9, 0.0), "help": words}
-    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, **turned)
+    turned = 3.0, 0.0, 0.9, 0.0
+    evenly = "Both cords are in one line, and there is no gravity: the pendulum turns evenly."
+    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, wanted=turned, help=evenly)
     # Whole numbers
     expect("double_angle_update", 3, 0, 1, 0, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 1.3, 0.0))
-    for omega, before, after, phi in [
-        *((20.0, 11.0, 13.0, i * pi) for i in (2, 4, -6)),
+    for omega, before, after, phi in (
+        (20.0, 11.0, 13.0, 2 * pi),
+        (20.0, 11.0, 13.0, 4 * pi),
+        (20.0, 11.0, 13.0, -6 * pi),
         (-20.0, -11.0, -13.0, 0.0),
-    ]:
+    ):
         turned = omega, 0.0, after, phi
         expect("double_angle_update", omega, 0.0, before, phi, LENGTH, 0.1, 0.0, wanted=turned)
 
 
 @check("double_angle_update")
 def test_the_accelerations_are_those_of_the_laws_of_motion():
-    """Here, it is important to choose a valid reference frame (the function's docstring names it)."""
-    for (state, wanted), (length, g) in product(ACCELERATIONS, [(LENGTH, G), (2.0, 40.0)]):
+    """Here, it is important to choose a valid reference frame (the function's docstring names
+    it).
+    """
+    for state, wanted in ACCELERATIONS:
+        check_accelerations(state, wanted, LENGTH, G)
+        check_accelerations(state, wanted, 2.0, 40.0)
 
-        def see(found, state=state):
-            return tuple(
-                round((new - old) / DT, 2) + 0
-                for new, old in zip(found[:2], state[:2], strict=True)
-            )
 
-        what = "change of omega_theta / dt, change of omega_phi / dt"
-        omega_theta, omega_phi, theta, phi = state
-        angles = f"alpha = {theta:g}, beta = {theta + phi:g}"
-        rates = f"their rates are {omega_theta:g} and {omega_theta + omega_phi:g}"
-        words = f"Here, {angles}, {rates}, k = g/R = {g / length:g}, and mu = m2/(m1 + m2) = 0.5."
-        options = {"see": see, "what": what, "results": RESULTS, "help": words}
-        expect("double_angle_update", *state, length, DT, g, wanted=wanted, **options)
+def check_accelerations(state, wanted, length, g):
+    """Check how both rates change in a short time, at this state."""
+
+    def see(found):
+        changes = []
+        for new, old in zip(found[:2], state[:2], strict=True):
+            changes.append(round((new - old) / DT, 2) + 0)  # no -0
+        return tuple(changes)
+
+    omega_theta, omega_phi, theta, phi = state
+    angles = f"alpha = {theta:g}, beta = {theta + phi:g}"
+    rates = f"their rates are {omega_theta:g} and {omega_theta + omega_phi:g}"
+    expect(
+        "double_angle_update",
+        *state,
+        length,
+        DT,
+        g,
+        wanted=wanted,
+        see=see,
+        what="change of omega_theta / dt, change of omega_phi / dt",
+        results=RESULTS,
+        help=f"Here, {angles}, {rates}, k = g/R = {g / length:g}, and mu = m2/(m1 + m2) = 0.5.",
+    )
 
 
 # Wrong accelerations of the first state, and what they are.
-SINGLE = "These are the accelerations of two single pendula. Each one pulls at the other: call double_accelerations."
+SINGLE = (
+    "These are the accelerations of two single pendula. Each one pulls at the other: call "
+    "double_accelerations."
+)
 BETA = "This is beta'' in place of that of phi. phi is beta - alpha: subtract alpha''."
 RESULTS = [((-10.0, -17.32), SINGLE), ((-10.0, -10.0), SINGLE), ((-5.71, -17.14), BETA)]
 
@@ -200,13 +237,17 @@ SWINGS = [
 @check("double_angle_update")
 def test_a_tenth_of_a_second_of_swinging():
     """The two pendula oscillate with the angles theta and phi."""
-    for (theta, phi, *masses), end in SWINGS:
-        wanted = tuple(within(0.005, value) for value in end)
-        what = "omega_theta, omega_phi, theta, phi"
-        right = [("k", 9.81 / LENGTH), ("mu", masses[1] / sum(masses))]
-        # The steps are short enough for every method of the first order.
-        arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, *masses
-        expect("double_angle_update", *arguments, wanted=wanted, what=what, times=200, right=right)
+    for (theta, phi, m1, m2), end in SWINGS:
+        # The steps are short enough for every method of the first order
+        arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, m1, m2
+        expect(
+            "double_angle_update",
+            *arguments,
+            wanted=tuple(within(0.005, value) for value in end),
+            what="omega_theta, omega_phi, theta, phi",
+            times=200,
+            right=[("k", 9.81 / LENGTH), ("mu", m2 / (m1 + m2))],
+        )
 
 
 def within(distance, value) -> Wanted:

@@ -1,5 +1,6 @@
-"""The grader and the programs of tests/ import this first: it finds the project, and lets a
-stand-in be VPython.
+"""The grader and the programs of tests/ import this first.
+
+It finds the project, and lets a stand-in be VPython.
 """
 
 import sys

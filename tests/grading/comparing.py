@@ -3,10 +3,11 @@
 import re
 from math import isclose
 from numbers import Real
+from typing import Any, NamedTuple
 
 from vpython import vector
 
-from grading.messages import about, form_of, shown, Wanted
+from grading.messages import about, form_of, plural, text_of, Wanted
 
 LONG = 60  # characters; of a longer list, a message shows only the first difference
 
@@ -21,6 +22,17 @@ OTHER_FORM = (
     RecursionError,
 )
 
+# The names of elements in a sentence, and the name of the list that has them.
+ELEMENTS = {"each pendulum": "pend_list", "each axle": "axle", "each bob": "bob"}
+
+
+class Part(NamedTuple):
+    """A part of a value: its name, the value of it that was found, and the expected one."""
+
+    name: str
+    found: Any
+    wanted: Any
+
 
 def fits(found, wanted) -> bool:
     """Return whether found is right; wanted is a value, a Wanted, or a test of a value."""
@@ -33,77 +45,92 @@ def fits(found, wanted) -> bool:
 def same(found, wanted) -> bool:
     """Return whether two values are equal, numbers within rounding errors; 0 equals 0.0."""
     if isinstance(wanted, Wanted):
-        return bool(wanted.is_one(found))
+        return bool(wanted.test(found))
     if isinstance(wanted, vector):
         return isinstance(found, vector) and same(found.value, wanted.value)
     if isinstance(wanted, dict):
-        has_keys = isinstance(found, dict) and found.keys() == wanted.keys()
-        return has_keys and all(same(found[key], wanted[key]) for key in wanted)
+        if not isinstance(found, dict) or found.keys() != wanted.keys():
+            return False
+        return all(same(found[key], wanted[key]) for key in wanted)
     if isinstance(wanted, (list, tuple)):
-        is_row = isinstance(found, list if isinstance(wanted, list) else tuple) and len(
-            found
-        ) == len(wanted)
-        return is_row and all(same(*pair) for pair in zip(found, wanted, strict=True))
+        form = list if isinstance(wanted, list) else tuple
+        if not isinstance(found, form) or len(found) != len(wanted):
+            return False
+        return all(same(*pair) for pair in zip(found, wanted, strict=True))
     if isinstance(wanted, Real):
         return isinstance(found, Real) and isclose(found, wanted, rel_tol=1e-6, abs_tol=1e-9)
     return isinstance(found, type(wanted)) and bool(found == wanted)
 
 
-def words_of(found, rows) -> str:
-    """Return the words of the rows that fit a result, or "".
+def hint_for_result(found, results) -> str:
+    """Return the hint of the wrong results that fit, or "".
 
-    If two of them do, nobody knows which one it was.
+    results are pairs of a wrong result, or a test of it, and a hint. If two hints fit, nobody knows
+    which mistake it was.
     """
-    sentences = {sentence for mistaken, sentence in rows if fits(found, mistaken)}
-    return sentences.pop() if len(sentences) == 1 else ""
+    hints = {hint for mistaken, hint in results if fits(found, mistaken)}
+    return hints.pop() if len(hints) == 1 else ""
 
 
 def is_exchanged(found, wanted) -> bool:
     """Return whether a tuple has the expected values in another order."""
-    if not (isinstance(found, tuple) and isinstance(wanted, tuple) and len(found) == len(wanted)):
+    if not isinstance(found, tuple) or not isinstance(wanted, tuple) or len(found) != len(wanted):
         return False
     left = [*found]
     for value in wanted:
-        match = next((i for i, one in enumerate(left) if same(one, value)), None)
-        if match is None:
+        equal = [i for i, element in enumerate(left) if same(element, value)]
+        if not equal:
             return False
-        left.pop(match)
+        left.pop(equal[0])
     return True
 
 
 def both(what, found, wanted) -> list[tuple[str, list[str]]]:
-    """Return both values as (label, lines) of a message; for long lists, those of the first wrong
-    element.
+    """Return both values as (label, lines) of a message.
+
+    For long lists, these are the lines of the first wrong element.
     """
     digits = digits_of(found, wanted)
-    are_lists = isinstance(found, list) and isinstance(wanted, list)
-    if are_lists and len(found) != len(wanted) and are_pendula(wanted):
-        return [("came back", number_of(found)), ("expected", number_of(wanted))]
-    if (
-        are_lists
-        and len(found) == len(wanted)
-        and (isinstance(wanted[0], dict) or max(len(shown(found)), len(shown(wanted))) > LONG)
-    ):
-        i = [same(*pair) for pair in zip(found, wanted, strict=True)].index(False)
-        what = f"{what} at index {i}".lstrip()
-        found, wanted = found[i], wanted[i]
+    if isinstance(found, list) and isinstance(wanted, list):
+        if len(found) != len(wanted):
+            if are_pendula(wanted):
+                return [("came back", [number_of(found)]), ("expected", [number_of(wanted)])]
+        elif isinstance(wanted[0], dict) or is_long(found) or is_long(wanted):
+            i = first_difference(found, wanted)
+            what = f"{what} at index {i}".lstrip()
+            found = found[i]
+            wanted = wanted[i]
     return [("came back", about(what, found, digits)), ("expected", about(what, wanted, digits))]
+
+
+def is_long(value) -> bool:
+    """Return whether a message has no room for a whole list."""
+    return len(text_of(value)) > LONG
+
+
+def first_difference(found, wanted) -> int:
+    """Return the index of the first wrong element of a list."""
+    return [same(*pair) for pair in zip(found, wanted, strict=True)].index(False)
 
 
 def are_pendula(value) -> bool:
     """Return whether a value is a list of dictionaries."""
-    return isinstance(value, list) and bool(value) and all(isinstance(one, dict) for one in value)
+    if not isinstance(value, list) or not value:
+        return False
+    return all(isinstance(element, dict) for element in value)
 
 
 def number_of(value) -> str:
-    """Return how many elements a list has, in words."""
-    one, more = ("pendulum", "pendula") if are_pendula(value) else ("element", "elements")
-    return f"a list of {len(value)} {one if len(value) == 1 else more}"
+    """Return how many elements a list has, as text."""
+    if are_pendula(value):
+        return f"a list of {plural(len(value), 'pendulum', 'pendula')}"
+    return f"a list of {plural(len(value), 'element', 'elements')}"
 
 
 def mistake_in(what, found, wanted) -> str:
-    """Return a sentence about the first mistake in found. what names it, or the parts of a tuple,
-    with commas.
+    """Return a sentence about the first mistake in found.
+
+    what is its name or, with commas, the names of the parts of a tuple.
     """
     whole = "The result" if ", " in what else what
     like = wanted.like if isinstance(wanted, Wanted) else wanted
@@ -112,18 +139,20 @@ def mistake_in(what, found, wanted) -> str:
     if like is not None and form_of(found) != form_of(like):
         return f"{whole} {verb_of(whole)} {form_of(found)}, not {form_of(like)}."
     if isinstance(like, (list, tuple)) and len(found) != len(like):
-        whole = "pend_list" if what.endswith(" of each pendulum") else whole
+        if what.endswith(" of each pendulum"):
+            whole = "pend_list"
         has = "have" if verb_of(whole) == "are" else "has"
-        return (
-            f"{whole} {has} {len(found)} element{'' if len(found) == 1 else 's'}, not {len(like)}."
-        )
+        elements = plural(len(found), "element", "elements")
+        return f"{whole} {has} {elements}, not {len(like)}."
     if isinstance(wanted, dict) and found.keys() != wanted.keys():
-        missing, others = wanted.keys() - found.keys(), found.keys() - wanted.keys()
-        words = "misses" if missing else "must not have"
-        return f"{what} {words} the key {min(map(shown, missing or others))}."
+        missing = wanted.keys() - found.keys()
+        if missing:
+            return f"{what} misses the key {min(map(text_of, missing))}."
+        others = found.keys() - wanted.keys()
+        return f"{what} must not have the key {min(map(text_of, others))}."
     for part in parts_in(what, found, wanted):
-        if not fits(*part[1:]):
-            return mistake_in(*part)
+        if not fits(part.found, part.wanted):
+            return mistake_in(part.name, part.found, part.wanted)
     return f"{whole} {verb_of(whole)} {difference(found, wanted)}."
 
 
@@ -132,43 +161,54 @@ def verb_of(whole) -> str:
     return "are" if re.match(r"ends |[^,]* and ", whole) else "is"
 
 
-def parts_in(what, found, wanted) -> list[tuple]:
-    """Return the parts of a value: of each, its name, the value, and the expected one."""
-    if isinstance(wanted, Wanted) and isinstance(wanted.like, list):  # the forms of its elements
-        wanted = [
-            Wanted("", lambda one, each=each: form_of(one) == form_of(each), like=each)
-            for each in wanted.like
-        ]
+def parts_in(what, found, wanted) -> list[Part]:
+    """Return the parts of a value, none if it has none."""
     if isinstance(wanted, dict):
-        return [(f"{key} of {what}", found[key], wanted[key]) for key in wanted]
-    if isinstance(wanted, (list, tuple)):
-        return [*zip(parts_of(what, len(wanted)), found, wanted, strict=True)]
-    return []
+        return [Part(f"{key} of {what}", found[key], wanted[key]) for key in wanted]
+    if isinstance(wanted, Wanted) and isinstance(wanted.like, list):
+        elements = [with_form_of(example) for example in wanted.like]
+    elif isinstance(wanted, (list, tuple)):
+        elements = [*wanted]
+    else:
+        return []
+    names = names_of_parts(what, len(elements))
+    return [Part(*part) for part in zip(names, found, elements, strict=True)]
+
+
+def with_form_of(example) -> Wanted:
+    """Return the expectation of a value with the form of an example."""
+    return Wanted("", lambda found: form_of(found) == form_of(example), like=example)
 
 
 def difference(found, wanted) -> str:
     """Return what a value is, and what it must be."""
     digits = digits_of(found, wanted)
     if not isinstance(wanted, Wanted):
-        is_plain = isinstance(found, (Real, str, vector))
-        return f"{shown(found, digits)}, not {shown(wanted, digits)}" if is_plain else "wrong"
+        if isinstance(found, (Real, str, vector)):
+            return f"{text_of(found, digits)}, not {text_of(wanted, digits)}"
+        return "wrong"
     if isinstance(found, Real) and not isinstance(found, bool):
-        return f"{shown(found, digits)}, not {wanted.words}"
-    return f"not {wanted.words}" if wanted.words else "wrong"
+        return f"{text_of(found, digits)}, not {wanted.text}"
+    return f"not {wanted.text}" if wanted.text else "wrong"
 
 
-def parts_of(what, count) -> list[str]:
-    """Return the names of the elements: "theta of pend_list[0]", ... for "theta of each pendulum"."""
-    for each, one in (("each pendulum", "pend_list"), ("each axle", "axle"), ("each bob", "bob")):
-        if each in what:
-            return [what.replace(each, f"{one}[{i}]") for i in range(count)]
-    first, of, others = what.partition(" of ")
-    for names, end in ((what.split(", "), ""), (first.split(" and "), of + others)):
-        if len(names) == count > 1:
-            return [name + end for name in names]
-    return [what if " " in what else f"{what}[{i}]" for i in range(count)]
+def names_of_parts(what, count) -> list[str]:
+    """Return the names of the elements: "theta of pend_list[0]" for "theta of each pendulum"."""
+    for elements, name in ELEMENTS.items():
+        if elements in what:
+            return [what.replace(elements, f"{name}[{i}]") for i in range(count)]
+    names = what.split(", ")
+    if len(names) == count > 1:
+        return names
+    first, of, whole = what.partition(" of ")
+    names = first.split(" and ")
+    if len(names) == count > 1:
+        return [name + of + whole for name in names]
+    if " " in what:
+        return [what] * count
+    return [f"{what}[{i}]" for i in range(count)]
 
 
 def digits_of(found, wanted) -> int:
     """Return how many digits show that both values differ."""
-    return 6 if shown(found) != shown(wanted) else 15
+    return 6 if text_of(found) != text_of(wanted) else 15

@@ -1,6 +1,7 @@
 """Cradles for the checks and the tests: CSV text, and pendula made by hand, without src/."""
 
 from operator import itemgetter
+from typing import Any
 
 from vpython import color, scene, vector
 
@@ -18,15 +19,17 @@ MIXED = [
 
 def csv_of(rows) -> str:
     """Return rows as the text of a CSV, without a line break at the end."""
-    return "\n".join([",".join(rows[0]), *(",".join(map(str, row.values())) for row in rows)])
+    lines = [rows[0], *(row.values() for row in rows)]
+    return "\n".join(",".join(map(str, line)) for line in lines)
 
 
 MIXED_CSV = f"{csv_of(MIXED)}\n"
 
 
-def each(pend_list, *keys) -> dict:
-    """Return options of expect to compare the values of these keys in each pendulum, after the
-    call.
+def see_each(pend_list, *keys) -> dict[str, Any]:
+    """Return options of expect to compare the values of these keys in each pendulum.
+
+    The values are those after the call.
     """
     return {
         "see": lambda _: [*map(itemgetter(*keys), pend_list)],
@@ -36,21 +39,22 @@ def each(pend_list, *keys) -> dict:
 
 def hang(
     theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R, radius=None
-) -> dict:
-    """Return a pendulum at theta (rad) below axle (x, y, z in m); without radius (m), the bob has
-    the usual one.
+) -> dict[str, Any]:
+    """Return a pendulum at theta (rad) below axle (x, y, z in m).
+
+    Without radius (m), the bob has the usual one.
     """
     objects = make_pendulum(vector(*axle), r_param, theta, color.white, None)
     objects[1].radius = radius or objects[1].radius
-    values = {
+    return {
         "mass": mass,
         "e": e,
         "theta": theta,
         "omega": omega,
         "color": "white",
         "texture": "none",
+        "objects": objects,
     }
-    return {**values, "objects": objects}
 
 
 def row(count, **values) -> list[dict]:
@@ -58,11 +62,12 @@ def row(count, **values) -> list[dict]:
     return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]
 
 
-def touching(*omegas, radius=R / 8):
+def touching(*omegas, radius=R / 8) -> list[dict]:
     """Return pendula that hang straight down and touch, with these omegas (rad/s)."""
-    return [
-        hang(omega=omega, axle=(i * R / 4, 0, 0), radius=radius) for i, omega in enumerate(omegas)
-    ]
+    pend_list = row(len(omegas), radius=radius)
+    for pend, omega in zip(pend_list, omegas, strict=True):
+        pend["omega"] = omega
+    return pend_list
 
 
 def shapes() -> set[int]:
@@ -76,15 +81,20 @@ LEFT_OVER = {"wanted": 0, "what": "number of shapes that no pendulum has"}
 
 
 def left_over(old, parts) -> int:
-    """Return how many shapes of the scene look like one of parts, but are none of them, and not in
-    old.
+    """Return how many shapes of the scene look like one of parts, but are none, and not in old.
 
     old is from shapes(), parts are the objects of pendula. Shapes of another thickness are for
     show: a frame.
     """
-    kinds = {(type(part), *part.size.value[1:]) for part in parts}
-    own = old | set(map(id, parts))
-    looks = [
-        (type(shape), *shape.size.value[1:]) for shape in scene.objects if id(shape) not in own
-    ]
-    return sum(look in kinds for look in looks)
+    kinds = {kind_of(part) for part in parts}
+    known = old | set(map(id, parts))
+    count = 0
+    for shape in scene.objects:
+        if id(shape) not in known and kind_of(shape) in kinds:
+            count += 1
+    return count
+
+
+def kind_of(shape) -> tuple:
+    """Return the kind of a shape, and its thickness."""
+    return type(shape), *shape.size.value[1:]

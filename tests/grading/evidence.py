@@ -1,7 +1,6 @@
-"""The choice of the words for a mistake: what is seen and proved, in one order. hints.py has the
-words.
+"""The choice of the hint for a mistake: from what is seen and proved, in one order.
 
-The line of an error is looked at as a syntax tree.
+hints.py has the hints. The line of an error is looked at as a syntax tree.
 """
 
 import ast
@@ -17,131 +16,191 @@ from contextlib import suppress
 from difflib import get_close_matches
 from itertools import pairwise
 from pathlib import Path
+from types import FrameType
 
 from grading.handout import FUNCTIONS, IMPORTS, is_students
 from grading.hints import BOTH_VERSIONS, CONFLICT, ERRORS, FORMS, MEANING, NEWER, OTHER_FORMS
 
+MAPS = "COLOR_MAP", "TEXTURE_MAP"
 
-def words_for(error, result, wrong, code, function) -> str:
-    """Return the words for a mistake: from the first evidence that there is.
 
-    error is the StoppedError of the function, or None; result has the words for its exact result,
-    and wrong is the sentence that says what is wrong. code is the function's.
+def hint_for(error, result, wrong, code, function) -> str:
+    """Return the hint for a mistake: from the first evidence that there is.
+
+    error is the StoppedError of the function, or None. result is the hint for its exact result, or
+    "", and wrong is the sentence that says what is wrong. code is the function's.
+
+    A file that does not compile and a function that is not written never get here: grader.run
+    answers them.
     """
-    return (
-        of_parameters(code.parameters, function, error)  # the check's own call does not fit
-        # Python raised an error: its type, its own attributes, the line's tree
-        or (error and error.hint)
-        or result  # the exact result of a known mistake
-        or (error and error.meaning)
-        or next((words for pattern, words in FORMS.values() if re.search(pattern, wrong)), "")
-    )
+    hints = [
+        of_parameters(code.parameters, function, error),  # the check's own call does not fit
+        error.hint if error else "",  # the type of Python's error, its text, the tree of the line
+        result,  # the exact result of a known mistake
+        error.meaning if error else "",
+        of_sentence(wrong),
+    ]
+    return next(filter(None, hints), "")
+
+
+def of_sentence(wrong) -> str:
+    """Return the hint for the sentence that says what is wrong, or ""."""
+    for pattern, hint in FORMS.values():
+        if re.search(pattern, wrong):
+            return hint
+    return ""
 
 
 def of_parameters(parameters, function, error) -> str:
-    """Return the words for a line def that has other parameters than the handout."""
-    own, given = parameters.split(", "), FUNCTIONS[function].parameters.split(", ")
-    is_moved = sorted(own) == sorted(given) and own != given
-    is_unfit = (
-        error
-        and error.kind == "TypeError"
-        and not error.places
-        and f"{function}()" in (error.text or "")
-    )
-    return (
-        f"The line def has changed. It must be: def {function}({', '.join(given)}):"
-        if is_moved or is_unfit
-        else ""
-    )
+    """Return the hint for a line def that has other parameters than the handout, or ""."""
+    found = parameters.split(", ")
+    wanted = FUNCTIONS[function].parameters.split(", ")
+    is_moved = sorted(found) == sorted(wanted) and found != wanted
+    if is_moved or (error and is_refused_call(error, function)):
+        return f"The line def has changed. It must be: def {function}({', '.join(wanted)}):"
+    return ""
+
+
+def is_refused_call(error, function) -> bool:
+    """Return whether Python did not even begin the call of a function."""
+    is_about_call = error.kind == "TypeError" and f"{function}()" in (error.text or "")
+    return is_about_call and not error.places
 
 
 def nearest_name(error) -> str:
-    """Return which name is nearest to one that does not exist, in the words of Python 3.12, or ""."""
-    name, names = getattr(error, "name", None) or "", []
+    """Return which name is nearest to one that does not exist, as Python 3.12 says it, or ""."""
+    name = getattr(error, "name", None) or ""
+    names = []
     if isinstance(error, NameError) and error.__traceback__:
         frame = [frame for frame, _ in traceback.walk_tb(error.__traceback__)][-1]
         names = [*frame.f_locals, *frame.f_globals]
     elif isinstance(error, AttributeError):
         names = dir(error.obj)
-    lower = {each.lower(): each for each in reversed(names)}
-    near = get_close_matches(name.lower(), lower, n=1, cutoff=0.8)
-    return f". Did you mean: '{lower[near[0]]}'?" if near else ""
+    by_lower = {candidate.lower(): candidate for candidate in reversed(names)}
+    near = get_close_matches(name.lower(), by_lower, n=1, cutoff=0.8)
+    return f". Did you mean: '{by_lower[near[0]]}'?" if near else ""
+
+
+def id_of(node) -> str:
+    """Return the name that a node of the syntax tree is, or ""."""
+    return getattr(node, "id", "")
 
 
 class Evidence:
-    """What an error says of itself, and what is in the line of the student's that raised it."""
+    """What an error says of itself, and what is in the student's line that raised it."""
 
-    def __init__(self, error, frame, line):
-        self.error, self.frame = error, frame
+    def __init__(self, error, frame: FrameType | None, line):
+        """frame is the student's, None if no code of the student has run."""
+        self.error = error
+        self.frame = frame
         self.text = str(error.msg if isinstance(error, SyntaxError) else error)
-        nodes = nodes_of(frame, line) if frame else []
-        self.function = frame.f_code.co_name if frame else ""
-        key = (
-            f"{error.args[0]}"
-            if isinstance(error, KeyError) and error.args
-            else getattr(error, "filename", None)
-        )
-        # If the error itself has no name
-        quoted = re.search(r"(?:name|variable|attribute) '(\w+)'", self.text)
-        self.name = str(getattr(error, "name", None) or key or (quoted[1] if quoted else ""))
+        self.name = self.found_name()
         self.file = self.name.replace(".", "/") + ".py"
-        brackets = [node for node in nodes if isinstance(node, ast.Subscript)]
-        self.in_brackets = any(getattr(node.slice, "id", "") == self.name for node in brackets)
-        self.has_map = any(
-            getattr(node.value, "id", "") in ("COLOR_MAP", "TEXTURE_MAP") for node in brackets
-        )
-        self.adds = any(isinstance(getattr(node.slice, "op", None), ast.Add) for node in brackets)
-        parts = [node for node in nodes if isinstance(node, ast.Attribute)]
-        self.behind_dot = next(
-            (one.attr for one in parts if getattr(one.value, "id", "") == self.name), ""
-        )
-        loops = [node.iter for node in nodes if isinstance(node, ast.For)]
-        values = [frame.f_locals.get(getattr(one, "id", "")) for one in loops] if frame else []
-        self.goes_through_dictionary = any(isinstance(value, dict) for value in values)
+        self.function = frame.f_code.co_name if frame else ""
         self.globals = frame.f_globals if frame else {}
         self.nearest = nearest_name(error)
-        self.texts = [node.value for node in nodes if isinstance(node, ast.Constant)]
-        self.is_taken = frame is not None and callable(frame.f_globals.get(self.name))
-        self.is_given = (
-            self.function in FUNCTIONS
-            and self.name in IMPORTS[FUNCTIONS[self.function].file].split()
-        )
+        self.nodes = nodes_of(frame, line) if frame else []
+        self.subscripts = [node for node in self.nodes if isinstance(node, ast.Subscript)]
+
+    def found_name(self) -> str:
+        """Return the name, key or file that the error is about, or ""."""
+        name = getattr(self.error, "name", None)
+        if name:
+            return str(name)
+        if isinstance(self.error, KeyError) and self.error.args:
+            key = f"{self.error.args[0]}"
+        else:
+            key = getattr(self.error, "filename", None)
+        if key:
+            return str(key)
+        quoted = re.search(r"(?:name|variable|attribute) '(\w+)'", self.text)
+        return quoted[1] if quoted else ""
+
+    @property
+    def in_brackets(self) -> bool:
+        """Whether the name stands in [ ]."""
+        return any(id_of(node.slice) == self.name for node in self.subscripts)
+
+    @property
+    def has_map(self) -> bool:
+        """Whether the line looks something up in COLOR_MAP or TEXTURE_MAP."""
+        return any(id_of(node.value) in MAPS for node in self.subscripts)
+
+    @property
+    def adds(self) -> bool:
+        """Whether the line adds something in [ ]."""
+        operations = [getattr(node.slice, "op", None) for node in self.subscripts]
+        return any(isinstance(operation, ast.Add) for operation in operations)
+
+    @property
+    def behind_dot(self) -> str:
+        """What stands behind the name and a dot, or ""."""
+        for node in self.nodes:
+            if isinstance(node, ast.Attribute) and id_of(node.value) == self.name:
+                return node.attr
+        return ""
+
+    @property
+    def goes_through_dictionary(self) -> bool:
+        """Whether a loop in the line takes its values from a dictionary."""
+        loops = [node for node in self.nodes if isinstance(node, ast.For)]
+        values = [self.frame.f_locals.get(id_of(loop.iter)) for loop in loops]
+        return any(isinstance(value, dict) for value in values)
+
+    @property
+    def texts(self) -> list:
+        """The constants in the line."""
+        return [node.value for node in self.nodes if isinstance(node, ast.Constant)]
+
+    @property
+    def is_taken(self) -> bool:
+        """Whether the name is that of a function outside of this one."""
+        return callable(self.globals.get(self.name))
+
+    @property
+    def is_given(self) -> bool:
+        """Whether the handout's file of this function imports the name."""
+        if self.function not in FUNCTIONS:
+            return False
+        return self.name in IMPORTS[FUNCTIONS[self.function].file].split()
 
     @property
     def other_form(self) -> str:
         """What the file is that Python cannot read, if it is no Python."""
         with suppress(OSError, TypeError):
-            text = (
-                Path(self.error.filename)
-                .read_text(encoding="utf-8", errors="replace")
-                .lstrip("\ufeff \n\t")
-            )
+            source = Path(self.error.filename).read_text(encoding="utf-8", errors="replace")
+            text = source.lstrip("\ufeff \n\t")
             if any(line.startswith(CONFLICT) for line in text.splitlines()):
                 return BOTH_VERSIONS
             compact = "".join(text[:100].split())
-            return next(
-                (words for begin, words in OTHER_FORMS.items() if compact.startswith(begin)), ""
-            )
+            for start, form in OTHER_FORMS.items():
+                if compact.startswith(start):
+                    return form
         return ""
+
+    @property
+    def code(self) -> str:
+        """The line that Python cannot read."""
+        return (self.error.text or "").strip()
 
     @property
     def newer(self) -> str:
         """What in the line only a newer Python reads."""
-        line, own = (self.error.text or "").strip(), f"{sys.version_info[0]}.{sys.version_info[1]}"
-        for version, pattern, words in NEWER:
-            if sys.version_info < version and re.search(pattern, line):
-                return f"Python {version[0]}.{version[1]} and later ones read {words}. This is Python {own}."
+        for version, pattern, form in NEWER:
+            if sys.version_info < version and re.search(pattern, self.code):
+                newer = f"Python {version[0]}.{version[1]} and later ones read {form}."
+                return f"{newer} This is Python {sys.version_info[0]}.{sys.version_info[1]}."
         return ""
 
     @property
     def takes(self) -> str:
-        """Which values the function takes that was called with others, if the student's code knows
-        it.
-        """
+        """Which values the function takes that was called with others, if it is known."""
+        if not self.frame:
+            return ""
         name = self.text.partition("(")[0].rpartition(".")[2]
-        called = {**self.frame.f_globals, **self.frame.f_locals}.get(name) if self.frame else None
+        function = {**self.frame.f_globals, **self.frame.f_locals}.get(name)
         with suppress(TypeError, ValueError):
-            names = [*inspect.signature(called).parameters]
+            names = [*inspect.signature(function).parameters]
             if len(names) == 1:
                 return f"{name} takes 1 value: {names[0]}."
             return f"{name} takes {len(names)} values, in this order: {', '.join(names)}."
@@ -150,75 +209,90 @@ class Evidence:
     @property
     def tokens(self) -> list[str]:
         """The names, numbers and signs of a line that Python cannot read."""
+        if not self.text.startswith("invalid syntax"):
+            return []
         found: list[str] = []
         with suppress(tokenize.TokenError, SyntaxError):
-            for token in tokenize.generate_tokens(
-                io.StringIO((self.error.text or "").strip()).readline
-            ):
+            for token in tokenize.generate_tokens(io.StringIO(self.code).readline):
                 if token.type in (tokenize.NAME, tokenize.NUMBER, tokenize.OP):
                     found.append(token.string)
-        return found if self.text.startswith("invalid syntax") else []
+        return found
 
     @property
     def side_by_side(self) -> tuple:
         """Two values without a sign between them; between for and in, this is another mistake."""
-        for one, other in pairwise(self.tokens) if self.tokens[:1] != ["for"] else ():
-            if (
-                not {one, other} & {*keyword.kwlist}
-                and other[0].isalnum()
-                and (one[-1].isalnum() or one in ")]")
-            ):
-                return one, other
+        if self.tokens[:1] == ["for"]:
+            return ()
+        for left, right in pairwise(self.tokens):
+            has_keyword = left in keyword.kwlist or right in keyword.kwlist
+            ends_value = left[-1].isalnum() or left in ")]"
+            if ends_value and right[0].isalnum() and not has_keyword:
+                return left, right
         return ()
 
     @property
     def misspelled(self) -> tuple:
-        """The first word of the line, and the word of Python that it may be, if it stands before
-        another name.
+        """The first word of the line, and the word of Python that it may be.
+
+        It stands before another name.
         """
-        first = self.tokens[:1] if self.tokens[:2] == [*self.side_by_side] else []
-        near = get_close_matches(first[0].lower(), keyword.kwlist, n=1, cutoff=0.7) if first else []
-        return (first[0], near[0]) if near else ()
+        if not self.tokens or self.tokens[:2] != [*self.side_by_side]:
+            return ()
+        first = self.tokens[0]
+        near = get_close_matches(first.lower(), keyword.kwlist, n=1, cutoff=0.7)
+        return (first, near[0]) if near else ()
 
 
 def of_error(error, frames, function) -> tuple[str, str]:
-    """Return the words for an error of Python in a function, and what it means.
+    """Return the hint for an error of Python in a function, and what the error means.
 
-    frames are the student's (frame, line) pairs that it has passed. What the function calls is
-    right.
+    frames are the student's (frame, line) pairs that it has passed. A called function of the
+    handout is right.
     """
-    own = [i for i, (frame, _) in enumerate(frames) if is_students(frame.f_code.co_name, function)]
-    if own and own[-1] + 1 < len(frames) and not isinstance(error, FileNotFoundError):
-        code = frames[own[-1] + 1][0].f_code
-        given = ", ".join(code.co_varnames[: code.co_argcount])
-        return (
-            "",
-            f"This line calls {code.co_name} with a value that it cannot use. It takes, in this order: {given}.",
-        )
-    seen = Evidence(error, *(frames[-1] if frames else (None, 0)))
-    meaning = next((words for kind, words in MEANING.items() if isinstance(error, kind)), "")
-    if isinstance(error, SyntaxError) and seen.text != "invalid syntax":
-        meaning = ""  # Python says it better
-    for kinds, pattern, test, words in ERRORS.values():
-        found = isinstance(error, kinds) and re.search(pattern, seen.text)
-        if found and (test is None or test(seen)):
-            return words.format(*found.groups(), name=seen.name, seen=seen), ""
-    return "", meaning.format(name=seen.name)
+    last = last_of_student(frames, function)
+    if last + 1 < len(frames) and last >= 0 and not isinstance(error, FileNotFoundError):
+        code = frames[last + 1][0].f_code
+        names = ", ".join(code.co_varnames[: code.co_argcount])
+        call = f"This line calls {code.co_name} with a value that it cannot use."
+        return "", f"{call} It takes, in this order: {names}."
+    frame, line = frames[-1] if frames else (None, 0)
+    evidence = Evidence(error, frame, line)
+    for kinds, pattern, test, hint in ERRORS.values():
+        if not isinstance(error, kinds):
+            continue
+        found = re.search(pattern, evidence.text)
+        if found and (test is None or test(evidence)):
+            return hint.format(*found.groups(), name=evidence.name, evidence=evidence), ""
+    if isinstance(error, SyntaxError) and evidence.text != "invalid syntax":
+        return "", ""  # Python says it better
+    for kind, meaning in MEANING.items():
+        if isinstance(error, kind):
+            return "", meaning.format(name=evidence.name)
+    return "", ""
+
+
+def last_of_student(frames, function) -> int:
+    """Return the index of the last frame in a function that the student wrote, -1 without one."""
+    found = -1
+    for i, (frame, _) in enumerate(frames):
+        if is_students(frame.f_code.co_name, function):
+            found = i
+    return found
 
 
 def nodes_of(frame, line) -> list:
-    """Return the nodes of the innermost statement at a frame's line (of a block, its first line),
-    outer ones first.
+    """Return the nodes of the innermost statement at a frame's line, outer ones first.
+
+    Of a block, these are the nodes of its first line.
     """
     nodes = [*ast.walk(ast.parse("".join(linecache.getlines(frame.f_code.co_filename))))]
-    around = [
-        node
-        for node in nodes
-        if isinstance(node, ast.stmt) and node.lineno <= line <= node.end_lineno
-    ]
+    statements = [node for node in nodes if isinstance(node, ast.stmt)]
+    around = [node for node in statements if node.lineno <= line <= node.end_lineno]
     if not around:
         return []
-    first, last = (
-        (line, line) if hasattr(around[-1], "body") else (around[-1].lineno, around[-1].end_lineno)
-    )
+    innermost = around[-1]
+    if hasattr(innermost, "body"):
+        first = last = line
+    else:
+        first, last = innermost.lineno, innermost.end_lineno
     return [node for node in nodes if first <= getattr(node, "lineno", 0) <= last]

@@ -3,15 +3,17 @@
 import ast
 import builtins
 from contextlib import suppress
+from itertools import islice
+from types import FrameType
 
 from vpython import vector
 
-from grading.messages import shown
+from grading.messages import text_of
 from grading.values import in_words, names_in, SHAPES
 
-# The parts of an expression whose values are noted. Into the others nobody looks: they may run
-# later, or many times.
+# The parts of an expression whose values are noted.
 PARTS = ast.Call, ast.Subscript, ast.Attribute, ast.BinOp, ast.UnaryOp, ast.Compare, ast.BoolOp
+# Nobody looks into these: they may run later, or many times.
 AS_THEY_ARE = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.JoinedStr
 
 MOST_KEYS = 8  # that are shown of a dictionary
@@ -40,7 +42,7 @@ def place_of(node) -> tuple[int, ...]:
 
 
 def targets_of(node) -> list[ast.expr]:
-    """Return the places that get a value in a statement, each one of a tuple alone."""
+    """Return the places that get a value in a statement, each place of a tuple alone."""
     left = [*node.targets] if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
     found = []
     while left:
@@ -54,36 +56,37 @@ def targets_of(node) -> list[ast.expr]:
     return found
 
 
+def is_inner_statement(node) -> bool:
+    """Return whether a node in a statement is a statement of its own."""
+    return isinstance(node, (ast.stmt, ast.ExceptHandler))
+
+
 def names_in_head(node) -> set[str]:
-    """Return the names that a statement or an expression uses, without those of the statements in
-    it.
-    """
-    names, left = set(), [node]
+    """Return the names that a statement or an expression uses, without its inner statements."""
+    names = set()
+    left = [node]
     while left:
-        one = left.pop()
-        if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Load):
-            names.add(one.id)
-        left += [
-            child
-            for child in ast.iter_child_nodes(one)
-            if not isinstance(child, (ast.stmt, ast.ExceptHandler))
-        ]
+        part = left.pop()
+        if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Load):
+            names.add(part.id)
+        left += [child for child in ast.iter_child_nodes(part) if not is_inner_statement(child)]
     return names
 
 
 def keys_in_head(node) -> set:
     """Return the constants in [ ] from which a statement or an expression takes a value."""
-    parts = [one for one in operations_in(node) if isinstance(one, ast.Subscript)]
-    return {one.slice.value for one in parts if isinstance(one.slice, ast.Constant)}
+    keys = set()
+    for part in operations_in(node):
+        if isinstance(part, ast.Subscript) and isinstance(part.slice, ast.Constant):
+            keys.add(part.slice.value)
+    return keys
 
 
 def operations_in(node) -> list[ast.expr]:
-    """Return the parts in a statement, without those of the statements in it, in the order in which
-    they run.
-    """
+    """Return the parts in a statement, without those of inner statements, in their order."""
     found = []
     for child in ast.iter_child_nodes(node):
-        if not isinstance(child, (ast.stmt, ast.ExceptHandler, *AS_THEY_ARE)):
+        if not is_inner_statement(child) and not isinstance(child, AS_THEY_ARE):
             found += operations_in(child)
     if is_part(node):
         found.append(node)
@@ -91,13 +94,12 @@ def operations_in(node) -> list[ast.expr]:
 
 
 class Values:
-    """The values in a statement: those of its parts that were noted, and those of the names in its
-    frame.
-    """
+    """The values in a statement: of its parts that were noted, and of the names in its frame."""
 
-    def __init__(self, frame, parts):
+    def __init__(self, frame: FrameType, parts: dict):
         """parts has the noted values, by their places."""
-        self.frame, self.parts = frame, parts
+        self.frame = frame
+        self.parts = parts
         self.names = names_in(frame)
         # Whether a method that is called in a condition may have changed something
         self.can_change = False
@@ -111,7 +113,7 @@ class Values:
         if isinstance(node, ast.Name):
             return self.of_name(node.id)
         if isinstance(node, ast.Tuple):
-            return tuple(self.of(one) for one in node.elts)
+            return tuple(self.of(element) for element in node.elts)
         if isinstance(node, (ast.Subscript, ast.Attribute)):
             return self.taken(self.of(node.value), node)
         raise LookupError
@@ -143,11 +145,10 @@ class Values:
             try:
                 self.of(node)
             except Exception:  # this operation did not come to its end
-                parts = [
-                    child for child in ast.iter_child_nodes(node) if isinstance(child, ast.expr)
-                ]
+                parts = ast.iter_child_nodes(node)
+                expressions = [part for part in parts if isinstance(part, ast.expr)]
                 with suppress(Exception):
-                    return [self.operand(part) for part in parts if self.is_operand(part)]
+                    return [self.operand(part) for part in expressions if self.is_operand(part)]
                 return []
         return []
 
@@ -157,9 +158,10 @@ class Values:
 
     def operand(self, node) -> str:
         """Return the value of a part of an operation, in words; of a dictionary, its keys."""
-        code, value = ast.unparse(node), self.of(node)
+        code = ast.unparse(node)
+        value = self.of(node)
         if isinstance(value, dict):
-            keys = [*map(shown, [*value][:MOST_KEYS])]
+            keys = [text_of(key) for key in islice(value, MOST_KEYS)]
             if len(value) > MOST_KEYS:
                 keys.append("...")
             return f"the keys of {code} are {', '.join(keys) or 'none'}"
@@ -171,37 +173,35 @@ class Values:
         return {key: name for key, name in self.names.items() if name != code}
 
     def condition(self, node, value) -> str:
-        """Return a condition that has this value: both sides of each comparison, and whether it is
-        true.
-        """
+        """Return a condition that has this value: both sides of each comparison, and its truth."""
+        calls = [part for part in operations_in(node) if isinstance(part, ast.Call)]
+        self.can_change = any(isinstance(call.func, ast.Attribute) for call in calls)
         text = ""
-        calls = [one for one in operations_in(node) if isinstance(one, ast.Call)]
-        self.can_change = any(isinstance(one.func, ast.Attribute) for one in calls)
-        with suppress(Exception):  # its words are not known
-            text = self.words(node)
+        with suppress(Exception):  # its values are not known
+            text = self.with_values(node)
         if text in ("True", "False", ""):
             return f"{bool(value)}"
         if isinstance(node, (ast.Compare, ast.BoolOp)):
             return f"{text} {bool(value)}"
         return f"{text}, so {bool(value)}"
 
-    def words(self, node) -> str:
+    def with_values(self, node) -> str:
         """Return a condition, or a part of it, with values in place of the code."""
         if isinstance(node, ast.Compare):
-            text = self.words(node.left)
+            text = self.with_values(node.left)
             for sign, side in zip(node.ops, node.comparators, strict=True):
-                text += f" {SIGNS[type(sign)]} {self.words(side)}"
+                text += f" {SIGNS[type(sign)]} {self.with_values(side)}"
             return text
         if isinstance(node, ast.BoolOp):
             is_and = isinstance(node.op, ast.And)
             parts = []
-            for one in node.values:
-                parts.append(self.words(one))
-                if bool(self.of(one)) != is_and:
+            for part in node.values:
+                parts.append(self.with_values(part))
+                if bool(self.of(part)) != is_and:
                     break  # Python has not looked at the others
             return (" and " if is_and else " or ").join(parts)
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
-            return f"not {self.words(node.operand)}"
+            return f"not {self.with_values(node.operand)}"
         value = self.of(node)
         if isinstance(value, (list, dict)) and self.can_change:
             raise LookupError  # it may have been another one when Python looked at it

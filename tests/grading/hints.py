@@ -1,10 +1,10 @@
-"""All words for mistakes, as rows with names. evidence.py chooses among them.
+"""All hints for mistakes, as rows with names. evidence.py chooses among them.
 
-ERRORS  a row for an error of Python: its type, a pattern of Python's own words or "", a test of what is seen or None
-        (evidence.Evidence), and the words; {0} is the first group of the pattern, {name} the name
-        or key of the error
+ERRORS  a row for an error of Python: its type, a pattern of Python's own text or "", a test of the
+        evidence (evidence.Evidence) or None, and the hint; {0} is the first group of the pattern,
+        {name} the name or key of the error
 MEANING what an error means, if no row fits
-FORMS   a pattern of the sentence that says what is wrong
+FORMS   a pattern of the sentence that says what is wrong, and the hint
 """
 
 import re
@@ -35,7 +35,10 @@ OTHER_FORMS = {
     '{"cells"': "a notebook of Jupyter. Save its code as a .py",
 }
 CONFLICT = "<<<<<<< ", ">>>>>>> "  # git writes lines that begin so
-BOTH_VERSIONS = "two versions, which git has put together. Choose one, and delete the lines with <<<, === and >>>"
+BOTH_VERSIONS = (
+    "two versions, which git has put together. Choose one, and delete the lines with <<<, === "
+    "and >>>"
+)
 # What only newer Pythons read: from which one on, a pattern of the line, and what it is.
 NEWER = [
     ((3, 11), r"^except\s*\*", "except*"),
@@ -51,34 +54,34 @@ NEWER = [
 ERRORS = {
     "look-alike": (SyntaxError, r"invalid (?:non-printable )?character", None, "This character only looks like the right one. Delete it, and type it on your keyboard."),
     "encoding": ((SyntaxError, ValueError), "null bytes|codec can't decode", None, "This file is not saved in UTF-8. Save it with the encoding UTF-8."),
-    "no Python": (SyntaxError, "", lambda seen: seen.other_form, "This file is no Python: it is {seen.other_form}."),
-    "newer": (SyntaxError, "", lambda seen: seen.newer, "{seen.newer}"),
-    "plus plus": (SyntaxError, "", lambda seen: re.search(r"\+ \+( |$)", " ".join(seen.tokens)), "Python has no ++: i += 1 adds 1."),
-    "no brackets": (SyntaxError, "", lambda seen: seen.side_by_side and seen.side_by_side[0] in CALLED, "A function needs ( ) around its values: {seen.side_by_side[0]}({seen.side_by_side[1]})."),
-    "misspelled": (SyntaxError, "", lambda seen: seen.misspelled, "Python has no word {seen.misspelled[0]}. Is it {seen.misspelled[1]}?"),
-    "no sign": (SyntaxError, "", lambda seen: seen.side_by_side, "A sign is missing between {seen.side_by_side[0]} and {seen.side_by_side[1]}: * multiplies them, a comma separates them."),
-    "turned sign": (SyntaxError, "", lambda seen: re.search("= [<>]", " ".join(seen.tokens)), "In Python, = comes last in this sign: <= or >=."),
-    "curly": (SyntaxError, "", lambda seen: re.search(r"[\])] {", " ".join(seen.tokens)), "A key stands in [ ], not in {{ }}."),
+    "no Python": (SyntaxError, "", lambda evidence: evidence.other_form, "This file is no Python: it is {evidence.other_form}."),
+    "newer": (SyntaxError, "", lambda evidence: evidence.newer, "{evidence.newer}"),
+    "plus plus": (SyntaxError, "", lambda evidence: re.search(r"\+ \+( |$)", " ".join(evidence.tokens)), "Python has no ++: i += 1 adds 1."),
+    "no brackets": (SyntaxError, "", lambda evidence: evidence.side_by_side and evidence.side_by_side[0] in CALLED, "A function needs ( ) around its values: {evidence.side_by_side[0]}({evidence.side_by_side[1]})."),
+    "misspelled": (SyntaxError, "", lambda evidence: evidence.misspelled, "Python has no word {evidence.misspelled[0]}. Is it {evidence.misspelled[1]}?"),
+    "no sign": (SyntaxError, "", lambda evidence: evidence.side_by_side, "A sign is missing between {evidence.side_by_side[0]} and {evidence.side_by_side[1]}: * multiplies them, a comma separates them."),
+    "turned sign": (SyntaxError, "", lambda evidence: re.search("= [<>]", " ".join(evidence.tokens)), "In Python, = comes last in this sign: <= or >=."),
+    "curly": (SyntaxError, "", lambda evidence: re.search(r"[\])] {", " ".join(evidence.tokens)), "A key stands in [ ], not in {{ }}."),
     "indent": ((IndentationError, SyntaxError), r"indent|'return' outside|\btabs?\b", None, "The lines of a function begin with four spaces, those of a loop or an if in it with four more."),
     "equation": (SyntaxError, r"cannot assign to (?:expression|function call|literal)|cannot contain assignment", None, "Only a name, or a key in [ ], can get a value: on the left of = , or between for and in."),
-    "outside": (NameError, "", lambda seen: seen.function == "<module>", "This line stands outside of all functions. Delete it, or indent it if it belongs to one."),
-    "in front": (NameError, "", lambda seen: seen.behind_dot in seen.globals, "{seen.behind_dot} is there without {name}. in front of it: write {seen.behind_dot}( )."),
-    "import": (NameError, "", lambda seen: seen.is_given and seen.name not in seen.globals, "The name {name} comes from another file, or from a package. Put its import back, at the top of the file."),
-    "key is a name": (NameError, "", lambda seen: seen.name in KEYS and seen.in_brackets, "A key is text. Write it in quotes: ['{name}']."),
-    "end": (NameError, "", lambda seen: seen.name == "end", "Python has no end: delete this line. A block ends where its indentation ends."),
+    "outside": (NameError, "", lambda evidence: evidence.function == "<module>", "This line stands outside of all functions. Delete it, or indent it if it belongs to one."),
+    "in front": (NameError, "", lambda evidence: evidence.behind_dot in evidence.globals, "{evidence.behind_dot} is there without {name}. in front of it: write {evidence.behind_dot}( )."),
+    "import": (NameError, "", lambda evidence: evidence.is_given and evidence.name not in evidence.globals, "The name {name} comes from another file, or from a package. Put its import back, at the top of the file."),
+    "key is a name": (NameError, "", lambda evidence: evidence.name in KEYS and evidence.in_brackets, "A key is text. Write it in quotes: ['{name}']."),
+    "end": (NameError, "", lambda evidence: evidence.name == "end", "Python has no end: delete this line. A block ends where its indentation ends."),
     "power": (TypeError, r"for \^", None, "In Python, ** is a power, and ^ is something else."),
-    "R": (NameError, "", lambda seen: seen.name == "R", "The R of the handout is r_param."),
-    "csv": (NameError, "", lambda seen: seen.name == "NC_FP", "page.csv has the path of the file."),
-    "near": (NameError, "", lambda seen: seen.nearest, "No line that ran has given {name} a value."),
-    "name taken": (UnboundLocalError, "", lambda seen: seen.is_taken, "The name of a function is taken: {name}. Give your own value another name."),
-    "bob": (KeyError, "", lambda seen: seen.name in ("axle", "bob", "cord", "pos", "radius", "bob1", "bob2"), TUPLE),
-    "word": (KeyError, "", lambda seen: seen.has_map and seen.name in ("color", "texture"), "You looked for the word {name}. Between [ ] belongs the pendulum's own {name}."),
-    "map": (KeyError, "", lambda seen: seen.has_map, "The key of COLOR_MAP is the color of the pendulum, and that of TEXTURE_MAP its texture."),
-    "last": (IndexError, "", lambda seen: seen.adds, "The last pendulum has none after it. The loop goes one step too far."),
+    "R": (NameError, "", lambda evidence: evidence.name == "R", "The R of the handout is r_param."),
+    "csv": (NameError, "", lambda evidence: evidence.name == "NC_FP", "page.csv has the path of the file."),
+    "near": (NameError, "", lambda evidence: evidence.nearest, "No line that ran has given {name} a value."),
+    "name taken": (UnboundLocalError, "", lambda evidence: evidence.is_taken, "The name of a function is taken: {name}. Give your own value another name."),
+    "bob": (KeyError, "", lambda evidence: evidence.name in ("axle", "bob", "cord", "pos", "radius", "bob1", "bob2"), TUPLE),
+    "word": (KeyError, "", lambda evidence: evidence.has_map and evidence.name in ("color", "texture"), "You looked for the word {name}. Between [ ] belongs the pendulum's own {name}."),
+    "map": (KeyError, "", lambda evidence: evidence.has_map, "The key of COLOR_MAP is the color of the pendulum, and that of TEXTURE_MAP its texture."),
+    "last": (IndexError, "", lambda evidence: evidence.adds, "The last pendulum has none after it. The loop goes one step too far."),
     "append": (IndexError, "list assignment", None, "A list has no place for a new element. Add it with append."),
-    "too many": (AttributeError, "'list' object has no", lambda seen: seen.name in (*KEYS, "values", "items", "keys"), "This is the whole list. Take one pendulum first, for example in a for loop."),
-    "add": (AttributeError, "'list' object has no", lambda seen: seen.name in ("add", "push", "put", "plus", "Append", "insertLast"), "A list has append: it puts one more element at the end."),
-    "no dot": (AttributeError, "'dict' object has no", lambda seen: seen.name in KEYS, "A dictionary needs brackets and quotes, not a dot: ['{name}']."),
+    "too many": (AttributeError, "'list' object has no", lambda evidence: evidence.name in (*KEYS, "values", "items", "keys"), "This is the whole list. Take one pendulum first, for example in a for loop."),
+    "add": (AttributeError, "'list' object has no", lambda evidence: evidence.name in ("add", "push", "put", "plus", "Append", "insertLast"), "A list has append: it puts one more element at the end."),
+    "no dot": (AttributeError, "'dict' object has no", lambda evidence: evidence.name in KEYS, "A dictionary needs brackets and quotes, not a dot: ['{name}']."),
     "no bob": ((AttributeError, TypeError), "'(?:dict|tuple)' object has no attribute '(?:pos|radius|axis)'|tuple indices .* not str", None, TUPLE),
     "nothing": ((AttributeError, TypeError), "NoneType", None, "One value in this line is None. A function without return gives None, and append gives None, too: do not store its result."),
     "color": (AttributeError, "color must be a vector", None, "COLOR_MAP has the vector of a color. make_pendulum takes axle_pos, r_param, theta, color, texture, in this order."),
@@ -86,7 +89,7 @@ ERRORS = {
     "key of a list": (TypeError, "list indices .* not str", None, "A list has no keys: each of its pendula has. Take one pendulum, for example in a for loop."),
     "text with a key": (TypeError, "string indices|byte indices", None, "This is text (a key, or the name of a file), and no pendulum: it has no keys."),
     "no keys": (TypeError, r"'(?:int|float|numpy\.\w+)' object (?:is not subscriptable|does not support)", None, "A number has no keys and no elements: it is no pendulum. range( ) gives numbers, and a loop over a dictionary gives its keys."),
-    "keys of a loop": (TypeError, "cannot unpack non-iterable", lambda seen: seen.goes_through_dictionary, "A loop over a dictionary gives its keys. .values() gives its values, and .items() both."),
+    "keys of a loop": (TypeError, "cannot unpack non-iterable", lambda evidence: evidence.goes_through_dictionary, "A loop over a dictionary gives its keys. .values() gives its values, and .items() both."),
     "one number": (TypeError, "'(?:int|float)' object is not iterable|cannot unpack non-iterable (?:int|float)", None, "This is one number. A loop, or two names before = , need several values. A loop that counts takes range( )."),
     "number called": (TypeError, "'(?:int|float|vector)' object is not callable", None, "A value with ( ) behind it is called as a function, and a number cannot be called. A product needs * ."),
     "not callable": (TypeError, "'(?:list|dict|tuple|str|dict_values)' object is not callable", None, "Only functions are called with ( ). A list, a dictionary or a tuple needs [ ] behind its name."),
@@ -100,13 +103,13 @@ ERRORS = {
     "several": (TypeError, "operand.*'(?:tuple|list)'|number, not '?(?:tuple|list)|between.*'(?:tuple|list)'|concatenate", None, "You calculate with a list or a tuple. [ ] make a list, also in a formula: its brackets are ( ). Commas make a tuple. Take its numbers one by one."),
     "next": (TypeError, r"\+: 'dict' and 'int'", None, "A pendulum plus 1 is not the next pendulum: + 1 needs an index. A loop over range(...) gives i, and pend_list[i] is a pendulum."),
     "whole pendulum": (TypeError, "operand.*'dict'|number, not '?dict|between.*'dict'", None, "You calculate with a whole pendulum. A key gives one of its values; range(len(...)) counts pendula."),
-    "arguments": (TypeError, r"(\w+)\(\) (?:missing|takes|got)", lambda seen: seen.takes, "{seen.takes}"),
-    "three parts": (ValueError, "unpack", lambda seen: "objects" in seen.texts, "objects has three parts: axle, bob, cord = pend['objects']."),
+    "arguments": (TypeError, r"(\w+)\(\) (?:missing|takes|got)", lambda evidence: evidence.takes, "{evidence.takes}"),
+    "three parts": (ValueError, "unpack", lambda evidence: "objects" in evidence.texts, "objects has three parts: axle, bob, cord = pend['objects']."),
     "path": ((ValueError, TypeError), r"file path|os\.PathLike", None, "The path of a file belongs here: relative_filepath."),
-    "path in quotes": (FileNotFoundError, "", lambda seen: seen.name in ("relative_filepath", "page.csv", "NC_FP"), "Write {name} without quotes: it is a name, not text."),
+    "path in quotes": (FileNotFoundError, "", lambda evidence: evidence.name in ("relative_filepath", "page.csv", "NC_FP"), "Write {name} without quotes: it is a name, not text."),
     "circle": (ImportError, "circular import", None, "Your files import each other in a circle. Remove the import in this file."),
-    "file gone": (ModuleNotFoundError, "", lambda seen: seen.name.startswith("src."), "There is no file {seen.file}. Put it back."),
-    "src": (ModuleNotFoundError, "", lambda seen: seen.name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"), "Write src. in front of the file in the import: src.{name}."),
+    "file gone": (ModuleNotFoundError, "", lambda evidence: evidence.name.startswith("src."), "There is no file {evidence.file}. Put it back."),
+    "src": (ModuleNotFoundError, "", lambda evidence: evidence.name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"), "Write src. in front of the file in the import: src.{name}."),
     "itself": (RecursionError, "", None, "Your function calls itself, without end. Delete this call, or call the function that you need in its place."),
 }
 MEANING = {

@@ -1,7 +1,7 @@
-"""Limits for students' functions: they cannot take all time or memory, wait for input, or end the
-grader's process.
+"""Limits for students' functions: of time, of memory, and of what they can do to the process.
 
-This is for mistakes. It is no protection from a student who means harm.
+They cannot wait for input, or end the grader's process. This is for mistakes. It is no protection
+from a student who means harm.
 """
 
 import errno
@@ -30,8 +30,7 @@ WAITED = threading.Event()  # set, too, if it did so by the clock
 # Set once a call failed for want of something that other programs use as well: time by the clock,
 # memory, the disk.
 SHARED_WAS_SHORT = threading.Event()
-# The system's errors of this kind
-SHARED = errno.EAGAIN, errno.EDQUOT, errno.ENFILE, errno.ENOMEM, errno.ENOSPC
+SHARED = errno.EAGAIN, errno.EDQUOT, errno.ENFILE, errno.ENOMEM, errno.ENOSPC  # errors of this kind
 PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
 DEBUGGED = threading.Event()  # set if the present check is in a debugger: no limit of time holds
 # These now: pytest takes the input and the output away later, and a check must not end the process.
@@ -45,8 +44,9 @@ end_process = os._exit
 
 @contextmanager
 def limited_memory(megabytes=None):
-    """On Linux, raise a MemoryError if the body of the with statement takes more than this, by
-    default MOST_MEMORY.
+    """Raise a MemoryError if the body of the with statement takes more than this, on Linux.
+
+    The default is MOST_MEMORY.
     """
     if not MEMORY_IN_USE.exists():
         yield
@@ -70,11 +70,10 @@ def limited_memory(megabytes=None):
 
 @contextmanager
 def without_ends():
-    """In the body of the with statement, os._exit raises a SystemExit, input an EOFError, and the
-    output stays open.
+    """In the body of the with statement, os._exit raises a SystemExit, and input an EOFError.
 
-    A process that the body starts can end as it likes. A debugger has its prompt in a terminal;
-    without one, breakpoint does nothing.
+    The output stays open. A process that the body starts can end as it likes. A debugger has its
+    prompt in a terminal; without one, breakpoint does nothing.
     """
     process = os.getpid()
     answer = input
@@ -90,13 +89,21 @@ def without_ends():
             return answer(*prompt)
         raise EOFError("input() waits for somebody, but nobody answers in a check")
 
+    def nothing(*_, **__):
+        pass
+
+    changed = {
+        "builtins.input": refused_input,
+        "os._exit": refused_exit,
+        "sys.stdout.close": nothing,  # pytest prints there later
+        "sys.stderr.close": nothing,
+    }
+    if not HAS_TERMINAL:
+        changed["sys.breakpointhook"] = nothing
+        changed["pdb.set_trace"] = nothing
     with ExitStack() as stack:
-        for place, new in (("builtins.input", refused_input), ("os._exit", refused_exit)):
-            stack.enter_context(patch(place, new))
-        for place in ("sys.stdout.close", "sys.stderr.close"):  # pytest prints there later
-            stack.enter_context(patch(place, lambda: None))
-        for place in () if HAS_TERMINAL else ("sys.breakpointhook", "pdb.set_trace"):
-            stack.enter_context(patch(place, lambda *_, **__: None))
+        for place, function in changed.items():
+            stack.enter_context(patch(place, function))
         yield
 
 
@@ -128,9 +135,7 @@ def over_limit(error) -> str:
 
 
 def end_stubborn() -> None:
-    """If a student's code runs, which has caught each interrupt, end the process, and name the
-    line.
-    """
+    """End the process if a student's code runs: it has caught each interrupt. Name its line."""
     frame = sys._current_frames()[threading.main_thread().ident]
     while frame is not None and not Path(frame.f_code.co_filename).is_relative_to(ROOT / "src"):
         frame = frame.f_back
@@ -147,17 +152,19 @@ class Timer(threading.Thread):
     def __init__(self, seconds):
         super().__init__(daemon=True)
         self.seconds = seconds  # of processor time: on a busy machine, the clock says nothing
-        self.lock, self.over = threading.Lock(), threading.Event()
+        self.lock = threading.Lock()
+        self.over = threading.Event()
 
     def run(self):
-        begin, begin_on_clock = time.process_time(), time.monotonic()
+        start = time.process_time()
+        start_by_clock = time.monotonic()
         is_late = has_waited = False
         while not (is_late or has_waited):
             if self.over.wait(LOOK):
                 return
             if not DEBUGGED.is_set():
-                is_late = time.process_time() - begin > self.seconds
-                has_waited = time.monotonic() - begin_on_clock > WAITING * self.seconds
+                is_late = time.process_time() - start > self.seconds
+                has_waited = time.monotonic() - start_by_clock > WAITING * self.seconds
         interrupts = 0
         while not self.over.is_set():
             with self.lock:
@@ -186,12 +193,12 @@ class Timer(threading.Thread):
 
 @contextmanager
 def patience(seconds):
-    """Raise a KeyboardInterrupt in the body of the with statement, and set LATE, if it takes longer
-    than seconds.
+    """Raise a KeyboardInterrupt in the body of the with statement if it takes longer than seconds.
 
-    These are seconds of processor time. If the body only waits, set WAITED, too. If it catches
-    MOST_INTERRUPTS, the process ends. In a debugger, there is no limit. If somebody presses Ctrl+C,
-    set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches it.
+    These are seconds of processor time. Then, set LATE. If the body only waits, set WAITED, too. If
+    it catches MOST_INTERRUPTS, the process ends. In a debugger, there is no limit. If somebody
+    presses Ctrl+C, set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches
+    it.
     """
 
     def on_interrupt(*_):

@@ -1,18 +1,18 @@
-"""A wrong call, line by line: the tables of the student's functions, and sentences about what was
-seen.
-"""
+"""A wrong call, line by line: the tables of the student's functions, and facts about the call."""
 
 import ast
 from math import isclose
 from numbers import Real
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from grading.expressions import keys_in_head, names_in_head, targets_of
 from grading.handout import FUNCTIONS
-from grading.messages import shown
+from grading.layout import INDENT
+from grading.messages import text_of
+from grading.notes import Run, Statement
 from grading.question import lines_in, Question
-from grading.trace_table import INDENT, Row, Stop, Table
-from grading.watch import EndlessError, Run, Watch
+from grading.trace_table import Row, Stop, Table
+from grading.watch import EndlessError, Watch
 
 CALLED = "called there:"  # ends the line above the table of a helper
 MOST_FUNCTIONS = 3  # that have a table
@@ -29,146 +29,164 @@ class Explained(NamedTuple):
 class WrongCall:
     """A call of a student's function that gave something wrong, and was watched."""
 
-    def __init__(self, function, sentence, watch: Watch, arguments, index, right):
-        """sentence says what is wrong, for the pendulum at index (or None). arguments are those of
-        the call.
+    def __init__(self, function, sentence, watch: Watch, arguments, index: int | None, right):
+        """sentence says what is wrong, for the pendulum at index (or None).
 
-        right are pairs of a part of the handout's formula, and its right value in this call.
+        arguments are those of the call. right are pairs of a part of the handout's formula, and its
+        right value in this call.
         """
-        self.function, self.watch, self.index, self.right = function, watch, index, right
+        self.function = function
+        self.watch = watch
+        self.index = index
+        self.right = right
         self.runs = [*watch.runs.values()]
         self.main = next(run for run in self.runs if self.name_of(run) == function)
         self.stops = self.found_stops()
         self.question = Question(function, sentence, watch, self.main, arguments)
         self.marks = self.departures()
 
-    def name_of(self, run) -> str:
+    def name_of(self, run: Run) -> str:
         return self.watch.statements[run.definition].node.name
 
     def explained(self) -> Explained:
         """Return what was seen."""
-        begins = [*self.question.lines, *self.marks, *(stop.line for stop in self.stops.values())]
-        needed = self.needed(self.main, begins) or self.needed(self.main, self.ends(self.main))
-        rows = self.table(self.main, needed)
-        runs = [self.main]
-        helper = self.helper(self.main, needed) or self.other_helper()
-        while helper and helper not in runs and len(runs) < MOST_FUNCTIONS:
-            runs.append(helper)
-            needed = self.needed(helper, [*begins, *self.ends(helper)])
-            below = self.table(helper, needed)
-            rank = min((row.rank for row in below), default=0)
-            rows.append(
-                Row(rank, [f"{' ' * INDENT}Your function {self.name_of(helper)}, {CALLED}"])
-            )
-            rows += below
-            helper = self.helper(helper, needed)
-        facts = [*self.question.facts]
-        if not self.watch.error:
-            facts += [*self.early_returns(runs), *self.nothing_returned(), *self.missing_calls()]
-        if self.right and not self.watch.error:
-            facts.append(
-                f"Right here: {', '.join(f'{name} = {shown(value)}' for name, value in self.right)}."
-            )
-        where = (
-            [stop.line for stop in self.stops.values()]
-            or [*self.marks]
-            or self.question.lines
-            or self.ends(self.main)
-        )
-        return Explained(where[-1] if where else 0, rows, facts)
+        rows = []
+        runs: list[Run] = []
+        run: Run | None = self.main
+        while run and run not in runs and len(runs) < MOST_FUNCTIONS:
+            needed = self.needed(run, self.starts_in(run))
+            table = self.table(run, needed)
+            if runs:
+                rank = min((row.rank for row in table), default=0)
+                title = f"{' ' * INDENT}Your function {self.name_of(run)}, {CALLED}"
+                rows.append(Row(rank, [title]))
+            rows += table
+            runs.append(run)
+            helper = self.helper(run, needed)
+            if run is self.main and not helper:
+                helper = self.other_helper()
+            run = helper
+        return Explained(self.line(), rows, self.facts(runs))
 
-    def table(self, run, needed) -> list[Row]:
+    def starts_in(self, run: Run) -> list[int]:
+        """Return the lines that matter, from which needed finds the lines that lead to them."""
+        stops = [stop.line for stop in self.stops.values()]
+        starts = [*self.question.lines, *self.marks, *stops]
+        if run is not self.main:
+            return [*starts, *self.ends(run)]
+        return starts if self.needed(run, starts) else self.ends(run)
+
+    def line(self) -> int:
+        """Return the line where to look, 0 if it is not known."""
+        if self.stops:
+            return [*self.stops.values()][-1].line
+        lines = [*self.marks] or self.question.lines or self.ends(self.main)
+        return lines[-1] if lines else 0
+
+    def facts(self, runs) -> list[str]:
+        """Return sentences about what was seen in these calls."""
+        facts = [*self.question.facts]
+        if self.watch.error:
+            return facts
+        facts += [*self.early_returns(runs), *self.nothing_returned(), *self.missing_calls()]
+        if self.right:
+            parts = [f"{name} = {text_of(value)}" for name, value in self.right]
+            facts.append(f"Right here: {', '.join(parts)}.")
+        return facts
+
+    def table(self, run: Run, needed) -> list[Row]:
         return Table(self.watch, run, self.stops.get(run), needed, self.marks, self.index).rows()
 
     def found_stops(self) -> dict[Run, Stop]:
         """Return where the watched calls were stopped, the outer one first."""
-        found, error = {}, self.watch.error
+        found: dict[Run, Stop] = {}
+        error = self.watch.error
         step = error.__traceback__ if error else None
-        # Of these, the outer call is enough
-        while step and not (found and isinstance(error, RecursionError)):
+        while step:
             run = self.watch.runs.get(step.tb_frame)
             if run:
-                found[run] = Stop(step.tb_lineno, *words_of(error))
+                found[run] = stop_at(step.tb_lineno, error)
+                if isinstance(error, RecursionError):
+                    break  # of these, the outer call is enough
             step = step.tb_next
         return found
 
-    def ends(self, run) -> list[int]:
+    def ends(self, run: Run) -> list[int]:
         """Return the lines with a return at which a call has come to its end."""
-        nodes = [self.watch.statements[number].node for number in run.seen]
+        nodes = [self.watch.statements[number].node for number in run.notes]
         return [node.lineno for node in nodes if isinstance(node, ast.Return)]
 
-    def needed(self, run, begins) -> dict[int, int]:
-        """Return these lines of a call, all lines that set what they use, and the loops and
-        conditions around them.
+    def statements_of(self, run: Run) -> list[Statement]:
+        """Return the statements in the function of a call."""
+        found = []
+        for number, statement in enumerate(self.watch.statements):
+            if statement.owner == run.definition != number:
+                found.append(statement)
+        return found
 
-        Each has the number of steps that lead to it.
+    def needed(self, run: Run, starts) -> dict[int, int]:
+        """Return these lines of a call, and all lines that set what they use.
+
+        The loops and conditions around them are needed, too. Each line has the number of steps that
+        lead to it.
         """
-        own = [
-            one.node
-            for i, one in enumerate(self.watch.statements)
-            if one.owner == run.definition != i
-        ]
+        nodes = [statement.node for statement in self.statements_of(run)]
         found: dict[int, int] = {}
-        left = [(line, 0) for line in begins]
+        left = [(line, 0) for line in starts]
         while left:
             line, depth = left.pop(0)
             if line in found:
                 continue
-            for node in own:
+            for node in nodes:
                 if node.lineno == line:
                     found[line] = depth
                     lines = lines_in(self.question.stores_of(names_in_head(node), run))
-                    lines += [one.lineno for one in own if sets_what_is_used(one, node)]
-                    left += [(one, depth + 1) for one in lines]
+                    lines += [other.lineno for other in nodes if sets_what_is_used(other, node)]
+                    left += [(other, depth + 1) for other in lines]
                 elif hasattr(node, "body") and node.lineno < line <= node.end_lineno:
                     left.append((node.lineno, depth + 1))
         return found
 
-    def helper(self, run, needed) -> Run | None:
-        """Return the call of a helper that this call has made: the one that stopped, or that a
-        needed line made.
-        """
+    def helper(self, run: Run, needed) -> Run | None:
+        """Return the call of a helper that stopped in this call, or that a needed line made."""
         stopped = [*self.stops]
         if run in stopped and run is not stopped[-1]:
             return stopped[stopped.index(run) + 1]
-        by_line = {
-            self.watch.statements[number].node.lineno: seen for number, seen in run.seen.items()
-        }
+        by_line = {}
+        for number, notes in run.notes.items():
+            by_line[self.watch.statements[number].node.lineno] = notes
         for line in sorted(needed, key=lambda line: (needed[line], -line)):
-            seen = by_line.get(line)
-            if seen:
-                is_in_question = self.index is not None and self.index < len(seen)
-                one = seen[self.index] if is_in_question else seen[-1]
-                runs = [called.run for called in one.calls if called.run]
+            notes = by_line.get(line)
+            if notes:
+                runs = [called.run for called in self.in_question(notes).calls if called.run]
                 if runs:
                     return runs[-1]
         return None
 
+    def in_question(self, elements) -> Any:
+        """Return the element for the pendulum in question, else the last one."""
+        if self.index is not None and self.index < len(elements):
+            return elements[self.index]
+        return elements[-1]
+
     def other_helper(self) -> Run | None:
-        """Return the last call of another function of the student's, or the one for the pendulum in
-        question.
+        """Return the call of another function of the student's for the pendulum in question.
+
+        Without one, return the last call.
         """
-        others = [
-            run
-            for run in self.runs
-            if self.name_of(run) != self.function and "__" not in self.name_of(run)
-        ]
-        if not others or self.stops:
-            return None
-        return (
-            others[self.index]
-            if self.index is not None and self.index < len(others)
-            else others[-1]
-        )
+        others = []
+        for run in self.runs:
+            name = self.name_of(run)
+            if name != self.function and "__" not in name:
+                others.append(run)
+        return self.in_question(others) if others and not self.stops else None
 
     def missing_calls(self) -> list[str]:
-        """Return a sentence for each function that the handout tells to use, and that no line
-        names.
-        """
-        nodes = [
-            one for run in self.runs for one in ast.walk(self.watch.statements[run.definition].node)
-        ]
-        names = {getattr(one, kind, "") for one in nodes for kind in ("id", "attr", "name")}
+        """Return a sentence for each function that the handout tells to use, and no line names."""
+        names = set()
+        for run in self.runs:
+            for node in ast.walk(self.watch.statements[run.definition].node):
+                names.update(getattr(node, field, "") for field in ("id", "attr", "name"))
         missing = [name for name in FUNCTIONS[self.function].uses if name not in names]
         return [f"No line of your function calls {name}." for name in missing]
 
@@ -176,62 +194,66 @@ class WrongCall:
         """Return sentences about the returns that have ended a loop in these calls."""
         found = []
         for run in runs:
-            for number, seen in run.seen.items():
+            for number, notes in run.notes.items():
                 statement = self.watch.statements[number]
                 if isinstance(statement.node, ast.Return) and statement.loops:
+                    line = statement.node.lineno
                     loop = self.watch.statements[statement.loops[-1]].node.lineno
-                    words = f"Line {statement.node.lineno} returns in turn {seen[-1].turn} of the loop in line {loop}"
-                    found.append(f"{words}, and so ends it.")
+                    found.append(
+                        f"Line {line} returns in turn {notes[-1].turn} of the loop in line {loop}, "
+                        "and so ends it."
+                    )
         return found
 
     def nothing_returned(self) -> list[str]:
         """Return a sentence about a function that must return something, and has not."""
         if self.main.has_result or not FUNCTIONS[self.function].returns:
             return []
-        own = [one.node for one in self.watch.statements if one.owner == self.main.definition]
-        if any(isinstance(node, ast.Return) and node.value for node in own):
+        nodes = [statement.node for statement in self.statements_of(self.main)]
+        if any(isinstance(node, ast.Return) and node.value for node in nodes):
             return ["No return with a value has run."]
         return ["Your function has no return with a value."]
 
     def departures(self) -> dict[int, str]:
-        """Return the first line that gives a returned name a value that the handout's formula does
-        not give.
+        """Return the first line that gives a returned name another value than the formula.
 
         It is certain only if the returned name has this value, and says which result it is: omega,
         or theta.
         """
         node = self.question.returned()
-        parts = node.value.elts if node and isinstance(node.value, ast.Tuple) else []
+        if not node or not isinstance(node.value, ast.Tuple):
+            return {}
         names = FUNCTIONS[self.function].returns.split(", ")
         found = {}
-        for part, name in zip(parts, names, strict=False):
+        for part, name in zip(node.value.elts, names, strict=False):
             right = dict(self.right).get(name)
-            own = getattr(part, "id", "")
-            stores = self.question.stores_of([own], self.main)
+            returned = getattr(part, "id", "")
+            stores = self.question.stores_of([returned], self.main)
             if right is None or not stores or not isinstance(stores[-1].value, Real):
                 continue
-            if name.partition("_")[0] not in own:
+            if name.partition("_")[0] not in returned:
                 continue  # the results may be exchanged
             if not isclose(stores[-1].value, right, rel_tol=1e-6, abs_tol=1e-9):
-                found[stores[-1].line] = f"{shown(right)} is right here"
+                found[stores[-1].line] = f"{text_of(right)} is right here"
         return dict(sorted(found.items())[:1])
 
 
-def sets_what_is_used(one, node) -> bool:
+def sets_what_is_used(statement, node) -> bool:
     """Return whether a statement gives a value to a name, or to a key, that another one uses."""
-    targets = targets_of(one)
-    names = {target.id for target in targets if isinstance(target, ast.Name)}
-    slices = [target.slice for target in targets if isinstance(target, ast.Subscript)]
-    keys = {part.value for part in slices if isinstance(part, ast.Constant)}
+    names = set()
+    keys = set()
+    for target in targets_of(statement):
+        if isinstance(target, ast.Name):
+            names.add(target.id)
+        elif isinstance(target, ast.Subscript) and isinstance(target.slice, ast.Constant):
+            keys.add(target.slice.value)
     return bool(names & names_in_head(node) or keys & keys_in_head(node))
 
 
-def words_of(error) -> tuple[str, bool]:
-    """Return how an error has stopped a line, in words, and whether it is an error of the line's
-    own.
-    """
+def stop_at(line, error) -> Stop:
+    """Return how an error has stopped a line."""
     if isinstance(error, EndlessError):
-        return "still here after 1000 turns", False
+        return Stop(line, "still here after 1000 turns", is_error=False)
     if isinstance(error, KeyboardInterrupt):
-        return "stopped here", False
-    return f"stops here: {type(error).__name__}", True
+        return Stop(line, "stopped here", is_error=False)
+    return Stop(line, f"stops here: {type(error).__name__}", is_error=True)

@@ -1,8 +1,7 @@
-"""The graded suites in pytest, as a plugin (pyproject.toml): each check is an item, and a table
-ends a run.
+"""The graded suites in pytest, as a plugin: each check is an item, and a table ends a run.
 
-With pytest-xdist (-n 2), other processes run the tests and report to the first one, which shows the
-table.
+pyproject.toml names the plugin. With pytest-xdist (-n 2), other processes run the tests and report
+to the first one, which shows the table.
 """
 
 import json
@@ -19,15 +18,17 @@ import grading.begin  # noqa: F401
 import pytest
 
 from grading import limits
-from grading.grade import grade, made_checks, words
-from grading.grader import CHECKS, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
+from grading.grade import checks_with_outcome, grade
+from grading.grader import CHECKS
 from grading.handout import SUITES
+from grading.outcomes import FAILED, FAULT, Grading, Outcome, PASSED, WAITING
+from grading.screen import Line, report
 from support.constants import NC_FP
 from support.files.cradle_csv import require_cradle
 from support.files.data_file import whole_file
 from support.start.checks_command import checks_command
 
-OUTCOME = "outcome of a check"  # the name under which a report has it
+OUTCOME = "outcome of a check"  # the name under which a report of pytest has it
 RAN: dict[str, Outcome] = {}  # the outcomes of this run's checks, by name, as they are reported
 TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes them
 
@@ -52,17 +53,17 @@ def pytest_configure(config):
         raise pytest.UsageError(
             "Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks."
         )
-    for word in map(str, config.invocation_params.args):
+    for option in map(str, config.invocation_params.args):
         # Up to Python 3.12, its value is an empty list
-        if word.startswith("-") and word.endswith("=--"):
-            raise pytest.UsageError(f"found {word!r}, allowed is no -- after =")
+        if option.startswith("-") and option.endswith("=--"):
+            raise pytest.UsageError(f"found {option!r}, allowed is no -- after =")
     config.grading = Grading()
     RAN.clear()
-    for word in config.args:
-        if not Path(word.partition("::")[0]).exists():
+    for path in config.args:
+        if not Path(path.partition("::")[0]).exists():
             command = checks_command()
-            words = f"Type {command}, or for one tier: {command} --tier C"
-            raise pytest.UsageError(f"found {word!r}, which is no file. {words}")
+            advice = f"Type {command}, or for one tier: {command} --tier C"
+            raise pytest.UsageError(f"found {path!r}, which is no file. {advice}")
     file = config.option.grade_json
     if file is not None and (Path(file).is_dir() or not Path(file).parent.is_dir()):
         raise pytest.UsageError(
@@ -73,19 +74,15 @@ def pytest_configure(config):
 def pytest_ignore_collect(collection_path, config):
     """Leave out the files of other tiers, without reading them: an import in them may fail."""
     tier = config.option.tier
-    return (
-        True
-        if tier and collection_path.is_file() and collection_path.stem != SUITES[TIERS[tier]]
-        else None
-    )
+    if tier and collection_path.is_file() and collection_path.stem != SUITES[TIERS[tier]]:
+        return True
+    return None
 
 
 def pytest_pycollect_makeitem(collector, name, obj):
-    return (
-        Item.from_parent(collector, name=name, check=CHECKS[name])
-        if getattr(obj, "is_check", False)
-        else None
-    )
+    if getattr(obj, "is_check", False):
+        return Item.from_parent(collector, name=name, check=CHECKS[name])
+    return None
 
 
 def pytest_collection_modifyitems(items):
@@ -118,13 +115,9 @@ class Item(pytest.Item):
 @pytest.hookimpl(tryfirst=True)  # before the terminal shows the report
 def pytest_runtest_logreport(report):
     """Take the outcome of a check out of its report, which may come from another process."""
-    RAN.update(
-        {
-            name_of(report): Outcome(*fields)
-            for key, fields in report.user_properties
-            if key == OUTCOME
-        }
-    )
+    for key, fields in report.user_properties:
+        if key == OUTCOME:
+            RAN[name_of(report)] = Outcome(*fields)
 
 
 def name_of(report) -> str:
@@ -134,8 +127,10 @@ def name_of(report) -> str:
 
 def pytest_report_teststatus(report):
     """Give a check that waits its own letter and word."""
-    is_waiting = report.skipped and name_of(report) in RAN and RAN[name_of(report)].state == WAITING
-    return (WAITING, "w", "WAITING") if is_waiting else None
+    outcome = RAN.get(name_of(report))
+    if report.skipped and outcome and outcome.state == WAITING:
+        return WAITING, "w", "WAITING"
+    return None
 
 
 def pytest_sessionfinish(session):
@@ -143,62 +138,73 @@ def pytest_sessionfinish(session):
 
     The exit status is 1 also if checks wait, and another one if the file cannot be written.
     """
-    session.config.session = session
-    if hasattr(session.config, "workerinput"):  # a process of xdist's, which has seen a part only
+    config = session.config
+    config.session = session
+    if hasattr(config, "workerinput"):  # a process of xdist's, which ran only some of the checks
         return
-    file = session.config.option.grade_json
-    if session.exitstatus == pytest.ExitCode.OK and any(
-        outcome.state != PASSED for outcome in RAN.values()
-    ):
+    are_passed = all(outcome.state == PASSED for outcome in RAN.values())
+    if session.exitstatus == pytest.ExitCode.OK and not are_passed:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
+    file = config.option.grade_json
     if file and RAN:
         try:
-            graded = {
-                **grade(RAN),
-                "checks": {},
-                "text": [line for line, _ in words_of_run(session.config)],
-            }
-            # Whether nothing has failed for want of what other programs use as well, or by a fault
-            # of the grader.
-            is_fault = any(outcome.state == FAULT for outcome in RAN.values())
-            graded["final"] = not (is_fault or limits.SHARED_WAS_SHORT.is_set())
-            for check in made_checks(RAN):
-                seen = dict(zip(Outcome._fields[:4], RAN[check.name], strict=False))
-                own = {"tier": check.tier, "function": check.function, "title": check.title}
-                graded["checks"][check.name] = {**own, **seen}
+            graded = grade_of_run(config)
             with whole_file(file) as out:
                 json.dump(graded, out, indent=4)
                 out.write("\n")
         except OSError as error:
             session.exitstatus = pytest.ExitCode.USAGE_ERROR
-            session.config.not_written = f"--grade-json: {file}: {error.strerror}"
+            config.not_written = f"--grade-json: {file}: {error.strerror}"
 
 
-def words_of_run(config) -> list[tuple[str, str]]:
-    """Return what a student reads about this run, as lines of text, each with its color or ""."""
-    failed = getattr(config.pluginmanager.get_plugin("terminalreporter"), "stats", {}).get(
-        "failed", []
-    )
+def grade_of_run(config) -> dict:
+    """Return what --grade-json writes."""
+    # Whether nothing has failed for want of what other programs use as well, or by a fault of the
+    # grader.
+    is_fault = any(outcome.state == FAULT for outcome in RAN.values())
+    is_final = not is_fault and not limits.SHARED_WAS_SHORT.is_set()
+    results = {}
+    for check in checks_with_outcome(RAN):
+        outcome = RAN[check.name]
+        results[check.name] = {
+            "tier": check.tier,
+            "function": check.function,
+            "title": check.title,
+            "state": outcome.state,
+            "message": outcome.message,
+            "place": outcome.place,
+            "hint": outcome.hint,
+        }
+    text = [line.text for line in report_of_run(config)]
+    return {**grade(RAN), "checks": results, "text": text, "final": is_final}
+
+
+def report_of_run(config) -> list[Line]:
+    """Return what a student reads about this run."""
+    if not RAN:
+        return []
     note = ""
     try:
         require_cradle(NC_FP)
     except ValueError as error:  # the checks have files of their own
         note = f"your CSV has a mistake. {error}".replace(f"{config.rootpath}{os.sep}", "")
-    printed = {name_of(report): report.capstdout for report in failed}
-    return words(RAN, printed, get_terminal_size().columns, note) if RAN else []
+    reporter = config.pluginmanager.get_plugin("terminalreporter")
+    failed = getattr(reporter, "stats", {}).get("failed", [])
+    printed = {name_of(failure): failure.capstdout for failure in failed}
+    return report(RAN, printed, get_terminal_size().columns, note)
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_terminal_summary(terminalreporter, config):
     """Show what students read below everything else."""
-    others = [
-        report for report in terminalreporter.stats.get("failed", []) if name_of(report) not in RAN
-    ]
+    failed = terminalreporter.stats.get("failed", [])
+    others = [failure for failure in failed if name_of(failure) not in RAN]
     with patch.dict(terminalreporter.stats, failed=others):  # pytest shows these only
         yield
     terminalreporter.currentfspath = None  # no line is begun: or an empty one would be put in
-    for line, color in words_of_run(config):
-        terminalreporter.line(line, **{color: True} if color else {})
+    for line in report_of_run(config):
+        markup = {line.color: True} if line.color else {}
+        terminalreporter.line(line.text, **markup)
     if not RAN and config.session.exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED:
         terminalreporter.write_line(f"The checks are not here. Type: {checks_command()}", red=True)
     if hasattr(config, "not_written"):
@@ -207,15 +213,17 @@ def pytest_terminal_summary(terminalreporter, config):
 
 @pytest.hookimpl(trylast=True)
 def pytest_unconfigure(config):
-    """End the process with its exit status if a student's code has left a thread that runs: Python
-    would wait for it.
+    """End the process with its exit status if a thread of a student's code still runs.
 
-    Everything is printed and written by now; with pytest-xdist, this process has sent its reports.
+    Python would wait for it. Everything is printed and written by now; with pytest-xdist, this
+    process has sent its reports.
     """
-    main = threading.main_thread()
-    if hasattr(config, "session") and any(
-        not each.daemon and each is not main for each in threading.enumerate()
-    ):
+    if hasattr(config, "session") and any(map(is_left, threading.enumerate())):
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(config.session.exitstatus)
+
+
+def is_left(thread) -> bool:
+    """Return whether Python would wait for the end of a thread."""
+    return not thread.daemon and thread is not threading.main_thread()

@@ -1,10 +1,12 @@
-"""What stopped a student's code."""
+"""An error that stopped a student's code: where it was, and what it says."""
 
 import re
 import traceback
+from collections.abc import Iterator
 from contextlib import suppress
 from linecache import getline, getlines
 from pathlib import Path
+from types import FrameType
 from typing import NamedTuple
 
 from grading.begin import ROOT
@@ -30,37 +32,45 @@ class Place(NamedTuple):
     def __str__(self):
         return f"{self.file}, line {self.line}"
 
+    @property
+    def is_outside(self) -> bool:
+        """Whether the line stands outside of all functions."""
+        return self.function in ("", "<module>")
+
 
 class StoppedError(Exception):
-    """An error that stopped a student's function, or the import of its file, or the limit over
-    which it went.
-    """
+    """An error that stopped a student's function or the import of its file, or a limit that did."""
 
-    def __init__(self, error, function):
+    def __init__(self, error: BaseException, function):
         """function is "" if the error stopped the import."""
-        self.error, self.function = error, function
+        self.error = error
+        self.function = function
         self.kind = type(error).__name__
-        try:
-            self.text = (
-                error.msg if isinstance(error, SyntaxError) else f"{error}{nearest_name(error)}"
-            )
-        except Exception:
-            self.text = None
+        self.text = text_of_error(error)  # None if it has none
         # In the student's own files; the last call comes last
         self.places, frames = own_places(error)
         self.limit = limits.over_limit(error)
-        self.ends = isinstance(error, (SystemExit, KeyboardInterrupt))  # it ends the whole program
         # The file of src/ that made an import fail
         self.culprit = culprit_of(error, f"{self.text}", self.places)
-        # The function that is not written yet, and the words, if they are known
+        # The function that is not written yet, and the hint, if one is known
         self.stub, self.hint = stub_of(error)
         self.mark = mark_of(error)  # a line below the code that Python cannot read
         self.meaning = ""  # what an error of this kind means
-        if self.ends:
+        if isinstance(error, (SystemExit, KeyboardInterrupt)):  # it ends the whole program
             self.hint = ENDLESS if self.limit else ENDING
         elif not self.limit and not self.stub:
             with suppress(Exception):  # an error of the student's own, which says nothing of itself
                 self.hint, self.meaning = of_error(error, frames, function)
+
+
+def text_of_error(error) -> str | None:
+    """Return what an error says, None if it says nothing of itself."""
+    try:
+        if isinstance(error, SyntaxError):
+            return error.msg
+        return f"{error}{nearest_name(error)}"
+    except Exception:
+        return None
 
 
 def mark_of(error) -> str:
@@ -68,70 +78,84 @@ def mark_of(error) -> str:
     if not isinstance(error, SyntaxError) or not error.text or not error.offset:
         return ""
     code = error.text.rstrip()
-    begin = error.offset - 1 - (len(code) - len(code.lstrip()))
+    indentation = len(code) - len(code.lstrip())
+    start = error.offset - 1 - indentation
+    if not 0 <= start <= len(code):
+        return ""
     is_in_line = error.end_lineno == error.lineno and (error.end_offset or 0) > error.offset
     width = error.end_offset - error.offset if is_in_line else 1
-    return " " * begin + "^" * width if 0 <= begin <= len(code) else ""
+    return " " * start + "^" * width
 
 
-def own_places(error) -> tuple[tuple[Place, ...], list]:
-    """Return the places of an error in the student's own files, and the frames and lines of them
-    that have run.
+def own_places(error) -> tuple[tuple[Place, ...], list[tuple[FrameType, int]]]:
+    """Return the places of an error in the student's own files, the last call last.
+
+    Beside them, return the frames and the lines of those that have run.
     """
-    stack = [
-        (frame, frame.f_code.co_filename, line)
-        for frame, line in traceback.walk_tb(error.__traceback__)
-    ]
-    places = [
-        (Place(file, line, at.f_code.co_name, getline(file, line).strip()), at)
-        for at, file, line in stack
-    ]
+    places: list[Place] = []
+    frames = []
+    for place, frame in all_places(error):
+        if len(places) == MOST_PLACES:
+            break
+        path = Path(place.file)
+        if not path.is_absolute():  # "<string>" is no file
+            continue
+        file = path.resolve()  # as ROOT is, for example to the share behind a drive on Windows
+        if file.is_relative_to(ROOT / "src"):
+            places.append(place._replace(file=file.relative_to(ROOT).as_posix()))
+            if frame:
+                frames.append((frame, place.line))
+    return tuple(places), frames
+
+
+def all_places(error) -> Iterator[tuple[Place, FrameType | None]]:
+    """Yield the places of an error in all files, with their frames.
+
+    A line that is no Python has none.
+    """
+    for frame, line in traceback.walk_tb(error.__traceback__):
+        file = frame.f_code.co_filename
+        yield Place(file, line, frame.f_code.co_name, getline(file, line).strip()), frame
     if isinstance(error, SyntaxError) and error.filename:
-        places.append((Place(error.filename, error.lineno, "", (error.text or "").strip()), None))
-    # ROOT is resolved, for example to the share behind a drive on Windows. "<string>" is no file.
-    files = [
-        (Path(place.file).resolve(), place, at)
-        for place, at in places
-        if Path(place.file).is_absolute()
-    ]
-    own = [each for each in files if each[0].is_relative_to(ROOT / "src")][:MOST_PLACES]
-    found = [place._replace(file=file.relative_to(ROOT).as_posix()) for file, place, _ in own]
-    return tuple(found), [(at, place.line) for _, place, at in own if at]
+        yield Place(error.filename, error.lineno, "", (error.text or "").strip()), None
 
 
 def stub_of(error) -> tuple[str | None, str]:
-    """Return the function that raised this error because it is not written yet, or None, and a hint
-    if it has code.
+    """Return the function that raised this error because it is not written yet, or None.
+
+    Beside it, return a hint if it has code.
     """
     frames = traceback.extract_tb(error.__traceback__)
-    name = frames[-1].name if frames else ""
-    is_stub = isinstance(error, NotImplementedError) and name in FUNCTIONS
-    stubs = stubs_in("".join(getlines(frames[-1].filename))) if is_stub else {}
+    if not frames or not isinstance(error, NotImplementedError):
+        return None, ""
+    name = frames[-1].name
+    if name not in FUNCTIONS:
+        return None, ""
+    stubs = stubs_in("".join(getlines(frames[-1].filename)))
     if name not in stubs:
         return None, ""
     line, has_code = stubs[name]
-    return (
-        name,
-        f"Delete line {line}, raise NotImplementedError: it stops your function before its end."
-        * has_code,
-    )
+    if not has_code:
+        return name, ""
+    delete = f"Delete line {line}, raise NotImplementedError"
+    return name, f"{delete}: it stops your function before its end."
 
 
 def culprit_of(error, text, places) -> str | None:
-    """Return the file of src/ that made an import fail, or None. text and places are those of the
-    error.
+    """Return the file of src/ that made an import fail, or None.
 
     It lacks a function, or is missing itself, or is the first one of a circle, or has the last line
-    that ran.
+    that ran. text and places are those of the error.
     """
     missing = re.match(r"cannot import name '(\w+)' from 'src\.", text)
     if missing and missing[1] in FUNCTIONS:
         return FUNCTIONS[missing[1]].file
     if isinstance(error, ModuleNotFoundError) and (error.name or "").startswith("src."):
         return error.name.replace(".", "/") + ".py"
-    files = [each.file for each in places if each.function in ("", "<module>")]
-    # In the order of the handout, it is the first file that imports from a later one
+    files = [place.file for place in places if place.is_outside]
     if "circular import" in text:
-        order = [*{function.file: None for function in FUNCTIONS.values()}]
-        files = sorted(files, key=lambda file: -order.index(file) if file in order else -len(order))
+        # In the order of the handout, it is the first file that imports from a later one
+        for function in FUNCTIONS.values():
+            if function.file in files:
+                return function.file
     return files[-1] if files else None

@@ -3,7 +3,7 @@
 import importlib
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -17,9 +17,14 @@ from grading.raised import StoppedError
 from grading.watch import Watch
 
 # The CSV that solutions read instead of the shipped one; each pendulum has another mass.
-SHIPPED_CSV = "mass,e,theta,omega,color,texture\n" + "".join(
-    f"{i}.25,0.5,0.0,0.0,cyan,none\n" for i in range(1, 6)
-)
+SHIPPED_CSV = """\
+mass,e,theta,omega,color,texture
+1.25,0.5,0.0,0.0,cyan,none
+2.25,0.5,0.0,0.0,cyan,none
+3.25,0.5,0.0,0.0,cyan,none
+4.25,0.5,0.0,0.0,cyan,none
+5.25,0.5,0.0,0.0,cyan,none
+"""
 
 
 class Code(NamedTuple):
@@ -59,16 +64,16 @@ class StudentsCode:
         Errors of its import pass.
         """
         with patch("support.constants.NC_FP", str(self.shipped)):
-            found = getattr(
-                importlib.import_module(module_of(FUNCTIONS[function].file)), function, None
-            )
+            module = importlib.import_module(module_of(FUNCTIONS[function].file))
+        found = getattr(module, function, None)
         if not callable(found):
             raise MissingError
         return found
 
     def run(self, function, arguments, times=1) -> Any:
-        """Call a function of the handout, and return its result; raise a StoppedError if it or its
-        import fails.
+        """Call a function of the handout, and return its result.
+
+        Raises a StoppedError if it or its import fails.
         """
         solution = None
         self.count += 1
@@ -93,7 +98,7 @@ class StudentsCode:
     def repeated(self, solution, function, arguments, times) -> Any:
         """Call a solution this number of times; return the last result.
 
-        Each one begins the next call's arguments.
+        Each result gives the first arguments of the next call.
         """
         for _ in range(times):
             if self.watch:
@@ -106,9 +111,9 @@ class StudentsCode:
 
     def put_back(self) -> None:
         """Set has_written; if it is True, make the grader's CSV again."""
-        self.has_written = not (
-            self.shipped.is_file() and self.shipped.read_text(errors="replace") == SHIPPED_CSV
-        )
+        self.has_written = True
+        if self.shipped.is_file():
+            self.has_written = self.shipped.read_text(errors="replace") != SHIPPED_CSV
         if self.has_written:
             self.shipped.write_text(SHIPPED_CSV)
 
@@ -116,15 +121,15 @@ class StudentsCode:
 def code_of(function) -> Code:
     """Return what is known of a student's function, if it is there."""
     with suppress(Exception):  # it is not imported, or no plain function
-        code = getattr(sys.modules[module_of(FUNCTIONS[function].file)], function).__code__
-        return Code(
-            code.co_firstlineno, code.co_names, ", ".join(code.co_varnames[: code.co_argcount])
-        )
+        module = sys.modules[module_of(FUNCTIONS[function].file)]
+        code = getattr(module, function).__code__
+        parameters = code.co_varnames[: code.co_argcount]
+        return Code(code.co_firstlineno, code.co_names, ", ".join(parameters))
     return Code()
 
 
 @contextmanager
-def working_in(folder):
+def working_in(folder) -> Iterator[None]:
     """Make this folder the working directory, in the body of the with statement."""
     before = os.getcwd()
     os.chdir(folder)

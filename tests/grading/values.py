@@ -7,7 +7,7 @@ from types import BuiltinFunctionType, FrameType, FunctionType, MethodType, Modu
 from pandas import DataFrame
 from vpython import box, cylinder, sphere, vector
 
-from grading.messages import form_of, shown
+from grading.messages import form_of, plural, text_of
 
 SHORT = 48  # characters of a value that is shown whole
 SHAPES = box, sphere, cylinder
@@ -18,36 +18,37 @@ MOST_KEYS = 3  # shown of a dictionary
 
 def kind_of(shape) -> str:
     """Return which part of a pendulum a shape is."""
-    return shown(shape).partition(" ")[2]
+    return text_of(shape).partition(" ")[2]
 
 
 def names_in(frame: FrameType) -> dict[int, str]:
-    """Return the code that gives each dictionary and each list of a frame, by their ids:
-    "pend_list[1]".
+    """Return the code of each dictionary and each list of a frame, by their ids: "pend_list[1]".
+
+    The names of parameters come first, then elements, then other names.
     """
     found: dict[int, str] = {}
     parameters = frame.f_code.co_varnames[: frame.f_code.co_argcount]
-    names = frame.f_locals
+    values = frame.f_locals
     for name in parameters:
-        if type(names.get(name)) in (dict, list):
-            found.setdefault(id(names[name]), name)
-    for name, value in names.items():
-        for key, one in elements_of(value):
-            if type(one) is dict:
-                found.setdefault(id(one), f"{name}[{key!r}]")
-    for name, value in names.items():
+        if type(values.get(name)) in (dict, list):
+            found.setdefault(id(values[name]), name)
+    for name, value in values.items():
+        for key, element in elements_of(value):
+            if type(element) is dict:
+                found.setdefault(id(element), f"{name}[{key!r}]")
+    for name, value in values.items():
         if type(value) in (dict, list):
             found.setdefault(id(value), name)
     return found
 
 
 def elements_of(value) -> list[tuple]:
-    """Return the first indexes and elements of a list or a tuple, or keys and values of a
-    dictionary.
-    """
+    """Return pairs of the first keys and values of a dictionary, or indexes and elements."""
     if type(value) in (list, tuple):
         return [*enumerate(value[:MOST_NAMED])]
-    return [*islice(value.items(), MOST_NAMED)] if type(value) is dict else []
+    if type(value) is dict:
+        return [*islice(value.items(), MOST_NAMED)]
+    return []
 
 
 def in_words(value, names=None) -> str:
@@ -61,15 +62,18 @@ def in_words(value, names=None) -> str:
     if isinstance(value, tuple) and len(value) <= MOST_ELEMENTS:
         return tuple_in_words(value, names)
     if isinstance(value, vector):
-        return f"({', '.join(shown(number, 4) for number in value.value)})"
+        numbers = [text_of(number, 4) for number in value.value]
+        return f"({', '.join(numbers)})"
     return object_in_words(value) or plain_in_words(value)
 
 
 def tuple_in_words(value, names) -> str:
     """Return a short tuple; shapes alone are named without their places."""
-    if value and all(isinstance(one, SHAPES) for one in value):
-        return f"({', '.join(kind_of(one) for one in value)})"
-    return f"({', '.join(in_words(one, names) for one in value)})"
+    if value and all(isinstance(element, SHAPES) for element in value):
+        texts = [kind_of(shape) for shape in value]
+    else:
+        texts = [in_words(element, names) for element in value]
+    return f"({', '.join(texts)})"
 
 
 def object_in_words(value) -> str:
@@ -93,7 +97,7 @@ def plain_in_words(value) -> str:
     """Return a number, a text, or another value: its form, if its text is long."""
     if isinstance(value, str) and (os.path.isabs(value) or os.path.isfile(value)):
         return f"the path of {os.path.basename(value)}"
-    text = shown(value)
+    text = text_of(value)
     is_long = len(text) > SHORT or "\n" in text or " at 0x" in text
     return form_of(value) if is_long else text
 
@@ -103,9 +107,9 @@ def dictionary_in_words(value) -> str:
     if not value:
         return "{ }, empty"
     parts = []
-    for key in [*value][:MOST_KEYS]:
-        part = value[key]
-        parts.append(f"{shown(key)}: {'{...}' if isinstance(part, dict) else in_words(part)}")
+    for key, part in islice(value.items(), MOST_KEYS):
+        text = "{...}" if isinstance(part, dict) else in_words(part)
+        parts.append(f"{text_of(key)}: {text}")
     if len(value) > MOST_KEYS:
         parts.append("...")
     return f"{{{', '.join(parts)}}}"
@@ -115,16 +119,14 @@ def list_in_words(value, names) -> str:
     """Return a short list of plain values whole, and of another one how many elements it has."""
     if not value:
         return "[ ], empty"
-    if all(isinstance(one, dict) and "mass" in one for one in value):
-        is_one = len(value) > 1 and len({id(one) for one in value}) == 1
-        same = ", all the same one" if is_one else ""
-        return (
-            "a list of 1 pendulum" if len(value) == 1 else f"a list of {len(value)} pendula{same}"
-        )
-    if len(value) <= MOST_ELEMENTS and not any(
-        isinstance(one, (dict, list, tuple)) for one in value
-    ):
-        text = f"[{', '.join(in_words(one, names) for one in value)}]"
+    if all(isinstance(element, dict) and "mass" in element for element in value):
+        text = f"a list of {plural(len(value), 'pendulum', 'pendula')}"
+        is_same = len(value) > 1 and len({id(pend) for pend in value}) == 1
+        return f"{text}, all the same one" if is_same else text
+    is_plain = not any(isinstance(element, (dict, list, tuple)) for element in value)
+    if is_plain and len(value) <= MOST_ELEMENTS:
+        elements = [in_words(element, names) for element in value]
+        text = f"[{', '.join(elements)}]"
         if len(text) <= SHORT:
             return text
-    return "a list of 1 element" if len(value) == 1 else f"a list of {len(value)} elements"
+    return f"a list of {plural(len(value), 'element', 'elements')}"

@@ -20,8 +20,9 @@ from vpython import vector
 from wrong_solutions import HINTED, OTHERS, PLAIN
 
 from grading import comparing, grader, hints, limits, students_code
-from grading.grader import check, checks, expect, FAILED, FAULT, Grading, Outcome, PASSED, WAITING
+from grading.grader import check, checks, expect
 from grading.handout import FUNCTIONS, HONOR, needed, SUITES
+from grading.outcomes import FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.raised import own_places
 from grading.students_code import module_of
 from support.constants import NC_FP
@@ -229,11 +230,15 @@ def test_the_parts_of_the_formulas_are_those_of_the_appendix(solve):
 def test_two_mistakes_with_the_same_result_have_no_hint():
     first, second = (2.0, "You doubled it."), (2.0, "You added 1.")
     assert (
-        comparing.words_of(2.0, [first])
-        == comparing.words_of(2.0, [first, first])
+        comparing.hint_for_result(2.0, [first])
+        == comparing.hint_for_result(2.0, [first, first])
         == "You doubled it."
     )
-    assert comparing.words_of(2.0, [first, second]) == comparing.words_of(3.0, [first]) == ""
+    assert (
+        comparing.hint_for_result(2.0, [first, second])
+        == comparing.hint_for_result(3.0, [first])
+        == ""
+    )
 
 
 # --- messages --------------------------------------------------------------------------------------------------------

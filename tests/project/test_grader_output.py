@@ -13,9 +13,10 @@ from programs import python, ROOT, slow_but_for
 from students import change, write
 from wrong_solutions import PLAIN
 
-from grading.grade import SCREEN, table
-from grading.grader import checks, FAILED, FAULT, Outcome, PASSED
+from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
+from grading.outcomes import FAILED, FAULT, Outcome, PASSED
+from grading.screen import SCREEN, table
 
 COLUMNS = 80
 PYTEST = ("-m", "pytest", "-p", "no:cacheprovider")

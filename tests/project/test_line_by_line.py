@@ -9,8 +9,9 @@ from test_graded_suites import failures, on_linux, outcomes_of, patient, solve, 
 from wrong_solutions import PLAIN
 
 from grading import limits
-from grading.grader import PASSED, runner
+from grading.grader import runner
 from grading.instrument import watched
+from grading.outcomes import PASSED
 from grading.watch import Watch
 
 

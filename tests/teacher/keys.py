@@ -1,5 +1,6 @@
-"""A key for each student of a class: a name for files that no other student's files can meet, on
-any file system.
+"""A key for each student of a class: a name for files.
+
+On no file system, the files of another student can have the same name.
 """
 
 import hashlib
@@ -21,28 +22,27 @@ class Student(NamedTuple):
     """What the names of files say of a student."""
 
     short: str  # ann
-    # ann_12 for ann_12_345_swinging.py, as two students may be called ann; ann.zip for ann.zip
-    full: str
+    full: str  # ann_12 for ann_12_345_swinging.py: two students may be called ann; ann.zip
 
 
 def keys_of(students) -> dict[Student, str]:
-    """Return a key for each student of a class: the short name or, if two could meet, the full name
-    or a hash of it.
+    """Return a key for each student of a class.
 
-    A key depends only on the students who could meet. It differs from the others also where a file
-    system takes capitals for small letters, or e and an accent for one letter.
+    It is the short name or, if two could meet, the full name or a hash of it. A key depends only on
+    the students who could meet. It differs from the others also where a file system takes capitals
+    for small letters, or e and an accent for one letter.
     """
-    names = {student: [plain(student.short), plain(student.full)] for student in students}
-    counts = Counter(alike for both in names.values() for alike in {*map(folded, both)})
+    counts: Counter[str] = Counter()
+    for student in students:
+        counts.update({folded(plain(student.short)), folded(plain(student.full))})
     keys = {}
-    for student, both in names.items():
-        apart = [
-            name
-            for name in both
-            if counts[folded(name)] == 1 and not WITH_HASH.fullmatch(folded(name))
-        ]
+    for student in students:
+        full = plain(student.full)
         digest = hashlib.sha256(repr(student).encode()).hexdigest()
-        keys[student] = apart[0] if apart else f"{both[1]}-{digest[:16]}"
+        keys[student] = f"{full}-{digest[:16]}"
+        for name in (full, plain(student.short)):  # the short one counts if both are alone
+            if counts[folded(name)] == 1 and not WITH_HASH.fullmatch(folded(name)):
+                keys[student] = name
     return keys
 
 

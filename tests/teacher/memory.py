@@ -1,8 +1,10 @@
-"""How much memory a solution has with all of its processes:
-docs.kernel.org/admin-guide/cgroup-v2.html.
+"""How much memory a solution has with all of its processes.
+
+docs.kernel.org/admin-guide/cgroup-v2.html
 """
 
 import os
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from itertools import count
 from pathlib import Path
@@ -18,18 +20,17 @@ BUS = "XDG_RUNTIME_DIR", "DBUS_SESSION_BUS_ADDRESS"
 
 
 @contextmanager
-def bounded(command, size, has_systemd):
-    """Yield the words that start a command in a group with this many bytes, as far as this user can
-    have one.
+def bounded(command, size, has_systemd) -> Iterator[list[str]]:
+    """Yield the words that start a command in a group with this many bytes.
+
+    If this user cannot have a group, the command starts without one.
     """
     if os.name == "nt":
         yield command
         return
-    group = None
+    group = None if has_systemd else new_group(size)
     if has_systemd:
         command = [*in_systemd(size), *command]
-    else:
-        group = new_group(size)
     processes = group / "cgroup.procs" if group else os.devnull
     try:
         yield ["sh", "-c", START, f"{processes}", *command]
@@ -39,9 +40,8 @@ def bounded(command, size, has_systemd):
                 group.rmdir()
 
 
-def own_group() -> tuple[Path, str]:
-    """Return the group in which the system counts the memory of this program, and the name of the
-    file with its limit.
+def own_group() -> Path:
+    """Return the file with the limit of the group in which the system counts this program.
 
     Raises an OSError if the system has none.
     """
@@ -49,37 +49,37 @@ def own_group() -> tuple[Path, str]:
         _, kinds, path = line.split(":", 2)
         # Of version 1, which comes first if it is there, and of version 2
         if kinds == "memory" or not kinds:
-            folder = MOUNT / kinds
             name = "memory.limit_in_bytes" if kinds else "memory.max"
-            return (folder / path[1:] if (folder / path[1:]).is_dir() else folder), name
+            folder = MOUNT / kinds / path[1:]
+            return folder / name if folder.is_dir() else MOUNT / kinds / name
     raise FileNotFoundError
 
 
 def share(jobs) -> int:
-    """Return how many bytes each of these solutions side by side can have, so that all of them fit
-    beside the rest.
+    """Return how many bytes each of these solutions side by side can have.
+
+    All of them fit beside the rest.
     """
     sizes = [MOST * (jobs + 1)]
-    with suppress(OSError, ValueError, StopIteration):
-        lines = Path("/proc/meminfo").read_text().splitlines()
-        sizes.append(
-            1024 * next(int(line.split()[1]) for line in lines if line.startswith("MemAvailable"))
-        )
-        folder, name = own_group()
-        sizes.append(int((folder / name).read_text()))  # "max" if it has no limit
+    with suppress(OSError, ValueError):
+        for line in Path("/proc/meminfo").read_text().splitlines():
+            if line.startswith("MemAvailable"):
+                sizes.append(1024 * int(line.split()[1]))
+        sizes.append(int(own_group().read_text()))  # "max" if it has no limit
     return min(sizes) // (jobs + 1)
 
 
 def new_group(size) -> Path | None:
-    """Return the folder of a new group with this many bytes, None if this user cannot make one;
-    mostly, root can.
+    """Return the folder of a new group with this many bytes.
+
+    Return None if this user cannot make one; mostly, root can.
     """
     with suppress(OSError):
-        parent, name = own_group()
-        folder = parent / f"cradle-{os.getpid()}-{next(NUMBERS)}"
+        limit = own_group()
+        folder = limit.parent / f"cradle-{os.getpid()}-{next(NUMBERS)}"
         folder.mkdir()
         try:
-            (folder / name).write_text(f"{size}")
+            (folder / limit.name).write_text(f"{size}")
         except OSError:
             folder.rmdir()
             raise
@@ -88,9 +88,7 @@ def new_group(size) -> Path | None:
 
 
 def in_systemd(size) -> list[str]:
-    """Return the words before a command with which systemd starts it in a group with this many
-    bytes.
-    """
+    """Return the words before a command that start it in a group of systemd's."""
     user = [] if os.geteuid() == 0 else ["--user"]
     limits = ["-p", f"MemoryMax={size}", "-p", "MemorySwapMax=0"]
     return ["systemd-run", *user, "--scope", "--quiet", "--collect", *limits, "--"]

@@ -33,8 +33,7 @@ class Processes:
     def run(self, *command, seconds=inf, stop=lambda: False, **options) -> int | None:
         """Run a command to its end, and end what it leaves; return its exit status.
 
-        Return None after these seconds, and once stop, which is asked again and again, returns
-        True.
+        Return None after these seconds, and once stop returns True. It is asked again and again.
         """
         with self.lock:
             job = ctypes.windll.kernel32.CreateJobObjectW(None, None) if os.name == "nt" else None
@@ -83,8 +82,9 @@ class Processes:
 
 
 def wait(process, seconds, stop) -> int | None:
-    """Return the exit status of a process, None if it takes longer than these seconds, or if stop
-    returns True.
+    """Return the exit status of a process.
+
+    Return None if it takes longer than these seconds, or if stop returns True.
     """
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline and not stop():

@@ -1,6 +1,4 @@
-"""The grade that a run of pytest has written, and what a teacher gets of a class: tables and a
-summary.
-"""
+"""The grade that a run of pytest has written, and the tables and the summary of a class."""
 
 import csv
 import hashlib
@@ -14,57 +12,62 @@ from grading.handout import highest, SUITES
 from support.files.data_file import whole_file
 from support.start.output import in_one_line
 
-SEEN = "state", "message", "place", "hint"  # of a check
-MOST_LETTERS, MOST_LINES, MOST_OF_CELL = 10_000, 200, 2000  # of a text, and letters of a cell
+KEPT = "state", "message", "place", "hint"  # of what a run says of a check
+MOST_LETTERS = 10_000  # of a text
+MOST_LINES = 200  # of a text
+MOST_OF_CELL = 2000  # letters of a cell
 
 
 def read_grade(empty, output) -> dict | None:
-    """Return what pytest --grade-json has written: grade, points by tier, next, text, checks, and
-    whether it is final.
+    """Return what pytest --grade-json has written, without what may be forged or too long.
 
-    Return None without the form of empty, the grade of the starter.
+    It has grade, points by tier, next, text, checks, and whether it is final. Return None if it has
+    not the form of empty, the grade of the starter.
     """
     with suppress(Exception):  # of another form
-        read = json.loads(output)
-        if len(read["checks"]) != len(empty["checks"]):
+        found = json.loads(output)
+        if len(found["checks"]) != len(empty["checks"]):
             return None
         checks = {}
+        points = Counter()
         for name, check in empty["checks"].items():
-            checks[name] = check | {key: safe(read["checks"][name][key]) for key in SEEN}
-        points = Counter(check["tier"] for check in checks.values() if check["state"] == "passed")
+            checks[name] = check | {key: safe(found["checks"][name][key]) for key in KEPT}
+            if checks[name]["state"] == "passed":
+                points[check["tier"]] += 1
+        most = {tier: counts["of"] for tier, counts in empty["tiers"].items()}
         return {
-            "grade": highest(
-                points, {tier: counts["of"] for tier, counts in empty["tiers"].items()}
-            ),
+            "grade": highest(points, most),
             "points": {tier: points[tier] for tier in SUITES},
-            "next": safe(read["next"]),
-            "text": safe("\n".join(read["text"])),
+            "next": safe(found["next"]),
+            "text": safe("\n".join(found["text"])),
             "checks": checks,
-            "final": read["final"] is True,
+            "final": found["final"] is True,
         }
     return None
 
 
 def no_grade(empty, output) -> dict:
-    """Return the grade of a run that has written none, with the beginning of what it has printed."""
+    """Return the grade of a run that has written none, with the start of what it has printed."""
+    checks = {}
+    for name, check in empty["checks"].items():
+        checks[name] = {**check, "message": "was not run"}
     return {
         "grade": None,
         "points": dict.fromkeys(SUITES, 0),
         "next": "",
         "text": safe(output[:MOST_LETTERS].decode(errors="replace")),
-        "checks": {
-            name: {**check, "message": "was not run"} for name, check in empty["checks"].items()
-        },
+        "checks": checks,
     }
 
 
 def safe(text) -> str:
-    """Return the beginning of a text, without letters that a terminal does not show."""
-    return "\n".join(in_one_line(line) for line in text[:MOST_LETTERS].split("\n")[:MOST_LINES])
+    """Return the start of a text, without letters that a terminal does not show."""
+    lines = text[:MOST_LETTERS].split("\n")[:MOST_LINES]
+    return "\n".join(map(in_one_line, lines))
 
 
 def results_in(file):
-    """Yield the results in results.jsonl; a line that is damaged, or of another version, is none."""
+    """Yield the results in results.jsonl, without lines that are damaged or of another version."""
     if not file.exists():
         return
     with open(file, encoding="utf-8", errors="replace") as lines:
@@ -86,33 +89,30 @@ def digest_of(*values) -> str:
 
 
 def own_folder(folder) -> None:
-    """Make a folder that only this user can read and write, or let one be so; raise an OSError if
-    it cannot be.
+    """Make a folder that only this user can read and write, or let one be so.
 
-    A link in it could lead the program to another file.
+    Raises an OSError if it cannot be. A link in it could lead the program to another file.
     """
     with suppress(FileExistsError):
         folder.mkdir(mode=0o700, parents=True)
-    status = folder.lstat()
-    is_ours = (
-        not hasattr(os, "geteuid")
-        or status.st_uid == os.geteuid()
-        and not status.st_mode & (S_IWGRP | S_IWOTH)
-    )
-    if (
-        not is_ours
-        or not folder.is_dir()
-        or any(path.is_symlink() for path in (folder, *folder.iterdir()))
-    ):
-        raise OSError(
-            0, "allowed is a new folder, or one that only you can write, without links", f"{folder}"
-        )
+    is_folder = is_ours(folder.lstat()) and folder.is_dir()
+    if not is_folder or any(path.is_symlink() for path in (folder, *folder.iterdir())):
+        allowed = "allowed is a new folder, or one that only you can write, without links"
+        raise OSError(0, allowed, f"{folder}")
     folder.chmod(0o700)
 
 
+def is_ours(status) -> bool:
+    """Return whether a folder with this status is this user's, and nobody else can write there."""
+    if not hasattr(os, "geteuid"):  # Windows
+        return True
+    return status.st_uid == os.geteuid() and not status.st_mode & (S_IWGRP | S_IWOTH)
+
+
 def cell(text) -> str:
-    """Return a text that no spreadsheet takes for a formula or, where it splits at ";", for several
-    cells.
+    """Return a text as a cell that no spreadsheet takes for a formula.
+
+    Some split at ";".
     """
     text = in_one_line(text[:MOST_OF_CELL]).replace(";", ",")
     return f"'{text}" if text.lstrip()[:1] in tuple("=+-@") else text
@@ -132,29 +132,31 @@ class Report:
 
         Raises an OSError if this fails.
         """
-        student, problems = result["student"], result["problems"]
+        student = result["student"]
+        problems = result["problems"]
         points = [*result["points"].values()]
         grade = result["grade"] or "none"
-        row = [
-            cell(student),
-            grade,
-            *points,
-            sum(points),
-            cell(result["next"]),
-            f"{result['seconds']:.1f}",
-        ]
-        self.rows.append([*row, cell(". ".join(problems))])
+        self.rows.append(
+            [
+                cell(student),
+                grade,
+                *points,
+                sum(points),
+                cell(result["next"]),
+                f"{result['seconds']:.1f}",
+                cell(". ".join(problems)),
+            ]
+        )
         text = "\n".join([student, *problems, "", result["text"], ""])
         (folder / f"{student}.txt").write_text(text, encoding="utf-8", errors="backslashreplace")
         self.grades[grade] += 1
-        failed = [
-            (name, check) for name, check in result["checks"].items() if check["state"] == "failed"
-        ]
-        self.failed.update(f"{name} ({check['function']})" for name, check in failed)
-        if failed:
-            _, first = failed[0]
-            if first["hint"]:
-                self.hints[f"{first['hint']} ({first['function']})"] += 1
+        is_first = True
+        for name, check in result["checks"].items():
+            if check["state"] == "failed":
+                self.failed[f"{name} ({check['function']})"] += 1
+                if is_first and check["hint"]:
+                    self.hints[f"{check['hint']} ({check['function']})"] += 1
+                is_first = False
 
     def write(self, file) -> None:
         """Write grades.csv, with a line for each student. Raises an OSError if this fails."""
@@ -167,28 +169,37 @@ class Report:
     def summary(self) -> list[str]:
         """Return the lines that a teacher reads in the end."""
         lines = ["grade        solutions"]
-        lines += [f"{grade:<12} {self.grades[grade]:>9}" for grade in [*reversed(SUITES), "none"]]
-        for title, counts in (
-            ("Checks that most solutions fail", self.failed),
-            ("Hints that most students see", self.hints),
-        ):
-            rows = [
-                f"{count:>5}  {in_one_line(words)[:150]}" for words, count in counts.most_common(5)
-            ]
-            lines += ["", title, *rows] if rows else []
+        for grade in [*reversed(SUITES), "none"]:
+            lines.append(f"{grade:<12} {self.grades[grade]:>9}")
+        lines += most_common("Checks that most solutions fail", self.failed)
+        lines += most_common("Hints that most students see", self.hints)
         return lines
 
 
+def most_common(title, counts: Counter) -> list[str]:
+    """Return a title and the texts with the highest counts; nothing without a count."""
+    if not counts:
+        return []
+    lines = ["", title]
+    for text, count in counts.most_common(5):
+        lines.append(f"{count:>5}  {in_one_line(text)[:150]}")
+    return lines
+
+
 def write_gradescope(folder, result) -> None:
-    """Write results.json: https://gradescope-autograders.readthedocs.io/en/latest/specs/. It may
-    raise an OSError.
+    """Write results.json as Gradescope reads it. Raises an OSError if this fails.
+
+    https://gradescope-autograders.readthedocs.io/en/latest/specs/
     """
     tests = []
     for check in result["checks"].values():
-        title = f"{check['tier']}: {check['function']}: {check['title']}"
-        points = int(check["state"] == "passed")
         tests.append(
-            {"name": title, "score": points, "max_score": 1, "output": check["message"] or "passed"}
+            {
+                "name": f"{check['tier']}: {check['function']}: {check['title']}",
+                "score": int(check["state"] == "passed"),
+                "max_score": 1,
+                "output": check["message"] or "passed",
+            }
         )
     whole = {
         "output": "\n".join([*result["problems"], result["text"]]),

@@ -1,7 +1,7 @@
 """A fresh folder and a pytest for each submission: what it may reach, and how long it may take.
 
-In bubblewrap, it sees Python, libraries and a folder in memory, and no network.
-github.com/containers/bubblewrap
+In bubblewrap (github.com/containers/bubblewrap), it sees Python, libraries and a folder in memory,
+and no network.
 """
 
 import json
@@ -22,22 +22,32 @@ from teacher.processes import Processes
 from teacher.report import no_grade, read_grade
 from teacher.seccomp import seccomp_filter
 
-# S by the clock for a submission: ten times the processor time that one_run.py gives a process
+# Seconds by the clock for a submission: ten times the processor time that one_run.py gives it
 LAST = 600
-ALONE = 120  # s by the clock if nothing runs beside it
+ALONE = 120  # if nothing runs beside it
 SPARE = 10  # s in which one_run.py ends a pytest that takes too long
 SPACE = 50_000_000  # bytes of a folder in memory
 LEAST_FREE = 1_000_000_000  # bytes of the disk, if there are more now
-# In bubblewrap: copied, to where, by what
+# In bubblewrap: the starter, the student's files, the folder to which they are copied, and one_run
 STARTER = "/starter"
 OWN = "/own"
 FOLDER = "/cradle"
 PROGRAM = "/one_run.py"
-SYSTEM = "/bin /sbin /lib /lib32 /lib64 /libx32 /nix/store /etc/alternatives /etc/ld.so.cache /etc/localtime"
-# Not /dev/zero: shared, it is memory that no process has
-DEVICES = "/dev/null", "/dev/random", "/dev/urandom"
-# Of Python's folders and /usr
+# What it sees of the system
+SYSTEM = [
+    "/bin",
+    "/sbin",
+    "/lib",
+    "/lib32",
+    "/lib64",
+    "/libx32",
+    "/nix/store",
+    "/etc/alternatives",
+    "/etc/ld.so.cache",
+    "/etc/localtime",
+]
 IN_PREFIX = "bin", "lib", "lib32", "lib64", "libx32", "libexec", "share", "pyvenv.cfg"
+DEVICES = "/dev/null", "/dev/random", "/dev/urandom"  # not zero: shared, it is uncounted memory
 IS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 USERS = range(60_600, 61_100)  # numbers that systems give to nobody
 REMOVE = (
@@ -45,9 +55,17 @@ REMOVE = (
     if os.name == "nt"
     else ["sh", "-c", 'chmod -R u+rwx "$0"; rm -rf "$0"']
 )
-# END_ALL kills all processes of a user at once. It becomes this user last, so they have no time to
-# kill it. REMOVE_ALL removes the user's files from the folders in which everybody can write.
-END_ALL = "import os, sys; user = int(sys.argv[1]); os.setgroups([]); os.setgid(user); os.setuid(user); os.kill(-1, 9)"
+# It kills all processes of a user at once. It becomes this user last, so they have no time to kill
+# it.
+END_ALL = """
+import os, sys
+user = int(sys.argv[1])
+os.setgroups([])
+os.setgid(user)
+os.setuid(user)
+os.kill(-1, 9)
+"""
+# It removes the user's files from the folders in which everybody can write.
 REMOVE_ALL = 'ipcrm -a; find /tmp /var/tmp /dev/shm -user "$0" -delete'
 QUIETLY = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
 
@@ -68,7 +86,8 @@ class Sandbox:
 
     def __init__(self, starter, work, has_bubblewrap, stopped):
         """stopped is an Event: once it is set, all ends that runs, and nothing more begins."""
-        self.starter, self.work = starter, work
+        self.starter = starter
+        self.work = work
         self.has_bubblewrap = has_bubblewrap
         self.bubblewrap = bubblewrap(work / "filter") if has_bubblewrap else []
         self.has_systemd = False
@@ -86,30 +105,31 @@ class Sandbox:
         with suppress(ValueError):
             self.empty = json.loads(output)
         if read_grade(self.empty, output) is None:
-            raise OSError(
-                0, f"pytest does not grade it{self.why_not(status, output)}", "The starter"
-            )
+            why = self.why_not(status, output)
+            raise OSError(0, f"pytest does not grade it{why}", "The starter")
 
     def why_not(self, status, output) -> str:
-        """Return what is known of a starter without a grade, in words."""
+        """Return what is known of a starter without a grade, as the end of a sentence."""
         if self.empty:
             return ". It was made by another version of make_starter.py"
-        said = output.decode(errors="replace").strip().split("\n")[-1] or f"status {status}"
-        return f" in bubblewrap: {said}. See --help" if self.has_bubblewrap else f" here: {said}"
+        lines = output.decode(errors="replace").strip().split("\n")
+        last = lines[-1] or f"status {status}"
+        return f" in bubblewrap: {last}. See --help" if self.has_bubblewrap else f" here: {last}"
 
     def run(self, files, jobs, is_alone=False) -> Run:
-        """Run pytest for the files of a submission, by their paths below src/, as one of these jobs
-        side by side.
+        """Run pytest for the files of a submission, by their paths below src/.
 
-        Raises an OSError if it is alone, and the disk is full.
+        jobs is the number of runs side by side. Raises an OSError if it is alone, and the disk is
+        full.
         """
-        status, output = self.run_files(files, ALONE if is_alone else LAST, jobs)
+        seconds = ALONE if is_alone else LAST
+        status, output = self.run_files(files, seconds, jobs)
         if is_alone and self.is_full():
             raise OSError(ENOSPC, "No space left", str(self.work))
         grade = read_grade(self.empty, output)
         if grade is None:
             if status == one_run.LATE:
-                how = f"pytest took longer than {ALONE if is_alone else LAST} s"
+                how = f"pytest took longer than {seconds} s"
             elif isinstance(status, int):
                 how = f"pytest ended with status {status}"
             else:
@@ -129,7 +149,7 @@ class Sandbox:
     def run_files(self, files, seconds, jobs) -> tuple[int | str, bytes]:
         """Run pytest for these files, at most this long. It gets the memory of one of these jobs.
 
-        Return the exit status, or in words why there is none, and what one_run.py has written.
+        Return the exit status, or why there is none, and what one_run.py has written.
         """
         folder = Path(tempfile.mkdtemp(dir=self.work))
         try:
@@ -163,14 +183,18 @@ class Sandbox:
         if user:
             for path in (folder, *folder.rglob("*")):
                 os.chown(path, user, user)
-        pipes = {"stdin": subprocess.DEVNULL, "stdout": output, "stderr": output}
-        options = {"env": self.environment(folder), "cwd": folder, **pipes}
+        command = self.command(user, folder, seconds)
         try:
-            with memory.bounded(
-                self.command(user, folder, seconds), memory.share(jobs), self.has_systemd
-            ) as command:
+            with memory.bounded(command, memory.share(jobs), self.has_systemd) as bounded:
                 status = self.processes.run(
-                    *command, seconds=seconds + SPARE, stop=self.must_stop, **options
+                    *bounded,
+                    seconds=seconds + SPARE,
+                    stop=self.must_stop,
+                    env=self.environment(folder),
+                    cwd=folder,
+                    stdin=subprocess.DEVNULL,
+                    stdout=output,
+                    stderr=output,
                 )
         finally:
             if user and not self.has_bubblewrap:
@@ -180,10 +204,11 @@ class Sandbox:
 
     def command(self, user, folder, seconds) -> list[str]:
         """Return the words that run pytest for the submission in a folder."""
-        limits, own = [str(user), str(seconds)], str(folder / "own")
+        limits = [str(user), str(seconds)]
+        files = str(folder / "own")
         if not self.has_bubblewrap:
-            return [sys.executable, one_run.__file__, *limits, str(self.starter), own]
-        binds = ["--ro-bind", str(self.starter), STARTER, "--ro-bind", own, OWN]
+            return [sys.executable, one_run.__file__, *limits, str(self.starter), files]
+        binds = ["--ro-bind", str(self.starter), STARTER, "--ro-bind", files, OWN]
         return [*self.bubblewrap, *binds, sys.executable, PROGRAM, *limits, STARTER, OWN]
 
     def environment(self, folder) -> dict[str, str]:
@@ -194,26 +219,21 @@ class Sandbox:
             given = {name: os.environ[name] for name in memory.BUS if name in os.environ}
             given |= {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
         home = FOLDER if self.has_bubblewrap else str(folder)
-        own = {
+        return given | {
             "HOME": home,
             "TMPDIR": home,
             "PYTHONUSERBASE": site.getuserbase(),
             "OPENBLAS_NUM_THREADS": "1",
+            "PYTHONDONTWRITEBYTECODE": "1",
+            "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+            "COLUMNS": "100",
         }
-        return (
-            given
-            | own
-            | {
-                "PYTHONDONTWRITEBYTECODE": "1",
-                "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
-                "COLUMNS": "100",
-            }
-        )
 
 
 def free_user() -> tuple[int, socket.socket]:
-    """Return the number of a user that no other run has, also of another class, as long as the
-    socket is open.
+    """Return the number of a user that no other run has, also of another class.
+
+    This holds as long as the socket is open.
     """
     for user in USERS:
         claim = socket.socket(type=socket.SOCK_DGRAM)
@@ -225,40 +245,50 @@ def free_user() -> tuple[int, socket.socket]:
 
 
 def bubblewrap(filter_file) -> list[str]:
-    """Return the words before a command that start it in bubblewrap; write the kernel's filter into
-    this file.
+    """Return the words before a command that start it in bubblewrap.
+
+    The kernel's filter is written into this file.
     """
-    prefixes = ["/usr", "/usr/local", *map(os.path.abspath, (sys.base_prefix, sys.prefix))]
-    python = [f"{prefix}/{name}" for prefix in prefixes for name in IN_PREFIX]
-    visible = [
-        path
-        for path in [*SYSTEM.split(), *python, site.getusersitepackages()]
-        if os.path.exists(path)
-    ]
-    folders = sorted(
-        {"/dev", STARTER, OWN, *(str(parent) for path in visible for parent in Path(path).parents)}
-    )
-    mounts = [word for folder in folders for word in ("--perms", "0755", "--dir", folder)]
-    mounts += [word for path in visible for word in ("--ro-bind", path, path)]
-    mounts += [word for device in DEVICES for word in ("--dev-bind", device, device)]
-    options = subprocess.run(["bwrap", "--help"], capture_output=True, check=False).stdout
-    size = ["--size", str(SPACE)] if b"--size" in options else []  # from version 0.8 on
-    mounts += ["--ro-bind", one_run.__file__, PROGRAM, *size, "--perms", "1777", "--tmpfs", FOLDER]
-    mounts += ["--remount-ro", "/", "--chdir", FOLDER]  # it writes only into its own folder
-    # Root makes the sandbox, and one_run.py becomes another user in it: limits of root's processes
-    # have no effect.
-    alone = [f"--unshare-{name}" for name in ("ipc", "pid", "net", "uts", "cgroup-try")]
-    if not IS_ROOT:
-        alone.append("--unshare-user")
     filter_file.write_bytes(seccomp_filter())
-    start = [
-        "sh",
-        "-c",
-        'exec "$@" 9<"$0"',
-        str(filter_file),
-        f"{shutil.which('bwrap')}",
-        "--die-with-parent",
-    ]
+    bwrap = f"{shutil.which('bwrap')}"
+    start = ["sh", "-c", 'exec "$@" 9<"$0"', str(filter_file), bwrap, "--die-with-parent"]
     if seccomp_filter():
         start += ["--seccomp", "9"]
-    return [*start, *alone, *mounts]
+    for name in ("ipc", "pid", "net", "uts", "cgroup-try"):
+        start.append(f"--unshare-{name}")
+    # Root makes the sandbox, and one_run.py becomes another user in it: limits of root's processes
+    # have no effect.
+    if not IS_ROOT:
+        start.append("--unshare-user")
+    return [*start, *mounts()]
+
+
+def mounts() -> list[str]:
+    """Return the options of bubblewrap for the folders that a solution sees."""
+    visible = visible_paths()
+    folders = {"/dev", STARTER, OWN}
+    for path in visible:
+        folders.update(map(str, Path(path).parents))
+    options = []
+    for folder in sorted(folders):
+        options += ["--perms", "0755", "--dir", folder]
+    for path in visible:
+        options += ["--ro-bind", path, path]
+    for device in DEVICES:
+        options += ["--dev-bind", device, device]
+    options += ["--ro-bind", one_run.__file__, PROGRAM]
+    known = subprocess.run(["bwrap", "--help"], capture_output=True, check=False).stdout
+    if b"--size" in known:  # from version 0.8 on
+        options += ["--size", str(SPACE)]
+    options += ["--perms", "1777", "--tmpfs", FOLDER]
+    # It writes only into its own folder
+    return [*options, "--remount-ro", "/", "--chdir", FOLDER]
+
+
+def visible_paths() -> list[str]:
+    """Return the paths of the system and of Python that a solution sees, if they are there."""
+    paths = [*SYSTEM]
+    for prefix in ("/usr", "/usr/local", sys.base_prefix, sys.prefix):
+        paths += [f"{os.path.abspath(prefix)}/{name}" for name in IN_PREFIX]
+    paths.append(site.getusersitepackages())
+    return [path for path in paths if os.path.exists(path)]

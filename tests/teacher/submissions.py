@@ -10,6 +10,7 @@ import re
 import stat
 import zipfile
 from collections import defaultdict
+from collections.abc import Callable
 from functools import partial
 from io import BytesIO
 from pathlib import Path, PurePosixPath
@@ -23,15 +24,15 @@ HANDOUTS = sorted({PurePosixPath(function.file).name for function in FUNCTIONS.v
 # Folders that are not the student's work, or that the graded starter has itself.
 SKIPPED = {"__MACOSX", "__pycache__", "node_modules", "site-packages", "support", "tests", "venv"}
 ARCHIVES = (".zip", ".7z", ".bz2", ".gz", ".rar", ".tar", ".tgz", ".xz")
-MOST_FILES, MOST_BYTES = 200, 1_000_000  # of the Python files of a submission
-# .zips in another one or in a folder, and bytes of a file in a .zip
-MOST_ZIPS = 4
-MOST_ZIP = 20_000_000
-# Bytes of the list of files in a .zip; that of a project with its .venv has 3 MB
-MOST_LIST = 5_000_000
+MOST_FILES = 200  # Python files of a submission
+MOST_BYTES = 1_000_000  # of the Python files of a submission
+MOST_ZIPS = 4  # in another one or in a folder
+MOST_ZIP = 20_000_000  # bytes of a file in a .zip
+MOST_LIST = 5_000_000  # bytes of the list of files in a .zip; a project with its .venv has 3 MB
 MOST_MEMORY = 200  # MB to read a submission
 MOST_PATH = 250  # letters of a path in a submission
-MOST_PROBLEMS, MOST_LETTERS = 8, 200  # of a submission, and of a problem
+MOST_PROBLEMS = 8  # of a submission
+MOST_LETTERS = 200  # of a problem
 # With other methods, a few bytes can take all memory
 READ = zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED
 LEFT_OUT = "allowed is no link, no password, no path outside, only a deflated file of at most 20 MB"
@@ -46,15 +47,24 @@ MOODLE = re.compile(
     r"(?P<student>.+)_(?P<number>\d+)_assignsubmission_(file|onlinetext)_?(?P<file>.*)"
 )
 # A file that is handed in or downloaded again: swinging-1.py, "swinging (1).py".
-AGAIN = re.compile(r"(?: ?\(|-)(\d{1,9})(?!\d)\)?(?=[-() \d]*\.py$)")
+AGAIN = re.compile(
+    r"""
+    (?:[ ]?\(|-) (\d{1,9})(?!\d) \)?    # the number
+    (?=[-()\ \d]*\.py$)                 # more of them may follow
+    """,
+    re.VERBOSE,
+)
+
+# A function for each file of a submission that opens it, by the path of the file.
+Entries = dict[str, Callable]
 
 
 def submissions_in(folder) -> tuple[dict[str, list[tuple[str, Path]]], list[str]]:
     """Return the submissions by the student's key, and the names of the rest.
 
-    A submission is a list of ("", a folder or an archive) and (name, a file). No link is followed.
-    Raises a ValueError with one line if the folder is a project, or has no submission; an OSError
-    if it cannot be read.
+    A submission is a list of pairs: ("", a folder or an archive), or (name, a file). No link is
+    followed. Raises a ValueError with one line if the folder is a project, or has no submission; an
+    OSError if it cannot be read.
     """
     folder = Path(folder)
     found = defaultdict(list)
@@ -67,14 +77,18 @@ def submissions_in(folder) -> tuple[dict[str, list[tuple[str, Path]]], list[str]
             others.append(path.name)
         else:
             found[student].append((file, path))
-    is_project = any(
-        (path / file).is_file() for path in (folder, folder / "src") for file in HANDOUTS
-    )
-    if is_project or not found:
-        allowed = "a folder with a folder or a .zip for each student, or with files like ann_12_345_swinging.py"
-        raise ValueError(f"found '{folder}', allowed is {allowed}")
+    if not found or has_handout(folder) or has_handout(folder / "src"):
+        raise ValueError(
+            f"found '{folder}', allowed is a folder with a folder or a .zip for each student, or "
+            "with files like ann_12_345_swinging.py"
+        )
     keys = keys_of(found)
     return {keys[student]: found[student] for student in sorted(found, key=keys.get)}, others
+
+
+def has_handout(folder) -> bool:
+    """Return whether a file of the handout is in a folder."""
+    return any((folder / name).is_file() for name in HANDOUTS)
 
 
 def owner_of(path) -> tuple[Student | None, str]:
@@ -84,7 +98,8 @@ def owner_of(path) -> tuple[Student | None, str]:
     """
     if path.is_symlink():
         return None, ""
-    name, is_folder = path.name, path.is_dir()
+    name = path.name
+    is_folder = path.is_dir()
     flat = MOODLE.fullmatch(name)
     if not flat and not is_folder:
         flat = CANVAS.fullmatch(name)
@@ -100,8 +115,9 @@ def owner_of(path) -> tuple[Student | None, str]:
 
 @limited_memory(MOST_MEMORY)
 def read_submission(paths) -> tuple[dict[str, bytes], list[str]]:
-    """Return the files of a submission, by their paths below src/, and the problems with it, each
-    in a sentence.
+    """Return the files of a submission, by their paths below src/, and the problems with it.
+
+    Each problem is a sentence.
     """
     problems: list[str] = []
     files: dict[str, bytes] = {}
@@ -109,19 +125,16 @@ def read_submission(paths) -> tuple[dict[str, bytes], list[str]]:
         entries = entries_of(paths, problems)
         files = select(entries, problems)
     except Exception as error:  # also too deep a folder; the class goes on
-        problems.append(
-            f"cannot be read: {getattr(error, 'strerror', None) or f'{error}' or type(error).__name__}"
-        )
+        why = getattr(error, "strerror", None) or f"{error}" or type(error).__name__
+        problems.append(f"cannot be read: {why}")
     if len(problems) > MOST_PROBLEMS:
         problems[MOST_PROBLEMS:] = ["and more"]
     return files, [in_one_line(problem[:MOST_LETTERS]) for problem in problems]
 
 
-def entries_of(paths, problems) -> dict:
-    """Return a function that opens it for each file of a submission, by its path, and those of
-    .zips in it.
-    """
-    entries = {}
+def entries_of(paths, problems) -> Entries:
+    """Return the entries of a submission, and those of .zips in it."""
+    entries: Entries = {}
     for name, path in paths:
         if path.is_dir():
             entries |= in_folder(path, problems)
@@ -134,24 +147,21 @@ def entries_of(paths, problems) -> dict:
             entries |= in_zip(partial(open, path, "rb"), path.name, problems)
     if not any(meant(PurePosixPath(name)) for name in entries):
         zips = [name for name in entries if name.lower().endswith(".zip")]
-        problems += [
-            f"left out {name}: allowed are at most {MOST_ZIPS} in one" for name in zips[MOST_ZIPS:]
-        ]
+        for name in zips[MOST_ZIPS:]:
+            problems.append(f"left out {name}: allowed are at most {MOST_ZIPS} in one")
         for name in zips[:MOST_ZIPS]:
-            inner = in_zip(entries[name], name, problems)
-            entries |= {f"{name}/{path}": opens for path, opens in inner.items()}
+            for path, opens in in_zip(entries[name], name, problems).items():
+                entries[f"{name}/{path}"] = opens
     return entries
 
 
-def in_folder(folder, problems) -> dict:
-    """Return a function that opens it for each plain file of a folder, by its path.
-
-    It does not follow links.
-    """
-    entries = {}
+def in_folder(folder, problems) -> Entries:
+    """Return the entries of the plain files of a folder. It does not follow links."""
+    entries: Entries = {}
     for parent, folders, names in os.walk(folder):
         folders[:] = sorted(filter(is_own, folders))
-        for file in (Path(parent, name) for name in sorted(names)):
+        for name in sorted(names):
+            file = Path(parent, name)
             path = file.relative_to(folder).as_posix()
             if len(path) > MOST_PATH:
                 problems.append(f"left out {path[-50:]}: {TOO_LONG}")
@@ -160,9 +170,9 @@ def in_folder(folder, problems) -> dict:
     return entries
 
 
-def in_zip(opens, name, problems) -> dict:
-    """Return a function that opens it for each file of a .zip that can be read, by its path."""
-    entries = {}
+def in_zip(opens, name, problems) -> Entries:
+    """Return the entries of the files of a .zip that can be read. opens opens the .zip."""
+    entries: Entries = {}
     try:
         file = opens()
         if isinstance(file, zipfile.ZipExtFile):  # it lies in another one, and is read in any order
@@ -178,12 +188,7 @@ def in_zip(opens, name, problems) -> dict:
             problems.append(f"left out {info.filename[-50:]}: {TOO_LONG}")
             continue
         path = PurePosixPath(info.filename.replace("\\", "/"))
-        is_link = stat.S_ISLNK(info.external_attr >> 16)
-        leads_outside = ":" in str(path) or ".." in path.parts or path.is_absolute()
-        is_read = (
-            info.compress_type in READ and not info.flag_bits & 1 and info.file_size <= MOST_ZIP
-        )
-        if leads_outside or is_link or not is_read:
+        if not can_be_read(info, path):
             if path.suffix in (".py", ".zip"):
                 problems.append(f"left out {info.filename}: {LEFT_OUT}")
         elif not info.is_dir() and all(map(is_own, path.parts[:-1])):
@@ -191,22 +196,31 @@ def in_zip(opens, name, problems) -> dict:
     return entries
 
 
-def list_size(file) -> int:
-    """Return how many bytes the list of files in a .zip has, as its end says, before all of it is
-    read.
+def can_be_read(info: zipfile.ZipInfo, path: PurePosixPath) -> bool:
+    """Return whether a file of a .zip is a plain one, inside of it, and not too large."""
+    leads_outside = ":" in str(path) or ".." in path.parts or path.is_absolute()
+    is_link = stat.S_ISLNK(info.external_attr >> 16)
+    has_password = info.flag_bits & 1
+    if leads_outside or is_link or has_password:
+        return False
+    return info.compress_type in READ and info.file_size <= MOST_ZIP
 
-    The end of a .zip can be in several places: the largest list counts. That of a .zip of 64 bits
-    always is too large.
+
+def list_size(file) -> int:
+    """Return how many bytes the list of files in a .zip has, before all of it is read.
+
+    The end of a .zip says so. It can be in several places: the largest list counts. That of a .zip
+    of 64 bits always is too large.
     """
     size = file.seek(0, os.SEEK_END)
     file.seek(max(0, size - 2**16 - 100))
     last = file.read()
-    sizes = [last[end.start() + 12 : end.start() + 16] for end in re.finditer(b"PK\5\6", last)]
-    return (
-        MOST_LIST + 1
-        if b"PK\6\7" in last
-        else max((int.from_bytes(each, "little") for each in sizes), default=0)
-    )
+    if b"PK\6\7" in last:
+        return MOST_LIST + 1
+    sizes = [0]
+    for end in re.finditer(b"PK\5\6", last):
+        sizes.append(int.from_bytes(last[end.start() + 12 : end.start() + 16], "little"))
+    return max(sizes)
 
 
 def is_own(folder) -> bool:
@@ -215,15 +229,19 @@ def is_own(folder) -> bool:
 
 
 def meant(path) -> str:
-    """Return the handout's file that a file is, or may be meant for: "Copy of swinging.py". ""
-    stands for none.
+    """Return the handout's file that a file is, or may be meant for: "Copy of swinging.py".
+
+    Return "" if it is none.
     """
     name = path.name.casefold()
-    fits = [file for file in HANDOUTS if file.removesuffix(".py") in name and name.endswith(".py")]
-    return fits[0] if fits else ""
+    if name.endswith(".py"):
+        for file in HANDOUTS:
+            if file.removesuffix(".py") in name:
+                return file
+    return ""
 
 
-def select(entries, problems) -> dict[str, bytes]:
+def select(entries: Entries, problems) -> dict[str, bytes]:
     """Return the Python files of the folder that has most of the handout's files."""
     paths = [path for path in map(PurePosixPath, entries) if path.suffix.casefold() == ".py"]
     best = best_folder(paths, problems)
@@ -244,16 +262,16 @@ def select(entries, problems) -> dict[str, bytes]:
         except Exception as error:  # the .zip is damaged, or the file cannot be read
             problems.append(f"left out {source}: {error}")
         if len(taken) > MOST_FILES or sum(map(len, files.values())) > MOST_BYTES:
-            problems.append(
-                f"too large: allowed are at most {MOST_FILES} Python files with {MOST_BYTES:,} bytes"
-            )
+            allowed = f"at most {MOST_FILES} Python files with {MOST_BYTES:,} bytes"
+            problems.append(f"too large: allowed are {allowed}")
             return {}
     return files
 
 
 def best_folder(paths, problems) -> PurePosixPath | None:
-    """Return the folder with most of the handout's files; of two, the one with the higher numbers
-    in its path.
+    """Return the folder with most of the handout's files.
+
+    Of two, it is the one with the higher numbers in its path.
     """
     exact = [path for path in paths if AGAIN.sub("", path.name) in HANDOUTS]
     files = defaultdict(set)
@@ -265,9 +283,11 @@ def best_folder(paths, problems) -> PurePosixPath | None:
         numbers = [-int(number) for number in re.findall(r"\d{1,9}", str(folder))]
         return -len(files[folder]), numbers or [0], folder.name != "src", len(folder.parts), folder
 
-    best, *others = sorted(files, key=rank) or [None]
-    problems += [f"took {best}, left {other}" for other in others]
-    return best
+    folders = sorted(files, key=rank)
+    if not folders:
+        return None
+    problems += [f"took {folders[0]}, left {other}" for other in folders[1:]]
+    return folders[0]
 
 
 def newest(paths, problems) -> dict[PurePosixPath, PurePosixPath]:
@@ -275,25 +295,29 @@ def newest(paths, problems) -> dict[PurePosixPath, PurePosixPath]:
     versions = defaultdict(list)
     for path in sorted(paths, key=lambda path: [*map(int, AGAIN.findall(path.name))]):
         versions[path.with_name(AGAIN.sub("", path.name))].append(path)
-    for path, (*older, source) in versions.items():
-        if source != path:
-            left = f", left {', '.join(map(str, older))}" if older else ""
-            problems.append(f"took {source} as {path.name}{left}")
-    return {path: found[-1] for path, found in versions.items()}
+    found = {}
+    for path, sources in versions.items():
+        found[path] = sources[-1]
+        if found[path] != path:
+            older = ", ".join(map(str, sources[:-1]))
+            left = f", left {older}" if older else ""
+            problems.append(f"took {found[path]} as {path.name}{left}")
+    return found
 
 
 def add_candidate(taken, folder, name, problems) -> None:
-    """Take the only file that may be meant for this file of the handout, which is missing, or name
-    those there are.
+    """Take the only file that may be meant for this file of the handout, which is missing.
+
+    If there are several, name them.
     """
-    candidates = [
-        source for path, source in taken.items() if path.parent == folder and meant(path) == name
-    ]
+    candidates = []
+    for path, source in taken.items():
+        if path.parent == folder and meant(path) == name:
+            candidates.append(source)
     if len(candidates) == 1:
         taken[folder / name] = candidates[0]
         problems.append(f"took {candidates[0]} as {name}")
     else:
-        found = (
-            ", found " + " and ".join(f"'{path.name}'" for path in candidates) if candidates else ""
-        )
+        names = " and ".join(f"'{path.name}'" for path in candidates)
+        found = f", found {names}" if names else ""
         problems.append(f"src/{name} is missing{found}")

@@ -1,0 +1,54 @@
+"""The CSV files that the checks of tier D let students' functions read."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import cycle, islice
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from grading.cradles import csv_of, MIXED_CSV
+from support.constants import COLOR_MAP, TEXTURE_MAP
+
+# Equal rows, also the first and the last one, zeros, e = 0 and e = 1, many digits, and more rows
+# than columns.
+SEVEN = [
+    {"mass": 12.625, "e": 1.0, "theta": 0.4375, "omega": 0.0, "color": "white", "texture": "none"},
+    {"mass": 0.25, "e": 0.0, "theta": 0.0, "omega": 0.0, "color": "red", "texture": "rug"},
+    {"mass": 0.25, "e": 0.0, "theta": 0.0, "omega": 0.0, "color": "red", "texture": "rug"},
+    {"mass": 2.0, "e": 0.5, "theta": -0.125, "omega": 3.5, "color": "green", "texture": "none"},
+    {"mass": 7.0, "e": 0.0625, "theta": 0.0, "omega": 0.0, "color": "blue", "texture": "stucco"},
+    {"mass": 1.0, "e": 1.0, "theta": 0.0, "omega": -0.5, "color": "purple", "texture": "wood_old"},
+    {"mass": 12.625, "e": 1.0, "theta": 0.4375, "omega": 0.0, "color": "white", "texture": "none"},
+]
+ONE = {"mass": 3.0, "e": 0.5, "theta": 0.1, "omega": 0.2, "color": "green", "texture": "rug"}
+ASSISTANTS = [
+    {"name": "Ada", "year": 2, "house": "Page"},
+    {"name": "Grace", "year": 4, "house": "Lloyd"},
+]
+# All names and values of COLOR_MAP and TEXTURE_MAP, and rows with them, whose columns are in
+# another order.
+LOOKS = [*islice(zip(cycle(COLOR_MAP.items()), cycle(TEXTURE_MAP.items())), 40)]
+MANY = [
+    {"e": 0.5, "color": name, "omega": 0.0, "mass": 0.5 + i, "texture": image, "theta": 0.0}
+    for i, ((name, _), (image, _)) in enumerate(LOOKS)
+]
+FILES = {
+    "mixed.csv": MIXED_CSV,
+    "seven.csv": csv_of(SEVEN),  # no line break at the end
+    "one.csv": csv_of([ONE]),
+    "none.csv": f"{','.join(ONE)}\n",
+    "assistants.csv": csv_of(ASSISTANTS),
+    "many.csv": csv_of(MANY),
+}
+
+
+@contextmanager
+def files(*names) -> Iterator[Path]:
+    """Yield a folder with these FILES.
+
+    On Windows, it is not deleted if a solution left a file open.
+    """
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        for name in names:
+            (Path(folder) / name).write_text(FILES[name], encoding="utf-8")
+        yield Path(folder)

@@ -1,0 +1,106 @@
+"""The rows of a trace table, laid out as lines of the screen."""
+
+from textwrap import wrap
+from typing import NamedTuple
+
+from grading.messages import COLUMNS
+
+INDENT = 4  # spaces in front of each row
+CODE = 34  # columns of a short line of code; the values of all short lines stand below each other
+MOST_LINES = 3  # of the values of a row
+
+
+class Remark(NamedTuple):
+    """What is said of a line of code. If there is no room, a high rank is left out."""
+
+    rank: float
+    beside: str = ""
+    below: tuple[str, ...] = ()
+
+
+def laid_out(number, code, remark: Remark) -> list[str]:
+    """Return a row as lines of the screen: values beside short code if they fit, else below it."""
+    start = f"{' ' * INDENT}{number}  {code}".ljust(INDENT + len(number) + 2 + CODE)
+    beside = remark.beside
+    if beside.count(" = ") == 1 and not has_room(start, beside):
+        value = beside.partition(" = ")[2]
+        if has_room(start, value):
+            beside = value  # the name stands in the code
+    if not beside or has_room(start, beside):
+        lines = [f"{start}  {beside}".rstrip()]
+    else:
+        lines = wrap(start.rstrip(), COLUMNS, subsequent_indent=" " * (INDENT + 10))[:2]
+        lines += indented(beside)
+    for text in remark.below:
+        lines += indented(text)
+    return lines
+
+
+def has_room(start, beside) -> bool:
+    """Return whether both fit into a line."""
+    return len(f"{start}  {beside}") <= COLUMNS
+
+
+def indented(text) -> list[str]:
+    """Return what is said below a line of code, cut after MOST_LINES."""
+    space = " " * (INDENT + 8)
+    lines = wrap(text, COLUMNS, initial_indent=space, subsequent_indent=space)
+    if len(lines) > MOST_LINES:
+        return [*lines[: MOST_LINES - 1], shortened(lines[MOST_LINES - 1])]
+    return lines
+
+
+def shortened(line) -> str:
+    """Return a line with ... at its end, and without the words that have no room then."""
+    while len(line) > COLUMNS - 4:
+        line = line.rpartition(" ")[0]
+    return f"{line} ..."
+
+
+def cell(values) -> str:
+    """Return what a statement gave in one turn."""
+    texts = [value.text for value in values]
+    if not texts:
+        return "ran"
+    return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
+
+
+def cells(by_turn, turns) -> str:
+    """Return the texts of these turns, with ... for those that are left out."""
+    texts = []
+    last = 0
+    for turn in turns:
+        if turn > last + 1:
+            texts.append("...")
+        texts.append(by_turn.get(turn, "-"))
+        last = turn
+    return " | ".join(texts)
+
+
+def once(values) -> str:
+    """Return what a statement gave outside of loops.
+
+    A place whose code stands in the line needs no label.
+    """
+    if len(values) == 1 and not values[0].code.isidentifier():
+        return values[0].text
+    texts = [f"{value.code} = {value.text}" if value.code else value.text for value in values]
+    return ", ".join(texts)
+
+
+def together(statements: list[Remark]) -> Remark:
+    """Return what is said of several statements in a line."""
+    texts = []
+    below: list[str] = []
+    for remark in statements:
+        if remark.beside and remark.beside not in texts:
+            texts.append(remark.beside)
+        below += remark.below
+    if len(texts) > 1:  # whether a line ran in a turn stands in the others, too
+        texts = [text for text in texts if not says_only_ran(text)]
+    return Remark(min(remark.rank for remark in statements), "; ".join(texts), tuple(below))
+
+
+def says_only_ran(text) -> bool:
+    """Return whether a text says nothing but in which turns a line ran."""
+    return {*text.split(" | ")} <= {"ran", "-", "..."}

@@ -1,0 +1,167 @@
+"""What a Watch notes of a call: its statements, and what they gave, stored and called."""
+
+import ast
+import inspect
+from collections import defaultdict
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import FrameType
+from typing import Any, NamedTuple
+
+from grading.begin import ROOT
+
+from grading.values import in_words, names_in
+
+LOOPS = ast.For, ast.While
+
+
+@dataclass
+class Statement:
+    """A statement of a student's function."""
+
+    node: Any  # of the syntax tree as the student wrote it
+    owner: int  # the number of the function's own statement: its def
+    loops: tuple[int, ...]  # the numbers of the loops around it, the outer one first
+    is_shown: bool  # in a table, if no error stops it: a print and an inner function are not
+
+
+class Value(NamedTuple):
+    """A value that a statement gave, as text."""
+
+    code: str  # of its place, or ""
+    text: str
+
+
+@dataclass
+class Called:
+    """A call of another function of src/ or support/."""
+
+    name: str
+    got: str  # its parameters and their values
+    gave: str = ""  # its result and what it has changed; "" if it did not come to its end
+    run: Any = None  # its Run, if the student wrote it
+
+
+@dataclass
+class Note:
+    """What a statement gave once."""
+
+    turn: int  # of the innermost loop around it; for a loop, its own one; 0 without a loop
+    values: list[Value]
+    calls: list[Called] = field(default_factory=list)
+    is_condition_of_loop: bool = False  # of a while
+
+
+class Store(NamedTuple):
+    """A value that a line has stored in a place: a dictionary with a key, or a call with a name."""
+
+    place: Any  # the dictionary, or the Run
+    key: Any  # the key, or the name
+    line: int
+    value: Any
+    text: str  # the value in words
+
+
+class Known(NamedTuple):
+    """A dictionary that others have made, and a copy of that time."""
+
+    pend: dict
+    copy: dict
+    giver: str  # the function that gave it, "" for the check
+
+
+class Run:
+    """One call of a function that the student wrote."""
+
+    def __init__(self, definition, frame: FrameType):
+        """definition is the number of its def."""
+        self.definition = definition
+        self.frame = frame
+        # Turns by the number of the loop: of the whole call, and since the loop began the last time
+        self.turns: defaultdict[int, int] = defaultdict(int)
+        self.turns_now: defaultdict[int, int] = defaultdict(int)
+        # By the number of the statement
+        self.notes: defaultdict[int, list[Note]] = defaultdict(list)
+        # Of the statements that have begun, and not come to their ends, by their numbers:
+        self.begun: set[int] = set()
+        self.values: dict[int, Any] = {}  # the value of the expression
+        # The values of its parts, by their places
+        self.parts: defaultdict[int, dict] = defaultdict(dict)
+        self.calls: defaultdict[int, list[Called]] = defaultdict(list)
+        self.before: dict[int, tuple] = {}  # what a method may change, and a copy from before
+        # The errors that an except has taken, by the line that has stopped
+        self.hidden: dict[int, str] = {}
+        self.result: Any = None
+        self.has_result = False
+        self.is_whole = True  # whether it was watched to its end
+
+
+class Change(NamedTuple):
+    """A value of a pendulum that a call has changed."""
+
+    key: str
+    pend: str  # its name
+    text: str  # the new value
+
+
+def changes_in_words(changes: list[Change]) -> list[str]:
+    """Return which values of pendula a call has changed: a text for each key."""
+    by_key: dict[str, list[Change]] = {}
+    for change in changes:
+        by_key.setdefault(change.key, []).append(change)
+    found = []
+    for key, same_key in by_key.items():
+        if len(same_key) > 2:
+            whose = "" if found else f" of {len(same_key)} pendula"
+            texts = [change.text for change in same_key]
+            found.append(f"set {key}{whose} to {', '.join(texts)}")
+        else:
+            texts = [f"{change.pend} to {change.text}" for change in same_key]
+            found.append(f"set {key} of {' and '.join(texts)}")
+    return found
+
+
+def gave_in_words(result, changes: list[Change], names) -> str:
+    """Return the result of a call, and what it has changed."""
+    texts = changes_in_words(changes)
+    if result is not None:
+        return " and ".join([f"gave {in_words(result, names)}", *texts])
+    return " and ".join(texts) or "gave None"
+
+
+def got_by(function, arguments, options, frame: FrameType) -> str:
+    """Return what a function gets in a call from a frame, by the names of its parameters.
+
+    What it gets under the same name from a parameter of the caller is left out.
+    """
+    names = names_in(frame)
+    parameters = frame.f_code.co_varnames[: frame.f_code.co_argcount]
+    try:
+        values = inspect.signature(function).bind(*arguments, **options).arguments
+    except TypeError:  # Python says it, too
+        return ", ".join(in_words(value, names) for value in arguments)
+    found = []
+    for name, value in values.items():
+        if name not in parameters or frame.f_locals.get(name) is not value:
+            found.append(f"{name} = {in_words(value, names)}")
+    return ", ".join(found)
+
+
+def is_named(function) -> bool:
+    """Return whether the table names the calls of a function: it is of src/, or makes pendula."""
+    file = Path(function.__code__.co_filename)
+    return file.is_relative_to(ROOT / "src") or file == ROOT / "support" / "pendulum.py"
+
+
+def changed_keys(value, before) -> list:
+    """Return the keys of a dictionary that have another value than before, also an equal one."""
+    return [key for key in value if value[key] is not before.get(key)]
+
+
+def pendula_in(values) -> list[dict]:
+    """Return the dictionaries in these values, and in the lists among them."""
+    found = []
+    for value in values:
+        elements = value if type(value) is list else [value]
+        found += [element for element in elements if type(element) is dict]
+    return found

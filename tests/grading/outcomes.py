@@ -1,0 +1,265 @@
+"""The outcomes of the checks: each check is made once, in the order in which functions need others.
+
+pytest_grader.py asks for them in pytest, and grade.py makes a grade of them.
+"""
+
+import re
+import sys
+import traceback
+from contextlib import redirect_stderr, redirect_stdout, suppress
+from errno import ENOSPC
+from io import StringIO
+from textwrap import wrap
+from typing import NamedTuple
+
+import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
+
+from grading import limits
+from grading.evidence import hint_for
+from grading.grader import Check, checks, NOTES, place_of, runner, WaitError, WrongError
+from grading.handout import FUNCTIONS, needed
+from grading.line_by_line import Explained, WrongCall
+from grading.messages import COLUMNS, end_of, error_lines, message
+from grading.students_code import Code, code_of, working_in
+from grading.watch import EndlessError, Watch
+from support.start.output import in_one_line
+
+DEEPER = 4  # times more calls within each other, for code that is watched
+NOTHING_SEEN = Explained(0, [], [])
+
+PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
+
+
+class Outcome(NamedTuple):
+    """The outcome of a check."""
+
+    state: str
+    message: str = ""
+    # A file and a line of the student's: where the function is not written yet, or is wrong
+    place: str = ""
+    hint: str = ""  # of a check that passes, a note
+    # The functions or the file that a check waits for, or the file that makes it fail
+    cause: str = ""
+    wrong: str = ""  # in a sentence
+    help: str = ""  # of the check
+    rows: list = []  # of the trace tables: pairs of a rank and lines; a low rank comes first
+    facts: list = []  # sentences about what was seen
+
+    @property
+    def is_unwritten(self) -> bool:
+        return self.state == WAITING and bool(self.place)
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether the function has a mistake of its own, and not its file."""
+        return self.state in (FAILED, FAULT) and not self.cause
+
+
+def waiting(cause, place="") -> Outcome:
+    """Return the outcome of a check that waits for this cause."""
+    return Outcome(WAITING, f"waits for {cause}", place=place, cause=cause)
+
+
+class Grading:
+    """The outcomes of the checks. Each check is made once."""
+
+    def __init__(self):
+        self.outcomes: dict[str, Outcome] = {}  # by the name of the check
+        self.hung: set[str] = set()  # functions that went over a limit: they are not called again
+        # Files that cannot be imported, and the file that is the cause
+        self.broken: dict[str, str] = {}
+
+    def judge(self, check: Check) -> Outcome:
+        """Return the outcome of a check. It waits if its function uses a function that is wrong."""
+        # In their order: the first one that fails has the hint
+        for other in checks(function=check.function):
+            if other.name not in self.outcomes:
+                self.outcomes[other.name] = self.outcome_of(other)
+            if other.name == check.name:
+                break
+        return self.outcomes[check.name]
+
+    def outcome_of(self, check: Check) -> Outcome:
+        """Return the outcome of a check that was not made yet."""
+        causes = [name for name in needed(check.function) if self.is_wrong(name)]
+        if not causes:
+            return waiting(check.function) if check.function in self.hung else self.make(check)
+        if not self.hung:  # find out whether the function is written
+            outcome = self.make(checks(function=check.function)[0])
+            if outcome.is_unwritten or outcome.cause in self.broken.values():
+                return outcome
+        return waiting(", ".join(causes))
+
+    def is_wrong(self, function) -> bool:
+        """Return whether the function is not written, or one of its own checks fails."""
+        outcomes = [self.judge(check) for check in checks(function=function)]
+        return any(outcome.is_unwritten or outcome.is_wrong for outcome in outcomes)
+
+    def make(self, check: Check) -> Outcome:
+        """Make a check, and return its outcome."""
+        NOTES.clear()
+        file = FUNCTIONS[check.function].file
+        if file in self.broken:
+            return waiting(self.broken[file])
+        try:
+            ask(check)
+        except WrongError as error:
+            return self.failed(check, error)
+        except WaitError as error:
+            if error.raised:
+                return self.broken_by(check, error)
+            return waiting(str(error), error.place)
+        except BaseException as error:
+            is_full = getattr(error, "errno", 0) == ENOSPC
+            if limits.PRESSED.is_set() or limits.DEBUGGED.is_set() or is_full:
+                raise
+            return Outcome(FAULT, fault_message())
+        return Outcome(PASSED, hint=" ".join(NOTES))
+
+    def failed(self, check: Check, error: WrongError) -> Outcome:
+        """Return the outcome of a check that raised this WrongError.
+
+        The first one of a function has a hint and a trace table.
+        """
+        function = check.function
+        raised = error.raised
+        code = code_of(function)
+        if raised and raised.limit:
+            self.hung.add(function)
+        causes = self.wrong_functions_in(code, function)
+        if causes:
+            return waiting(", ".join(causes))
+        hint = ""
+        explained = NOTHING_SEEN
+        if self.is_first_failure(check):
+            hint = hint_for(raised, error.hint, f"{error}", code, function)
+            explained = watch_again(check, error)
+        wrong = f"{error}"
+        lines = error.lines
+        place = place_of(raised, function)
+        if raised and not raised.limit:
+            wrong = error_lines(raised)[0]
+        elif raised and explained.line:  # where the clock has stopped it is chance
+            place = None
+            lines = [end_of(raised, ()), *lines[1:]]
+        called = error.call.lines(index_in(f"{error}") or 0)
+        read = f"handout, {FUNCTIONS[function].read}: {function}"
+        return Outcome(
+            FAILED,
+            message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)]),
+            f"{place or place_in_file(function, explained.line or code.line)}",
+            in_one_line(hint),
+            wrong=wrong,
+            help="" if raised else error.help,
+            rows=[[row.rank, row.lines] for row in explained.rows],
+            facts=explained.facts,
+        )
+
+    def wrong_functions_in(self, code: Code, function) -> list[str]:
+        """Return the wrong functions that a student uses beside those that the handout asks for."""
+        functions = [*FUNCTIONS]
+        earlier = functions[: functions.index(function)]
+        wrong = []
+        for name in code.names:
+            if name in earlier and not self.hung and self.is_wrong(name):
+                wrong.append(name)
+        return wrong
+
+    def is_first_failure(self, check: Check) -> bool:
+        """Return whether no other check of the same function has failed."""
+        for other in checks(function=check.function):
+            if other.name in self.outcomes and self.outcomes[other.name].state == FAILED:
+                return False
+        return True
+
+    def broken_by(self, check: Check, error: WaitError) -> Outcome:
+        """Return the outcome of a check whose file cannot be imported.
+
+        The first one fails, and the others wait.
+        """
+        file = f"{error}"
+        raised = error.raised
+        is_first = file not in self.broken.values()
+        self.broken[FUNCTIONS[check.function].file] = file
+        if not is_first:
+            return waiting(file)
+        hint = raised.hint or raised.meaning
+        wrong = raised.limit or error_lines(raised)[0]
+        where = file
+        code = []
+        outside = [place for place in raised.places if place.is_outside]
+        if outside:
+            in_file = [place for place in outside if place.file == file] or outside
+            where = f"{in_file[-1]}"
+            code.append(f"    {in_file[-1].code}")
+            if raised.mark:
+                code.append(f"    {raised.mark}")
+            if outside[-1] is not raised.places[-1]:
+                hint = (
+                    "This line stands outside of all functions, so it runs when Python reads the "
+                    "file. Remove it."
+                )
+        lines = [f"{where}:", *code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
+        return Outcome(FAILED, "\n".join(lines), where, hint, file, wrong)
+
+
+def fault_message() -> str:
+    """Return the message for an error of the grader, which is handled now."""
+    lines = [
+        "This is a fault of the grader, not of your code. Please show it to your teacher.",
+        traceback.format_exc(limit=-3).rstrip(),
+    ]
+    return "\n".join(lines)
+
+
+def place_in_file(function, line) -> str:
+    """Return a line of a function's file as a place; without a line (0), the file."""
+    file = FUNCTIONS[function].file
+    return f"{file}, line {line}" if line else file
+
+
+def ask(check: Check) -> None:
+    """Let a check call the student's functions, within limits."""
+    runner.count = 0
+    with limits.patience(limits.PATIENCE), limits.without_ends(), working_in(runner.folder.name):
+        check.ask()
+
+
+def watch_again(check: Check, error: WrongError) -> Explained:
+    """Make a check that fails once more, watch the call that is wrong, and return what was seen.
+
+    error is the WrongError of the check. The student's code prints nothing now. Return NOTHING_SEEN
+    if something else happens, under a debugger, and if the function took too much memory.
+    """
+    raised = error.raised
+    if limits.DEBUGGED.is_set() or (raised and isinstance(raised.error, MemoryError)):
+        return NOTHING_SEEN
+    watch = Watch(is_endless=bool(raised and raised.limit))
+    runner.watch = watch
+    runner.watched = runner.count
+    depth = sys.getrecursionlimit()
+    sys.setrecursionlimit(DEEPER * depth)  # the changed code needs more calls
+    try:
+        with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
+            ask(check)
+    except WrongError as again:
+        is_same = f"{again}" == f"{error}" and again.call.lines() == error.call.lines()
+        if watch.runs and (is_same or isinstance(watch.error, EndlessError)):
+            with suppress(Exception):  # a student's values may say nothing of themselves
+                index = index_in(f"{error}")
+                call = WrongCall(
+                    check.function, f"{error}", watch, runner.arguments, index, error.right
+                )
+                return call.explained()
+    except Exception:
+        return NOTHING_SEEN  # also a WaitError
+    finally:
+        runner.watch = None
+        sys.setrecursionlimit(depth)
+    return NOTHING_SEEN
+
+
+def index_in(sentence) -> int | None:
+    """Return the index of the pendulum in question, as a sentence has it: "bob[2] is ..."."""
+    found = re.search(r"\b(?:pend_list|axle|bob)\[(\d+)\]", sentence)
+    return int(found[1]) if found else None
