@@ -18,10 +18,11 @@ import pandas as pd
 
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
-from support.files.cradle_csv import clean_copy, require_cradle, Snapshot
+from support.files.cradle_csv import clean_copy, Snapshot
+from support.files.valid_cradle import require_cradle
 from support.start.checks_command import checks_command
 from support.start.early import stop_on_signals
-from support.start.mistake import report_endless_loop, report_mistake
+from support.start.mistake import is_pend_list, report_endless_loop, report_mistake
 from support.start.output import refuse, while_it_is_read
 
 
@@ -35,40 +36,44 @@ def main() -> None:
     except ValueError as error:
         refuse(error)
     with clean_copy(csv) as relative_filepath:
-        df = pd.read_csv(relative_filepath)
-        print("df: the CSV as a pandas dataframe, a table with a row for each pendulum.")
-        print(df)
+        show_steps(relative_filepath)
 
-        bad_rep = df.to_dict(orient="index")
-        print(
-            "\nbad_rep: a dictionary of dictionaries. Its keys are only row numbers; a list needs no keys."
-        )
-        for row, pendulum in bad_rep.items():
-            print(f"  {row}: {pendulum}")
 
-        try:
-            pend_list = extract_and_convert(relative_filepath)
-        except NotImplementedError as error:
-            print(f"\npend_list: missing, because {error}. Its place is in src/pds_helper.py.")
-            return
-        except KeyboardInterrupt as stopped:
-            report_endless_loop(stopped)
-            sys.exit(*stopped.args)
-        except Exception as error:
-            report_mistake(error)
-            sys.exit(1)
+def show_steps(relative_filepath: str) -> None:
+    """Print df, bad_rep and pend_list of this CSV; exit with status 1 if a function fails."""
+    df = pd.read_csv(relative_filepath)
+    print("df: the CSV as a pandas dataframe, a table with a row for each pendulum.")
+    print(df)
+
+    bad_rep = df.to_dict(orient="index")
+    print(
+        "\nbad_rep: a dictionary of dictionaries. "
+        "Its keys are only row numbers; a list needs no keys."
+    )
+    for row, pendulum in bad_rep.items():
+        print(f"  {row}: {pendulum}")
+
+    try:
+        pend_list = extract_and_convert(relative_filepath)
+    except NotImplementedError as error:
+        print(f"\npend_list: missing, because {error}. Its place is in src/pds_helper.py.")
+        return
+    except KeyboardInterrupt as stopped:
+        report_endless_loop(stopped)
+        sys.exit(*stopped.args)
+    except Exception as error:
+        report_mistake(error)
+        sys.exit(1)
+    print(
+        "\npend_list: the result of extract_and_convert, "
+        "a list with one dictionary for each pendulum."
+    )
+    for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
+        print(f"  {pendulum}")
+    if not is_pend_list(pend_list):
         print(
-            "\npend_list: the result of extract_and_convert, a list with one dictionary for each pendulum."
+            f"But this is no list of dictionaries. Type {checks_command()}: it says what is wrong."
         )
-        for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
-            print(f"  {pendulum}")
-        if not (
-            isinstance(pend_list, list)
-            and all(isinstance(pendulum, dict) for pendulum in pend_list)
-        ):
-            print(
-                f"But this is no list of dictionaries. Type {checks_command()}: it says what is wrong."
-            )
 
 
 if __name__ == "__main__":

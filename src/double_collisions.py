@@ -1,5 +1,4 @@
-"""The collisions of the double cradle: find the bobs that touch, and compute their velocities after
-a hit.
+"""The collisions of the double cradle: the bobs that touch, and their velocities after a hit.
 
 theta, phi, alpha, beta, m1, m2, R and the kinetic energy T mean the same as in
 src/double_cradle.py; ' is d/dt.
@@ -24,15 +23,18 @@ Hit
     (w1 + w2) / 2. With e = 1 it stays the same, and it never grows.
 """
 
+from collections.abc import Iterator
 from itertools import islice
 from math import cos, hypot, sin
+from typing import NamedTuple
 
-from support.pendulum import contact_distance
+from support.pendulum import contact_distance, DoublePendulumEntry
 
 # Distances, as fractions of the largest distance at which bobs touch. keep_apart pushes resting
 # bobs out to CLOSEST. Bobs closer than OVERLAPPED_AT_START were placed like that; it leaves them
 # alone.
-CLOSEST, OVERLAPPED_AT_START = 0.98, 0.95
+CLOSEST = 0.98
+OVERLAPPED_AT_START = 0.95
 
 ROUNDING = 1e-9  # m/s: a slower approach or separation is a rounding error
 
@@ -41,105 +43,143 @@ ROUNDING = 1e-9  # m/s: a slower approach or separation is a rounding error
 SWEEPS = 3
 
 
-def bob_places(pend_dict, r_param) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-    """Return x, y (from theta and phi) and the radius of the upper and of the lower bob, all in m."""
-    alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
-    axle, bob1, _, bob2, _ = pend_dict["objects"]
-    x, y = axle.pos.x + r_param * sin(alpha), axle.pos.y - r_param * cos(alpha)
-    return (x, y, bob1.radius), (x + r_param * sin(beta), y - r_param * cos(beta), bob2.radius)
+class Bob(NamedTuple):
+    """The place of a bob, and its radius (m)."""
+
+    x: float
+    y: float
+    radius: float
 
 
-def touching_bobs(pend1, pend2, r_param):
-    """Yield (distance, touching, response1, response2) for each pair of touching bobs, one of pend1
-    and one of pend2.
+class Response(NamedTuple):
+    """How a bob of a double pendulum moves along a line, and answers to an impulse along it."""
 
-    distance (m) is between their centres, touching (m) is the largest distance at which they touch.
-    The responses are those along the line from the first bob to the second. The places of the bobs
-    follow from theta and phi; VPython's objects only show them.
+    v: float  # the bob's velocity (m/s)
+    # What an impulse of 1 N s adds to v (m/s), to alpha' and to beta' (rad/s): the last two are
+    # M^-1 J (see above).
+    w: float
+    turn1: float
+    turn2: float
+
+
+class Touch(NamedTuple):
+    """Two touching bobs."""
+
+    distance: float  # m, between their centres
+    most: float  # m: the largest distance at which they touch
+    # Along the line from the first bob to the second
+    response1: Response
+    response2: Response
+
+
+def bobs_of(pend_dict: DoublePendulumEntry, r_param: float) -> tuple[Bob, Bob]:
+    """Return the upper and the lower bob, where theta and phi say that they are."""
+    alpha = pend_dict["theta"]
+    beta = alpha + pend_dict["phi"]
+    axle, bob1, _, bob2, _ = pend_dict["objects"]  # type: ignore[misc]
+    x = axle.pos.x + r_param * sin(alpha)
+    y = axle.pos.y - r_param * cos(alpha)
+    upper = Bob(x, y, bob1.radius)
+    return upper, Bob(x + r_param * sin(beta), y - r_param * cos(beta), bob2.radius)
+
+
+def touching_bobs(
+    pend1: DoublePendulumEntry, pend2: DoublePendulumEntry, r_param: float
+) -> Iterator[Touch]:
+    """Yield each touch of two bobs, one of pend1 and one of pend2.
+
+    The places of the bobs follow from theta and phi; VPython's objects only show them.
     """
-    places1, places2 = bob_places(pend1, r_param), bob_places(pend2, r_param)
-    for bob1, (x1, y1, radius1) in enumerate(places1):
-        for bob2, (x2, y2, radius2) in enumerate(places2):
-            distance, touching = hypot(x2 - x1, y2 - y1), contact_distance(radius1, radius2)
-            if 0 < distance <= touching:
-                x, y = (x2 - x1) / distance, (y2 - y1) / distance
-                yield (
-                    distance,
-                    touching,
-                    response(pend1, bob1, x, y, r_param),
-                    response(pend2, bob2, x, y, r_param),
-                )
+    bobs1 = bobs_of(pend1, r_param)
+    bobs2 = bobs_of(pend2, r_param)
+    for number1, bob1 in enumerate(bobs1):
+        for number2, bob2 in enumerate(bobs2):
+            distance = hypot(bob2.x - bob1.x, bob2.y - bob1.y)
+            most = contact_distance(bob1.radius, bob2.radius)
+            if 0 < distance <= most:
+                x = (bob2.x - bob1.x) / distance
+                y = (bob2.y - bob1.y) / distance
+                response1 = response_of(pend1, number1, x, y, r_param)
+                response2 = response_of(pend2, number2, x, y, r_param)
+                yield Touch(distance, most, response1, response2)
 
 
-def response(pend_dict, bob, x, y, r_param) -> tuple[float, float, float, float]:
-    """Return (v, w, turn1, turn2) of a bob (0 upper, 1 lower) of a double pendulum, along the unit
-    vector (x, y).
-
-    v is the bob's velocity (m/s). An impulse of 1 N s changes v by w (m/s), alpha' by turn1 and
-    beta' by turn2 (rad/s). turn1 and turn2 are M^-1 J (see above).
-    """
-    alpha, beta = pend_dict["theta"], pend_dict["theta"] + pend_dict["phi"]
-    alpha_rate, beta_rate = pend_dict["omega"], pend_dict["omega"] + pend_dict["phi_omega"]
+def response_of(
+    pend_dict: DoublePendulumEntry, bob: int, x: float, y: float, r_param: float
+) -> Response:
+    """Return the response of a bob (0 upper, 1 lower) along the unit vector (x, y)."""
+    alpha = pend_dict["theta"]
+    beta = alpha + pend_dict["phi"]
+    alpha_rate = pend_dict["omega"]
+    beta_rate = alpha_rate + pend_dict["phi_omega"]
     j1 = r_param * (x * cos(alpha) + y * sin(alpha))
     j2 = r_param * (x * cos(beta) + y * sin(beta)) if bob == 1 else 0.0
     c = cos(beta - alpha)
     # Of M / m; both bobs have the mass m
     determinant = pend_dict["mass"] * r_param**2 * (2 - c * c)
-    turn1, turn2 = (j1 - c * j2) / determinant, (2 * j2 - c * j1) / determinant
-    return j1 * alpha_rate + j2 * beta_rate, j1 * turn1 + j2 * turn2, turn1, turn2
+    turn1 = (j1 - c * j2) / determinant
+    turn2 = (2 * j2 - c * j1) / determinant
+    return Response(j1 * alpha_rate + j2 * beta_rate, j1 * turn1 + j2 * turn2, turn1, turn2)
 
 
-def turn_cords(pend_dict, upper, lower, turn1, turn2) -> None:
-    """Add turn1 to alpha and turn2 to beta (upper "theta", lower "phi"), or to their rates
-    ("omega", "phi_omega").
-    """
-    pend_dict[upper] += turn1
-    pend_dict[lower] += turn2 - turn1
+def change_rates(pend_dict: DoublePendulumEntry, impulse: float, response: Response) -> None:
+    """Add to the rates of a pendulum's cords what an impulse (N s) adds to alpha' and beta'."""
+    turn1 = impulse * response.turn1
+    pend_dict["omega"] += turn1
+    pend_dict["phi_omega"] += impulse * response.turn2 - turn1
 
 
-def handle_two_double_bobs(pend1, pend2, r_param) -> bool:
+def turn_cords(pend_dict: DoublePendulumEntry, push: float, response: Response) -> None:
+    """Turn a pendulum's cords in the ratio in which an impulse changes their rates."""
+    turn1 = push * response.turn1
+    pend_dict["theta"] += turn1
+    pend_dict["phi"] += push * response.turn2 - turn1
+
+
+def handle_two_double_bobs(
+    pend1: DoublePendulumEntry, pend2: DoublePendulumEntry, r_param: float
+) -> bool:
     """Let two double pendula, pend1 left of pend2, collide where their bobs touch.
 
     e is pend1's. Each bob of pend1 can touch each bob of pend2. Touching bobs that move apart do
     not collide. Return whether any bobs collided.
     """
     collided = False
-    for _, _, (v1, w1, *turns1), (v2, w2, *turns2) in touching_bobs(pend1, pend2, r_param):
-        approach = v1 - v2
+    for _, _, response1, response2 in touching_bobs(pend1, pend2, r_param):
+        approach = response1.v - response2.v
         if approach > ROUNDING:
-            impulse = (1 + pend1["e"]) * approach / (w1 + w2)
-            turn_cords(pend1, "omega", "phi_omega", *(-impulse * turn for turn in turns1))
-            turn_cords(pend2, "omega", "phi_omega", *(impulse * turn for turn in turns2))
+            impulse = (1 + pend1["e"]) * approach / (response1.w + response2.w)
+            change_rates(pend1, -impulse, response1)
+            change_rates(pend2, impulse, response2)
             collided = True
     return collided
 
 
-def keep_apart(pend1, pend2, r_param) -> bool:
-    """Move bobs of two double pendula that rest on each other apart, to CLOSEST; return whether any
-    bobs were moved.
+def keep_apart(pend1: DoublePendulumEntry, pend2: DoublePendulumEntry, r_param: float) -> bool:
+    """Move bobs of two double pendula that rest on each other apart, to CLOSEST.
 
-    e is pend1's; with e = 1, nothing moves. Bobs with e below 1 can come to rest on each other.
-    Then each tick presses them a little further into each other: after some time, they would pass
-    through each other. The cords turn in the ratio in which an impulse between the two bobs turns
-    them. This adds energy: at DOUBLE_DT seldom 1e-5 of it, but 1e-3 with ticks of 1 ms.
+    Return whether any bobs were moved. e is pend1's; with e = 1, nothing moves. Bobs with e below 1
+    can come to rest on each other. Then each tick presses them a little further into each other:
+    after some time, they would pass through each other. The cords turn in the ratio in which an
+    impulse between the two bobs turns them. This adds energy: at DOUBLE_DT seldom 1e-5 of it, but
+    1e-3 with ticks of 1 ms.
     """
     if pend1["e"] >= 1:
         return False
     moved = False
     # A hundredth of w1 + w2 without cords
     held_by_cords = 0.01 * (1 / pend1["mass"] + 1 / pend2["mass"])
-    for distance, touching, (_, w1, *turns1), (_, w2, *turns2) in touching_bobs(
-        pend1, pend2, r_param
-    ):
-        if OVERLAPPED_AT_START < distance / touching < CLOSEST and w1 + w2 > held_by_cords:
-            push = (CLOSEST * touching - distance) / (w1 + w2)
-            turn_cords(pend1, "theta", "phi", *(-push * turn for turn in turns1))
-            turn_cords(pend2, "theta", "phi", *(push * turn for turn in turns2))
+    for distance, most, response1, response2 in touching_bobs(pend1, pend2, r_param):
+        w = response1.w + response2.w
+        if OVERLAPPED_AT_START < distance / most < CLOSEST and w > held_by_cords:
+            push = (CLOSEST * most - distance) / w
+            turn_cords(pend1, -push, response1)
+            turn_cords(pend2, push, response2)
             moved = True
     return moved
 
 
-def collide_pairs(pend_list, r_param) -> list[tuple[int, int]]:
+def collide_pairs(pend_list: list[DoublePendulumEntry], r_param: float) -> list[tuple[int, int]]:
     """Let touching double pendula collide, pair by pair from left to right.
 
     Not only neighbours touch: a lower bob swings past its neighbour's cord to the bobs behind it.
@@ -160,16 +200,14 @@ def collide_pairs(pend_list, r_param) -> list[tuple[int, int]]:
     return hits
 
 
-def touching_pairs(pend_list, r_param) -> list[tuple[int, int]]:
+def touching_pairs(pend_list: list[DoublePendulumEntry], r_param: float) -> list[tuple[int, int]]:
     """Return the indices (left, right) of each pair of touching double pendula, from left to right.
 
     The bobs are sorted by x, to compare only near ones: along x, touching bobs are at most as far
     apart as two of the largest ones.
     """
     bobs = sorted(
-        (*place, i)
-        for i, pend_dict in enumerate(pend_list)
-        for place in bob_places(pend_dict, r_param)
+        (*bob, i) for i, pend_dict in enumerate(pend_list) for bob in bobs_of(pend_dict, r_param)
     )
     largest = max((radius for _, _, radius, _ in bobs), default=0)
     furthest = contact_distance(largest, largest)

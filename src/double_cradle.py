@@ -1,11 +1,16 @@
-"""The double Newton's cradle: each element is a double pendulum; a second pendulum hangs from the
-first one's bob.
+"""The double Newton's cradle: each element is a double pendulum.
+
+A second pendulum hangs from the first one's bob.
 
 Words
-    theta       the upper cord's angle from straight down (rad), omega its rate (rad/s); both positive to the right
-    phi         the lower cord's angle from the direction of the upper one (rad), phi_omega its rate (rad/s)
-    alpha, beta the angles of the two cords from straight down, alpha = theta and beta = theta + phi
-    m1, m2      the masses of the upper and the lower bob (kg); R the length of each cord (m); ' is d/dt
+    theta        the upper cord's angle from straight down (rad), positive to the right
+    omega        the rate of theta (rad/s)
+    phi          the lower cord's angle from the direction of the upper one (rad)
+    phi_omega    the rate of phi (rad/s)
+    alpha, beta  the angles of the two cords from straight down: alpha = theta, beta = theta + phi
+    m1, m2       the masses of the upper and the lower bob (kg)
+    R            the length of each cord (m)
+    '            d/dt
 
 Swing
     The upper bob moves along its arc with the velocity R alpha'. The lower bob has the same
@@ -35,7 +40,9 @@ Swing
     divides such a tick.
 """
 
+from collections.abc import Sequence
 from math import ceil, cos, hypot, sin
+from typing import TypeAlias
 
 from vpython import box, cylinder, sphere
 
@@ -54,15 +61,17 @@ from support.pendulum import (
 MOST_TURN = 0.05
 MOST_STEPS = 1e6  # in one tick; if a pendulum needs more, someone made a mistake
 
+State: TypeAlias = tuple[float, float, float, float]  # alpha, beta, alpha', beta'
+
 
 def make_double_pendulum(
     axle_pos, r_param, theta, phi, color, texture
 ) -> tuple[box, sphere, cylinder, sphere, cylinder]:
-    """Return the VPython objects (axle, bob1, cord1, bob2, cord2) of a double pendulum that hangs
-    from axle_pos.
+    """Return the VPython objects (axle, bob1, cord1, bob2, cord2) of a double pendulum.
 
-    axle_pos is a vector (m), r_param the length of each cord (m), theta and phi the angles (rad),
-    color a VPython color (a vector), and texture a VPython texture or None.
+    It hangs from axle_pos, a vector (m). r_param is the length of each cord (m), theta and
+    phi are the angles (rad), color is a VPython color (a vector), and texture a VPython texture or
+    None.
     """
     axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
     bob2, cord2 = make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture)
@@ -72,12 +81,12 @@ def make_double_pendulum(
 def make_double_newton_cradle(
     relative_filepath, r_param, theta_init, phi_init
 ) -> list[DoublePendulumEntry]:
-    """Return the pend_list of a CSV as double pendula: with theta, omega, phi, phi_omega and their
-    five objects.
+    """Return the pend_list of a CSV as double pendula, ready to swing.
 
-    It is the cradle of make_newton_cradle, with a second pendulum that hangs from each bob.
-    phi_init (rad) bends the first double pendulum; the others are straight. Both bobs have the mass
-    of the row. r_param (m) is the length of each cord.
+    Each one also gets theta, omega, phi, phi_omega and its five objects. It is the cradle of
+    make_newton_cradle, with a second pendulum that hangs from each bob. phi_init (rad) bends the
+    first double pendulum; the others are straight. Both bobs have the mass of the row. r_param (m)
+    is the length of each cord.
     """
     pend_list: list = make_newton_cradle(relative_filepath, r_param, theta_init)
     phis = [phi_init] + [0] * (len(pend_list) - 1)
@@ -91,7 +100,9 @@ def make_double_newton_cradle(
     return pend_list
 
 
-def double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu) -> tuple[float, float]:
+def double_accelerations(
+    alpha: float, beta: float, alpha_rate: float, beta_rate: float, k: float, mu: float
+) -> tuple[float, float]:
     """Return alpha'' and beta'' (rad/s^2), from the two equations above.
 
     alpha and beta are in rad, their rates in rad/s, k = g/R in 1/s^2, and mu = m2/(m1 + m2) has no
@@ -104,30 +115,28 @@ def double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu) -> tuple[flo
     return (right1 - mu * c * right2) / determinant, (right2 - c * right1) / determinant
 
 
-def rates(state, k, mu) -> tuple[float, float, float, float]:
-    """Return alpha', beta', alpha'' and beta'' of a state (alpha, beta, alpha', beta'); k and mu as
-    above.
-    """
+def rates(state: State, k: float, mu: float) -> State:
+    """Return alpha', beta', alpha'' and beta'' of a state; k and mu are as above."""
     alpha, beta, alpha_rate, beta_rate = state
     return alpha_rate, beta_rate, *double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu)
 
 
-def moved(state, changes, dt) -> tuple[float, float, float, float]:
+def moved(state: State, changes: Sequence[float], dt: float) -> State:
     """Return the state after dt (s); changes has its rates."""
-    (alpha, beta, alpha_rate, beta_rate), (d1, d2, d3, d4) = state, changes
+    alpha, beta, alpha_rate, beta_rate = state
+    d1, d2, d3, d4 = changes
     return alpha + dt * d1, beta + dt * d2, alpha_rate + dt * d3, beta_rate + dt * d4
 
 
 def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1.0, m2=1.0):
-    """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s), in rad/s and
-    rad.
+    """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s).
 
-    The first four arguments are the values before. r_param (m) is the length of each cord, g
-    (m/s^2) the gravitational acceleration, m1 and m2 (kg) are the masses of the upper and the lower
-    bob. Any method will do whose error shrinks with dt.
+    They are in rad/s and rad. The first four arguments are the values before. r_param (m) is the
+    length of each cord, g (m/s^2) the gravitational acceleration, m1 and m2 (kg) are the masses of
+    the upper and the lower bob. Any method will do whose error shrinks with dt.
     """
-    # A step of the classical Runge-Kutta method: it averages four rates with the weights 1 : 2 : 2
-    # : 1, here six times.
+    # A step of the classical Runge-Kutta method: it averages four rates, with the weights 1, 2, 2,
+    # 1. six_rates has six times this average.
     k, mu = g / r_param, m2 / (m1 + m2)
     state = theta, theta + phi, omega_theta, omega_theta + omega_phi
     k1 = rates(state, k, mu)
@@ -140,20 +149,20 @@ def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1
 
 
 def double_swing_update(pend_dict, r_param, dt, g) -> None:
-    """Swing one double pendulum for dt (s): update its angles and their rates, and move its bobs
-    and cords there.
+    """Swing one double pendulum for dt (s).
 
-    A tick has more than one step only if a cord would turn further than MOST_TURN in it. Raises a
-    ValueError if it would have more than MOST_STEPS.
+    Update its angles and their rates, and move its bobs and cords there. A tick has more than
+    one step only if a cord would turn further than MOST_TURN in it. Raises a ValueError if it would
+    have more than MOST_STEPS.
     """
     mass = pend_dict["mass"]
-    state = pend_dict["omega"], pend_dict["phi_omega"], pend_dict["theta"], pend_dict["phi"]
-    steps = hypot(state[0], state[0] + state[1]) * abs(dt) / MOST_TURN
+    omega, phi_omega = pend_dict["omega"], pend_dict["phi_omega"]
+    steps = hypot(omega, omega + phi_omega) * abs(dt) / MOST_TURN
     if not steps <= MOST_STEPS:  # nan, too
-        raise ValueError(
-            f"a pendulum with omega = {state[0]:g} and phi_omega = {state[1]:g} rad/s is too fast"
-        )
+        speeds = f"omega = {omega:g} and phi_omega = {phi_omega:g} rad/s"
+        raise ValueError(f"a pendulum with {speeds} is too fast")
     steps = max(1, ceil(steps))
+    state = omega, phi_omega, pend_dict["theta"], pend_dict["phi"]
     for _ in range(steps):
         state = double_angle_update(*state, r_param, dt / steps, g, mass, mass)
     pend_dict["omega"], pend_dict["phi_omega"], pend_dict["theta"], pend_dict["phi"] = state

@@ -2,6 +2,7 @@
 
 import pandas as pd
 
+from support.columns import COLUMN_NAMES
 from support.constants import NC_FP
 from support.files.data_file import whole_file
 from support.pendulum import PendulumEntry
@@ -20,11 +21,11 @@ def write_to_csv(pend_list, filepath=NC_FP) -> None:
     The new file replaces the old one only when it is complete on the disk. After a crash, or on a
     full disk, the old file is still whole. Raises an OSError if filepath cannot be written.
     """
-    columns = [
-        name for pend_dict in pend_list or [PendulumEntry.__annotations__] for name in pend_dict
-    ]
-    # Each once, in their order
-    columns = [name for name in dict.fromkeys(columns) if name != "objects"]
+    columns = [] if pend_list else COLUMN_NAMES
+    for pend_dict in pend_list:
+        for name in pend_dict:
+            if name not in columns and name != "objects":
+                columns.append(name)
     df = pd.DataFrame(pend_list, columns=columns, dtype=object)
     with whole_file(filepath) as file:
         df.to_csv(file, index=False, lineterminator="\n")

@@ -16,8 +16,9 @@ def uniform_mass_newton_cradle(relative_filepath, mass) -> list[PendulumEntry]:
 
 
 def uniform_e_newton_cradle(relative_filepath, e_val) -> list[PendulumEntry]:
-    """Return the pend_list of a CSV with every pendulum's coefficient of restitution set to e_val
-    (0 to 1).
+    """Return the pend_list of a CSV with every pendulum's e set to e_val.
+
+    e is the coefficient of restitution, from 0 to 1.
     """
     pend_list = extract_and_convert(relative_filepath)
     for pend_dict in pend_list:
@@ -26,25 +27,27 @@ def uniform_e_newton_cradle(relative_filepath, e_val) -> list[PendulumEntry]:
 
 
 def elastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
-    """Return the pend_list of a CSV with perfectly elastic pendula: e = 1, a hit keeps the kinetic
-    energy.
+    """Return the pend_list of a CSV with perfectly elastic pendula.
+
+    e = 1: a hit keeps the kinetic energy.
     """
     return uniform_e_newton_cradle(relative_filepath, 1)
 
 
 def inelastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
-    """Return the pend_list of a CSV with perfectly inelastic pendula: e = 0, after a hit both bobs
-    move alike.
+    """Return the pend_list of a CSV with perfectly inelastic pendula.
+
+    e = 0: after a hit, both bobs move alike.
     """
     return uniform_e_newton_cradle(relative_filepath, 0)
 
 
 def make_newton_cradle(relative_filepath, r_param, theta_init) -> list[PendulumEntry]:
-    """Return the pend_list of a CSV, ready to swing: with theta, omega and objects (axle, bob,
-    cord).
+    """Return the pend_list of a CSV, ready to swing.
 
-    The first pendulum is lifted to theta_init (rad), the others hang straight down; all are at
-    rest. r_param (m) is the cord length.
+    Each pendulum also gets theta, omega and objects (axle, bob, cord). The first pendulum is lifted
+    to theta_init (rad), the others hang straight down; all are at rest. r_param (m) is the cord
+    length.
     """
     pend_list = extract_and_convert(relative_filepath)
     for i, pend_dict in enumerate(pend_list):

@@ -13,16 +13,19 @@ if __name__ == "__main__":
     program.begin(needs_vpython=False)
 
 import sys
+from argparse import Namespace
+from collections.abc import Callable
 
 from src import special_cradles
 from src.visualize_cradle_run import main as cradle_main
 from support.cradle.cradle import Cradle
 from support.cradle.many_ticks import many_ticks
 from support.cradle.player import run
-from support.files.cradle_csv import require_cradle, Snapshot
+from support.files.cradle_csv import Snapshot
 from support.files.data_file import require_replaceable
+from support.files.valid_cradle import require_cradle
 from support.start.early import stop_on_signals
-from support.start.mistake import own_frames, report_endless_loop, report_mistake
+from support.start.mistake import handout_frames, report_endless_loop, report_mistake
 from support.start.options import read_text_options, require_lifted
 from support.start.output import complain, is_unread, refuse, while_it_is_read
 from support.start.preview import what_there_is
@@ -33,9 +36,9 @@ from support.terminal.players import has_terminal, Lines, own_screen, Pictures, 
 def main() -> None:
     """Show the cradle of src/visualize_cradle_run.py, or record its data.
 
-    Exits with status 2 if an option, the CSV, the data file or the output is wrong, or if functions
-    for a cradle are missing; with status 1 if a function makes a mistake, or a signal ends a
-    recording; else stop_on_signals has it.
+    The exit status is 2 if an option, the CSV, the data file or the output is wrong, or if
+    functions for a cradle are missing. It is 1 if a function makes a mistake, or if a signal ends a
+    recording. Otherwise the exit status is the one that stop_on_signals chose for the signal.
     """
     options = read_text_options()
     csv = Snapshot(options.csv)
@@ -51,30 +54,38 @@ def main() -> None:
 
     try:
         stop_on_signals()
-        if options.record:
-            record(loop, cradle, csv, options, remark)
-        elif has_terminal():
-            pictures = Pictures(cradle, csv, options, remark)
-            with own_screen(lambda: pictures.seen):
-                run(loop, pictures)
-        else:
-            run(loop, Lines(cradle, csv, options, remark))
+        play(loop, cradle, csv, options, remark)
     except KeyboardInterrupt as stopped:
         report_endless_loop(stopped)
         if options.record is None:
             sys.exit(*stopped.args)
-        words = "The recording ended too early."
+        message = "The recording ended too early."
         if options.record != "-":
-            words += f" {options.record} is not written."
-        complain(words)
+            message += f" {options.record} is not written."
+        complain(message)
         sys.exit(1)
     except (Exception, SystemExit) as error:
         # whole_file replaces every OSError, also one of a student's function
         cause = error.__cause__ or error
-        if is_unread(error) or isinstance(error, OSError) and not own_frames(cause):
+        is_of_the_output = isinstance(error, OSError) and not handout_frames(cause)
+        if is_unread(error) or is_of_the_output:
             raise  # while_it_is_read ends the program
         report_mistake(cause)
         sys.exit(1)
+
+
+def play(loop: Callable, cradle: Cradle, csv: Snapshot, options: Namespace, remark: str) -> None:
+    """Record the data of a cradle, or show it as well as the output can."""
+    if options.record:
+        record(loop, cradle, csv, options, remark)
+    elif has_terminal():
+        pictures = Pictures(cradle, csv, options, remark)
+        with own_screen(lambda: pictures.last_lines):
+            run(loop, pictures)
+    else:
+        if remark:
+            print(remark)
+        run(loop, Lines(cradle, csv, options))
 
 
 if __name__ == "__main__":

@@ -8,8 +8,8 @@ from vpython import color, textures, vector
 # The cradle's file. The path is absolute, so that you can start a program in any folder.
 NC_FP = str(Path(__file__).resolve().parents[1] / "newton_cradle_pends.csv")
 
-# Cord length (m). With it, the handout's axles (r_param/4 apart, from x = -0.1 on) centre five
-# pendula.
+# Cord length (m). With it, five pendula are centred: the handout's axles are r_param/4 apart, from
+# x = -0.1 on.
 R_PARAM = 0.2
 
 # Gravitational acceleration (m/s^2), the usual value near the ground.
@@ -31,13 +31,10 @@ PHI_INIT = -pi / 9
 # in this tick, equal bobs hardly come closer than 98 % of the distance at which they touch.
 DOUBLE_DT = 0.00025
 
-# The names allowed in the CSV's color column: all colors of VPython, as VPython's vectors of red,
-# green and blue.
+# The names allowed in the CSV's color column: all colors of VPython, each as a vector of red, green
+# and blue.
 COLOR_MAP = {name: value for name, value in vars(color).items() if isinstance(value, vector)}
 
-# The names allowed in the CSV's texture column: all textures of VPython, and "none" for a plain
-# bob.
-TEXTURE_MAP = {
-    "none": None,
-    **{name: value for name, value in vars(textures).items() if not name.startswith("_")},
-}
+# The names allowed in the CSV's texture column: all textures of VPython, "none" for a plain bob.
+TEXTURE_MAP = {"none": None}
+TEXTURE_MAP |= {name: value for name, value in vars(textures).items() if name[0] != "_"}

@@ -1,18 +1,27 @@
 """The energy and the momentum of a cradle. Both bobs of a double pendulum have its mass."""
 
+from collections.abc import Iterator
 from itertools import accumulate
 from math import cos, sin
+from typing import Any, NamedTuple
 
 from support.pendulum import cord_angles
 
 
-def bob_motions(pend, r_param):
-    """Yield (height, vx, vy) of each bob of a pendulum, the upper one first; r_param (m) is the
-    length of each cord.
+class BobMotion(NamedTuple):
+    """The place and the velocity of a bob."""
 
-    height (m) is that above hanging at rest, vx and vy (m/s) are the velocities to the right and
-    upwards. A cord at the angle a from straight down, with the rate b, adds R (1 - cos a) to the
-    height of the bobs below it, R b cos a to their vx, and R b sin a to their vy.
+    height: float  # m, above hanging at rest
+    vx: float  # m/s, to the right
+    vy: float  # m/s, upwards
+
+
+def bob_motions(pend: Any, r_param: float) -> Iterator[BobMotion]:
+    """Yield the motion of each bob of a pendulum, the upper one first.
+
+    r_param (m) is the length of each cord. A cord at the angle a from straight down, with the rate
+    b, adds R (1 - cos a) to the height of the bobs below it, R b cos a to their vx, and R b sin a
+    to their vy.
     """
     height = vx = vy = 0.0
     angles = cord_angles(pend)
@@ -21,24 +30,27 @@ def bob_motions(pend, r_param):
         height += r_param * (1 - cos(angle))
         vx += r_param * rate * cos(angle)
         vy += r_param * rate * sin(angle)
-        yield height, vx, vy
+        yield BobMotion(height, vx, vy)
 
 
-def energies(pend_list, r_param, g) -> tuple[float, float]:
-    """Return the kinetic and the potential energy (J): the sums of m v^2 / 2 and of m g h over the
-    bobs.
+def energies(pend_list: list, r_param: float, g: float) -> tuple[float, float]:
+    """Return the kinetic and the potential energy (J).
 
-    h is above hanging at rest, r_param (m) the length of each cord, g (m/s^2) gravity's
-    acceleration.
+    These are the sums of m v^2 / 2 and of m g h over the bobs; h is above hanging at rest. r_param
+    (m) is the length of each cord, g (m/s^2) gravity's acceleration.
     """
-    bobs = [(pend["mass"], *motion) for pend in pend_list for motion in bob_motions(pend, r_param)]
-    return sum(m * (vx**2 + vy**2) / 2 for m, _, vx, vy in bobs), sum(
-        m * g * height for m, height, _, _ in bobs
-    )
+    kinetic = []
+    potential = []
+    for pend in pend_list:
+        for height, vx, vy in bob_motions(pend, r_param):
+            kinetic.append(pend["mass"] * (vx**2 + vy**2) / 2)
+            potential.append(pend["mass"] * g * height)
+    return sum(kinetic), sum(potential)
 
 
-def momentum(pend_list, r_param) -> float:
-    """Return the momentum of the bobs to the right (kg m/s); r_param (m) is the length of each
-    cord.
+def momentum(pend_list: list, r_param: float) -> float:
+    """Return the momentum of the bobs to the right (kg m/s).
+
+    r_param (m) is the length of each cord.
     """
     return sum(pend["mass"] * vx for pend in pend_list for _, vx, _ in bob_motions(pend, r_param))

@@ -11,8 +11,9 @@ class Page(Protocol):
 
     @property
     def csv(self) -> str:
-        """The path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the
-        command.
+        """The path of the cradle's file.
+
+        It is a copy of newton_cradle_pends.csv, or of the file in the command.
         """
 
     @property

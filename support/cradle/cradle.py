@@ -17,7 +17,7 @@ from support.constants import DOUBLE_DT, DT, G, R_PARAM
 from support.cradle.dragging import Hand, move, push_others
 from support.cradle.impacts import Hits
 from support.energy import bob_motions, energies, momentum
-from support.files.cradle_csv import read_cells
+from support.files.cradle_csv import Snapshot
 from support.pendulum import cord_angles, discard
 from support.start.mistake import MistakeError, require_list, require_numbers, require_pendula
 from support.start.preview import unwritten_in
@@ -133,7 +133,7 @@ class Cradle:
         self.pend_list = pend_list
         self.places = {tuple(axle.pos.value): number for number, axle in enumerate(self.axles())}
         self.count = len(pend_list)
-        self.known_keys = {*read_cells(csv)[0][1], *keys, "objects"}
+        self.known_keys = {*Snapshot(csv).rows[0].cells, *keys, "objects"}
         if self.mass is not None:
             self.adopt("mass", self.scope["uniform_mass_newton_cradle"], csv, self.mass)
         self.es = self.values("e")

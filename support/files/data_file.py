@@ -1,14 +1,14 @@
-"""Write a file whole or not at all, and the motion of a cradle to a CSV, with a row for each
-sample.
-"""
+"""Write a file whole or not at all, for instance the data of a cradle's motion."""
 
 import errno
 import os
 import shutil
+from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from secrets import token_hex
 from stat import S_ISREG
+from typing import TextIO
 
 from support.files.cradle_csv import LARGEST, reason
 
@@ -16,7 +16,7 @@ EVERY = 0.01  # s from sample to sample, or the nearest whole number of ticks
 
 
 @contextmanager
-def whole_file(filepath):
+def whole_file(filepath: str | Path) -> Iterator[TextIO]:
     """Yield a text file to write to; when it is complete on the disk, it replaces filepath.
 
     Otherwise, the old file is still there. Raises an OSError if filepath cannot be written.
@@ -24,7 +24,8 @@ def whole_file(filepath):
     target = Path(os.path.realpath(filepath))  # the file behind a link: the link must stay
     unfinished = target.parent / f".{target.name}.{token_hex(4)}.tmp"
     try:
-        if target.exists() and not (target.is_file() and os.access(target, os.W_OK)):
+        can_be_written = target.is_file() and os.access(target, os.W_OK)
+        if target.exists() and not can_be_written:
             raise OSError(errno.EACCES, "it is not a file, or is write-protected")
         # Not tempfile: a new file of that module is for you alone, and stays so under its final
         # name.
@@ -42,11 +43,10 @@ def whole_file(filepath):
             unfinished.unlink()
 
 
-def require_replaceable(filepath) -> None:
-    """Raise a ValueError with a one-line message if this file exists, and has no data of a cradle
-    to replace.
+def require_replaceable(filepath: str) -> None:
+    """Raise a ValueError if this file exists, and has no data of a cradle to replace.
 
-    The name - stands for the output.
+    Its message has one line. The name - stands for the output.
     """
     if filepath == "-":
         return
@@ -55,13 +55,14 @@ def require_replaceable(filepath) -> None:
             return  # whole_file will raise the error
         # Opened to write, too: another program may have it open
         with open(filepath, "r+b") as file:
-            columns = file.readline(LARGEST).strip()
+            header = file.readline(LARGEST).strip()
     except FileNotFoundError:
         return  # a new file; if its folder is missing, whole_file will raise the error
     except OSError as error:
         raise ValueError(f"--record: {filepath}: {reason(error)}") from error
-    if columns and not (columns.startswith(b"t,theta_1,") and columns.endswith(b",momentum")):
-        allowed = "a new file, or one with data of a cradle, to replace it"
+    has_data = header.startswith(b"t,theta_1,") and header.endswith(b",momentum")
+    if header and not has_data:
         raise ValueError(
-            f"--record: found '{filepath}', which has no data of a cradle; allowed is {allowed}"
+            f"--record: found '{filepath}', which has no data of a cradle; "
+            "allowed is a new file, or one with data of a cradle, to replace it"
         )

@@ -4,16 +4,10 @@ import csv
 import io
 from typing import NamedTuple
 
-from support.files.cradle_csv import (
-    are_in_range,
-    IN_RANGE,
-    read_cells,
-    require_cradle,
-    RULES,
-    Snapshot,
-    to_number,
-)
+from support.columns import REQUIRED, to_number
+from support.files.cradle_csv import Snapshot
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
+from support.files.valid_cradle import are_in_range, IN_RANGE, require_cradle
 
 
 class Settings(NamedTuple):
@@ -93,12 +87,12 @@ class Chooser:
 
         numbers are the masses (kg) and e that the pendula have now, by column: they stay.
         """
-        is_allowed, words = RULES[column]
+        words = REQUIRED[column].allowed()
         self.refused.pop(f"{row},{column}", None)
         # No longer there: you may type faster than the page shows a new table
         if row >= len(numbers[column]):
             return False
-        fits = is_allowed(text.strip())
+        fits = REQUIRED[column].allows(text.strip())
         if fits:
             numbers[column][row] = float(text)
             if column == "mass" and self.cords == 2:
@@ -114,7 +108,7 @@ def with_numbers(original, columns) -> Snapshot:
     """Return the Snapshot with other numbers in these columns, a list by its name; an equal number
     keeps its text.
     """
-    header, *rows = [[*cells] for _, cells in read_cells(original)]  # the Snapshot keeps its own
+    header, *rows = [[*cells] for _, cells in original.rows]  # the Snapshot keeps its own
     for column, numbers in columns.items():
         place = header.index(column)
         # Main may have made its pendula from something else

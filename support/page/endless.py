@@ -7,7 +7,7 @@ import threading
 from pathlib import Path
 
 from support.page.tabs import LOOK
-from support.start.mistake import is_own
+from support.start.mistake import is_handout_file
 
 TOO_LONG = 3.0  # s after which a function that has not returned is named
 
@@ -58,7 +58,7 @@ def running(thread) -> list:
     frames = []
     frame = sys._current_frames().get(thread)
     while frame and Path(frame.f_code.co_filename).name != "player.py":
-        if is_own(frame.f_code.co_filename):
+        if is_handout_file(frame.f_code.co_filename):
             frames.append(frame)
         frame = frame.f_back
     return frames if frame else []

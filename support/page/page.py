@@ -8,7 +8,8 @@ from pathlib import Path
 
 from support.cradle.cradle import Cradle, DoubleCradle
 from support.cradle.player import run
-from support.files.cradle_csv import LiveFile, require_cradle
+from support.files.cradle_csv import LiveFile
+from support.files.valid_cradle import require_cradle
 from support.start.early import end_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.options import (

@@ -8,66 +8,87 @@ import os
 import shlex
 import subprocess
 import sys
+from collections.abc import Callable, Sequence
 from math import inf, sqrt
 from pathlib import Path
+from typing import Any, NamedTuple, NoReturn
 
 from support import constants
+from support.columns import REQUIRED, to_number
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
-from support.files.cradle_csv import read_cells, RULES, to_number
+from support.files.cradle_csv import Snapshot
 from support.files.data_file import EVERY
 from support.pendulum import angle_to_outwards, outwards_to_angle
+from support.start.checks_command import ROOT
 from support.start.output import refuse
 
-ROOT = Path(__file__).resolve().parents[2]
-
 # VPython's environment variables; --port and --no-browser override them.
-PORT_VARIABLE, CLOSED_VARIABLE = "VPYTHON_HTTP_PORT", "VPYTHON_NO_LAUNCH_BROWSER"
+PORT_VARIABLE = "VPYTHON_HTTP_PORT"
+CLOSED_VARIABLE = "VPYTHON_NO_LAUNCH_BROWSER"
 
-# The least and the greatest value of a constant, and its unit.
-CONSTANTS: dict[str, tuple[float, float, str]] = {
-    "R_PARAM": (0.05, 100, "m"),
-    "G": (0.1, 100, "m/s^2"),
+
+class Range(NamedTuple):
+    """The allowed values of a constant."""
+
+    least: float
+    most: float
+    unit: str
+
+
+CONSTANTS = {
+    "R_PARAM": Range(0.05, 100, "m"),
+    "G": Range(0.1, 100, "m/s^2"),
+    "DT": Range(1e-6, 1e-3, "s"),
+    "DOUBLE_DT": Range(1e-6, 1e-3, "s"),
+    "THETA_INIT": Range(-3.1416, 0, "rad"),
+    "PHI_INIT": Range(-3.1416, 3.1416, "rad"),
 }
-CONSTANTS |= dict.fromkeys(("DT", "DOUBLE_DT"), (1e-6, 1e-3, "s"))
-CONSTANTS |= {"THETA_INIT": (-3.1416, 0, "rad"), "PHI_INIT": (-3.1416, 3.1416, "rad")}
 
 
 class OneLineParser(argparse.ArgumentParser):
     """A parser that prints an error in one line, without the usage."""
 
-    def parse_known_args(self, args=None, namespace=None):
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         for word in sys.argv[1:] if args is None else args:
             # Up to Python 3.12, its value would be an empty list
             if word.startswith("-") and word.endswith("=--"):
                 self.error(f"found {word!r}, allowed is no -- after =")
         return super().parse_known_args(args, namespace)
 
-    def error(self, message):
+    def error(self, message: str) -> NoReturn:
         refuse(f"{self.prog}: error: {message} (--help shows all options)")
 
 
-def allowed(kind, is_allowed, words):
-    """Return a type for argparse: it converts a text with kind if is_allowed(text); words name the
-    allowed values.
+def type_of(
+    convert: Callable[[str], Any], is_allowed: Callable[[str], bool], allowed: str
+) -> Callable[[str], Any]:
+    """Return a type for argparse: it converts a text if is_allowed(text).
+
+    allowed names the allowed values.
     """
 
-    def convert(text):
+    def convert_allowed(text: str) -> Any:
         if not is_allowed(text):
-            raise argparse.ArgumentTypeError(f"found {text!r}, allowed is {words}")
-        return kind(text)
+            raise argparse.ArgumentTypeError(f"found {text!r}, allowed is {allowed}")
+        return convert(text)
 
-    return convert
+    return convert_allowed
 
 
-def angle_from(least):
-    """Return a type for argparse: the angle (rad) of a cord with a lift outwards from least to 180
-    (degrees).
+def number_of(column: str) -> Callable[[str], Any]:
+    """Return a type for argparse: a number that this column of the CSV may have."""
+    return type_of(float, REQUIRED[column].allows, REQUIRED[column].allowed())
+
+
+def angle_from(least: float) -> Callable[[str], Any]:
+    """Return a type for argparse: the angle (rad) of a cord.
+
+    The option has its angle outwards, from least to 180 (degrees).
     """
-    words = f"a number from {least} to 180 (degrees)"
-    return allowed(
+    return type_of(
         lambda text: outwards_to_angle(float(text)),
         lambda text: least <= to_number(text) <= 180,
-        words,
+        f"a number from {least} to 180 (degrees)",
     )
 
 
@@ -75,82 +96,68 @@ def require_constants() -> None:
     """Exit with status 2 and one line if a constant is out of its range."""
     for name, (least, most, unit) in CONSTANTS.items():
         found = getattr(constants, name)
-        if not (
-            isinstance(found, (int, float)) and type(found) is not bool and least <= found <= most
-        ):
-            words = f"allowed is a number from {least:g} to {most:g} ({unit})"
-            refuse(f"support/constants.py, {name}: found {found!r}, {words}")
+        is_number = isinstance(found, (int, float)) and type(found) is not bool
+        if not (is_number and least <= found <= most):
+            refuse_constant(name, f"is a number from {least:g} to {most:g} ({unit})")
     # s, in whole microseconds: with longer ticks, the energy grows quickly.
     longest = int(1e6 / 40 * sqrt(constants.R_PARAM / constants.G)) / 1e6
     for name in ("DT", "DOUBLE_DT"):
-        found = getattr(constants, name)
-        if found > longest:
-            words = f"allowed with this R_PARAM and G is a number up to {longest:g} (s)"
-            refuse(f"support/constants.py, {name}: found {found!r}, {words}")
+        if getattr(constants, name) > longest:
+            refuse_constant(name, f"with this R_PARAM and G is a number up to {longest:g} (s)")
 
 
-def to_port(text) -> int:
-    """Return the number of a port, for argparse; the name of VPython's variable stands for its
-    value, or 0.
-    """
-    text, place = (
-        (os.environ.get(text) or "0", f" in {text}") if text == PORT_VARIABLE else (text, "")
-    )
-    if not (text.isascii() and text.isdecimal() and len(text) < 6 and int(text) <= 65535):
-        raise argparse.ArgumentTypeError(
-            f"found {text!r}{place}, allowed is a whole number from 0 to 65535"
-        )
-    return int(text)
+def refuse_constant(name: str, allowed: str) -> NoReturn:
+    """Exit with status 2 and one line that names a constant, its value and the allowed values."""
+    found = getattr(constants, name)
+    refuse(f"support/constants.py, {name}: found {found!r}, allowed {allowed}")
 
 
-def cradle_options(description) -> OneLineParser:
+def cradle_options(description: str) -> OneLineParser:
     """Return a parser with the options of a cradle; each program adds its own options."""
     require_constants()
-    e, mass = (allowed(float, *RULES[column]) for column in ("e", "mass"))
-    lift = allowed(int, str.isdecimal, "a whole number, 0 or more")
-
     parser = OneLineParser(description=description, allow_abbrev=False)
     add = parser.add_argument
-    add(
-        "csv",
-        metavar="CSV",
-        nargs="?",
-        default=NC_FP,
-        help="file of the cradle (default: newton_cradle_pends.csv)",
+    text = "file of the cradle (default: newton_cradle_pends.csv)"
+    add("csv", metavar="CSV", nargs="?", default=NC_FP, help=text)
+    add_kind = parser.add_mutually_exclusive_group().add_argument
+    text = "e = 1 for all pendula: a hit keeps the kinetic energy"
+    add_kind("--elastic", action="store_true", help=text)
+    text = "e = 0 for all pendula: bobs stay together after a hit"
+    add_kind("--inelastic", action="store_true", help=text)
+    text = "one e, from 0 to 1, for all pendula (default: the CSV's)"
+    add_kind("--e", type=number_of("e"), metavar="E", help=text)
+    text = "one mass, in kg, for all pendula (default: the CSV's)"
+    add("--mass", type=number_of("mass"), metavar="KG", help=text)
+    text = (
+        "release angle of the lifted bobs, from 0 to 180 degrees "
+        f"(default: {angle_to_outwards(THETA_INIT):g})"
     )
-    kinds = parser.add_mutually_exclusive_group()
-    kinds.add_argument(
-        "--elastic",
-        action="store_true",
-        help="e = 1 for all pendula: a hit keeps the kinetic energy",
-    )
-    kinds.add_argument(
-        "--inelastic",
-        action="store_true",
-        help="e = 0 for all pendula: bobs stay together after a hit",
-    )
-    kinds.add_argument(
-        "--e", type=e, metavar="E", help="one e, from 0 to 1, for all pendula (default: the CSV's)"
-    )
-    add(
-        "--mass",
-        type=mass,
-        metavar="KG",
-        help="one mass, in kg, for all pendula (default: the CSV's)",
-    )
-    text = f"release angle of the lifted bobs, from 0 to 180 degrees (default: {angle_to_outwards(THETA_INIT):g})"
     add("--angle", type=angle_from(0), metavar="DEGREES", help=text)
-    add("--lift", type=lift, metavar="K", help="number of lifted bobs, from the left (default: 1)")
+    count = type_of(int, str.isdecimal, "a whole number, 0 or more")
+    text = "number of lifted bobs, from the left (default: 1)"
+    add("--lift", type=count, metavar="K", help=text)
     return parser
 
 
-def page_options(description) -> OneLineParser:
+PORT = "a whole number from 0 to 65535"
+
+
+def is_port(text: str) -> bool:
+    """Return whether the text is the number of a port."""
+    is_short_number = text.isascii() and text.isdecimal() and len(text) < 6
+    return is_short_number and int(text) <= 65535
+
+
+def page_options(description: str) -> OneLineParser:
     """Return a parser with the options of a cradle and of its page."""
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
     text = "port of the page (default: any free one)"
-    add("--port", type=to_port, metavar="N", default=PORT_VARIABLE, help=text)
-    text = "address at which the page is, for a container 0.0.0.0 (default: 127.0.0.1, for this machine alone)"
+    add("--port", type=type_of(int, is_port, PORT), metavar="N", help=text)
+    text = (
+        "address at which the page is, for a container 0.0.0.0 "
+        "(default: 127.0.0.1, for this machine alone)"
+    )
     add("--host", metavar="ADDRESS", default="127.0.0.1", help=text)
     text = "open no browser, only print the address of the page"
     opens = os.environ.get(CLOSED_VARIABLE, "") in ("", "0")
@@ -158,60 +165,63 @@ def page_options(description) -> OneLineParser:
     return parser
 
 
-def read_page_options(arguments=None) -> argparse.Namespace:
+def parse_page(parser: OneLineParser, arguments: Sequence[str] | None) -> argparse.Namespace:
+    """Return the options of a page; without --port, VPython's variable names the port."""
+    options = parser.parse_args(arguments)
+    if options.port is None:
+        text = os.environ.get(PORT_VARIABLE) or "0"
+        if not is_port(text):
+            parser.error(f"argument --port: found {text!r} in {PORT_VARIABLE}, allowed is {PORT}")
+        options.port = int(text)
+    return options
+
+
+def read_page_options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     """Return the options of the page, from the command line or from arguments.
 
     They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host and browser. None for e
     or mass keeps the values of the CSV. None for angle or lift keeps the values with which main
     makes the cradle.
     """
-    return page_options("Newton's cradle in the browser, to play with.").parse_args(arguments)
+    parser = page_options("Newton's cradle in the browser, to play with.")
+    return parse_page(parser, arguments)
 
 
-def read_double_page_options(arguments=None) -> argparse.Namespace:
-    """Return the options of the double cradle's page: those of read_page_options, and phi (rad, or
-    None like angle).
+def read_double_page_options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
+    """Return the options of the double cradle's page.
+
+    They are those of read_page_options, and phi (rad, or None like angle).
     """
     parser = page_options("The double Newton's cradle in the browser, to play with.")
-    text = "angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees"
-    text = f"{text} (default: {angle_to_outwards(PHI_INIT):g})"
+    text = (
+        "angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees "
+        f"(default: {angle_to_outwards(PHI_INIT):g})"
+    )
     parser.add_argument("--phi", type=angle_from(-180), metavar="DEGREES", help=text)
-    return parser.parse_args(arguments)
+    return parse_page(parser, arguments)
 
 
-def command_line(program, folder, arguments=()) -> str:
-    """Return the command that starts a program (its path in the project) from this folder, with the
-    running Python.
-    """
-    paths = Path(sys.executable), ROOT / program
-    words = [
-        str(path.relative_to(folder) if path.is_relative_to(folder) else path) for path in paths
-    ]
-    join = subprocess.list2cmdline if sys.platform == "win32" else shlex.join
-    return join([*words, *arguments])
+def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
+    """Return the options of the cradle in the terminal.
 
-
-def read_text_options(arguments=None) -> argparse.Namespace:
-    """Return the options of the cradle in the terminal: those of the cradle, seconds (inf if
-    missing), record (a path, - for the output, or None) and every (s).
+    They are those of the cradle, seconds (inf if missing), record (a path, - for the output, or
+    None) and every (s).
     """
     parser = cradle_options(
         "Newton's cradle as moving text, in real time; or, with --record, its data in a file."
     )
-    seconds = allowed(
+    add = parser.add_argument
+    seconds = type_of(
         float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)"
     )
-    every = allowed(float, is_in_ticks, f"a multiple of {DT} (s), one tick, up to 1e6")
-    add = parser.add_argument
-    add(
-        "--seconds",
-        type=seconds,
-        metavar="S",
-        default=inf,
-        help="end after S seconds (default: until Ctrl+C)",
+    text = "end after S seconds (default: until Ctrl+C)"
+    add("--seconds", type=seconds, metavar="S", default=inf, help=text)
+    text = (
+        "write the data of S seconds (--seconds S) to FILE, a CSV (- is the output), "
+        "as fast as the machine can"
     )
-    text = "write the data of S seconds (--seconds S) to FILE, a CSV (- is the output), as fast as the machine can"
-    add("--record", type=allowed(str, bool, "the name of a file"), metavar="FILE", help=text)
+    add("--record", type=type_of(str, bool, "the name of a file"), metavar="FILE", help=text)
+    every = type_of(float, is_in_ticks, f"a multiple of {DT} (s), one tick, up to 1e6")
     text = f"with --record: a row for every S seconds (default: {round(EVERY / DT) * DT:g})"
     add("--every", type=every, metavar="S", help=text)
     options = parser.parse_args(arguments)
@@ -223,18 +233,28 @@ def read_text_options(arguments=None) -> argparse.Namespace:
     return options
 
 
-def is_in_ticks(text) -> bool:
+def is_in_ticks(text: str) -> bool:
     """Return whether the text is a time (s) of a whole number of ticks, at least one."""
     ticks = to_number(text) / DT
     return 0.5 < ticks <= 1e6 / DT and abs(ticks - round(ticks)) < 1e-6
 
 
-def require_lifted(lift, csv) -> None:
-    """Raise a ValueError with a one-line message if this CSV has fewer than lift pendula; lift can
-    be None.
-    """
-    count = len(read_cells(csv)) - 1  # without the header
+def require_lifted(lift: int | None, csv: Snapshot) -> None:
+    """Raise a ValueError with a one-line message if the CSV has fewer than lift pendula."""
+    count = len(csv.rows) - 1  # without the header
     if lift is not None and lift > count:
         raise ValueError(
             f"--lift: found '{lift}', allowed is at most {count}, the number of pendula in {csv}"
         )
+
+
+def command_line(program: str, folder: Path, arguments: Sequence[str] = ()) -> str:
+    """Return the command that starts a program from this folder, with the running Python.
+
+    program is its path in the project.
+    """
+    words = []
+    for path in (Path(sys.executable), ROOT / program):
+        words.append(str(path.relative_to(folder) if path.is_relative_to(folder) else path))
+    words.extend(arguments)
+    return subprocess.list2cmdline(words) if sys.platform == "win32" else shlex.join(words)

@@ -6,10 +6,10 @@ import sys
 SRC = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "src")
 
 
-def begin(needs_vpython=True) -> None:
+def begin(needs_vpython: bool = True) -> None:
     """Prepare the start of a program.
 
-    It forgets an earlier program, is ready for signals, and lets the import of pandas wait until
+    This forgets an earlier program, is ready for signals, and lets the import of pandas wait until
     the program uses it. Without needs_vpython, a stand-in takes VPython's place. Exits with one
     line if something is in the way.
     """

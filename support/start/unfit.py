@@ -10,38 +10,40 @@ NEEDED = {"numpy", "pandas", "pytest", "vpython"}
 
 
 def refuse_unfit() -> None:
-    """Exit with one line if Python is too old, if a file hides a module, or if pandas or a folder
-    is missing.
+    """Exit with one line if something is in the way of every program.
+
+    Python may be too old, a file may hide a module, or pandas or a folder may be missing.
     """
     if sys.version_info < (3, 10):  # noqa: UP036
         sys.exit(
-            f"Newton's cradle needs Python 3.10 or later; {sys.executable} is {sys.version.split()[0]}."
+            f"Newton's cradle needs Python 3.10 or later; "
+            f"{sys.executable} is {sys.version.split()[0]}."
         )
-    # The others import what a file can hide
-    for obstacle in (hidden_module, missing_package, missing_folder):
-        words = obstacle()
-        if words:
-            print(words, file=sys.stderr)
-            sys.exit(2)
+    # The first one first: the others import what a file can hide.
+    message = hidden_module() or missing_package() or missing_folder()
+    if message:
+        print(message, file=sys.stderr)
+        sys.exit(2)
 
 
 def hidden_module() -> str:
-    """Return which file beside the programs has the name of a module that Python or a package
-    imports, or "".
+    """Return which file beside the programs hides a module, or "".
 
-    Python would find the file first, and a package would fail with an error that says nothing about
-    the file.
+    It has the name of a module that Python or a package imports. Python would find the file first,
+    and a package would fail with an error that says nothing about the file.
     """
     root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
     searched = [os.path.realpath(folder) for folder in sys.path]
     for folder in (root, os.path.join(root, "src"), os.path.join(root, "tests")):
-        for name in sorted(os.listdir(folder)) if folder in searched else ():
-            is_module = name.endswith(".py") or os.path.isfile(
-                os.path.join(folder, name, "__init__.py")
-            )
+        if folder not in searched:
+            continue
+        for name in sorted(os.listdir(folder)):
+            path = os.path.join(folder, name)
+            is_package = os.path.isfile(os.path.join(path, "__init__.py"))
             module = name.partition(".")[0]
-            if is_module and module in NEEDED | sys.stdlib_module_names:
-                file = os.path.relpath(os.path.join(folder, name), root)
+            is_imported = module in NEEDED or module in sys.stdlib_module_names
+            if is_imported and (is_package or name.endswith(".py")):
+                file = os.path.relpath(path, root)
                 return f"{file} hides the module {module} from Python and its packages. Rename it."
     return ""
 
@@ -50,9 +52,12 @@ def missing_package() -> str:
     """Return a line if there is no pandas, or ""."""
     from importlib.util import find_spec
 
-    if find_spec("pandas") is None:
-        return f"{sys.executable} has no pandas. Install it as README.md says, or start the Python that has it."
-    return ""
+    if find_spec("pandas"):
+        return ""
+    return (
+        f"{sys.executable} has no pandas. "
+        "Install it as README.md says, or start the Python that has it."
+    )
 
 
 def missing_folder() -> str:
@@ -62,5 +67,8 @@ def missing_folder() -> str:
     try:
         tempfile.gettempdir()
     except FileNotFoundError:
-        return "Python finds no folder for temporary files in which it can write. Set TMPDIR to such a folder."
+        return (
+            "Python finds no folder for temporary files in which it can write. "
+            "Set TMPDIR to such a folder."
+        )
     return ""

@@ -24,8 +24,9 @@ from grading.handout import SUITES
 from grading.outcomes import FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.screen import Line, report
 from support.constants import NC_FP
-from support.files.cradle_csv import require_cradle
+from support.files.cradle_csv import Snapshot
 from support.files.data_file import whole_file
+from support.files.valid_cradle import require_cradle
 from support.start.checks_command import checks_command
 
 OUTCOME = "outcome of a check"  # the name under which a report of pytest has it
@@ -185,7 +186,7 @@ def report_of_run(config) -> list[Line]:
         return []
     note = ""
     try:
-        require_cradle(NC_FP)
+        require_cradle(Snapshot(NC_FP))
     except ValueError as error:  # the checks have files of their own
         note = f"your CSV has a mistake. {error}".replace(f"{config.rootpath}{os.sep}", "")
     reporter = config.pluginmanager.get_plugin("terminalreporter")

@@ -22,7 +22,7 @@ from src.double_cradle import (
 )
 from support.constants import COLOR_MAP, DOUBLE_DT, G, PHI_INIT, R_PARAM, TEXTURE_MAP, THETA_INIT
 from support.energy import energies
-from support.files.cradle_csv import MOST_TIMES
+from support.files.valid_cradle import MOST_TIMES
 from support.pendulum import BUFFER
 
 RATES, ANGLES = ["omega", "phi_omega"], ["theta", "phi"]

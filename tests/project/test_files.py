@@ -25,11 +25,10 @@ from support.files.cradle_csv import (
     LARGEST,
     LiveFile,
     POLL,
-    read_cells,
-    require_cradle,
     Snapshot,
 )
 from support.files.data_file import require_replaceable, whole_file
+from support.files.valid_cradle import require_cradle
 from support.page.chooser import with_numbers
 
 ALLOWED = {
@@ -168,7 +167,7 @@ def test_a_csv_is_refused_with_the_place_of_its_mistake(mistake, save):
     content, message = REFUSED[mistake]
     filepath = save(content)
     with pytest.raises(ValueError, match=f"^{re.escape(filepath + message)}$"):
-        require_cradle(filepath)
+        require_cradle(Snapshot(filepath))
 
 
 @on_posix
@@ -179,7 +178,7 @@ def test_a_missing_file_a_folder_a_pipe_and_a_device_are_refused_at_once(tmp_pat
     reasons = {tmp_path / "missing.csv": "No such file or directory", pipe: found}
     for file, reason in {**reasons, Path("/dev/zero"): found}.items():
         with pytest.raises(ValueError, match=f"^{re.escape(str(file))}: cannot be read: {reason}$"):
-            read_cells(file)
+            Snapshot(file).text()
 
 
 @pytest.mark.parametrize("system", ["win32", "linux"])
@@ -194,7 +193,7 @@ def test_windows_denies_the_permission_for_a_folder_and_for_a_file_that_excel_ho
     held = "Permission denied" + "; another program may have it open" * (system == "win32")
     for file, reason in {csv: held, csv.parent: "found a folder, allowed is a file"}.items():
         with pytest.raises(ValueError, match=f"^{re.escape(str(file))}: cannot be read: {reason}$"):
-            read_cells(file)
+            Snapshot(file).text()
 
 
 READABLE = {
@@ -230,7 +229,7 @@ def test_the_smallest_and_the_largest_cradle_are_allowed(save):
         cell("e", "1"),
         cell("mass", "1e-300"),
     ):
-        require_cradle(save(content))
+        require_cradle(Snapshot(save(content)))
 
 
 def test_a_number_for_the_check_is_a_number_for_pandas(save):
@@ -278,7 +277,7 @@ def test_an_edit_leaves_the_other_cells_and_the_file_as_they_are(save):
     original = Snapshot(save(text))
     edited = with_numbers(original, {"mass": [1.5, 0.1 + 0.2], "e": [1]})
     rows = [["note", "mass", "e"], ["a, b", "1.50", "1"], ["short", "0.30000000000000004"]]
-    assert (str(edited), [cells for _, cells in read_cells(edited)]) == (str(original), rows)
+    assert (str(edited), [cells for _, cells in edited.rows]) == (str(original), rows)
     assert Path(original.filepath).read_text() == text
 
 
@@ -288,7 +287,9 @@ def test_write_to_csv_keeps_each_number_to_the_last_bit(tmp_path):
     numbers += [source.uniform(-1, 1) * 10.0 ** source.randint(-30, 30) for _ in range(2000)]
     pend_list = [{**MIXED[0], "theta": theta, "omega": -theta} for theta in numbers]
     write_to_csv(pend_list, file)
-    written = [(float(theta), float(omega)) for _, (_, _, theta, omega, *_) in read_cells(file)[1:]]
+    written = [
+        (float(theta), float(omega)) for _, (_, _, theta, omega, *_) in Snapshot(file).rows[1:]
+    ]
     assert list(map(repr, written)) == [repr((theta, -theta)) for theta in numbers]
 
 
@@ -437,16 +438,16 @@ def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same_also_if_it_go
     # The program does not read the file in each frame
     assert [look(), look(0), look(0)] == [False] * 3
     assert [look() for _ in range(3)] == [True, False, False]
-    assert read_cells(live_file.current) == [(1, ["new"])]
+    assert live_file.current.rows == [(1, ["new"])]
     assert 2 * POLL < 1  # s
     for change, words in ((csv.unlink, "No such file or directory$"), (csv.touch, "is empty")):
         change()
         assert [look(), look(), look()] == [False, True, False]
         with pytest.raises(ValueError, match=words):
-            read_cells(live_file.current)
+            require_cradle(live_file.current)
     csv.write_text("new\n")
     assert [look(), look(), look()] == [False, True, False]
-    assert read_cells(live_file.current) == [(1, ["new"])]
+    assert live_file.current.rows == [(1, ["new"])]
     # The program, or the machine, can open no more files
     for number in (errno.EMFILE, errno.ENFILE):
         with patch(

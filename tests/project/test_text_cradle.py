@@ -298,7 +298,7 @@ def test_a_row_is_recorded_at_each_multiple_up_to_the_end(
         outwards_to_angle(20),
         0,
     ]
-    assert (len(parts), parts[-1]) == (max(1, round(last / (players.PART * dt))), 1)
+    assert (len(parts), parts[-1]) == (max(1, round(last / (players.BATCH * dt))), 1)
 
 
 def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(main, csv, monkeypatch):

@@ -1,0 +1,64 @@
+"""The columns of a cradle's CSV, in the order of the handout's file."""
+
+from collections.abc import Collection
+from math import nan
+from typing import NamedTuple
+
+from support.constants import COLOR_MAP, TEXTURE_MAP
+
+
+def to_number(text: str) -> float:
+    """Return the number in text, or nan.
+
+    It is stricter than float(), which also accepts texts like 1_000.
+    """
+    if not text.isascii() or "_" in text:
+        return nan
+    try:
+        return float(text)
+    except ValueError:
+        return nan
+
+
+class Column(NamedTuple):
+    """A column, with the values that its cells may have."""
+
+    name: str
+    example: str
+    unit: str = ""  # of its numbers
+    # The least and the greatest number, as a message shows them
+    limits: tuple[str, str] | None = None
+    choices: Collection[str] = ()  # names
+
+    def allows(self, text: str) -> bool:
+        """Return whether a cell may have this text."""
+        if self.limits is None:
+            return text in self.choices
+        least, most = self.limits
+        return float(least) <= to_number(text) <= float(most)
+
+    def allowed(self) -> str:
+        """Return the allowed values, in words."""
+        if self.limits is None:
+            return f"one of {', '.join(self.choices)}"
+        least, most = self.limits
+        unit = f" ({self.unit})" if self.unit else ""
+        return f"a number from {least} to {most}{unit}, such as {self.example}"
+
+
+# theta and omega have no limits: the start of a cradle does not depend on them.
+COLUMNS = (
+    # Floats below 1e-308 have few digits: hits would change the energy.
+    Column("mass", example="1.5", unit="kg", limits=("1e-300", "1e6")),
+    Column("e", example="0.9", limits=("0", "1")),
+    Column("theta", example="0.0", unit="rad"),
+    Column("omega", example="0.0", unit="rad/s"),
+    Column("color", example="red", choices=COLOR_MAP),
+    Column("texture", example="metal", choices=TEXTURE_MAP),
+)
+
+COLUMN_NAMES = [column.name for column in COLUMNS]
+# The names of the numbers that you can set for each pendulum.
+NUMBER_COLUMNS = [column.name for column in COLUMNS if column.limits]
+# The columns without which there is no cradle, by name.
+REQUIRED = {column.name: column for column in COLUMNS if column.limits or column.choices}
