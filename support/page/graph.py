@@ -1,136 +1,175 @@
-"""The graph: energies, angles or velocities over the last seconds, or the phase picture of a
-pendulum, as rows.
-"""
+"""The numbers of the graph: curves over the last seconds, or the phase picture of a pendulum."""
 
 from array import array
 from collections import deque
+from collections.abc import Sequence
 from math import isfinite
+from typing import NamedTuple
+
+from vpython import vector
 
 from support.files.data_file import EVERY
 
-# The times on the axis, and from row to row (s)
-SPANS = {"last 2 s": (2.0, 0.01), "last 10 s": (10.0, 0.03)}
-PHASE_SPAN = 3.0, EVERY  # of the phase picture
+
+class Span(NamedTuple):
+    """How much of the past a graph shows."""
+
+    seconds: float
+    interval: float  # s, from row to row
+
+
+SPANS = {"last 2 s": Span(2.0, 0.01), "last 10 s": Span(10.0, 0.03)}
+PHASE_SPAN = Span(3.0, EVERY)
 MOST_ROWS = 1100  # the last 10 s: from row to row it is EVERY, rounded to ticks of at most 0.001 s
 MOST_DRAWN = 20  # pendula in the graph: more curves could not be told apart
 
 # Three colors of Okabe and Ito's palette, which look different to color-blind people, too.
 ENERGIES = {"kinetic": "rgb(213, 94, 0)", "potential": "rgb(0, 114, 178)", "total": "rgb(0, 0, 0)"}
 ENERGY, NOTHING = "Energies", "no graph"
+TIME = "t (s)"
+
+
+class Curve(NamedTuple):
+    """A curve: its label in the legend, the name of its numbers in a sample, and its color."""
+
+    label: str
+    name: str
+    color: str
+
+
+class Choice(NamedTuple):
+    """A graph that you can choose."""
+
+    x: str  # the names of the axes
+    y: str
+    along: str  # the name of the numbers along x in a sample
+    curves: list[Curve]
 
 
 class Graph:
-    """Keeps the last samples of Motion, and gives the numbers of the chosen graph; graph.js draws
-    them.
-    """
+    """Keeps the last samples of Motion, and gives the numbers of the chosen graph to graph.js."""
 
-    def __init__(self, angle_keys, rate_keys):
+    def __init__(self, angle_keys: Sequence[str], rate_keys: Sequence[str]) -> None:
         """Begin without samples; angle_keys and rate_keys are those of a pendulum."""
-        self.angle_keys, self.rate_keys = angle_keys, rate_keys
+        self.angle_keys = angle_keys
+        self.rate_keys = rate_keys
         self.rows: deque[array] = deque(maxlen=MOST_ROWS)
-        self.choice, self.span = ENERGY, next(iter(SPANS))  # a key of choices, and one of SPANS
+        self.choice = ENERGY  # a key of choices
+        self.span = next(iter(SPANS))  # a key of SPANS
         self.begin([])
 
-    def begin(self, colors) -> None:
-        """Forget all samples, and take the colors (VPython's) of a new cradle's pendula: so are
-        their curves.
-        """
+    def begin(self, colors: Sequence[vector]) -> None:
+        """Forget all samples, and take the colors (VPython's) of a new cradle's pendula."""
         self.rows.clear()
-        parts = [
-            ", ".join(str(round(255 * part)) for part in color.value)
-            for color in colors[:MOST_DRAWN]
-        ]
-        numbered = [(number, f"rgb({color})") for number, color in enumerate(parts, start=1)]
-        # The names of the axes, the number along x, and the number and color of each curve, by its
-        # label.
-        # By the name in the menu
-        self.choices: dict[str, tuple[str, str, str, dict[str, tuple[str, str]]]] = {}
-        self.choices[ENERGY] = (
-            "t (s)",
-            "%",
-            "t",
-            {name: (name, hue) for name, hue in ENERGIES.items()},
-        )
-        for title, unit, keys in (
-            ("Angles", "rad", self.angle_keys),
-            ("Velocities", "rad/s", self.rate_keys),
-        ):
-            for key in keys:
-                curves = {str(number): (f"{key}_{number}", color) for number, color in numbered}
-                self.choices[f"{title} {key}"] = "t (s)", f"{key} ({unit})", "t", curves
-        for number, color in numbered:
+        hues = [to_css(color) for color in colors[:MOST_DRAWN]]
+        energies = [Curve(name, name, hue) for name, hue in ENERGIES.items()]
+        # By the name in the menu.
+        self.choices = {ENERGY: Choice(TIME, "%", "t", energies)}
+        for key in self.angle_keys:
+            self.choices[f"Angles {key}"] = over_time(key, "rad", hues)
+        for key in self.rate_keys:
+            self.choices[f"Velocities {key}"] = over_time(key, "rad/s", hues)
+        for number, hue in enumerate(hues, start=1):
             for angle, rate in zip(self.angle_keys, self.rate_keys, strict=True):
-                name = (
-                    f"Phase {number}" if len(self.angle_keys) == 1 else f"Phase {number}, {angle}"
-                )
-                curves = {"": (f"{rate}_{number}", color)}
-                self.choices[name] = (
-                    f"{angle} (rad)",
-                    f"{rate} (rad/s)",
-                    f"{angle}_{number}",
-                    curves,
-                )
-        self.choices[NOTHING] = "", "", "t", {}
+                name = f"Phase {number}"
+                if len(self.angle_keys) > 1:
+                    name += f", {angle}"
+                self.choices[name] = phase_picture(angle, rate, number, hue)
+        self.choices[NOTHING] = Choice("", "", "t", [])
         self.show(self.choice)
 
-    def add(self, sample) -> None:
-        """Add a sample, in place of one of the same time; all samples of a cradle have the same
-        names.
+    def add(self, sample: dict[str, float]) -> None:
+        """Add a sample, in place of one of the same time.
+
+        All samples of a cradle have the same names.
         """
         self.names = list(sample)  # of the numbers in a row
         if self.rows and self.rows[-1][0] == sample["t"]:
             self.rows.pop()
-        # A twentieth of the memory that dictionaries take
+        # An array takes a twentieth of a dictionary's memory.
         self.rows.append(array("d", sample.values()))
 
-    def show(self, choice) -> None:
+    def show(self, choice: str) -> None:
         """Show this one of the choices, or the energies if the present cradle does not have it."""
         self.choice = choice if choice in self.choices else ENERGY
 
-    def state(self, start_energy) -> dict:
-        """Return the names of the axes, the curves with their colors, the rows, and the ends of the
-        time axis (s).
+    def state(self, start_energy: float | None) -> dict:
+        """Return the axes, the curves, and the rows; start_energy (J) is 100 %.
+
+        A row has the number along x, and one for each curve. The x axis goes from "from" to "to",
+        the y axis from "bottom" to "top"; where these are missing, graph.js lets flot choose them.
         """
         x, y, along, curves = self.choices[self.choice]
+        rows: list[list[float]] = []
         state: dict = {
             "x": x,
             "y": y,
-            "curves": [(label, color) for label, (_, color) in curves.items()],
-            "rows": [],
+            "curves": [(curve.label, curve.color) for curve in curves],
+            "rows": rows,
         }
         if not curves or not self.rows:
             return state
-        seconds, interval = SPANS[self.span] if along == "t" else PHASE_SPAN
-        places = [
-            self.names.index(name) for name in (along, *(name for name, _ in curves.values()))
-        ]
-        # A row has the number along x, and one for each curve; start_energy (J) is 100 %.
-        units = [1, *((start_energy or 1) / 100 if label in ENERGIES else 1 for label in curves)]
-        pairs = list(zip(places, units, strict=True))
-        rows = [
-            [row[place] / unit for place, unit in pairs]
-            for row in last_rows(self.rows, seconds, interval)
-        ]
-        state["rows"] = [
-            [round(number, 6) for number in row] for row in rows if all(map(isfinite, row))
-        ]
+        span = SPANS[self.span] if along == "t" else PHASE_SPAN
+        unit = 1.0
+        if self.choice == ENERGY:
+            unit = (start_energy or 1) / 100
+        first = self.names.index(along)
+        others = [self.names.index(curve.name) for curve in curves]
+        last = last_rows(self.rows, span)
+        for row in last:
+            numbers = [row[first], *(row[place] / unit for place in others)]
+            if all(map(isfinite, numbers)):
+                rows.append([round(number, 6) for number in numbers])
         if along == "t":
-            state["to"] = max(seconds, rows[-1][0])
-            state["from"] = state["to"] - seconds
+            state["to"] = max(span.seconds, last[-1][first])
+            state["from"] = state["to"] - span.seconds
+        else:  # a phase picture: the bob at rest is in its middle
+            state["to"] = most(rows, 0)
+            state["from"] = -state["to"]
+            state["top"] = most(rows, 1)
+            state["bottom"] = -state["top"]
+        if self.choice == ENERGY:
+            state["top"] = most(rows, len(curves))  # the total is the last one
+            state["bottom"] = 0.0
         return state
 
 
-def last_rows(rows, seconds, interval) -> list:
-    """Return the rows of the last seconds: the first one in each interval (s), as long as it is
-    drawn, and the last.
+def most(rows: Sequence[Sequence[float]], column: int) -> float:
+    """Return the end of an axis that has room for all numbers in a column, and for some more."""
+    return 1.05 * max([0.01, *(abs(row[column]) for row in rows)])
 
-    A row begins with its time (s).
+
+def to_css(color: vector) -> str:
+    """Return a color of VPython, a vector, as CSS has it."""
+    parts = [str(round(255 * part)) for part in color.value]
+    return f"rgb({', '.join(parts)})"
+
+
+def over_time(key: str, unit: str, hues: Sequence[str]) -> Choice:
+    """Return the graph of a coordinate of all pendula, in the colors of their bobs."""
+    curves = []
+    for number, hue in enumerate(hues, start=1):
+        curves.append(Curve(str(number), f"{key}_{number}", hue))
+    return Choice(TIME, f"{key} ({unit})", "t", curves)
+
+
+def phase_picture(angle: str, rate: str, number: int, hue: str) -> Choice:
+    """Return the graph of an angle and its rate, of the pendulum with this number."""
+    curve = Curve("", f"{rate}_{number}", hue)
+    x, y = f"{angle} (rad)", f"{rate} (rad/s)"
+    return Choice(x, y, f"{angle}_{number}", [curve])
+
+
+def last_rows(rows: Sequence[array], span: Span) -> list[array]:
+    """Return the rows of this span: the first one in each interval, and the last.
+
+    So a row stays as long as it is drawn. A row begins with its time (s).
     """
     firsts: dict[int, array] = {}
     for row in rows:
         # 0.09 / 0.03 could be 2.9999999999999996
-        firsts.setdefault(int(row[0] / interval + 1e-6), row)
+        firsts.setdefault(int(row[0] / span.interval + 1e-6), row)
     drawn = [*firsts.values()]
     if drawn[-1] is not rows[-1]:
         drawn.append(rows[-1])
-    return [row for row in drawn if row[0] >= rows[-1][0] - seconds]
+    return [row for row in drawn if row[0] >= rows[-1][0] - span.seconds]

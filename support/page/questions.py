@@ -1,17 +1,27 @@
-"""The question of an experiment: asked before the release, if you want it, and what happened after
-it.
-"""
+"""The question of an experiment: asked before the release, if you want it; and what happened."""
 
+from collections.abc import Sequence
 from math import pi, radians, sin, sqrt
+from typing import NamedTuple
 
 from support.constants import G
+from support.cradle.motion import Motion
 from support.cradle.prediction import Measurement
+from support.files.experiments import Experiment
 
 LETTERS = "ABCDE"  # of the answers
-NUMBERS = {
+FIGURES = {
     "before": "largest speed before the hits (m/s)",
     "speed": "largest speed after them (m/s)",
 }
+
+
+class Again(NamedTuple):
+    """What a run that repeats the last one takes from it, and whether it is in slow motion."""
+
+    said: int | None
+    votes: list[int]
+    slowly: bool
 
 
 class Questions:
@@ -20,10 +30,9 @@ class Questions:
     Nothing is stored, and nobody gets a score.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.ask_first = False
-        # said, votes and slowly, for a run that repeats the last one
-        self.again: tuple | None = None
+        self.again: Again | None = None  # for the next run
         self.drop()
 
     def drop(self) -> None:
@@ -32,41 +41,52 @@ class Questions:
         self.said: int | None = None  # the index of the answer
         self.votes: list[int] = []  # for each answer
         self.slowly = False  # whether this run is in slow motion, until its measurement is over
-        # Of the experiment whose question is asked, or was answered
+        # Of the experiment whose question is asked, or was answered.
         self.measurement: Measurement | None = None
 
-    def begin(self, experiment, motion) -> None:
-        """Begin a run of this Motion, of this experiment or of none: ask its question, if Predict
-        first is ticked.
+    def repeat(self, slowly: bool) -> None:
+        """Let the next run keep the answer and the votes of this one."""
+        self.again = Again(self.said, self.votes, slowly)
+
+    def begin(self, experiment: Experiment | None, motion: Motion) -> None:
+        """Begin a run of this Motion, and ask the question of its experiment, if it has one.
+
+        It is asked only if Predict first is ticked, and not again in a run that repeats another.
         """
-        again, self.again = self.again, None
+        again = self.again
+        self.again = None
         self.drop()
-        if experiment and self.ask_first:
-            self.is_asking, self.measurement = again is None, Measurement(experiment, motion)
-            self.said, self.votes, self.slowly = again or (
-                None,
-                [0] * len(experiment.answers),
-                False,
-            )
+        if experiment is None or not self.ask_first:
+            return
+        self.measurement = Measurement(experiment, motion)
+        if again is None:
+            self.is_asking = True
+            self.votes = [0] * len(experiment.answers)
+        else:
+            self.said = again.said
+            self.votes = again.votes
+            self.slowly = again.slowly
 
-    def is_asked(self, key, number) -> bool:
-        """Return whether this question (the key of its experiment) is asked now, and has this
-        answer (an index).
-        """
-        asked = self.measurement.experiment if self.measurement and self.is_asking else None
-        return asked is not None and asked.key == key and number in range(len(asked.answers))
+    def is_asked(self, key: str, number: int) -> bool:
+        """Return whether this question is asked now, and has this answer (an index).
 
-    def answer(self, key, number) -> bool:
-        """Take an answer (its index, or None) to the question with this key; return False if it is
-        over.
+        key is that of its experiment.
         """
+        if self.measurement is None or not self.is_asking:
+            return False
+        experiment = self.measurement.experiment
+        return experiment.key == key and number in range(len(experiment.answers))
+
+    def answer(self, key: str, number: int | None) -> bool:
+        """Take an answer (its index, or None) to this question; return False if it is over."""
         if not self.is_asked(key, number or 0):
             return False
-        self.is_asking, self.said = False, number
+        self.is_asking = False
+        self.said = number
         return True
 
-    def vote(self, key, number) -> None:
-        """Count one more hand for this answer (its index) to the question with this key."""
+    def vote(self, key: str, number: int) -> None:
+        """Count one more hand for this answer (its index) to this question."""
         if self.is_asked(key, number):
             self.votes[number] += 1
 
@@ -81,32 +101,30 @@ class Questions:
         self.measurement.measure()
         return self.measurement.is_over
 
-    def predicted(self, time) -> list[float]:
-        """Return the angles (rad) that the answer predicts for this time (s), until the measurement
-        is over.
+    def predicted(self, time: float) -> list[float]:
+        """Return the angles (rad) that the answer predicts for this time (s).
 
-        From the first hit on, they grow along a sine, as in a small swing.
+        From the first hit on, they grow along a sine, as in a small swing. There are none before
+        it, and when the measurement is over.
         """
-        measured = self.measurement
-        if not measured or self.said is None or time < measured.hit_time:
+        measurement = self.measurement
+        if measurement is None or self.said is None or time < measurement.hit_time:
             return []
-        if measured.is_over and time > measured.end:
+        if measurement.is_over and time > measurement.end:
             return []
-        phase = sqrt(G / measured.cradle.reach) * (time - measured.hit_time)  # rad
-        return [
-            radians(swing) * sin(min(phase, pi / 2))
-            for swing in measured.experiment.answers[self.said].swings
-        ]
+        phase = sqrt(G / measurement.cradle.reach) * (time - measurement.hit_time)  # rad
+        part = sin(min(phase, pi / 2))
+        answer = measurement.experiment.answers[self.said]
+        return [part * radians(swing) for swing in answer.swings]
 
     def state(self) -> dict | None:
-        """Return the question, what was said, and what happened, in words; None without a question."""
-        if not self.measurement:
+        """Return the question, what was said, and what happened; None without a question."""
+        if self.measurement is None:
             return None
         experiment = self.measurement.experiment
-        said = "" if self.said is None else f"You said: {in_words(experiment, self.said)}. "
-        hands = ", ".join(
-            f"{letter} {count}" for letter, count in zip(LETTERS, self.votes, strict=False)
-        )
+        happened = None
+        if self.measurement.is_over:
+            happened = what_happened(self.measurement, self.said)
         return {
             "key": experiment.key,
             "name": experiment.name,
@@ -114,31 +132,44 @@ class Questions:
             "answers": [answer.text for answer in experiment.answers],
             "votes": list(self.votes),
             "asking": self.is_asking,
-            "said": "" if self.is_asking else (said + f"Hands: {hands}." * any(self.votes)).strip(),
-            "happened": what_happened(self.measurement, self.said)
-            if self.measurement.is_over
-            else None,
+            "said": "" if self.is_asking else what_was_said(experiment, self.said, self.votes),
+            "happened": happened,
         }
 
 
-def in_words(experiment, answer) -> str:
+def with_letter(experiment: Experiment, answer: int) -> str:
     """Return the letter and the text of this answer (an index) to the question of an experiment."""
     return f"{LETTERS[answer]}, {experiment.answers[answer].text}"
 
 
-def what_happened(measured, said) -> dict:
-    """Return what happened, why, and a table of the measured figures; said is the index of the
-    answer, or None.
+def what_was_said(experiment: Experiment, said: int | None, votes: Sequence[int]) -> str:
+    """Return the answer (an index, or None), and the hands for each answer, if there are any."""
+    sentences = []
+    if said is not None:
+        sentences.append(f"You said: {with_letter(experiment, said)}.")
+    if any(votes):
+        hands = [f"{letter} {count}" for letter, count in zip(LETTERS, votes, strict=False)]
+        sentences.append(f"Hands: {', '.join(hands)}.")
+    return " ".join(sentences)
+
+
+def what_happened(measurement: Measurement, said: int | None) -> dict:
+    """Return what happened, why, and a table of the measured figures.
+
+    said is the index of the answer, or None.
     """
-    outcome = measured.outcome()
-    numbers = measured.numbers()
-    bobs = range(1, len(measured.swings) + 1)
-    words = "none of these answers" if outcome is None else in_words(measured.experiment, outcome)
-    rows = [["bob" if len(measured.experiment.angles[0]) == 1 else "upper bob", *map(str, bobs)]]
-    rows += [
-        [title, *(numbers[f"{kind}_{bob}"] for bob in bobs)] for kind, title in NUMBERS.items()
-    ]
-    rows.append(["swung to (degrees)", *(f"{round(swing)}" for swing in measured.swings)])
-    is_right = said is not None and said == outcome
-    title = "That is what happened." if is_right else f"What happened: {words}."
-    return {"title": title, "why": measured.explanation(), "rows": rows}
+    experiment = measurement.experiment
+    outcome = measurement.outcome()
+    if outcome is None:
+        title = "What happened: none of these answers."
+    elif outcome == said:
+        title = "That is what happened."
+    else:
+        title = f"What happened: {with_letter(experiment, outcome)}."
+    bobs = [str(number) for number in range(1, len(measurement.swings) + 1)]
+    numbers = measurement.numbers()
+    rows = [["bob" if len(experiment.angles[0]) == 1 else "upper bob", *bobs]]
+    for kind, name in FIGURES.items():
+        rows.append([name, *(numbers[f"{kind}_{bob}"] for bob in bobs)])
+    rows.append(["swung to (degrees)", *(f"{round(swing)}" for swing in measurement.swings)])
+    return {"title": title, "why": measurement.explanation(), "rows": rows}

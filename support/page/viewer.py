@@ -109,7 +109,7 @@ class Viewer(Player):
         self.marks.show_arrows(pendula)
         self.marks.show_halos((hit.left, hit.right) if hit else ())
         self.marks.show_ghosts(self.questions.predicted(self.motion.time()))
-        state = {"sound": self.sounds, "view": {**self.scenery.view(), "words": self.marks.words}}
+        state = {"sound": self.sounds, "view": {**self.scenery.view(), "labels": self.marks.labels}}
         if self.pace.clock() >= self.next_refresh:
             self.next_refresh = self.pace.clock() + REFRESH
             state |= self.state()
@@ -431,7 +431,7 @@ class Viewer(Player):
     def repeat(self, slowly) -> None:
         """Run the experiment again with the same answer, maybe slowly."""
         if self.questions.measurement and self.questions.measurement.is_over:
-            self.questions.again = self.questions.said, self.questions.votes, slowly
+            self.questions.repeat(slowly)
             self.running = True
             self.restart()
 

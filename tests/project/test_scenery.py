@@ -11,7 +11,7 @@ from vpython import box, cross, cylinder, dot, mag, scene, vector
 from grading.cradles import hang, R
 from support.page.scene.scenery import Scenery, TEXT
 
-FORWARD, MARGIN = vector(-0.25, -0.18, -1).norm(), 1.04  # of the camera in canvas.js
+FORWARD, MARGIN = vector(-0.25, -0.18, -1).norm(), 1.04  # of the camera in camera.js
 SIDEWAYS = cross(FORWARD, vector(0, 1, 0)).norm()
 UPWARDS = cross(SIDEWAYS, FORWARD)
 
@@ -33,7 +33,7 @@ def largest(places, scenery, size=(1000, 400)):
     """Return how near these places come to the edges, at 1, of a canvas of this size that shows the
     scenery's points.
 
-    canvas.js says what the range of a camera is, and how a point appears; its camera looks at the
+    camera.js says what the range of a camera is, and how a point appears; its camera looks at the
     middle of the points.
     """
     points, center = [vector(*point) for point in scenery.view()["points"]], vector(0, 0, 0)

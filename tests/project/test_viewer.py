@@ -173,7 +173,7 @@ def lowest(rig):
 
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
 def test_arrows_show_each_velocity_and_bars_the_momenta_and_their_sum(csv, kind):
-    """Also for other pendula; the view has room for the bars, and for the words beside them."""
+    """Also for other pendula; the view has room for the bars, and for the labels beside them."""
     rig = Rig(csv, *[30] * len(kind.angle_keys), kind=kind)
     ground = lowest(rig)
     rig.give("arrows", True)
@@ -205,12 +205,12 @@ def test_arrows_show_each_velocity_and_bars_the_momenta_and_their_sum(csv, kind)
         assert [bar.color for bar in bars[:-1]] == [
             pend["objects"][1].color for pend in cradle.pend_list
         ]
-        (left, level, words), (right, *_) = rig.state["view"]["words"]
+        (left, level, text), (right, *_) = rig.state["view"]["labels"]
         assert (left < marks.xs[0], right > marks.xs[-1]) == (True, True)
-        assert (level, words) == (marks.level, "momentum\n(up = right)")
+        assert (level, text) == (marks.level, "momentum\n(up = right)")
         assert lowest(rig) < marks.level - marks.height < marks.level + marks.height < ground
     rig.give("arrows", False)
-    assert (visible(rig, "arrows"), visible(rig, "bars"), rig.state["view"]["words"]) == (
+    assert (visible(rig, "arrows"), visible(rig, "bars"), rig.state["view"]["labels"]) == (
         [],
         [],
         [],
@@ -522,7 +522,10 @@ def test_the_phase_picture_is_that_of_one_bob(rig):
     rig.give("graph", "Phase 1")
     rig.wait(PHASE_SPAN[0] + 1)
     curves, [points] = rig.state["curves"], drawn(rig).values()
-    assert (curves["x"], curves["y"], "from" in curves) == ("theta (rad)", "omega (rad/s)", False)
+    assert (curves["x"], curves["y"]) == ("theta (rad)", "omega (rad/s)")
+    for first, last, column in (("from", "to", 0), ("bottom", "top", 1)):
+        farthest = max(abs(point[column]) for point in points)
+        assert [curves[first], curves[last]] == pytest.approx([-1.05 * farthest, 1.05 * farthest])
     assert len(points) == pytest.approx(PHASE_SPAN[0] / EVERY, abs=2)
     assert points[-1] == [[*recorded(rig, f"{key}_1").values()][-1] for key in ("theta", "omega")]
     assert colors(rig) == [ON_THE_PAGE["red"]]

@@ -1,68 +1,91 @@
 """Slow hits: when a train of hits comes, the time holds, and you see the hits one after another."""
 
 from collections import deque
+from collections.abc import Sequence
 from math import inf
+from typing import NamedTuple
+
+from support.cradle.cradle import Cradle
+from support.cradle.impacts import Hit
 
 EACH = 1.2  # s that each hit is shown
+
+
+class SlowHit(NamedTuple):
+    """A hit to show."""
+
+    hit: Hit
+    number: int  # in its train of hits
+    pend_list: list[dict]  # all pendula as after it
 
 
 class SlowHits:
     """The hits to show, in the order in which a tick has made them."""
 
-    def __init__(self, cradle):
+    def __init__(self, cradle: Cradle) -> None:
         self.cradle = cradle
         self.clear()
 
     def clear(self) -> None:
-        """Forget all hits: the cradle is new, or its hits were not shown until now."""
-        # Each is a Hit, its number in its train, and all pendula as after it
-        self.waiting: deque[tuple] = deque()
-        self.shown: tuple | None = None
+        """Forget waiting hits: for a new cradle, or when Slow hits is switched on."""
+        self.waiting: deque[SlowHit] = deque()
+        self.shown: SlowHit | None = None
         self.until = -inf  # the time on the pace's clock at which the next one comes
-        # Of this train: the number and the time (s) of its last hit
+        # Of this train: the number and the time (s) of its last hit.
         self.count = 0
         self.last = -inf
 
-    def add(self, hits, time, least) -> None:
-        """Take the hits of the last few ticks, at this simulated time (s), that are not slower than
-        least (m/s).
-        """
-        pendula = list(self.cradle.pend_list)
-        for hit in reversed(hits):  # back to the velocities before them
-            pendula[hit.left], pendula[hit.right] = hit.before
-        for hit in hits:
-            pendula[hit.left], pendula[hit.right] = hit.after
-            if hit.speed >= least:
-                self.count = self.count + 1 if time - self.last <= 2 * self.cradle.gap else 1
-                self.last = time
-                self.waiting.append((hit, self.count, list(pendula)))
+    def add(self, hits: Sequence[Hit], time: float, least: float) -> None:
+        """Take the hits of the last few ticks that are not slower than least (m/s).
 
-    def go_on(self, now) -> bool:
-        """Go on to the next hit if it is due (now is the time on the pace's clock); return whether
-        one is shown.
+        time (s) is the simulated time.
         """
-        if not self.shown or now >= self.until:
-            self.shown, self.until = (
-                (self.waiting.popleft(), now + EACH) if self.waiting else (None, -inf)
-            )
-        return bool(self.shown)
+        pend_list = list(self.cradle.pend_list)
+        for hit in reversed(hits):  # back to the velocities before them
+            pend_list[hit.left], pend_list[hit.right] = hit.before
+        for hit in hits:
+            pend_list[hit.left], pend_list[hit.right] = hit.after
+            if hit.speed < least:
+                continue
+            if time - self.last > 2 * self.cradle.gap:  # a new train
+                self.count = 0
+            self.count += 1
+            self.last = time
+            self.waiting.append(SlowHit(hit, self.count, list(pend_list)))
+
+    def go_on(self, now: float) -> bool:
+        """Go on to the next hit if it is due at this time (s) on the pace's clock.
+
+        Return whether a hit is shown.
+        """
+        if self.shown and now < self.until:
+            return True
+        if self.waiting:
+            self.shown = self.waiting.popleft()
+            self.until = now + EACH
+        else:
+            self.shown = None
+            self.until = -inf
+        return self.shown is not None
 
     def words(self) -> dict | None:
         """Return what is shown now, in words: a title, lines and a note; or None."""
         if not self.shown:
             return None
-        hit, number, _ = self.shown
-        one, two = ("bob", "bobs") if len(self.cradle.angles) == 1 else ("pendulum", "pendula")
-        moves = zip((hit.left, hit.right), hit.before, hit.after, strict=True)
+        hit = self.shown.hit
+        if len(self.cradle.angles) == 1:
+            noun, plural = "bob", "bobs"
+        else:
+            noun, plural = "pendulum", "pendula"
+        lines = []
+        for i, old, new in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
+            lines.append(f"{noun} {i + 1}: {self.velocity(old)} → {self.velocity(new)} m/s")
         return {
-            "title": f"Hit {number}: {two} {hit.left + 1} and {hit.right + 1}",
-            "lines": [
-                f"{one} {i + 1}: {self.velocity(old)} → {self.velocity(new)} m/s"
-                for i, old, new in moves
-            ],
+            "title": f"Hit {self.shown.number}: {plural} {hit.left + 1} and {hit.right + 1}",
+            "lines": lines,
             "note": "This order is the model's: a tick takes one pair after the other.",
         }
 
-    def velocity(self, pend) -> str:
+    def velocity(self, pend: dict) -> str:
         """Return the (mean) velocity of a pendulum's bobs to the right (m/s)."""
         return f"{round(self.cradle.velocity(pend), 2) + 0.0:+.2f}"  # not -0.00

@@ -1,4 +1,4 @@
-// The graph of the state's rows: below the cradle; in a tall window, among the other parts of the panel.
+// The graph of the state's rows: below the cradle; in a tall window, in the panel.
 const tall = matchMedia("(max-aspect-ratio: 14/10)"); // as in page.css
 
 shows.curves = drawGraph;
@@ -13,28 +13,55 @@ function placeGraph() {
 }
 
 function drawGraph() {
-  const { x, y, curves, rows, from, to } = state.curves ?? { curves: [] }, place = $(".plot");
+  const { x, y, curves, rows, from, to, bottom, top } = state.curves ?? { curves: [] };
+  const place = $(".plot");
   one(".graph").classList.toggle("none", !curves.length);
   one(".x").textContent = x ?? "";
   one(".y").textContent = y ?? "";
-  if (!curves.length || !rows.length || !place.width() || !place.height()) return; // flot draws nothing that is hidden
-  const data = curves.map(([label, color], i) => ({ label, color: legible(color), data: rows.map(row => [row[0], row[i + 1]]) }));
-  const most = column => 1.05 * Math.max(0.01, ...rows.map(row => Math.abs(row[column])));
-  const [along, up] = from === undefined ? [1, 2].map(number => ({ min: -most(number - 1), max: most(number - 1) })) // a phase picture
-    : [{ min: from, max: to }, y === "%" ? { min: 0, max: most(curves.length) } : {}]; // the total is the last one
+  // flot draws nothing that is hidden.
+  if (!curves.length || !rows.length || !place.width() || !place.height()) return;
+  const data = curves.map(([label, color], i) => ({
+    label,
+    color: legible(color),
+    data: rows.map(row => [row[0], row[i + 1]]),
+  }));
+  const line = css("--line");
   $.plot(place, data, {
     series: { shadowSize: 0 },
-    // The name of the axis takes the place of its last number.
-    xaxis: { ...along, tickFormatter: (value, { min, max }) => (max - value) / (max - min) * place.width() < 80 ? "" : Number(value.toPrecision(6)) },
-    yaxis: { ...up, labelWidth: 44 },
-    legend: { show: curves.length < 9 && from !== undefined, noColumns: 8, position: "ne", margin: [0, -24], backgroundOpacity: 0 },
-    grid: { offsets: { left: 0, right: 0, top: 0, bottom: 0 }, color: css("--pale"), borderColor: css("--line"), tickColor: css("--line"), backgroundColor: "transparent", borderWidth: 1 },
+    xaxis: { min: from, max: to, tickFormatter },
+    yaxis: { min: bottom, max: top, labelWidth: 44 },
+    legend: {
+      show: curves.length < 9,
+      noColumns: 8,
+      position: "ne",
+      margin: [0, -24],
+      backgroundOpacity: 0,
+    },
+    grid: {
+      offsets: { left: 0, right: 0, top: 0, bottom: 0 },
+      color: css("--pale"),
+      borderColor: line,
+      tickColor: line,
+      backgroundColor: "transparent",
+      borderWidth: 1,
+    },
   });
 }
 
-// A curve has the color of its bob. If this can hardly be seen on the page, some of the page's ink is mixed in.
+// The name of the axis takes the place of its last number.
+function tickFormatter(value, { min, max }) {
+  const pixels = (max - value) / (max - min) * $(".plot").width();
+  return pixels < 80 ? "" : Number(value.toPrecision(6));
+}
+
+// A curve has the color of its bob. If this can hardly be seen on the page, some of the page's ink
+// is mixed in.
 function legible(color) {
-  const light = ({ r, g, b }) => (0.3 * r + 0.59 * g + 0.11 * b) / 255;
-  const isPale = Math.abs(light($.color.parse(color)) - light($.color.parse(css("--paper")))) < 0.25;
+  const isPale = Math.abs(lightness(color) - lightness(css("--paper"))) < 0.25;
   return isPale ? `color-mix(in srgb, ${color} 60%, ${css("--ink")})` : color;
+}
+
+function lightness(color) {
+  const { r, g, b } = $.color.parse(color);
+  return (0.3 * r + 0.59 * g + 0.11 * b) / 255;
 }

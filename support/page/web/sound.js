@@ -1,9 +1,11 @@
-// The sound of the hits: a click for the fastest hit of each picture. Off until you tick the box Sound, in this tab.
+// The sound of the hits in this tab: a click for the fastest hit of each picture. It is off until
+// you tick the box Sound.
 const LOUDEST = 2; // m/s: a faster hit is not louder
 const RATE = 48000; // samples a second
 const wave = t => Math.sin(2 * Math.PI * 3700 * t) * Math.exp(-t / 0.006); // as short as steel's
 const click = new AudioBuffer({ length: 0.04 * RATE, sampleRate: RATE });
-click.copyToChannel(click.getChannelData(0).map((_, i) => wave(i / RATE)), 0);
+const samples = click.getChannelData(0).map((_, i) => wave(i / RATE));
+click.copyToChannel(samples, 0);
 let audio; // it comes when you tick the box: a browser allows sound only after a click or a key
 
 one("#sound").addEventListener("change", ({ target }) => {
@@ -14,7 +16,8 @@ one("#sound").addEventListener("change", ({ target }) => {
 shows.sound = ([, speed]) => {
   if (audio?.state !== "running" || !speed) return;
   const source = new AudioBufferSourceNode(audio, { buffer: click });
-  const gain = 0.5 * Math.sqrt(Math.min(1, speed / LOUDEST)); // the root: the ear hears slow hits, too, beside fast ones
+  // The root: the ear hears slow hits, too, beside fast ones.
+  const gain = 0.5 * Math.sqrt(Math.min(1, speed / LOUDEST));
   source.connect(new GainNode(audio, { gain })).connect(audio.destination);
   source.start();
 };

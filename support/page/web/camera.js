@@ -1,0 +1,101 @@
+// The camera of this tab: it shows the whole cradle, and does not lose it when you turn and zoom.
+// And the texts in its picture: the numbers above the axles, and the labels beside the bars.
+const FORWARD = [-0.25, -0.18, -1]; // the camera looks a little from the left and from above
+const MARGIN = 1.04; // the view is larger than the cradle by this factor
+const NEAREST = 0.1; // of the range with which the whole cradle fills the canvas
+const FARTHEST = 3;
+const MOVED = 1e-3; // the least part of the range, or turn (rad), by which a camera has moved
+const INK = vec(0.5, 0.5, 0.53); // of the texts, on a pale and on a dark page
+const SMALLEST = 0.75; // height of the numbers, in heights of the page's text
+const LETTER = 0.55; // width of a letter, in heights
+
+let home = null; // the center and the range with which the whole cradle fills the canvas
+let fitted; // the points for which it does
+const labels = []; // VPython's, for the texts
+
+function follow(points) {
+  const isNew = fitted !== JSON.stringify(points);
+  fitted = JSON.stringify(points);
+  if (isNew) fit();
+  else writeTexts(); // the camera stays as you turned it
+}
+
+// Point the camera at the middle of the view's points, just far enough away to show them all.
+// The shorter side of the canvas shows 2 range (m) of the plane through the center. The camera is
+// at the distance d = range / tan(fov / 2). A point at the distance x from the axis of view, and z
+// nearer to the camera than the center, appears in that plane at x d / (d - z). So range * side /
+// shorter side must be at least x d / (d - z).
+function fit() {
+  const { width, height, fov, up } = scene();
+  const forward = scene().forward.norm();
+  const sideways = forward.cross(up).norm();
+  const upwards = sideways.cross(forward);
+  const points = state.view.points.map(point => vec(...point));
+  let center = vec(0, 0, 0);
+  for (const direction of [forward, sideways, upwards]) {
+    const places = points.map(point => point.dot(direction));
+    const middle = (Math.min(...places) + Math.max(...places)) / 2;
+    center = center.add(direction.multiply(middle));
+  }
+  const shorter = Math.min(width, height);
+  let range = 0;
+  for (const point of points) {
+    const arm = point.sub(center);
+    const x = Math.abs(arm.dot(sideways)) * shorter / width;
+    const y = Math.abs(arm.dot(upwards)) * shorter / height;
+    range = Math.max(range, Math.max(x, y) - arm.dot(forward) * Math.tan(fov / 2));
+  }
+  home = { center, range: MARGIN * range };
+  Object.assign(scene(), home);
+  writeTexts();
+}
+
+function resetView() {
+  Object.assign(scene(), { forward: vec(...FORWARD), up: vec(0, 1, 0) });
+  fit();
+}
+one(".view").addEventListener("click", resetView);
+
+// The camera never looks at the base from below, stays upright, and comes back if it sees nothing.
+function limit() {
+  const { forward, up, center, range } = scene();
+  const away = center.sub(home.center);
+  const allowed = Math.min(Math.max(range, NEAREST * home.range), FARTHEST * home.range);
+  if (forward.y > 0) scene().forward = vec(forward.x, 0, forward.z);
+  if (up.y !== 1) scene().up = vec(0, 1, 0);
+  if (allowed !== range) scene().range = allowed;
+  if (away.mag > 1.001 * home.range)
+    scene().center = home.center.add(away.norm().multiply(home.range));
+  const turn = forward.norm().sub(vec(...FORWARD).norm()).mag;
+  const way = Math.max(Math.abs(allowed - home.range), away.mag);
+  one(".view").hidden = turn <= MOVED && way <= MOVED * home.range;
+}
+
+// Write the numbers of the pendula, and their masses if these differ, above as many axles as they
+// fit; and the labels.
+function writeTexts() {
+  const { numbers, top, text_height } = state.view;
+  const { width, height, range } = scene();
+  const ofPage = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
+  const size = Math.max(SMALLEST * ofPage, text_height * height);
+  const lines = numbers.flatMap(([, text]) => text.split("\n"));
+  const longest = Math.max(...lines.map(line => line.length));
+  const pixel = 2 * range / Math.min(width, height); // m
+  const widest = LETTER * size * (0.4 + longest) * pixel; // m, with a gap
+  const [first, text] = numbers[0];
+  const [last] = numbers.at(-1);
+  const apart = (last - first) / Math.max(1, numbers.length - 1);
+  const step = [1, 5, 10, 50].find(step => step * apart >= widest) ?? Infinity;
+  const above = ([x, text]) => ({ pos: vec(x, top, 0), text, height: size, yoffset: 1 });
+  const beside = ([x, y, text]) =>
+    ({ pos: vec(x, y, 0), text, height: 0.875 * ofPage, yoffset: 0 });
+  const fitting = numbers.filter((_, i) => i === 0 || (i + 1) % step === 0);
+  if (text.includes("\n")) fitting.push([first - Math.max(widest, apart), " \nkg"]);
+  showLabels([...fitting.map(above), ...state.view.labels.map(beside)]);
+}
+
+function showLabels(texts) { // labels that are not needed wait, out of sight
+  while (labels.length < texts.length)
+    labels.push(label({ canvas: scene(), box: false, line: false, opacity: 0, color: INK }));
+  labels.forEach((label, i) => Object.assign(label, texts[i], { visible: i < texts.length }));
+}

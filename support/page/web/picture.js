@@ -1,0 +1,31 @@
+// The cradle on paper, as it is now; on the sheet of an experiment, as it was before its release.
+// It is a canvas: a browser that hides the pixels of canvases would make stripes of an image.
+let asked; // the question of which the picture before the release is kept
+let before = "";
+
+addEventListener("beforeprint", () => {
+  if (home) one(".picture").replaceChildren(state.question ? before : picture());
+});
+
+function keepPicture() {
+  const { asking, question } = state.question ?? {};
+  if (!asking || question === asked || !bobs().every(bob => bob.ready)) return;
+  asked = question;
+  before = picture();
+}
+
+// Return a copy of the cradle on white, and of its texts, which are on a second canvas.
+function picture() {
+  const { __canvas_element: cradle, __overlay_element: texts, width, height, background } = scene();
+  const paper = make("canvas", { width, height });
+  const pen = paper.getContext("2d");
+  drawOn(vec(1, 1, 1));
+  for (const layer of [cradle, texts]) pen.drawImage(layer, 0, 0); // at once: the canvas forgets
+  drawOn(background);
+  return paper;
+}
+
+function drawOn(background) {
+  scene().background = background;
+  scene().__renderer.render(0); // VPython's number for a picture
+}
