@@ -31,8 +31,8 @@ from typing import NamedTuple
 from support.pendulum import contact_distance, DoublePendulumEntry
 
 # Distances, as fractions of the largest distance at which bobs touch. keep_apart pushes resting
-# bobs out to CLOSEST. Bobs closer than OVERLAPPED_AT_START were placed like that; it leaves them
-# alone.
+# bobs out to CLOSEST. Bobs closer than OVERLAPPED_AT_START already overlapped when the cradle was
+# made: keep_apart does not move them.
 CLOSEST = 0.98
 OVERLAPPED_AT_START = 0.95
 
@@ -88,7 +88,8 @@ def touching_bobs(
 ) -> Iterator[Touch]:
     """Yield each touch of two bobs, one of pend1 and one of pend2.
 
-    The places of the bobs follow from theta and phi; VPython's objects only show them.
+    The places of the bobs follow from theta and phi; VPython's objects only show them. All places
+    are those before the first touch; each response is that of its moment, after the hits before it.
     """
     bobs1 = bobs_of(pend1, r_param)
     bobs2 = bobs_of(pend2, r_param)
@@ -115,10 +116,11 @@ def response_of(
     j1 = r_param * (x * cos(alpha) + y * sin(alpha))
     j2 = r_param * (x * cos(beta) + y * sin(beta)) if bob == 1 else 0.0
     c = cos(beta - alpha)
-    # Of M / m; both bobs have the mass m
-    determinant = pend_dict["mass"] * r_param**2 * (2 - c * c)
-    turn1 = (j1 - c * j2) / determinant
-    turn2 = (2 * j2 - c * j1) / determinant
+    # Both bobs have the mass m. So M^-1 = (1 -c) / divisor
+    #                                      (-c 2)
+    divisor = pend_dict["mass"] * r_param**2 * (2 - c * c)
+    turn1 = (j1 - c * j2) / divisor
+    turn2 = (2 * j2 - c * j1) / divisor
     return Response(j1 * alpha_rate + j2 * beta_rate, j1 * turn1 + j2 * turn2, turn1, turn2)
 
 
@@ -158,20 +160,20 @@ def handle_two_double_bobs(
 def keep_apart(pend1: DoublePendulumEntry, pend2: DoublePendulumEntry, r_param: float) -> bool:
     """Move bobs of two double pendula that rest on each other apart, to CLOSEST.
 
-    Return whether any bobs were moved. e is pend1's; with e = 1, nothing moves. Bobs with e below 1
-    can come to rest on each other. Then each tick presses them a little further into each other:
-    after some time, they would pass through each other. The cords turn in the ratio in which an
-    impulse between the two bobs turns them. This adds energy: at DOUBLE_DT seldom 1e-5 of it, but
-    1e-3 with ticks of 1 ms.
+    Bobs with e below 1 can come to rest on each other. Then each tick presses them a little further
+    into each other: after some time, they would pass through each other. e is pend1's; with e = 1,
+    nothing moves. The cords turn in the ratio in which an impulse between the two bobs turns them.
+    This adds at most 1e-5 of the energy at DOUBLE_DT, with few exceptions, and up to 1e-3 with
+    ticks of 1 ms. Return whether any bobs were moved.
     """
     if pend1["e"] >= 1:
         return False
     moved = False
-    # A hundredth of w1 + w2 without cords
-    held_by_cords = 0.01 * (1 / pend1["mass"] + 1 / pend2["mass"])
+    # A hundredth of w1 + w2 without cords: with less, the cords hold the bobs.
+    least_w = 0.01 * (1 / pend1["mass"] + 1 / pend2["mass"])
     for distance, most, response1, response2 in touching_bobs(pend1, pend2, r_param):
         w = response1.w + response2.w
-        if OVERLAPPED_AT_START < distance / most < CLOSEST and w > held_by_cords:
+        if OVERLAPPED_AT_START < distance / most < CLOSEST and w > least_w:
             push = (CLOSEST * most - distance) / w
             turn_cords(pend1, -push, response1)
             turn_cords(pend2, push, response2)

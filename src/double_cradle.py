@@ -32,8 +32,8 @@ Swing
 
     The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the
     energy to 1e-6. So a tick is a step of the classical Runge-Kutta method, which has an error of
-    order dt^4. It computes four accelerations instead of one. It solves no equation, and needs no
-    results of earlier ticks, which a hit would make useless.
+    order dt^4. It computes four accelerations instead of one. The new state is given by a
+    formula, without the results of earlier ticks, which a hit would make useless.
 
     If a cord turns far in a step, the step adds energy. This happens to light bobs: between two
     bobs of a million times the mass, a bob can become a thousand times as fast. double_swing_update
@@ -41,10 +41,10 @@ Swing
 """
 
 from collections.abc import Sequence
-from math import ceil, cos, hypot, sin
+from math import ceil, cos, hypot, isnan, sin
 from typing import TypeAlias
 
-from vpython import box, cylinder, sphere
+from vpython import box, cylinder, sphere, vector
 
 from src.double_collisions import collide_pairs, keep_apart
 from src.special_cradles import make_newton_cradle
@@ -92,10 +92,11 @@ def make_double_newton_cradle(
     phis = [phi_init] + [0] * (len(pend_list) - 1)
     for pend_dict, phi in zip(pend_list, phis, strict=True):
         axle, bob, _ = pend_dict["objects"]
-        discard(pend_dict["objects"])  # make_double_pendulum reuses them
-        objects = make_double_pendulum(
-            axle.pos, r_param, pend_dict["theta"], phi, bob.color, bob.texture
-        )
+        axle_pos = vector(axle.pos)
+        color = vector(bob.color)
+        texture = bob.texture
+        discard(pend_dict["objects"])  # make_double_pendulum uses them again
+        objects = make_double_pendulum(axle_pos, r_param, pend_dict["theta"], phi, color, texture)
         pend_dict.update(phi=phi, phi_omega=0, objects=objects)
     return pend_list
 
@@ -121,14 +122,16 @@ def rates(state: State, k: float, mu: float) -> State:
     return alpha_rate, beta_rate, *double_accelerations(alpha, beta, alpha_rate, beta_rate, k, mu)
 
 
-def moved(state: State, changes: Sequence[float], dt: float) -> State:
-    """Return the state after dt (s); changes has its rates."""
+def moved(state: State, its_rates: Sequence[float], dt: float) -> State:
+    """Return the state after dt (s), if it changes at these rates."""
     alpha, beta, alpha_rate, beta_rate = state
-    d1, d2, d3, d4 = changes
+    d1, d2, d3, d4 = its_rates
     return alpha + dt * d1, beta + dt * d2, alpha_rate + dt * d3, beta_rate + dt * d4
 
 
-def double_angle_update(omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1.0, m2=1.0):
+def double_angle_update(
+    omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1.0, m2=1.0
+) -> tuple[float, float, float, float]:
     """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s).
 
     They are in rad/s and rad. The first four arguments are the values before. r_param (m) is the
@@ -157,15 +160,17 @@ def double_swing_update(pend_dict, r_param, dt, g) -> None:
     """
     mass = pend_dict["mass"]
     omega, phi_omega = pend_dict["omega"], pend_dict["phi_omega"]
-    steps = hypot(omega, omega + phi_omega) * abs(dt) / MOST_TURN
-    if not steps <= MOST_STEPS:  # nan, too
+    needed = hypot(omega, omega + phi_omega) * abs(dt) / MOST_TURN
+    if isnan(needed) or needed > MOST_STEPS:
         speeds = f"omega = {omega:g} and phi_omega = {phi_omega:g} rad/s"
         raise ValueError(f"a pendulum with {speeds} is too fast")
-    steps = max(1, ceil(steps))
-    state = omega, phi_omega, pend_dict["theta"], pend_dict["phi"]
+    steps = max(1, ceil(needed))
+    theta, phi = pend_dict["theta"], pend_dict["phi"]
     for _ in range(steps):
-        state = double_angle_update(*state, r_param, dt / steps, g, mass, mass)
-    pend_dict["omega"], pend_dict["phi_omega"], pend_dict["theta"], pend_dict["phi"] = state
+        omega, phi_omega, theta, phi = double_angle_update(
+            omega, phi_omega, theta, phi, r_param, dt / steps, g, mass, mass
+        )
+    pend_dict.update(omega=omega, phi_omega=phi_omega, theta=theta, phi=phi)
     show_double_pendulum(pend_dict, r_param)
 
 
@@ -176,7 +181,8 @@ def double_cradle_tick(pend_list, r_param, dt, g) -> None:
     """
     for pend_dict in pend_list:
         double_swing_update(pend_dict, r_param, dt, g)
-    for left, right in sorted(set(collide_pairs(pend_list, r_param))):
+    hits = collide_pairs(pend_list, r_param)
+    for left, right in sorted(set(hits)):  # a pair can hit more than once
         if keep_apart(pend_list[left], pend_list[right], r_param):
             show_double_pendulum(pend_list[left], r_param)
             show_double_pendulum(pend_list[right], r_param)

@@ -18,11 +18,13 @@ def angle_update(omega, theta, r_param, dt, g) -> tuple[float, float]:
 
 
 def swing_update(pend_dict, r_param, dt, g) -> None:
-    """Swing one pendulum for dt (s): update its omega and theta, and move its bob and cord to the
-    new angle.
+    """Swing one pendulum for dt (s).
+
+    This updates its omega and theta, and moves its bob and cord to the new angle.
     """
     omega, theta = angle_update(pend_dict["omega"], pend_dict["theta"], r_param, dt, g)
-    pend_dict["omega"], pend_dict["theta"] = omega, theta
+    pend_dict["omega"] = omega
+    pend_dict["theta"] = theta
     show_pendulum(pend_dict, r_param)
 
 

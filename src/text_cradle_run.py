@@ -14,7 +14,7 @@ if __name__ == "__main__":
 
 import sys
 from argparse import Namespace
-from collections.abc import Callable
+from typing import NoReturn
 
 from src import special_cradles
 from src.visualize_cradle_run import main as cradle_main
@@ -24,6 +24,7 @@ from support.cradle.player import run
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import require_replaceable
 from support.files.valid_cradle import require_cradle
+from support.main_page import Loop
 from support.start.early import stop_on_signals
 from support.start.mistake import handout_frames, report_endless_loop, report_mistake
 from support.start.options import read_text_options, require_lifted
@@ -56,25 +57,12 @@ def main() -> None:
         stop_on_signals()
         play(loop, cradle, csv, options, remark)
     except KeyboardInterrupt as stopped:
-        report_endless_loop(stopped)
-        if options.record is None:
-            sys.exit(*stopped.args)
-        message = "The recording ended too early."
-        if options.record != "-":
-            message += f" {options.record} is not written."
-        complain(message)
-        sys.exit(1)
+        end_stopped(stopped, options.record)
     except (Exception, SystemExit) as error:
-        # whole_file replaces every OSError, also one of a student's function
-        cause = error.__cause__ or error
-        is_of_the_output = isinstance(error, OSError) and not handout_frames(cause)
-        if is_unread(error) or is_of_the_output:
-            raise  # while_it_is_read ends the program
-        report_mistake(cause)
-        sys.exit(1)
+        end_failed(error)
 
 
-def play(loop: Callable, cradle: Cradle, csv: Snapshot, options: Namespace, remark: str) -> None:
+def play(loop: Loop, cradle: Cradle, csv: Snapshot, options: Namespace, remark: str) -> None:
     """Record the data of a cradle, or show it as well as the output can."""
     if options.record:
         record(loop, cradle, csv, options, remark)
@@ -86,6 +74,30 @@ def play(loop: Callable, cradle: Cradle, csv: Snapshot, options: Namespace, rema
         if remark:
             print(remark)
         run(loop, Lines(cradle, csv, options))
+
+
+def end_stopped(stopped: KeyboardInterrupt, record: str | None) -> NoReturn:
+    """End the program after a signal; record is the file of a recording, or None."""
+    report_endless_loop(stopped)
+    if record is None:
+        sys.exit(*stopped.args)
+    message = "The recording ended too early."
+    if record != "-":
+        message += f" {record} is not written."
+    complain(message)
+    sys.exit(1)
+
+
+def end_failed(error: BaseException) -> NoReturn:
+    """Name the mistake of a function, and end the program; raise an error of the output again."""
+    # whole_file raises a new OSError for each one, also for one of a student's function; the
+    # __cause__ is then the original.
+    cause = error.__cause__ or error
+    is_of_the_output = isinstance(error, OSError) and not handout_frames(cause)
+    if is_unread(error) or is_of_the_output:
+        raise error  # while_it_is_read ends the program
+    report_mistake(cause)
+    sys.exit(1)
 
 
 if __name__ == "__main__":

@@ -37,9 +37,10 @@ def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
 
 
 def handle_two_bobs(pend1, pend2, r_param, approaching_only=False) -> None:
-    """Let two neighbouring pendula, pend1 left of pend2, collide if their bobs touch; e is pend1's.
+    """Let two neighbouring pendula, pend1 left of pend2, collide if their bobs touch.
 
-    They touch if the distance of their centres is at most 1.05 times the sum of their radii.
+    They touch if the distance of their centres is at most 1.05 times the sum of their radii. The
+    coefficient of restitution is pend1's.
 
     With approaching_only, touching bobs that move apart do not collide.
     """
@@ -48,28 +49,31 @@ def handle_two_bobs(pend1, pend2, r_param, approaching_only=False) -> None:
     omega1, omega2 = pend1["omega"], pend2["omega"]
     e = pend1["e"]
     if mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius):
-        # Touching bobs hang side by side, at nearly the same angle: compare v along x, r_param
-        # omega cos(theta).
-        if approaching_only and omega1 * cos(pend1["theta"]) <= omega2 * cos(pend2["theta"]):
+        # Touching bobs hang side by side, at nearly the same angle. So compare their velocities
+        # along x, r_param omega cos(theta).
+        are_separating = omega1 * cos(pend1["theta"]) <= omega2 * cos(pend2["theta"])
+        if approaching_only and are_separating:
             return
         pend1["omega"], pend2["omega"] = handle_collision(e, omega1, omega2, m1, m2, r_param)
 
 
 def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> None:
-    """Advance the whole cradle by dt (s): swing all pendula, then let each one collide with its
-    right neighbour.
+    """Advance the whole cradle by dt (s).
+
+    This swings all pendula, then lets each one collide with its right neighbour.
     """
     full_swing_update(pend_list, r_param, dt, g)
-    # Works with a handle_two_bobs without this parameter
+    # A student's handle_two_bobs may not have this parameter: pass it only if it is True.
     rule = {"approaching_only": True} if approaching_only else {}
     for pend1, pend2 in pairwise(pend_list):
         handle_two_bobs(pend1, pend2, r_param, **rule)
 
 
 def main(page: Page) -> None:
-    """Make the cradle, show it, and let it tick as long as it runs: once for each cradle.
+    """Make the cradle, show it, and let it tick until the page stops it.
 
-    page shows the cradle, in the browser or in the terminal, and says when to tick.
+    page shows the cradle, in the browser or in the terminal, and says when to tick. The program
+    calls main again for each new cradle.
     """
     pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
     page.show(pend_list)

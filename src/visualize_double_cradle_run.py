@@ -15,9 +15,10 @@ from support.main_page import Page
 
 
 def main(page: Page) -> None:
-    """Make the double cradle, show it, and let it tick as long as it runs: once for each cradle.
+    """Make the double cradle, show it, and let it tick until the page stops it.
 
-    page shows the cradle in the browser, and says when to tick.
+    page shows the cradle in the browser, and says when to tick. The program calls main again for
+    each new cradle.
     """
     pend_list = make_double_newton_cradle(page.csv, R_PARAM, THETA_INIT, PHI_INIT)
     page.show(pend_list)

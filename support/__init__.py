@@ -1,9 +1,8 @@
 """The functions that the handout provides, and the folders of the programs.
 
 Words
-    contact        a change of two velocities, mostly by a call of handle_two_bobs
-    hit            a contact that is noted: who hits whom, at which speed, with the velocities
-                   before and after
+    hit            a change of the velocities of two pendula by each other, mostly by a call of
+                   handle_two_bobs; its record (hits.py) says who hits whom, and at which speed
     fast           of a hit: its speed is at least a tenth of that of the fastest bob
     series         hits that follow each other quickly; it has a line in the list of impacts
     chain          bobs of a series that pass a hit on, by their numbers: 1-2-3-4-5
@@ -12,7 +11,8 @@ Words
     lifted         the number of bobs that are released, from the left; the others hang
     release angle  the angle of the lifted cords from straight down, positive outwards, away from
                    the other pendula (degrees)
-    page           where main shows a cradle: the browser, the terminal, or a data file
+    page           the page in the browser; only the parameter `page` of main can also stand for the
+                   terminal, or for a data file
     check          one of the graded checks that pytest runs; a function that refuses bad data is
                    named require_...
 """

@@ -33,7 +33,7 @@ class Column(NamedTuple):
     def allows(self, text: str) -> bool:
         """Return whether a cell may have this text."""
         if self.limits is None:
-            return text in self.choices
+            return text in self.choices or not self.choices
         least, most = self.limits
         return float(least) <= to_number(text) <= float(most)
 

@@ -27,8 +27,9 @@ THETA_INIT = -pi / 4
 # through the row as in a single cradle.
 PHI_INIT = -pi / 9
 
-# One tick of the double cradle (s). For the energy, a longer one would do. But its bobs are faster:
-# in this tick, equal bobs hardly come closer than 98 % of the distance at which they touch.
+# One tick of the double cradle (s). A longer tick would keep the energy well enough. But the
+# bobs of the double cradle are faster than those of the single one: in this tick, equal bobs hardly
+# come closer than 98 % of the distance at which they touch.
 DOUBLE_DT = 0.00025
 
 # The names allowed in the CSV's color column: all colors of VPython, each as a vector of red, green

@@ -3,20 +3,20 @@
 from collections.abc import Iterator
 from itertools import accumulate
 from math import cos, sin
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from support.pendulum import cord_angles
+from support.pendulum import cord_angles, Pendulum
 
 
 class BobMotion(NamedTuple):
-    """The place and the velocity of a bob."""
+    """The motion of one bob at a moment."""
 
-    height: float  # m, above hanging at rest
-    vx: float  # m/s, to the right
-    vy: float  # m/s, upwards
+    height: float  # above hanging at rest (m)
+    vx: float  # velocity to the right (m/s)
+    vy: float  # velocity upwards (m/s)
 
 
-def bob_motions(pend: Any, r_param: float) -> Iterator[BobMotion]:
+def bob_motions(pend: Pendulum, r_param: float) -> Iterator[BobMotion]:
     """Yield the motion of each bob of a pendulum, the upper one first.
 
     r_param (m) is the length of each cord. A cord at the angle a from straight down, with the rate
@@ -33,24 +33,21 @@ def bob_motions(pend: Any, r_param: float) -> Iterator[BobMotion]:
         yield BobMotion(height, vx, vy)
 
 
-def energies(pend_list: list, r_param: float, g: float) -> tuple[float, float]:
+def energies(pend_list: list[Pendulum], r_param: float, g: float) -> tuple[float, float]:
     """Return the kinetic and the potential energy (J).
 
-    These are the sums of m v^2 / 2 and of m g h over the bobs; h is above hanging at rest. r_param
+    They are the sums of m v^2 / 2 and of m g h over the bobs; h is above hanging at rest. r_param
     (m) is the length of each cord, g (m/s^2) gravity's acceleration.
     """
     kinetic = []
     potential = []
     for pend in pend_list:
-        for height, vx, vy in bob_motions(pend, r_param):
-            kinetic.append(pend["mass"] * (vx**2 + vy**2) / 2)
-            potential.append(pend["mass"] * g * height)
+        for bob in bob_motions(pend, r_param):
+            kinetic.append(pend["mass"] * (bob.vx**2 + bob.vy**2) / 2)
+            potential.append(pend["mass"] * g * bob.height)
     return sum(kinetic), sum(potential)
 
 
-def momentum(pend_list: list, r_param: float) -> float:
-    """Return the momentum of the bobs to the right (kg m/s).
-
-    r_param (m) is the length of each cord.
-    """
-    return sum(pend["mass"] * vx for pend in pend_list for _, vx, _ in bob_motions(pend, r_param))
+def momentum(pend_list: list[Pendulum], r_param: float) -> float:
+    """Return the momentum of the bobs to the right (kg m/s); r_param (m) is a cord's length."""
+    return sum(pend["mass"] * bob.vx for pend in pend_list for bob in bob_motions(pend, r_param))

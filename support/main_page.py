@@ -1,5 +1,6 @@
 """What main asks of the page that shows its cradle."""
 
+from collections.abc import Callable
 from typing import Protocol
 
 
@@ -11,17 +12,19 @@ class Page(Protocol):
 
     @property
     def csv(self) -> str:
-        """The path of the cradle's file.
-
-        It is a copy of newton_cradle_pends.csv, or of the file in the command.
+        """The path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the
+        command.
         """
 
     @property
     def rule(self) -> dict[str, bool]:
-        """The keyword of newton_cradle_tick with which only approaching bobs collide, or none."""
+        """The last argument of newton_cradle_tick: {"approaching_only": True}, or nothing."""
 
     def show(self, pend_list: list) -> None:
         """Show a new cradle."""
 
     def is_running(self) -> bool:
         """Wait until the next tick is due; return False when the cradle must not tick any more."""
+
+
+Loop = Callable[[Page], None]  # main, or a loop in its place

@@ -1,5 +1,6 @@
-"""Speed and accuracy of the programs, beside pymunk (a physics engine for games), an exact cradle,
-and bare VPython.
+"""Speed and accuracy of the programs.
+
+Beside them stand pymunk (a physics engine for games), an exact cradle, and bare VPython.
 
 Run it on Linux, with Chromium and nothing beside it: `.venv/bin/python tests/benchmark.py`. Compare
 numbers only within one run.
@@ -10,7 +11,6 @@ import re
 import sys
 import tempfile
 import time
-import timeit
 from functools import partial
 from math import atan2, cos, inf, sin
 from pathlib import Path
@@ -23,18 +23,10 @@ if __name__ == "__main__":
 
 import pymunk
 import vpython
+from exact_cradle import apart, exact_outer_angles, outer_angles, SAMPLE
 from playwright.sync_api import sync_playwright
 from programs import ARGUMENTS, BOBS, CHROMIUM, draw, first_lines, open_cradle, readout, running
-from whole_cradles import (
-    advance,
-    apart,
-    do_at_once,
-    ExactCradle,
-    GOOD,
-    HEADER,
-    make_row,
-    outer_angles,
-)
+from whole_cradles import advance, do_at_once, GOOD, HEADER, make_row
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
@@ -60,20 +52,24 @@ def our_cradle(dt, count=5, move=by_the_fast_path):
 
 
 def pymunk_cradle(dt, corrected):
-    """The same in pymunk, in steps of dt (s); with corrected, a step corrects joints wholly, in 20
-    iterations.
+    """The same in pymunk, in steps of dt (s).
+
+    With corrected, a step corrects joints wholly, in 20 iterations.
     """
-    space, axles = pymunk.Space(), [i * R_PARAM / 4 for i in range(5)]
-    space.gravity, space.collision_slop = (0, -G), 0
-    for x, pend_dict in zip(axles, make_row(5, THETA_INIT), strict=True):
+    space = pymunk.Space()
+    space.gravity = 0, -G
+    space.collision_slop = 0
+    axles = [i * R_PARAM / 4 for i in range(5)]
+    for x, pend in zip(axles, make_row(5, THETA_INIT), strict=True):
         body = pymunk.Body(mass=1, moment=inf)
-        body.position = x + R_PARAM * sin(pend_dict["theta"]), -R_PARAM * cos(pend_dict["theta"])
-        bob = pymunk.Circle(body, BUFFER * pend_dict["objects"][1].radius)
+        body.position = x + R_PARAM * sin(pend["theta"]), -R_PARAM * cos(pend["theta"])
+        bob = pymunk.Circle(body, BUFFER * pend["objects"][1].radius)
         bob.elasticity = 1
         joint = pymunk.PinJoint(space.static_body, body, (x, 0))
         space.add(body, bob, joint)
         if corrected:
-            joint.error_bias, space.iterations = 0, 20
+            joint.error_bias = 0
+            space.iterations = 20
 
     def move(seconds):
         for _ in range(round(seconds / dt)):
@@ -86,7 +82,8 @@ def pymunk_cradle(dt, corrected):
     return move
 
 
-ENGINES = {  # name -> (a function that makes a cradle, its steps in s)
+# Name -> (a function that makes a cradle, its steps in s)
+ENGINES = {
     "many_ticks": (our_cradle, [DT * times for times in (2, 1, 0.5, 0.2, 0.1)]),
     "pymunk, its own settings": (partial(pymunk_cradle, corrected=False), STEPS),
     "pymunk, joints corrected at once": (partial(pymunk_cradle, corrected=True), STEPS),
@@ -94,19 +91,14 @@ ENGINES = {  # name -> (a function that makes a cradle, its steps in s)
 
 
 def cpu_time(make, seconds) -> float:
-    """Return the processor time (s) that a cradle takes for these simulated seconds: the least of
-    three.
-    """
-    return min(
-        timeit.repeat(
-            "move(seconds)",
-            "move = make()",
-            time.process_time,
-            repeat=3,
-            number=1,
-            globals=locals(),
-        )
-    )
+    """Return the least processor time (s), of three, that a cradle takes for these seconds."""
+    times = []
+    for _ in range(3):
+        move = make()
+        start = time.process_time()
+        move(seconds)
+        times.append(time.process_time() - start)
+    return min(times)
 
 
 def speeds():
@@ -115,13 +107,8 @@ def speeds():
         few, many = 50_000 // count, 1_000_000 // count  # ticks
         single = cpu_time(partial(our_cradle, DT, count, advance), few * DT) / few
         fast = cpu_time(partial(our_cradle, DT, count), many * DT) / many
-        yield (
-            count,
-            f"{1 / single:,.0f}",
-            f"{1 / fast:,.0f}",
-            f"{single / fast:.1f}",
-            f"{1e6 * fast / count:.3f}",
-        )
+        per_second = f"{1 / single:,.0f}", f"{1 / fast:,.0f}"
+        yield count, *per_second, f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}"
 
 
 def places(exact):
@@ -139,19 +126,12 @@ def draw_places(rows, file) -> None:
 
     figure, axes = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
     for engine, mark, place in zip(ENGINES, "os^", [(-32, -12), (6, 4), (6, 4)], strict=True):
-        points = [
-            (float(spent), float(off), step) for name, step, spent, off in rows if name == engine
-        ]
-        axes.loglog(
-            [spent for spent, *_ in points],
-            [off for _, off, _ in points],
-            marker=mark,
-            label=engine,
-        )
-        for spent, off, step in points:
-            axes.annotate(
-                f"{step} ms", (spent, off), xytext=place, textcoords="offset points", fontsize=8
-            )
+        points = [row for row in rows if row[0] == engine]
+        _, steps, spent, off = zip(*points, strict=True)
+        times, angles = [float(text) for text in spent], [float(text) for text in off]
+        axes.loglog(times, angles, marker=mark, label=engine)
+        for step, point in zip(steps, zip(times, angles, strict=True), strict=True):
+            axes.annotate(f"{step} ms", point, xytext=place, textcoords="offset points", fontsize=8)
     axes.margins(x=0.1)
     axes.set(xlabel="processor time for 20 s (s)", ylabel="the outer bobs are off by (degrees)")
     axes.xaxis.set_major_formatter("{x:g}")
@@ -161,7 +141,7 @@ def draw_places(rows, file) -> None:
 
 
 def pages(browser):
-    """Yield rows with what the page costs, while the browser draws it and while it draws nothing."""
+    """Yield rows with the costs of the page, while the browser draws it and while it does not."""
     for count in (5, 50, 100, 200):
         with tempfile.TemporaryDirectory() as folder:
             (csv := Path(folder, "cradle.csv")).write_text(HEADER + GOOD * count)
@@ -189,9 +169,7 @@ def rates(process, page, drawn) -> list[str]:
 
 
 def first_pictures(browser):
-    """Yield rows with the seconds from the start of a program until the browser has drawn its first
-    picture.
-    """
+    """Yield rows with the seconds until the browser has drawn the first picture of a program."""
     commands = {"bare VPython": ("-c", "from vpython import sphere; sphere()"), "the cradle": ()}
     times = {name: [] for name in commands}
     for name, command in [*commands.items()] * 5:
@@ -230,11 +208,14 @@ def main() -> None:
         ["pendula", "newton_cradle_tick", "many_ticks", "times", "us a swing"],
         speeds(),
     )
-    exact = outer_angles(ExactCradle().advance, SPAN)
-    finer = outer_angles(partial(ExactCradle().advance, dt=0.0005), SPAN)
-    title = f"The outer bobs in {SPAN:g} s. A finer exact cradle differs by {apart(exact, finer):.0e} degrees"
+    exact = exact_outer_angles(SPAN)
+    differs = f"{apart(exact, exact_outer_angles(SPAN, SAMPLE / 2)):.0e}"
     rows = [*places(exact)]
-    show(title, ["engine", "step (ms)", "processor time (s)", "off by (degrees)"], rows)
+    show(
+        f"The outer bobs in {SPAN:g} s. A finer exact cradle differs by {differs} degrees",
+        ["engine", "step (ms)", "processor time (s)", "off by (degrees)"],
+        rows,
+    )
     if file:
         draw_places(rows, file)
     with sync_playwright() as driver:

@@ -44,7 +44,8 @@ def main() -> None:
     options, submitted, others = read_options()
     for folder in filter(None, (options.out, options.gradescope)):
         own_folder(folder)
-    stopped, status = threading.Event(), []
+    stopped = threading.Event()
+    status = []
 
     def stop(number):
         status.append(number or 130)
@@ -71,9 +72,8 @@ def main() -> None:
     report.write(options.out / "grades.csv")
     count = len(report.rows)
     if status:
-        print(
-            f"{count} of {len(submitted)} solutions are graded. The same command goes on from there."
-        )
+        graded = f"{count} of {len(submitted)} solutions are graded."
+        print(f"{graded} The same command goes on from there.")
         sys.exit(*status)
     print(*report.summary(), sep="\n")
     if others:
@@ -83,9 +83,7 @@ def main() -> None:
 
 
 def read_options():
-    """Return the options, the submissions by the student's key, and the names of what is no
-    submission.
-    """
+    """Return the options, the submissions by the student's key, and the names of all others."""
     parser = OneLineParser(
         description="Grade a whole class. Started again, it goes on from there.", allow_abbrev=False
     )
@@ -125,24 +123,24 @@ def read_options():
     options.out = options.out or folder.with_name(f"{folder.name}-grades")
     try:
         submitted, others = submissions_in(folder)
-    except (OSError, ValueError) as error:
-        words = f"{options.submissions}: {error.strerror}" if isinstance(error, OSError) else error
-        parser.error(f"argument SUBMISSIONS: {words}")
+    except OSError as error:
+        parser.error(f"argument SUBMISSIONS: {options.submissions}: {error.strerror}")
+    except ValueError as error:
+        parser.error(f"argument SUBMISSIONS: {error}")
     for name, path in (("out", options.out), ("gradescope", options.gradescope)):
         if path and path.resolve().is_relative_to(folder):
-            parser.error(
-                f"argument --{name}: found '{path}', allowed is a folder outside of SUBMISSIONS"
-            )
+            allowed = "a folder outside of SUBMISSIONS"
+            parser.error(f"argument --{name}: found '{path}', allowed is {allowed}")
     if options.starter and not (options.starter / "tests" / "grading").is_dir():
-        parser.error(
-            f"argument --starter: found '{options.starter}', allowed is a folder made by make_starter.py"
-        )
+        allowed = "a folder made by make_starter.py"
+        parser.error(f"argument --starter: found '{options.starter}', allowed is {allowed}")
     return options, submitted, others
 
 
 def copy_starter(starter, folder) -> str:
-    """Copy a starter to this folder, or make one there; compile it, so that Python starts faster;
-    return its hash.
+    """Copy a starter to this folder, or make one there; return its hash.
+
+    It is compiled, so that Python starts faster.
     """
     if starter:
         shutil.copytree(starter, folder, ignore=shutil.ignore_patterns(".*", "__pycache__"))
@@ -157,8 +155,9 @@ def copy_starter(starter, folder) -> str:
 
 
 class Grading:
-    """The grades of a class. results.jsonl keeps each whole one, so the next run grades only what
-    is new or changed.
+    """The grades of a class.
+
+    results.jsonl keeps each whole one, so the next run grades only what is new or changed.
     """
 
     def __init__(self, submitted, version, file, sandbox, stopped):
@@ -173,7 +172,7 @@ class Grading:
         self.done = 0  # students who have a result now
 
     def grade_all(self, left) -> None:
-        """Grade these students, one on each core, then those that are unsure once more, each alone."""
+        """Grade these students, one on each core; then those that are unsure again, each alone."""
         if not left:
             return
         jobs = os.cpu_count() or 1
@@ -228,7 +227,7 @@ class Grading:
             raise
 
     def grade(self, student, jobs, is_last) -> None:
-        """Grade a student, and keep the result if it has a grade and is sure, or is the last one."""
+        """Grade a student, and keep the result if it is sure, or is the last one."""
         with self.lock:  # reading limits the memory of this whole process
             submission = read_submission(self.submitted[student])
         files, problems = submission
@@ -251,8 +250,9 @@ class Grading:
             self.keep(result, has_grade=not run.problem)
 
     def keep(self, result, has_grade) -> None:
-        """Keep a result: in results.jsonl if it has a grade, so that a run without one is made
-        again.
+        """Keep a result: in results.jsonl only if it has a grade.
+
+        So a run without one is made again.
         """
         if has_grade:
             self.kept.write(line_of(result))
@@ -265,9 +265,8 @@ class Grading:
             left = self.most - SOME
             seconds = (time.monotonic() - self.begin) / SOME * left
             bar_away = "\r\x1b[K" if sys.stderr.isatty() else ""
-            say(
-                f"{bar_away}{SOME} solutions are graded. At this pace, the other {left} take {how_long(seconds)}."
-            )
+            pace = f"At this pace, the other {left} take {how_long(seconds)}."
+            say(f"{bar_away}{SOME} solutions are graded. {pace}")
 
 
 def how_long(seconds) -> str:

@@ -32,9 +32,8 @@ def main() -> None:
             shutil.copytree(ROOT / "tests" / "teacher", folder / "tests" / "teacher")
             # https://gradescope-autograders.readthedocs.io/en/latest/specs/
             for name in ("setup.sh", "run_autograder"):
-                (folder / name).write_bytes(
-                    (ROOT / "tests" / "teacher" / name).read_bytes().replace(b"\r", b"")
-                )
+                script = (ROOT / "tests" / "teacher" / name).read_bytes()
+                (folder / name).write_bytes(script.replace(b"\r", b""))
                 (folder / name).chmod(0o755)
             archive = Path(work, "autograder.zip")
             pack(folder, archive)

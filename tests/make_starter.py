@@ -8,6 +8,7 @@ import ast
 import re
 import shutil
 from pathlib import Path
+from typing import NamedTuple
 
 from grading.begin import ROOT
 
@@ -15,15 +16,13 @@ from grading.handout import FUNCTIONS, SUITES
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 
-FILES = [
-    *(".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"),
-    *(f"tests/{suite}.py" for suite in SUITES.values()),
-]
+FILES = [".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"]
+FILES += [f"tests/{suite}.py" for suite in SUITES.values()]
 FOLDERS = ["src", "support", "tests/grading"]
-# src/README.md, the fast path, double cradles
-WITH_ANSWERS = {"README.md", "many_ticks.py", "double_collisions.py"}
-# Of the READMEs
-UNUSED = {"__pycache__", "accuracy.png", "double.png", "experiment.png", "swing.png", *WITH_ANSWERS}
+# src/README.md, the fast path, double cradles.
+WITH_ANSWERS = {"README.md", "many_ticks.py", "certainty.py", "double_collisions.py"}
+PICTURES = {"accuracy.png", "double.png", "experiment.png", "swing.png"}  # of the READMEs
+LEFT_OUT = {"__pycache__", *PICTURES, *WITH_ANSWERS}
 # Files whose functions lose their bodies, and these functions: also two of the honor roll without a
 # check.
 STUDENTS_FILES = {
@@ -67,55 +66,66 @@ def main() -> None:
         make_starter(folder)
     except OSError as error:
         parser.error(f"argument FOLDER: {folder} cannot be made: {error.strerror}")
-    line = f"{folder} is ready. Students write {len(FUNCTIONS)} functions that pytest checks. Its README.md says more."
-    print(in_one_line(line))
+    functions = f"Students write {len(FUNCTIONS)} functions that pytest checks."
+    print(in_one_line(f"{folder} is ready. {functions} Its README.md says more."))
 
 
 def make_starter(folder) -> None:
-    """Make the folder, or fill an empty one; if this fails, leave nothing behind, and raise an
-    OSError.
+    """Make the folder, or fill an empty one.
+
+    If this fails, leave nothing behind, and raise an OSError.
     """
-    found = [
-        path.relative_to(ROOT)
-        for name in FOLDERS
-        for path in (ROOT / name).rglob("*")
-        if path.is_file()
-    ]
-    found = [path for path in found if not any(is_left_out(part) for part in path.parts)]
-    rows = "\n".join(
-        f"| {function.tier} | `{name}` | `{function.file}` |"
-        for name, function in FUNCTIONS.items()
-    )
-    project = (
-        (ROOT / "pyproject.toml").read_text(encoding="utf-8").partition("\n# A plain pytest")[0]
-    )
-    texts = {
-        "README.md": Path(__file__)
-        .with_name("starter.md")
-        .read_text(encoding="utf-8")
-        .format(rows=rows),
-        "pyproject.toml": project.replace(
-            " -m 'not browser and not slow' -n 2 --dist worksteal", ""
-        ),
-        ".github/workflows/classroom.yml": (ROOT / "tests" / "teacher" / "classroom.yml").read_text(
-            encoding="utf-8"
-        ),
-    }
-    for path in found:
-        if path.match("src/*.py"):
-            texts[path.as_posix()] = for_students(ROOT / path)
+    files = files_of_the_project()
+    texts = texts_of_its_own()
+    for file in files:
+        if file.match("src/*.py"):
+            texts[file] = for_students(ROOT / file)
     new = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
-        for path in [*map(Path, FILES), *found]:
-            (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / path, folder / path)
-        for name, text in texts.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+        for file in files:
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / file, folder / file)
+        for file, text in texts.items():
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            (folder / file).write_text(text, encoding="utf-8", newline="\n")
     except BaseException:
         for path in new[-1:] or folder.iterdir():
-            shutil.rmtree(path) if path.is_dir() else path.unlink(missing_ok=True)
+            if path.is_dir():
+                shutil.rmtree(path)
+            else:
+                path.unlink(missing_ok=True)
         raise
+
+
+def files_of_the_project() -> list[Path]:
+    """Return the project's files that students get, by their paths in it."""
+    files = [Path(name) for name in FILES]
+    for name in FOLDERS:
+        for path in (ROOT / name).rglob("*"):
+            file = path.relative_to(ROOT)
+            if path.is_file() and not any(map(is_left_out, file.parts)):
+                files.append(file)
+    return files
+
+
+def texts_of_its_own() -> dict[Path, str]:
+    """Return the texts of the files that differ from the project's, except those of src/."""
+
+    def read(name):
+        return (ROOT / name).read_text(encoding="utf-8")
+
+    rows = [
+        f"| {function.tier} | `{name}` | `{function.file}` |"
+        for name, function in FUNCTIONS.items()
+    ]
+    project, _, _ = read("pyproject.toml").partition("\n# A plain pytest")
+    return {
+        Path("README.md"): read("tests/starter.md").format(rows="\n".join(rows)),
+        Path("pyproject.toml"): project.replace(
+            " -m 'not browser and not slow' -n 2 --dist worksteal", ""
+        ),
+        Path(".github/workflows/classroom.yml"): read("tests/teacher/classroom.yml"),
+    }
 
 
 def is_left_out(name) -> bool:
@@ -124,48 +134,55 @@ def is_left_out(name) -> bool:
     A name that begins with a dot is that of an editor's copy, or of what a Mac puts beside a file
     on a foreign disk.
     """
-    return name in UNUSED or name.startswith(".")
+    return name in LEFT_OUT or name.startswith(".")
 
 
 def for_students(path) -> str:
-    """Return the source of a file of src/ without what students write; the docstrings of their
-    functions stay.
+    """Return the source of a file of src/ without what students write.
+
+    The docstrings of their functions stay.
     """
     source = path.read_text(encoding="utf-8")
     for pattern in CUT:
         source = re.sub(pattern, "", source)
     if "__main__" not in source:
         source = source.replace('"""\n\n', f'"""\n\n{NO_PROGRAM}', 1)
+    if f"src/{path.name}" not in STUDENTS_FILES:
+        return source
     lines = source.splitlines(keepends=True)
-    for function in reversed(
-        ast.parse(source).body if f"src/{path.name}" in STUDENTS_FILES else []
-    ):
+    for function in reversed(ast.parse(source).body):
         if isinstance(function, ast.FunctionDef) and function.name in STUDENTS_FUNCTIONS:
-            for before, last, indent, words in reversed(places(function)):
-                lines[before:last] = [
-                    " " * indent + f"# Write your code here, in place of the next line{words}.\n",
-                    " " * indent
-                    + f'raise NotImplementedError("{function.name} is not written yet")\n',
-                ]
+            for gap in reversed(gaps(function)):
+                comment = f"# Write your code here, in place of the next line{gap.note}."
+                stub = f'raise NotImplementedError("{function.name} is not written yet")'
+                lines[gap.begin : gap.end] = [f"{gap.indent}{line}\n" for line in (comment, stub)]
     return "".join(lines)
 
 
-def places(function) -> list[tuple[int, int, int, str]]:
-    """Return what students write of a function: its body or, of main, the two calls of their own
-    functions.
+class Gap(NamedTuple):
+    """Lines that students write: the lines of the file from begin to before end, from 0 on."""
 
-    Each is (line before, last line, indentation, words that describe it).
-    """
+    begin: int
+    end: int
+    indent: str
+    note: str  # about these lines
+
+
+def gaps(function) -> list[Gap]:
+    """Return what students write of a function: its body or, of main, the two calls of theirs."""
     if function.name != "main":
         # The docstring is the first statement
-        given = function.body[PROVIDED.get(function.name, 0)]
-        return [(given.end_lineno, function.end_lineno, 4, "")]
-    words = {ast.Assign: ": make pend_list", ast.Expr: ": one tick"}
-    nodes = [node for node in ast.walk(function) if type(node) in words]
-    calls = [node for node in nodes if isinstance(getattr(node.value, "func", None), ast.Name)]
-    return [
-        (node.lineno - 1, node.end_lineno, node.col_offset, words[type(node)]) for node in calls
-    ]
+        provided = function.body[PROVIDED.get(function.name, 0)]
+        return [Gap(provided.end_lineno, function.end_lineno, " " * 4, "")]
+    notes = {ast.Assign: ": make pend_list", ast.Expr: ": one tick"}
+    found = []
+    for node in ast.walk(function):
+        if type(node) in notes and isinstance(node.value, ast.Call):
+            is_of_a_function = isinstance(node.value.func, ast.Name)  # not page.show
+            if is_of_a_function:
+                indent = " " * node.col_offset
+                found.append(Gap(node.lineno - 1, node.end_lineno, indent, notes[type(node)]))
+    return found
 
 
 if __name__ == "__main__":

@@ -4,150 +4,168 @@ A single pendulum has one cord, a double pendulum has two. The angles of a pendu
 of its cords from straight down (rad), the upper cord first.
 """
 
+from collections.abc import Iterator
 from math import acos, atan2, ceil, copysign, cos, hypot, pi, remainder, sin
+from typing import TYPE_CHECKING
 
-from vpython import cross, dot, mag
+from vpython import cross, dot, mag, sphere, vector
 
 from support.constants import R_PARAM
-from support.pendulum import contact_distance, cord_angles, show_double_pendulum, show_pendulum
+from support.pendulum import (
+    contact_distance,
+    cord_angles,
+    Pendulum,
+    show_double_pendulum,
+    show_pendulum,
+)
+
+if TYPE_CHECKING:
+    from support.cradle.cradle import Cradle
 
 STRAIGHT = 0.1  # rad: two cords with a smaller bend between them count as straight
-# rad: the largest turn of a cord in one step; in a larger one, its bob could jump over its
-# neighbour
-STEP = 0.02
-# Radii from a bob's centre at which a finger, or the mouse, still grabs it; canvas.js knows it, too
-FINGER = 1.5
+STEP = 0.02  # rad: the largest turn of a cord at once, or its bob could jump over its neighbour
+FINGER = 1.5  # radii from a bob's centre at which a finger, or the mouse, still grabs it
+MOST_PUSHES = 4  # a pendulum, on the average: then there is no room
 HEAVY = 1e9  # kg: the mass of a held bob; others bounce off it as off a wall
 
 
-class Hand:
-    """Holds one bob of a cradle, or none."""
+class HeldBob:
+    """The bob of a cradle that you hold, or none."""
 
-    def __init__(self, cradle):
+    def __init__(self, cradle: "Cradle"):
         self.cradle = cradle
-        self.held: int | None = None  # the index of the held bob in cradle.bobs()
-        # The held pendulum's mass and angles, while the cradle ticks
-        self.kept: tuple | None = None
+        self.index: int | None = None  # of the held bob in cradle.bobs()
+        # Of the held pendulum, while the cradle ticks.
+        self.kept_mass: float | None = None  # kg
+        self.kept_angles: list[float] = []
 
-    def place(self) -> tuple[int, int]:
-        """Return the index of the held pendulum, and the number of the held bob in it, counted from
-        above (0 or 1).
-        """
-        # Each cord has one release angle and one bob
-        return divmod(self.held or 0, len(self.cradle.angles))
+    @property
+    def pend_index(self) -> int:
+        """The index of the held pendulum."""
+        return (self.index or 0) // self.cradle.cord_count
 
-    def pend(self) -> dict:
-        return self.cradle.pend_list[self.place()[0]]
+    @property
+    def pend(self) -> Pendulum:
+        return self.cradle.pend_list[self.pend_index]
 
-    def hold(self, bob) -> None:
-        """Hold this bob (an index) and its pendulum in their place, at rest, until held is None."""
-        self.held = bob
-        move(self.pend(), cord_angles(self.pend()), R_PARAM)
+    def hold(self, index: int) -> None:
+        """Hold this bob and its pendulum in their place, at rest, until index is None."""
+        self.index = index
+        move(self.pend, cord_angles(self.pend), R_PARAM)
 
-    def drag(self, x, y) -> None:
-        """Turn the held pendulum until its bob is as near as possible to x, y (m) in the plane of
-        swing.
-        """
-        drag_bob(self.cradle.pend_list, *self.place(), x, y, R_PARAM)
+    def drag(self, x: float, y: float) -> None:
+        """Bring the held bob as near as possible to (x, y), in m, in the plane of swing."""
+        bob = (self.index or 0) % self.cradle.cord_count
+        drag_bob(self.cradle.pend_list, self.pend_index, bob, x, y, R_PARAM)
 
-    def grip(self) -> None:
+    def make_heavy(self) -> None:
         """Make the held pendulum heavy, before a few ticks."""
-        if self.held is not None:
-            self.kept = self.pend()["mass"], cord_angles(self.pend())
-            self.pend()["mass"] = HEAVY
+        if self.index is not None:
+            self.kept_mass = self.pend["mass"]
+            self.kept_angles = cord_angles(self.pend)
+            self.pend["mass"] = HEAVY
 
     def put_back(self) -> None:
         """Put the held pendulum back into its place, at rest, after these ticks."""
-        if self.kept:
-            self.pend()["mass"], angles = self.kept
-            move(self.pend(), angles, R_PARAM)
-            self.kept = None
+        if self.kept_mass is not None:
+            self.pend["mass"] = self.kept_mass
+            move(self.pend, self.kept_angles, R_PARAM)
+            self.kept_mass = None
 
 
-def drag_bob(pend_list, held, bob, x, y, r_param) -> None:
-    """Turn the cords of the held pendulum (an index) to bring its bob (0 upper, 1 lower) as near as
-    possible to (x, y).
+# --- one pendulum follows the mouse, the others give way -----------------------------------------
 
-    x and y (m) are in the plane of swing, r_param (m) is the length of a cord. A dragged lower bob
-    pulls the upper bob along. A dragged upper bob does not change the direction of the lower cord.
+
+def drag_bob(
+    pend_list: list[Pendulum], held: int, bob: int, x: float, y: float, r_param: float
+) -> None:
+    """Turn the cords of the held pendulum (an index): its bob comes as near as possible to (x, y).
+
+    bob is 0 for the upper bob, 1 for the lower one. x and y (m) are in the plane of swing, r_param
+    (m) is the length of a cord. A dragged lower bob pulls the upper bob along. A dragged upper bob
+    does not change the direction of the lower cord.
     """
-    axle, angles = pend_list[held]["objects"][0].pos, cord_angles(pend_list[held])
-    x, down = x - axle.x, axle.y - y
-    direction = atan2(x, down)
+    axle = pend_list[held]["objects"][0].pos
+    angles = cord_angles(pend_list[held])
+    aside = x - axle.x
+    down = axle.y - y
+    direction = atan2(aside, down)
     if bob == 0:
         angles[0] = direction
     else:
         # The two cords and the line from the axle to the bob form an isosceles triangle. Bent cords
         # stay bent to the same side. Straight cords bend so that the upper bob moves down.
         bent = remainder(angles[1] - angles[0], 2 * pi)
-        bend = copysign(
-            acos(min(1, hypot(x, down) / (2 * r_param))),
-            bent if abs(bent) > STRAIGHT else direction,
-        )
+        side = bent if abs(bent) > STRAIGHT else direction
+        bend = copysign(acos(min(1, hypot(aside, down) / (2 * r_param))), side)
         angles = [direction - bend, direction + bend]
     drag_pendulum(pend_list, held, angles, r_param)
 
 
-def drag_pendulum(pend_list, held, angles, r_param) -> None:
-    """Turn the held pendulum (an index) to these angles (rad), the short way round, and push others
-    out of its way.
+def drag_pendulum(
+    pend_list: list[Pendulum], held: int, angles: list[float], r_param: float
+) -> None:
+    """Turn the held pendulum (an index) to these angles (rad), the short way round.
 
-    If these cannot give way, it stops. r_param (m) is the length of a cord. Pendula that were moved
-    are at rest.
+    It pushes others out of its way. If these cannot give way, it stops. r_param (m) is the length
+    of a cord. Pendula that were moved are at rest.
     """
     pend = pend_list[held]
-    before = cord_angles(pend)
-    turns = [remainder(angle - old, 2 * pi) for angle, old in zip(angles, before, strict=True)]
+    start = cord_angles(pend)
+    turns = [remainder(angle - old, 2 * pi) for angle, old in zip(angles, start, strict=True)]
     steps = ceil(max(map(abs, turns)) / STEP)
     for step in range(1, steps + 1):
-        places = [cord_angles(other) for other in pend_list]
-        move(
-            pend,
-            [old + turn * step / steps for old, turn in zip(before, turns, strict=True)],
-            r_param,
-        )
+        before = [cord_angles(other) for other in pend_list]
+        angles = [old + turn * step / steps for old, turn in zip(start, turns, strict=True)]
+        move(pend, angles, r_param)
         if not push_others(pend_list, held, r_param):
-            for other, angles in zip(pend_list, places, strict=True):
-                if cord_angles(other) != angles:
-                    move(other, angles, r_param)
+            move_back(pend_list, before, r_param)
             break
 
 
-def push_others(pend_list, held, r_param) -> bool:
-    """Turn pendula out of the way of the held one, and others out of their way; return whether all
-    could give way.
+def move_back(pend_list: list[Pendulum], before: list[list[float]], r_param: float) -> None:
+    """Turn the pendula that have moved back to their angles before it (rad)."""
+    for pend, angles in zip(pend_list, before, strict=True):
+        if cord_angles(pend) != angles:
+            move(pend, angles, r_param)
+
+
+def push_others(pend_list: list[Pendulum], held: int, r_param: float) -> bool:
+    """Turn pendula out of the way of the held one (an index), and others out of their way.
+
+    Return whether all could give way.
     """
     pushers = [held]
+    most = MOST_PUSHES * len(pend_list)
     for pusher in pushers:  # the loop adds each pushed pendulum
         for other, pend in enumerate(pend_list):
-            is_pushed = other not in (held, pusher) and len(pushers) < 4 * len(pend_list)
-            if is_pushed and give_way(pend, pend_list[pusher], r_param):
+            has_turn = other not in (held, pusher) and len(pushers) < most
+            if has_turn and give_way(pend, pend_list[pusher], r_param):
                 pushers.append(other)
-    return not any(
-        any(touching_angles(pend, pend_list[pusher], r_param))
-        for pusher in set(pushers)
-        for other, pend in enumerate(pend_list)
-        if other != pusher
-    )
+    return not any(touches_others(pend_list, pusher, r_param) for pusher in set(pushers))
 
 
-def give_way(pend, pusher, r_param) -> bool:
-    """Turn each cord of pend whose bob reaches into a bob of pusher; return whether any cord
-    turned.
-    """
-    moved = False
+def touches_others(pend_list: list[Pendulum], index: int, r_param: float) -> bool:
+    """Return whether a bob of this pendulum reaches into a bob of another one."""
+    others = pend_list[:index] + pend_list[index + 1 :]
+    return any(any(touching_angles(other, pend_list[index], r_param)) for other in others)
+
+
+def give_way(pend: Pendulum, pusher: Pendulum, r_param: float) -> bool:
+    """Turn each cord of pend whose bob reaches into a bob of pusher; return whether one turned."""
+    has_moved = False
     for cord, angle in touching_angles(pend, pusher, r_param):
         angles = cord_angles(pend)
         angles[cord] = angle
         move(pend, angles, r_param)
-        moved = True
-    return moved
+        has_moved = True
+    return has_moved
 
 
-def touching_angles(pend, pusher, r_param):
-    """Yield (cord, touching_angle) for each cord of pend whose bob reaches into a bob of pusher,
-    from above.
-    """
+def touching_angles(
+    pend: Pendulum, pusher: Pendulum, r_param: float
+) -> Iterator[tuple[int, float]]:
+    """Yield (cord, touching_angle), from above, for each bob of pend that reaches into pusher's."""
     for cord in range(len(cord_angles(pend))):
         for bob in pusher["objects"][1::2]:
             angle = touching_angle(pend, cord, bob, r_param)
@@ -155,23 +173,25 @@ def touching_angles(pend, pusher, r_param):
                 yield cord, angle
 
 
-def touching_angle(pend, cord, other, r_param) -> float | None:
-    """Return the angle (rad) of this cord (0 or 1) at which its bob just touches another bob, on
-    the side where it is.
+def touching_angle(pend: Pendulum, cord: int, other: sphere, r_param: float) -> float | None:
+    """Return the angle (rad) of this cord (0 or 1) at which its bob just touches another bob.
 
-    Return None if the two bobs do not reach into each other. From the upper end of the cord, other
-    (a sphere) is at the distance L, in the direction psi. R is the length of the cord, D the
-    distance at which bobs collide. The two bobs touch at the angles psi - delta and psi + delta,
-    and reach into each other between them. By the law of cosines,
+    Of two such angles, it is that on the side where the bob is. Return None if the two bobs do not
+    reach into each other. From the upper end of the cord, other is at the distance L, in the
+    direction psi. R is the length of the cord, D the distance at which bobs collide. The two bobs
+    touch at the angles psi - delta and psi + delta, and reach into each other between them. By the
+    law of cosines,
         D^2 = R^2 + L^2 - 2 R L cos(delta)
     """
-    # A lower cord hangs from the upper bob
-    pivot = pend["objects"][cord]
+    pivot = pend["objects"][cord]  # a lower cord hangs from the upper bob
     bob = pend["objects"][1 + 2 * cord]
-    x, down = other.pos.x - pivot.pos.x, pivot.pos.y - other.pos.y
-    distance, psi = hypot(x, down), atan2(x, down)
+    aside = other.pos.x - pivot.pos.x
+    down = pivot.pos.y - other.pos.y
+    distance = hypot(aside, down)
+    psi = atan2(aside, down)
     from_psi = cord_angles(pend)[cord] - psi
-    squares, product = r_param**2 + distance**2, 2 * r_param * distance
+    squares = r_param**2 + distance**2
+    product = 2 * r_param * distance
     touching = contact_distance(bob.radius, other.radius)
     if product * cos(from_psi) < squares - touching**2:
         return None
@@ -179,33 +199,42 @@ def touching_angle(pend, cord, other, r_param) -> float | None:
     return psi + copysign(acos((squares - outside**2) / product), sin(from_psi))
 
 
-def move(pend, angles, r_param) -> None:
+def move(pend: Pendulum, angles: list[float], r_param: float) -> None:
     """Turn a pendulum to these angles (rad), at rest."""
-    pend["theta"], pend["omega"] = angles[0], 0.0
+    pend["theta"] = angles[0]
+    pend["omega"] = 0.0
     if len(angles) == 1:
         show_pendulum(pend, r_param)
     else:
-        pend["phi"], pend["phi_omega"] = angles[1] - angles[0], 0.0
+        pend["phi"] = angles[1] - angles[0]
+        pend["phi_omega"] = 0.0
         show_double_pendulum(pend, r_param)
 
 
-def bob_at(bobs, place, direction) -> int | None:
-    """Return the index of the foremost bob on the ray through place, or of the nearest within
-    FINGER radii, or None.
+# --- the mouse: a ray is a point on it, and its direction ----------------------------------------
+
+
+def bob_at(bobs: list[sphere], place: vector, direction: vector) -> int | None:
+    """Return the index of the foremost bob on this ray.
+
+    If it meets none, return that of the nearest bob within FINGER radii, or None.
     """
-    found = []
-    for number, bob in enumerate(bobs):
+    met: list[tuple[float, int]] = []  # how far behind place, and the index
+    near: list[tuple[float, int]] = []  # how many radii from the ray
+    for index, bob in enumerate(bobs):
         radii = mag(cross(bob.pos - place, direction)) / mag(direction) / bob.radius
-        if radii <= FINGER:  # a bob that the ray meets comes before one beside it
-            found.append(
-                (radii > 1, dot(bob.pos - place, direction) if radii <= 1 else radii, number)
-            )
-    return min(found)[2] if found else None
+        if radii <= 1:
+            met.append((dot(bob.pos - place, direction), index))
+        elif radii <= FINGER:
+            near.append((radii, index))
+    candidates = met or near
+    return min(candidates)[1] if candidates else None
 
 
-def point_in_plane(place, direction):
-    """Return the point where this ray meets the plane of swing, z = 0; None if it is seen from the
-    side, as a line.
+def point_in_plane(place: vector, direction: vector) -> vector | None:
+    """Return the point where this ray meets the plane of swing, z = 0.
+
+    Return None if the plane is seen from the side, as a line.
     """
     if abs(direction.z) <= 0.01 * mag(direction):
         return None

@@ -1,306 +1,145 @@
-"""Hits: how they are noted while the loop does ticks, and the list of impacts, with a line for each
-train.
+"""The list of impacts: a line for each series of hits.
 
-support/__init__.py says what a hit, a train and a path are. Two bobs that come in make two paths: 2-3-4-5  1-2-3-4.
+support/__init__.py says what a series and a chain are. Two bobs that come in make two chains:
+2-3-4-5  1-2-3-4.
 """
 
 from collections import Counter, deque
-from contextlib import ExitStack, suppress
-from functools import partial
-from inspect import signature
-from itertools import accumulate
-from math import isnan, sin
-from typing import NamedTuple
 
-from support.constants import G, R_PARAM
-
-MOST_PATHS = 12  # in a train
-TOGETHER = 20  # two bobs with more hits than this in one train stay together
+MOST_CHAINS = 12  # in a series
+TOGETHER = 20  # two bobs with more hits than this in one series stay together
 LINE = 44  # characters of a line on the page
-LONGEST_PATH = 9  # bobs: of a longer path, only the ends are shown
+LONGEST_CHAIN = 9  # bobs: of a longer chain, only the ends are written
+
+Pair = tuple[int, int]  # the numbers of two bobs, counted from 1, the left one first
 
 
-class Hit(NamedTuple):
-    """A hit of two pendula; each of them is a copy of its dictionary."""
+class Series:
+    """One series of hits, or several that have become one; as text, its chains, or a sentence."""
 
-    left: int  # indices of pendula
-    right: int
-    rightwards: bool  # whether the two moved to the right before it
-    speed: float  # at which they approached each other (m/s)
-    before: list[dict]
-    after: list[dict]
+    def __init__(self, start: float):
+        self.start = start  # s: the time of its first hit
+        self.end = start  # s: the time of its last hit
+        self.chains: list[list[int]] = []
+        self.hits: Counter[Pair] = Counter()
+        self.last: Pair = (0, 0)  # the bobs of the last fast hit
+        self.together: set[Pair] = set()  # the pairs that stay together
 
-
-class Hits:
-    """Notes the hits of single ticks, and calls of functions: it stands in their places, and calls
-    them.
-
-    It hears each call of the function that lets two pendula collide. If a tick does without this
-    function, it sees the hits in the velocities after the tick.
-    """
-
-    def __init__(self, cradle):
-        self.cradle, self.rate_keys = cradle, cradle.rate_keys
-        self.new = list[Hit]()  # hits that are not yet in the list of impacts
-        self.kept = list[Hit]()  # all hits since the last call of listen
-        self.calls: list[str] = []  # of the collision function, as text
-        # Whether the present tick has called the function that lets two pendula collide
-        self.has_heard = False
-        # theta (rad) and omega (rad/s) of each pendulum before the tick
-        self.states: list[tuple] = []
-        self.replaced = ExitStack()  # puts the functions back
-
-    def listen(self, calls=False) -> None:
-        """Note the hits from now on, until stop, but not of a held bob; with calls, also those of
-        shown_name.
-
-        After a train in one tick, inner bobs have their old velocity: so each call is noted.
-        """
-        self.calls.clear()
-        self.kept.clear()
-        if calls:
-            self.replace(self.cradle.shown_name, self.note_call)
-        if self.cradle.hand.held is None:
-            self.replace(self.cradle.collide_name, self.note_hit)
-
-    def stop(self) -> None:
-        """Put the functions back."""
-        self.replaced.close()
-
-    def replace(self, name, stand_in) -> None:
-        """Let stand_in, which gets the function with this name first, take its place, by all names
-        that it has.
-        """
-        function = self.cradle.scope.get(name)
-        if function is None:
-            return
-        for module in self.cradle.scope.maps:
-            for own_name in [own_name for own_name, value in module.items() if value is function]:
-                self.replaced.callback(module.__setitem__, own_name, function)
-                module[own_name] = partial(stand_in, function)
-
-    def note_hit(self, collide, /, *given, **named):
-        """Call collide, and add a hit of two pendula to new and to kept."""
-        self.has_heard = True
-        pends = [value for value in (*given, *named.values()) if isinstance(value, dict)]
-        before = [dict(pend) for pend in pends]
-        result = collide(*given, **named)
-        if self.rates(pends) != self.rates(before):
-            places = [self.place_of(pend) for pend in pends]
-            if len({*places}) == 2 and None not in places:
-                self.add(places, before, [dict(pend) for pend in pends])
-        return result
-
-    def rates(self, pends) -> list:
-        """Return the angular velocities (rad/s) of these pendula."""
-        return [pend.get(key) for pend in pends for key in self.rate_keys]
-
-    def place_of(self, pend) -> int | None:
-        """Return the index of a pendulum, also of a copy of its dictionary, by the place of its
-        axle.
-        """
-        axle, *_ = pend.get("objects") or [None]
-        return self.cradle.places.get(tuple(axle.pos.value)) if axle else None
-
-    def add(self, places, before, after) -> None:
-        """Add a hit of two pendula, in any order: their indices, and copies of their dictionaries."""
-        if places[0] > places[1]:
-            places, before, after = places[::-1], before[::-1], after[::-1]
-        left, right = places
-        rightwards = sum(map(self.cradle.velocity, before)) > 0
-        hit = Hit(left, right, rightwards, self.cradle.approach(*before), before, after)
-        self.new.append(hit)
-        self.kept.append(hit)
-
-    def begin_tick(self) -> None:
-        """Keep the state of a single cradle before a tick."""
-        self.has_heard = False
-        if self.rate_keys == ("omega",):
-            self.states = [(pend.get("theta"), pend.get("omega")) for pend in self.cradle.pend_list]
-
-    def end_tick(self) -> None:
-        """Add the hits of a tick of single pendula that has not called the function that lets two
-        pendula collide.
-        """
-        pends = self.cradle.pend_list
-        is_seen = (
-            not self.has_heard and self.cradle.hand.held is None and len(self.states) == len(pends)
-        )
-        if is_seen:
-            # A value is no number: Cradle.check says so after these ticks
-            with suppress(KeyError, TypeError):
-                self.add_seen_hits(pends, self.without_hits())
-
-    def without_hits(self) -> list[dict]:
-        """Return the pendula as they are after the tick if no bob was hit.
-
-        omega becomes omega - g sin(theta) / R dt (handout, appendix).
-        """
-        pull = G / R_PARAM * self.cradle.dt
-        omegas = [omega - pull * sin(theta) for theta, omega in self.states]
-        return [
-            {**pend, "omega": omega}
-            for pend, omega in zip(self.cradle.pend_list, omegas, strict=True)
-        ]
-
-    def add_seen_hits(self, pends, now) -> None:
-        """Add the hits that have made the pendula `pends` of the pendula `now`, which nobody has
-        hit yet.
-
-        A hit keeps the momentum of its two bobs. So the hit of a bob and its right neighbour has
-        passed on the momentum that all bobs up to this one have lost. All bobs together have lost
-        none, except for rounding.
-        """
-        losses = [
-            old["mass"] * (old["omega"] - new["omega"]) for old, new in zip(now, pends, strict=True)
-        ]
-        *passed_on, lost = accumulate(losses)  # kg/s: momentum, divided by r_param
-        rounding = 1e-12 * sum(abs(pend["mass"] * pend["omega"]) for pend in now)
-        if abs(lost) > rounding or isnan(lost):
-            return  # this tick is not that of the handout
-        for left, momentum in enumerate(passed_on):
-            if abs(momentum) > rounding:
-                before = now[left : left + 2]
-                after = [dict(pend) for pend in before]
-                after[0]["omega"] -= momentum / after[0]["mass"]
-                after[1]["omega"] += momentum / after[1]["mass"]
-                now[left : left + 2] = after
-                self.add((left, left + 1), before, after)
-
-    def note_call(self, collide, /, *given, **named):
-        """Call collide, and add the call to calls."""
-        result = collide(*given, **named)
-        arguments = signature(collide).bind(*given, **named).arguments
-        texts = [f"{name}={self.in_short(value)}" for name, value in arguments.items()]
-        self.calls.append(
-            f"{self.cradle.shown_name}({', '.join(texts)}) returned {self.in_short(result)}"
-        )
-        return result
-
-    def in_short(self, value) -> str:
-        """Return a value as short text; a pendulum is pend_list[...]."""
-        if isinstance(value, dict):
-            return f"pend_list[{self.place_of(value)}]"
-        if isinstance(value, tuple):
-            return f"({', '.join(map(self.in_short, value))})"
-        return f"{value:.6g}" if isinstance(value, float) else repr(value)
-
-
-class Train:
-    """One train, or several that have become one; as text, its paths, or words."""
-
-    def __init__(self, begin):
-        self.begin = self.end = begin  # the times of its first and its last hit (s)
-        self.paths: list[list[int]] = []
-        self.hits: Counter[tuple[int, int]] = Counter()  # of each two bobs
-        self.last = (0, 0)  # the bobs of the last fast hit
-        self.together: set[tuple[int, int]] = set()  # each two that stay together
-
-    def add(self, time, left, right, rightwards, is_fast) -> None:
-        """Add a hit of two bobs, by their numbers; see ImpactTrains. A path has only fast hits."""
-        pair = left, right
-        if is_fast and not self.is_shown():
-            self.begin = time
-        if is_fast and pair != self.last:  # hits of the same two in a row count as one
-            self.pass_on(left, right, rightwards)
-            self.last = pair
+    def add(self, time: float, pair: Pair, rightwards: bool, is_fast: bool) -> None:
+        """Add a hit; see Impacts. A chain has only fast hits."""
+        if is_fast:
+            if not self.is_written():
+                self.start = time
+            if pair != self.last:  # hits of the same two in a row count as one
+                self.pass_on(pair, rightwards)
+                self.last = pair
         self.end = time
         self.hits[pair] += 1
-        # N lifted bobs of a row hit the next one n times
+        # n lifted bobs of a row hit the next one n times.
         if self.hits[pair] > max(TOGETHER, len(self.hits)):
             self.together.add(pair)
 
-    def pass_on(self, left, right, rightwards) -> None:
-        """Continue the first path that ends at left, and the first one that ends at right; if none
-        does, begin one.
-        """
+    def pass_on(self, pair: Pair, rightwards: bool) -> None:
+        """Continue the first chain that ends at each bob of the pair; if none does, begin one."""
+        left, right = pair
         goes_on = False
-        # No path goes straight back to the bob before its last one
         for end, other in ((left, right), (right, left)):
-            path = next(
-                (path for path in self.paths if path[-1] == end and path[-2] != other), None
-            )
-            if path:
-                path.append(other)
+            chain = self.chain_to(end, other)
+            if chain:
+                chain.append(other)
                 goes_on = True
-        if not goes_on and len(self.paths) < MOST_PATHS:
-            self.paths.append([left, right] if rightwards else [right, left])
+        if not goes_on and len(self.chains) < MOST_CHAINS:
+            self.chains.append([left, right] if rightwards else [right, left])
 
-    def is_shown(self) -> bool:
+    def chain_to(self, end: int, other: int) -> list[int] | None:
+        """Return the first chain that ends at the bob `end`, and has not come from `other`."""
+        for chain in self.chains:
+            if chain[-1] == end and chain[-2] != other:
+                return chain
+        return None
+
+    def is_written(self) -> bool:
         """Return whether a hit was fast, or bobs stay together."""
-        return bool(self.paths or self.together)
+        return bool(self.chains or self.together)
 
-    def join(self, later) -> None:
-        """Take over a later train; the bobs of both stay together."""
+    def join(self, later: "Series") -> None:
+        """Take over a later series; the bobs of both stay together."""
         self.together |= later.together
-        self.end, self.last, self.hits = later.end, later.last, later.hits
+        self.end = later.end
+        self.last = later.last
+        self.hits = later.hits
 
-    def __str__(self):
+    def __str__(self) -> str:
         if self.together:
-            groups = [
-                f"{a} {'and' if b == a + 1 else 'to'} {b}" for a, b in first_and_last(self.together)
-            ]
-            return ", ".join(groups) + " stay together"
-        paths = [[str(number) for number in path] for path in self.paths]
-        return "  ".join(
-            "-".join(p if len(p) <= LONGEST_PATH else [*p[:3], "...", p[-1]]) for p in paths
-        )
+            return ", ".join(map(group_as_text, groups_of(self.together))) + " stay together"
+        return "  ".join(map(chain_as_text, self.chains))
 
 
-class ImpactTrains:
-    """The last trains, without hits of bobs that hardly move; bobs that stay together have a line
-    of words.
-    """
+class Impacts:
+    """The last series, without hits of bobs that hardly move."""
 
-    def __init__(self, count, gap):
-        """Keep the last `count` trains; gap (s) is the longest time between two hits of one train."""
-        self.trains: deque[Train] = deque(maxlen=count)
+    def __init__(self, count: int, gap: float):
+        """Keep the last `count` series; gap (s) is the longest time between two hits of one."""
+        self.series: deque[Series] = deque(maxlen=count)
         self.gap = gap
         self.clear()
 
     def clear(self) -> None:
-        self.trains.clear()
-        # Also while all its hits are slow, and it is not in trains
-        self.latest: Train | None = None
+        self.series.clear()
+        # Also while all its hits are slow, and it is not written.
+        self.latest: Series | None = None
 
-    def add(self, time, left, right, rightwards, is_fast=True) -> None:
-        """Add the hit, at time (s), of these pendula (indices); rightwards: whether they moved to
-        the right before.
-        """
+    def add(
+        self, time: float, left: int, right: int, rightwards: bool, is_fast: bool = True
+    ) -> None:
+        """Add the hit, at time (s), of these pendula (indices), which moved rightwards, or not."""
         if not self.latest or time - self.latest.end > self.gap:
-            self.latest = Train(time)
-        self.latest.add(time, left + 1, right + 1, rightwards, is_fast)
-        if self.latest.is_shown() and self.latest not in self.trains:
-            self.trains.append(self.latest)
-        if self.latest.together and len(self.trains) > 1 and self.trains[-2].together:
-            self.trains.pop()
-            self.trains[-1].join(self.latest)
-            self.latest = self.trains[-1]
+            self.latest = Series(time)
+        self.latest.add(time, (left + 1, right + 1), rightwards, is_fast)
+        if self.latest.is_written() and self.latest not in self.series:
+            self.series.append(self.latest)
+        if self.latest.together and len(self.series) > 1 and self.series[-2].together:
+            self.series.pop()
+            self.series[-1].join(self.latest)
+            self.latest = self.series[-1]
 
-    def lines(self, longest=LINE) -> list[str]:
-        """Return a line for each train, the latest first, with at most `longest` characters: t =
-        0.71 s  1-2-3-4-5.
+    def lines(self, longest: int = LINE) -> list[str]:
+        """Return a line for each series, the latest one first: t = 0.71 s  1-2-3-4-5.
+
+        A line has at most `longest` characters.
         """
         return [
-            in_line(f"t = {train.begin:.2f} s  {train}", longest) for train in reversed(self.trains)
+            in_line(f"t = {series.start:.2f} s  {series}", longest)
+            for series in reversed(self.series)
         ]
 
 
-def in_line(text, longest) -> str:
-    """Return a text with at most `longest` characters: of a longer one the beginning, and three
-    dots.
-    """
+def in_line(text: str, longest: int) -> str:
+    """Return a text with at most `longest` characters: of a longer one the start, and dots."""
     return text if len(text) <= longest else text[: longest - 3] + "..."
 
 
-def first_and_last(pairs) -> list[list[int]]:
-    """Return the first and the last number of each group of bobs, from the pairs that stay
-    together.
-    """
-    groups: list[list[int]] = []
+def chain_as_text(chain: list[int]) -> str:
+    """Return the numbers of a chain with dashes between them."""
+    numbers = [str(number) for number in chain]
+    if len(numbers) > LONGEST_CHAIN:
+        numbers[3:-1] = ["..."]
+    return "-".join(numbers)
+
+
+def group_as_text(group: Pair) -> str:
+    """Return the first and the last number of a group of bobs: 1 and 2, or 1 to 5."""
+    first, last = group
+    return f"{first} and {last}" if last == first + 1 else f"{first} to {last}"
+
+
+def groups_of(pairs: set[Pair]) -> list[Pair]:
+    """Return the first and the last number of each group of bobs that stay together."""
+    groups: list[Pair] = []
     for left, right in sorted(pairs):
         if groups and left <= groups[-1][1]:
-            groups[-1][1] = max(groups[-1][1], right)
+            first, last = groups.pop()
+            groups.append((first, max(last, right)))
         else:
-            groups.append([left, right])
+            groups.append((left, right))
     return groups

@@ -1,33 +1,33 @@
-"""The motion of a cradle: the time since its release, its impacts, its energy, and all these as
-data.
-"""
+"""The motion of a cradle: the time since its release, its impacts, and its energy; also as data."""
 
 from math import inf
 
 from support.cradle.cradle import Cradle
-from support.cradle.impacts import ImpactTrains
+from support.cradle.hits import Hit
+from support.cradle.impacts import Impacts
 
-# Of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang
+Sample = dict[str, float]  # the data of a moment, by the names of the columns of a data file
+
+# Of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang.
 LEAST = 0.1
 
 
 class Motion:
     """Keeps the time, the impacts and the energy of a cradle."""
 
-    def __init__(self, cradle: Cradle, impacts):
-        """Begin at time 0; keep the last `impacts` trains of impacts."""
-        self.cradle, self.trains = cradle, ImpactTrains(impacts, cradle.gap)
+    def __init__(self, cradle: Cradle, impacts: int):
+        """Begin at time 0; keep the last `impacts` series of hits."""
+        self.cradle = cradle
+        self.impacts = Impacts(impacts, cradle.gap)
         self.restart()
 
     def restart(self) -> None:
         """Begin again at time 0, with the energy of this moment as 100 %."""
-        # The speed (m/s) of the fastest hit that the page has not sounded yet
         self.ticks = 0
-        self.fastest = 0.0
-        # The number of hits, and the time (s) of the last fast one
-        self.hits = 0
-        self.last_fast = -inf
-        self.trains.clear()
+        self.loudest = 0.0  # m/s: the speed of the fastest hit that the page has not sounded yet
+        self.hit_count = 0  # the number of hits
+        self.last_fast = -inf  # s: the time of the last fast hit
+        self.impacts.clear()
         self.set_start()
 
     def set_start(self) -> None:
@@ -39,50 +39,48 @@ class Motion:
         """Return the simulated time since the start (s)."""
         return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004
 
-    def note_hit(self, ticks, left, right, rightwards, speed) -> None:
-        """Add a hit to the trains. ticks is its time, in ticks since the start; Hit explains the
-        other arguments.
-        """
-        time = ticks * self.cradle.dt
-        self.hits += 1
-        if speed >= self.least:
+    def note_hit(self, hit: Hit) -> None:
+        """Add a hit to the impacts."""
+        time = hit.tick * self.cradle.dt
+        is_fast = hit.speed >= self.least
+        self.hit_count += 1
+        if is_fast:
             self.last_fast = time
-        self.trains.add(time, left, right, rightwards, speed >= self.least)
-        self.fastest = max(self.fastest, speed)
+        self.loudest = max(self.loudest, hit.speed)
+        self.impacts.add(time, hit.left, hit.right, hit.rightwards, is_fast)
 
     def reading(self) -> str:
         """Return the time and the energy as text of constant width."""
-        total, kinetic, potential = map(in_words, self.percents().values())
-        return (
-            f"t = {self.time():.2f} s".ljust(16)
-            + f"energy {total} (kinetic {kinetic}, potential {potential})"
-        )
+        time = f"t = {self.time():.2f} s".ljust(16)
+        total, kinetic, potential = map(percent_as_text, self.percents().values())
+        return f"{time}energy {total} (kinetic {kinetic}, potential {potential})"
 
     def percents(self) -> dict[str, float]:
-        """Return the energy, and its kinetic and potential parts, in percent of the energy at the
-        start.
-        """
+        """Return the energy and its two parts, in percent of the energy at the start."""
         kinetic, potential = self.cradle.energies()
         energies = {"energy": kinetic + potential, "kinetic": kinetic, "potential": potential}
         unit = self.start_energy / 100
-        return {name: energy / unit if unit else 0.0 for name, energy in energies.items()}
+        if not unit:
+            return dict.fromkeys(energies, 0.0)
+        return {name: energy / unit for name, energy in energies.items()}
 
-    def sample(self) -> dict[str, float]:
+    def sample(self) -> Sample:
         """Return the data of this moment by the names of the columns of a data file.
 
         They are t (s), the coordinates (rad, rad/s), the three energies (J), and the momentum to
         the right (kg m/s).
         """
         kinetic, potential = self.cradle.energies()
-        energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
         return {
             "t": self.time(),
             **self.cradle.coordinates(),
-            **energies,
+            "kinetic": kinetic,
+            "potential": potential,
+            "total": kinetic + potential,
             "momentum": self.cradle.momentum(),
         }
 
 
-def in_words(percent) -> str:
+def percent_as_text(percent: float) -> str:
     """Return a percentage as text of constant width."""
     return f"{percent:6.2f} %" if percent < 1000 else " > 999 %"

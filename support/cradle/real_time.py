@@ -1,49 +1,63 @@
-"""The pace of a simulation, in step with the clock on the wall."""
+"""The pace of a simulation, in step with the clock."""
 
 import sys
 import time
+from collections.abc import Callable
 from math import inf
 
-# Or a sleep ends with a tick of Windows, each 15.6 ms
+# On older Pythons, a sleep ends with a tick of Windows, each 15.6 ms.
 if sys.platform == "win32" and sys.version_info < (3, 11):
     import ctypes
 
     ctypes.windll.winmm.timeBeginPeriod(1)  # ms
 
 FRAME = 1 / 60  # s: the page asks for new positions about sixty times a second
-# S of a frame, after which no tick begins: the threads that serve the page need the rest
+# s of a frame, after which no tick begins: the threads that serve the page need the rest.
 BUSY = 0.75 * FRAME
-# S of a delay that it makes up for; it drops the rest (of a slow machine, a laptop that slept)
+# s of a delay that it makes up for; it drops the rest (of a slow machine, a laptop that slept).
 MAX_BEHIND = 0.25
 KEPT_UP_OVER = 1.0  # s over which kept_up is measured
 
 
 class RealTime:
-    """Makes a simulated second, 1/dt ticks, last 1/speed seconds on the wall.
+    """Makes a simulated second, 1/dt ticks, last 1/speed seconds on the clock.
 
     A machine that is too slow shows slow motion. VPython's rate() is wrong by a tenth and more, and
     keeps a core busy.
     """
 
-    def __init__(self, dt, clock=time.perf_counter, sleep=time.sleep):
+    def __init__(
+        self,
+        dt: float,
+        clock: Callable[[], float] = time.perf_counter,
+        sleep: Callable[[float], None] = time.sleep,
+    ):
         """Begin now; dt (s) is one tick. A test can replace clock() and sleep(seconds)."""
-        self.dt, self.clock, self.sleep = dt, clock, sleep
+        self.dt = dt
+        self.clock = clock
+        self.sleep = sleep
         self.speed = 1.0
         self.restart()
 
     def restart(self) -> None:
         """Begin again at this moment, with no ticks due."""
-        self.frame_start = self.span_start = self.clock()
+        self.frame_start = self.clock()
         self.owed = 0.0  # ticks, and the fraction of one
-        self.span_due = self.span_done = 0.0  # ticks
         self.kept_up = 1.0  # ticks done / ticks due over the last KEPT_UP_OVER
+        self.begin_span(self.frame_start)
 
-    def due(self, most=inf) -> int:
+    def begin_span(self, now: float) -> None:
+        """Begin to count the ticks over KEPT_UP_OVER."""
+        self.span_start = now
+        self.span_due = 0.0
+        self.span_done = 0.0
+
+    def due(self, most: float = inf) -> int:
         """Begin a frame, and return the number of ticks to do in it, at most `most`."""
         now = self.clock()
         if now - self.span_start >= KEPT_UP_OVER and self.span_due:
             self.kept_up = self.span_done / self.span_due
-            self.span_start, self.span_due, self.span_done = now, 0.0, 0.0
+            self.begin_span(now)
         per_second = self.speed / self.dt
         due = (now - self.frame_start) * per_second
         self.frame_start = now
@@ -54,7 +68,7 @@ class RealTime:
         self.span_done += ticks
         return ticks
 
-    def give_back(self, ticks) -> None:
+    def give_back(self, ticks: float) -> None:
         """Keep these ticks, which were not done in this frame, for the next one."""
         self.owed += ticks
         self.span_done -= ticks
@@ -64,7 +78,7 @@ class RealTime:
         self.sleep(max(FRAME - BUSY, self.frame_start + FRAME - self.clock()))
 
     def remark(self) -> str:
-        """Return the speed that the machine reaches, as in 0.6x real time, or nothing if it keeps
-        up.
-        """
-        return f"{self.kept_up * self.speed:.2g}x real time" if self.kept_up < 0.95 else ""
+        """Return the speed that the machine reaches, as in 0.6x real time; "" if it keeps up."""
+        if self.kept_up >= 0.95:
+            return ""
+        return f"{self.kept_up * self.speed:.2g}x real time"

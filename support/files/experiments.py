@@ -36,7 +36,7 @@ class Experiment(NamedTuple):
     answers: list[Answer]
     explained: int  # the index of the answer that why explains
     why: str
-    angles: list[list[float]]  # of each pendulum's cords at the start (rad)
+    poses: list[list[float]]  # of each pendulum's cords at the start (rad)
 
 
 def read_experiments(folder: str | Path, cords: int) -> tuple[list[Experiment], list[str]]:
@@ -70,7 +70,7 @@ def read_experiment(file: Path, cords: int) -> Experiment:
     lines = ExperimentText(file)
     if cords == 1 and "phi" in lines.texts:
         raise ValueError(f"{file}, phi: is allowed only for the double cradle")
-    angles = lines.start_angles(cords)
+    poses = lines.start_poses(cords)
     columns = {name: lines.column(name) for name in NUMBER_COLUMNS}
     if cords == 2 and not are_in_range(columns["mass"]):
         raise ValueError(f"{file}, mass: found {lines.text('mass')!r}, allowed is {IN_RANGE}")
@@ -85,7 +85,7 @@ def read_experiment(file: Path, cords: int) -> Experiment:
         answers=list(answers.values()),
         explained=[line[0] for line in answers].index("*"),
         why=lines.measured("why"),
-        angles=angles,
+        poses=poses,
     )
 
 
@@ -95,7 +95,7 @@ def csv_of(columns: dict[str, list[float]]) -> bytes:
     table: dict[str, list] = {column.name: [column.example] * count for column in COLUMNS}
     table |= columns
     table["color"] = list(islice(cycle(COLORS), count))
-    rows = [table, *zip(*table.values(), strict=True)]
+    rows = [tuple(table), *zip(*table.values(), strict=True)]
     return "".join(",".join(map(str, row)) + "\n" for row in rows).encode()
 
 
@@ -153,14 +153,14 @@ class ExperimentText:
         text = self.text(name, has_one_for_each, f"{allowed}, for each of {self.count} pendula")
         return [to_number(number) for number in text.split()]
 
-    def angles(self, name: str) -> list[float]:
+    def degrees_of(self, name: str) -> list[float]:
         """Return the angles (degrees) of a line."""
         return self.numbers(name, lambda text: -180 <= to_number(text) <= 180, ANGLE)
 
-    def start_angles(self, cords: int) -> list[list[float]]:
+    def start_poses(self, cords: int) -> list[list[float]]:
         """Return the angles (rad) of each pendulum's cords from straight down at the start."""
         names = ("theta", "phi")[:cords]
-        rows = zip(*map(self.angles, names), strict=True)
+        rows = zip(*map(self.degrees_of, names), strict=True)
         return [list(accumulate(map(radians, row))) for row in rows]
 
     def column(self, name: str) -> list[float]:
@@ -175,7 +175,7 @@ class ExperimentText:
         answers = {}
         for name in self.texts:
             if name not in NAMES:
-                answers[name] = Answer(name[1:].strip(), self.angles(name))
+                answers[name] = Answer(name[1:].strip(), self.degrees_of(name))
         if len({answer.text for answer in answers.values()}) < len(answers):
             raise ValueError(f"{self.file}, answers: found an answer twice")
         marks = [name[0] for name in answers]

@@ -1,13 +1,13 @@
-"""Finds a function without end: the loop then asks its player nothing any more, and nothing else
-says why.
-"""
+"""Find a function that never returns: its loop asks the player nothing any more."""
 
 import sys
 import threading
 from pathlib import Path
+from types import FrameType
 
+from support.cradle.player import Player
 from support.page.tabs import LOOK
-from support.start.mistake import is_handout_file
+from support.start.mistake import is_handout_file, PLAYER_FILE
 
 TOO_LONG = 3.0  # s after which a function that has not returned is named
 
@@ -15,10 +15,11 @@ TOO_LONG = 3.0  # s after which a function that has not returned is named
 class Watch:
     """Watches the loop of a player from another thread."""
 
-    def __init__(self, player):
+    def __init__(self, player: Player):
         """Watch this player, whose loop is in this thread."""
-        self.player, self.thread = player, threading.get_ident()
-        self.progress: tuple = ()  # what changes with each tick and each frame
+        self.player = player
+        self.thread = threading.get_ident()
+        self.progress = (-1, 0.0)  # what changes with each tick and each frame
         self.looks = 0  # since this has changed last
         # Of the handout's functions that have not returned since then, the innermost one first
         self.frames: list = []
@@ -49,7 +50,7 @@ class Watch:
         return self.words
 
 
-def running(thread) -> list:
+def running(thread: int) -> list[FrameType]:
     """Return the frames of the handout's functions that the player's loop in this thread is in, the
     innermost first.
 
@@ -57,7 +58,7 @@ def running(thread) -> list:
     """
     frames = []
     frame = sys._current_frames().get(thread)
-    while frame and Path(frame.f_code.co_filename).name != "player.py":
+    while frame and Path(frame.f_code.co_filename).name != PLAYER_FILE:
         if is_handout_file(frame.f_code.co_filename):
             frames.append(frame)
         frame = frame.f_back

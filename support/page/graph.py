@@ -4,7 +4,7 @@ from array import array
 from collections import deque
 from collections.abc import Sequence
 from math import isfinite
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from vpython import vector
 
@@ -93,45 +93,53 @@ class Graph:
         """Show this one of the choices, or the energies if the present cradle does not have it."""
         self.choice = choice if choice in self.choices else ENERGY
 
-    def state(self, start_energy: float | None) -> dict:
+    def state(self, start_energy: float) -> dict[str, Any]:
         """Return the axes, the curves, and the rows; start_energy (J) is 100 %.
 
         A row has the number along x, and one for each curve. The x axis goes from "from" to "to",
         the y axis from "bottom" to "top"; where these are missing, graph.js lets flot choose them.
         """
-        x, y, along, curves = self.choices[self.choice]
-        rows: list[list[float]] = []
-        state: dict = {
-            "x": x,
-            "y": y,
-            "curves": [(curve.label, curve.color) for curve in curves],
-            "rows": rows,
+        choice = self.choices[self.choice]
+        state: dict[str, Any] = {
+            "x": choice.x,
+            "y": choice.y,
+            "curves": [(curve.label, curve.color) for curve in choice.curves],
+            "rows": [],
         }
-        if not curves or not self.rows:
-            return state
-        span = SPANS[self.span] if along == "t" else PHASE_SPAN
-        unit = 1.0
-        if self.choice == ENERGY:
-            unit = (start_energy or 1) / 100
-        first = self.names.index(along)
-        others = [self.names.index(curve.name) for curve in curves]
-        last = last_rows(self.rows, span)
-        for row in last:
+        if choice.curves and self.rows:
+            unit = 1.0
+            if self.choice == ENERGY:
+                unit = (start_energy or 1) / 100
+            state["rows"] = self.numbers(choice, unit)
+            state |= self.limits(choice, state["rows"])
+        return state
+
+    def numbers(self, choice: Choice, unit: float) -> list[list[float]]:
+        """Return the rows of a graph, for each curve in this unit; none that is not finite."""
+        first = self.names.index(choice.along)
+        others = [self.names.index(curve.name) for curve in choice.curves]
+        found = []
+        for row in last_rows(self.rows, self.span_of(choice)):
             numbers = [row[first], *(row[place] / unit for place in others)]
             if all(map(isfinite, numbers)):
-                rows.append([round(number, 6) for number in numbers])
-        if along == "t":
-            state["to"] = max(span.seconds, last[-1][first])
-            state["from"] = state["to"] - span.seconds
-        else:  # a phase picture: the bob at rest is in its middle
-            state["to"] = most(rows, 0)
-            state["from"] = -state["to"]
-            state["top"] = most(rows, 1)
-            state["bottom"] = -state["top"]
+                found.append([round(number, 6) for number in numbers])
+        return found
+
+    def span_of(self, choice: Choice) -> Span:
+        return SPANS[self.span] if choice.along == "t" else PHASE_SPAN
+
+    def limits(self, choice: Choice, rows: list[list[float]]) -> dict[str, float]:
+        """Return the ends of the axes that flot must not choose."""
+        if choice.along != "t":  # a phase picture: the bob at rest is in its middle
+            right = most(rows, 0)
+            top = most(rows, 1)
+            return {"from": -right, "to": right, "bottom": -top, "top": top}
+        seconds = self.span_of(choice).seconds
+        end = max(seconds, self.rows[-1][0])
+        limits = {"from": end - seconds, "to": end}
         if self.choice == ENERGY:
-            state["top"] = most(rows, len(curves))  # the total is the last one
-            state["bottom"] = 0.0
-        return state
+            limits |= {"bottom": 0.0, "top": most(rows, len(choice.curves))}  # of the total
+        return limits
 
 
 def most(rows: Sequence[Sequence[float]], column: int) -> float:

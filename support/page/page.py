@@ -1,15 +1,19 @@
-"""Run the page in the browser, from the start of its server until you close the last tab or press
-Ctrl+C.
-"""
+"""Run the page in the browser, from the start of its server until you close the last tab."""
 
 import sys
+from argparse import Namespace
+from collections.abc import Callable, Sequence
 from ipaddress import ip_address
 from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING
 
-from support.cradle.cradle import Cradle, DoubleCradle
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import run
 from support.files.cradle_csv import LiveFile
 from support.files.valid_cradle import require_cradle
+from support.main_page import Loop
 from support.start.early import end_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.options import (
@@ -21,8 +25,9 @@ from support.start.options import (
 from support.start.output import refuse, say, while_it_is_read
 from support.start.preview import end_if_unwritten, what_there_is
 
-# By the cords of a pendulum
-PROGRAMS = "src/visualize_cradle_run.py", "src/visualize_double_cradle_run.py"
+if TYPE_CHECKING:
+    from support.page.server import Server
+
 GOODBYE = 10.0  # s that the page has to fetch the last message
 UPPER_ONLY = (
     "Only upper bobs collide, and as if nothing hung from them. So each hit changes the energy."
@@ -30,7 +35,9 @@ UPPER_ONLY = (
 
 
 @while_it_is_read()
-def show_cradle(main, special_cradles, many_ticks=None) -> None:
+def show_cradle(
+    main: Loop, special_cradles: ModuleType, many_ticks: Callable | None = None
+) -> None:
     """Show the cradle of main in the browser until the tab is closed.
 
     special_cradles is the handout's module, many_ticks is the fast path, or None. While functions
@@ -40,13 +47,15 @@ def show_cradle(main, special_cradles, many_ticks=None) -> None:
     options = read_page_options()
     cradle = Cradle(main, special_cradles, options, many_ticks)
     loop, remark = what_there_is(main, cradle)
-    show_page(loop, cradle, options, [options.angle], remark)
+    program = "src/visualize_cradle_run.py"
+    show_page(program, loop, cradle, options, [options.angle], remark)
 
 
 @while_it_is_read()
-def show_double_cradle(main, special_cradles) -> None:
-    """Show the double cradle of main in the same way; exit with status 2 while a function is
-    missing.
+def show_double_cradle(main: Loop, special_cradles: ModuleType) -> None:
+    """Show the double cradle of main in the same way.
+
+    Exits with status 2 while a function is missing.
     """
     options = read_double_page_options()
     end_if_unwritten(
@@ -54,11 +63,19 @@ def show_double_cradle(main, special_cradles) -> None:
     )
     cradle = DoubleCradle(main, special_cradles, options)
     remark = UPPER_ONLY if cradle.collide_name == "handle_two_bobs" else ""
-    show_page(main, cradle, options, [options.angle, options.phi], remark)
+    program = "src/visualize_double_cradle_run.py"
+    show_page(program, main, cradle, options, [options.angle, options.phi], remark)
 
 
-def show_page(main, cradle, options, angles, remark="") -> None:
-    """Run main with the page of a cradle, until the last tab is closed for good.
+def show_page(
+    program: str,
+    loop: Loop,
+    cradle: Cradle,
+    options: Namespace,
+    angles: Sequence[float | None],
+    remark: str,
+) -> None:
+    """Run the loop of a program with the page of a cradle, until the last tab is closed for good.
 
     angles are the release angles (rad); None keeps the angle with which main makes the cradle.
     remark is a line on the page. Exits with status 2 if the CSV, --lift, --host or the port is
@@ -66,7 +83,7 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     """
     file = LiveFile(options.csv)
     try:
-        # here, because later mistakes in the file appear only on the page
+        # Here, because later mistakes in the file appear only on the page.
         require_cradle(file.current, len(angles))
         require_lifted(options.lift, file.current)
         server = open_page(options)
@@ -74,12 +91,15 @@ def show_page(main, cradle, options, angles, remark="") -> None:
         refuse(error)
     from support.page.viewer import Viewer  # while the browser starts
 
-    folder, program = Path.cwd(), PROGRAMS[len(angles) - 1]
-    texts = {"remark": remark, "command": command_line(program, folder, sys.argv[1:])}
-    texts["terminal"] = command_line("src/text_cradle_run.py", folder)
+    folder = Path.cwd()
+    texts = {
+        "remark": remark,
+        "command": command_line(program, folder, sys.argv[1:]),
+        "terminal": command_line("src/text_cradle_run.py", folder),
+    }
     viewer = Viewer(cradle, file, angles, options.lift, server.tabs, **texts)
     try:
-        run(main, viewer)
+        run(loop, viewer)
     except KeyboardInterrupt as stopped:  # in a session; else Ctrl+C has ended the process
         report_endless_loop(stopped)
     except BaseException as error:
@@ -90,22 +110,25 @@ def show_page(main, cradle, options, angles, remark="") -> None:
     server.close()
 
 
-def open_page(options):
-    """Return the Server of the page, and start a browser, unless --no-browser is given; raises
-    listen's ValueErrors.
+def open_page(options: Namespace) -> "Server":
+    """Return the Server of the page, and start a browser, unless --no-browser is given.
+
+    Raises listen's ValueErrors.
     """
     # Not earlier: it needs packages that come with VPython.
-    from support.page.server import listen, Server
+    from support.page.port import listen
+    from support.page.server import Server
     from support.page.tabs import Tabs
 
     server = Server(listen(options.host, options.port), Tabs())
     say(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:
         say(
-            "Every machine that reaches this one can open it, at this one's name, with the same port and key."
+            "Every machine that reaches this one can open it, at this one's name, "
+            "with the same port and key."
         )
     say("Open it yourself if no browser shows it. To end, press Ctrl+C or close the tab.")
     end_on_signals(first=server.close)
     if options.browser:
-        server.open_browser()
+        server.browser_start.open(server.address())
     return server

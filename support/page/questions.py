@@ -94,7 +94,7 @@ class Questions:
         """Return whether the present run is measured, and its measurement is not yet over."""
         return self.measurement is not None and not self.measurement.is_over
 
-    def is_measured_now(self) -> bool:
+    def measure(self) -> bool:
         """Measure this moment; return whether the measurement ends with it."""
         if self.measurement is None or self.measurement.is_over:
             return False
@@ -168,7 +168,7 @@ def what_happened(measurement: Measurement, said: int | None) -> dict:
         title = f"What happened: {with_letter(experiment, outcome)}."
     bobs = [str(number) for number in range(1, len(measurement.swings) + 1)]
     numbers = measurement.numbers()
-    rows = [["bob" if len(experiment.angles[0]) == 1 else "upper bob", *bobs]]
+    rows = [["bob" if len(experiment.poses[0]) == 1 else "upper bob", *bobs]]
     for kind, name in FIGURES.items():
         rows.append([name, *(numbers[f"{kind}_{bob}"] for bob in bobs)])
     rows.append(["swung to (degrees)", *(f"{round(swing)}" for swing in measurement.swings)])

@@ -14,7 +14,7 @@ cmds and attrs are VPython's (package in vpython.py, decode in glowcomm.html):
     cmds    {"cmd": kind, "idx": number, ...}   makes the object with this number
             {"idx": number, name: value}        sets an attribute of the canvas
     attrs   "a12Jvalue", "b12ovalue"            sets the attribute J or o of object 12
-            "m12Gvalue"                         calls the method G of object 12, for instance clear_trail
+            "m12Gvalue"                         calls the method G of object 12: clear_trail, ...
 
 state has what the page shows beside the canvas, by name (Viewer.state): only what has changed.
 """
@@ -22,105 +22,122 @@ state has what the page shows beside the canvas, by name (Viewer.state): only wh
 import json
 import re
 from collections import deque
+from collections.abc import Callable, Iterable, Mapping
 from threading import Event
 from typing import Any
 
 from vpython import baseObj, vector
 
 LOOK = 0.5  # s from one look of the server at the tabs to the next
-# Messages under way to a tab, and bytes: a far tab needs several, a slow line not too many
-MOST = 24
-LARGEST = 2**18
+# What can be under way to a tab: a far one needs several messages, a slow line not too many bytes.
+MOST = 24  # messages
+LARGEST = 2**18  # bytes
+
+NEW = object()  # unlike each value
+
+Changed = dict[Any, tuple[int, Any]]  # the number of the delivery and the change, by its key
 
 
 class Changes:
     """All changes of VPython's and of the state, by what they change, the latest one last."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         """Begin with nothing."""
         self.number = 0  # of the last delivery
-        # Numbers and changes: cmds are dictionaries, attrs are texts
-        self.drawing: dict[Any, tuple[int, Any]] = {}
-        self.state: dict[str, tuple[int, Any]] = {}
+        self.drawing: Changed = {}  # cmds are dictionaries, attrs are texts
+        self.state: Changed = {}  # by the name of the value
 
-    def add(self, state, cmds=(), attrs=()) -> None:
-        """Add a delivery.
+    def add(
+        self, state: Mapping[str, Any], cmds: Iterable[dict] = (), attrs: Iterable[str] = ()
+    ) -> None:
+        """Add a delivery, its changes last.
 
-        A change comes last: an attribute can change another one, as axis and size do.
+        The order counts: one attribute can change another, as axis and size do.
         """
         self.number += 1
         for cmd in cmds:
             names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
             self.put(self.drawing, (cmd["idx"], *names), cmd)
         for text in attrs:
-            key = text if text[0] == "m" else re.match(r"\w\d+.", text)[0]  # type: ignore[index]
-            self.put(self.drawing, key, text)
+            self.put(self.drawing, attribute_in(text), text)
         for name, value in state.items():
             self.put(self.state, name, value)
 
-    def put(self, changes, key, change) -> None:
+    def put(self, changed: Changed, key: Any, change: Any) -> None:
         """Put a change of this delivery last."""
-        changes.pop(key, None)
-        changes[key] = self.number, change
+        changed.pop(key, None)
+        changed[key] = (self.number, change)
 
-    def message(self, has) -> bytes:
+    def message(self, has: int) -> bytes:
         """Return all that is later than the delivery with the number `has` as one message."""
-        drawing, state = later(self.drawing, has), later(self.state, has)
+        drawing = later(self.drawing, has)
         for key in [*drawing]:
-            maker = key[0], "cmd"
+            maker = (key[0], "cmd")
             # A shape is made with its last texture: glow.min.js mixes up two that it loads.
             if key[1] == "texture" and maker in drawing:
                 drawing[maker] = drawing[maker] | drawing.pop(key)
-        cmds = [change for change in drawing.values() if isinstance(change, dict)]
-        attrs = [change for change in drawing.values() if isinstance(change, str)]
-        parts = {"number": self.number, "cmds": cmds, "attrs": attrs, "state": state}
-        # A student's number can be numpy's
-        return json.dumps(parts, separators=(",", ":"), default=float).encode()
+        message = {
+            "number": self.number,
+            "cmds": [change for change in drawing.values() if isinstance(change, dict)],
+            "attrs": [change for change in drawing.values() if isinstance(change, str)],
+            "state": later(self.state, has),
+        }
+        # A student's number can be numpy's.
+        return json.dumps(message, separators=(",", ":"), default=float).encode()
 
 
-def later(changes, has) -> dict:
+def attribute_in(text: str) -> str:
+    """Return which attribute an attr of VPython sets; a call of a method stands for itself."""
+    found = re.match(r"[^m]\d+.", text)
+    return found[0] if found else text
+
+
+def later(changed: Changed, has: int) -> dict[Any, Any]:
     """Return the changes that are later than the delivery with the number `has`, in their order."""
     found = []
-    for key, (number, change) in reversed(changes.items()):
+    for key, (number, change) in reversed(changed.items()):
         if number <= has:
             break
         found.append((key, change))
     return dict(reversed(found))
 
 
-def vpython_changes() -> dict:
+def vpython_changes() -> dict[str, list]:
     """Return what VPython would send now, its cmds and attrs; it then forgets them."""
     baseObj.handle_attach()
-    updates, attributes = baseObj.updates, baseObj.attrs
+    updates = baseObj.updates
+    attributes = baseObj.attrs
     baseObj.initialize()
     for number, name in attributes:
         value = getattr(baseObj.object_registry[number], name)
-        values = updates["attrs"].setdefault(number, {})
-        values[name] = [value.x, value.y, value.z] if isinstance(value, vector) else value
+        if isinstance(value, vector):
+            value = [value.x, value.y, value.z]
+        updates["attrs"].setdefault(number, {})[name] = value
     return baseObj.package(updates)
 
 
 class Tab:
-    """What one tab has got, and how much is under way to it: the sizes of messages (bytes)."""
+    """What one tab has got, and how much is under way to it."""
 
-    def __init__(self, send, has):
-        """Begin with all up to the delivery with the number `has`; send(message) sends bytes."""
-        self.send, self.has = send, has
-        self.under_way: deque[int] = deque()
+    def __init__(self, send: Callable[[bytes], None], has: int):
+        """Begin with all up to the delivery with the number `has`; send sends a message."""
+        self.send = send
+        self.has = has
+        self.under_way: deque[int] = deque()  # the sizes of messages (bytes), the oldest one first
         self.has_room = True  # for one message more
 
-    def take(self, changes, at_once=False) -> None:
-        """Send all that the tab lacks, if it lacks something, as soon as there is room, or at once."""
-        if self.has < changes.number and (self.has_room or at_once):
-            message, self.has = changes.message(self.has), changes.number
+    def update(self, changes: Changes, at_once: bool = False) -> None:
+        """Send all that the tab lacks as soon as there is room, or at once."""
+        lacks_something = self.has < changes.number
+        if lacks_something and (self.has_room or at_once):
+            message = changes.message(self.has)
+            self.has = changes.number
             self.under_way.append(len(message))
             self.send(message)
             self.measure()
 
-    def seen(self, count) -> None:
-        """Count pictures that the tab has drawn: as many messages, the oldest ones, are no longer
-        under way.
-        """
+    def note_drawn(self, count: int) -> None:
+        """Count pictures that the tab has drawn: as many messages have arrived, the oldest ones."""
         for _ in range(min(count, len(self.under_way))):
             self.under_way.popleft()
         self.measure()
@@ -136,84 +153,89 @@ class Tabs:
     The viewer calls have_room and show, the server the other methods, in its own thread.
     """
 
-    def __init__(self):
-        """Begin without a tab; the server sets in_server, which calls a function in its thread."""
+    def __init__(self) -> None:
+        """Begin without a tab."""
         self.all = Changes()  # VPython never sends a change again
         self.tabs: dict[Any, Tab] = {}  # by the websocket
-        self.last: dict = {}  # the state that the tabs have, or will have
-        self.in_server = lambda function, *arguments: function(*arguments)
-        self.give = lambda command, *values: None  # the viewer sets it; takes a command of a tab
-        # The viewer sets it; returns words on a function that does not return
-        self.endless = lambda: ""
+        self.last: dict[str, Any] = {}  # the state that the tabs have, or will have
         self.holder: Any = None  # the tab with the mouse down
         self.is_seen = Event()  # whether a tab has drawn the first picture
         self.are_gone = False  # whether the last tab was closed for good
+        # The viewer sets these two: what takes a command of a tab, and what returns a message
+        # about a function that does not return.
+        self.give: Callable[..., None] = lambda command, *values: None
+        self.endless: Callable[[], str] = lambda: ""
+        # The server sets this: what calls a function in its thread.
+        self.in_server: Callable[..., Any] = lambda function, *arguments: function(*arguments)
 
     def have_room(self) -> bool:
-        """Return whether a tab can take a message now: else, changes had better wait where they
-        are, and merge.
-        """
+        """Return whether a tab can take a message now; else, changes had better wait, and merge."""
         return any(tab.has_room for tab in [*self.tabs.values()])
 
-    def show(self, state) -> None:
-        """Send what VPython's objects have changed, and what differs in the state, a part of it or
-        all.
+    def show(self, state: Mapping[str, Any]) -> None:
+        """Send what VPython's objects have changed, and what differs in the state.
+
+        The state can be a part of it, or all.
         """
-        new = {
-            name: value
-            for name, value in state.items()
-            if name not in self.last or self.last[name] != value
-        }
+        new = {name: value for name, value in state.items() if self.last.get(name, NEW) != value}
         self.last.update(new)
         drawing = vpython_changes()
         if new or drawing:
             self.in_server(self.deliver, new, drawing)
 
-    def deliver(self, state, drawing) -> None:
-        """Give changes to all tabs, also to those that come later; at once, that the program has
-        ended, and why.
+    def deliver(self, state: Mapping[str, Any], drawing: Mapping[str, list]) -> None:
+        """Give changes to all tabs, also to those that come later.
+
+        If they say that the program has ended, give them at once.
         """
         self.all.add(state, **drawing)
+        has_ended = state.get("ended") is not None
         for tab in [*self.tabs.values()]:
-            tab.take(self.all, at_once=state.get("ended") is not None)
+            tab.update(self.all, at_once=has_ended)
 
     def look(self) -> None:
-        """Tell the tabs of a function that does not return, and when it has; the server calls it
-        each LOOK seconds.
-        """
-        words = self.endless()
-        if words != self.last.get("endless", ""):
-            self.last["endless"] = words
-            self.deliver({"endless": words}, {})
+        """Tell the tabs of a function that does not return, and when it has.
 
-    def open(self, socket, send, has=0) -> None:
-        """Let a tab have all that is later than the delivery with the number `has`; send(message)
-        sends bytes to it.
+        The server calls it each LOOK seconds.
         """
-        self.tabs[socket] = Tab(send, has if has <= self.all.number else 0)
-        self.tabs[socket].take(self.all)
+        message = self.endless()
+        if message != self.last.get("endless", ""):
+            self.last["endless"] = message
+            self.deliver({"endless": message}, {})
 
-    def close(self, socket) -> None:
+    def open(self, socket: Any, send: Callable[[bytes], None], has: int = 0) -> None:
+        """Let a tab have all that is later than the delivery with the number `has`.
+
+        send sends a message to it.
+        """
+        if has > self.all.number:  # of an earlier program
+            has = 0
+        self.tabs[socket] = Tab(send, has)
+        self.tabs[socket].update(self.all)
+
+    def close(self, socket: Any) -> None:
         """Forget a tab; a bob that it held swings on."""
         self.receive(socket, b'["let go"]')
         del self.tabs[socket]
 
-    def receive(self, socket, data) -> None:
-        """Take a message of a tab; forget one that is no command.
-
-        While one tab has the mouse down, others cannot.
-        """
+    def receive(self, socket: Any, data: bytes) -> None:
+        """Take a message of a tab; forget one that is no command."""
         if data.startswith(b"seen"):
             self.is_seen.set()
-            self.tabs[socket].seen(data.count(b"seen"))
-            self.tabs[socket].take(self.all)
+            self.tabs[socket].note_drawn(data.count(b"seen"))
+            self.tabs[socket].update(self.all)
             return
         try:
             command, *values = json.loads(data)
         except (ValueError, TypeError, RecursionError):
             return
-        if command in ("grab", "drag", "let go"):
-            if self.holder not in (socket, None if command == "grab" else socket):
-                return
-            self.holder = None if command == "let go" else socket
-        self.give(command, *values)
+        if command not in ("grab", "drag", "let go") or self.can_use_mouse(socket, command):
+            self.give(command, *values)
+
+    def can_use_mouse(self, socket: Any, command: str) -> bool:
+        """Return whether a tab can give a command of the mouse: one tab alone has it down."""
+        is_free = self.holder is None and command == "grab"
+        if self.holder is not socket and not is_free:
+            return False
+        self.holder = None if command == "let go" else socket
+        return True

@@ -11,6 +11,9 @@ from typing import Any
 from support.start.checks_command import checks_command, ROOT
 from support.start.output import say
 
+# A frame of this file below one of main: the player works, or waits for the clock.
+PLAYER_FILE = "player.py"
+
 
 class MistakeError(Exception):
     """A function raised no error, but its result is unusable."""
@@ -46,7 +49,7 @@ def handout_frames(error: BaseException) -> list[traceback.FrameSummary]:
             callee = ""
         elif not callee:
             callee = Path(frame.filename).name
-    return [] if callee == "player.py" else found
+    return [] if callee == PLAYER_FILE else found
 
 
 def report_mistake(error: BaseException) -> str:

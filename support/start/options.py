@@ -155,7 +155,8 @@ def page_options(description: str) -> OneLineParser:
     text = "port of the page (default: any free one)"
     add("--port", type=type_of(int, is_port, PORT), metavar="N", help=text)
     text = (
-        "address at which the page is, for a container 0.0.0.0 "
+        "address at which the page is served; "
+        "0.0.0.0 lets other machines open it, as in a container "
         "(default: 127.0.0.1, for this machine alone)"
     )
     add("--host", metavar="ADDRESS", default="127.0.0.1", help=text)
@@ -216,14 +217,11 @@ def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
     )
     text = "end after S seconds (default: until Ctrl+C)"
     add("--seconds", type=seconds, metavar="S", default=inf, help=text)
-    text = (
-        "write the data of S seconds (--seconds S) to FILE, a CSV (- is the output), "
-        "as fast as the machine can"
-    )
+    text = "write the data of --seconds S to FILE, a CSV (- prints it), as fast as the machine can"
     add("--record", type=type_of(str, bool, "the name of a file"), metavar="FILE", help=text)
     every = type_of(float, is_in_ticks, f"a multiple of {DT} (s), one tick, up to 1e6")
-    text = f"with --record: a row for every S seconds (default: {round(EVERY / DT) * DT:g})"
-    add("--every", type=every, metavar="S", help=text)
+    text = f"with --record: a row for every T seconds (default: {round(EVERY / DT) * DT:g})"
+    add("--every", type=every, metavar="T", help=text)
     options = parser.parse_args(arguments)
     if options.record is not None and options.seconds == inf:
         parser.error("argument --record: needs --seconds, to say how long")

@@ -26,7 +26,7 @@ def while_it_is_read() -> Iterator[None]:
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
         # closed, as after `>&-`: now nobody reads the output, and the input is empty
         if getattr(sys, name) is None:
-            nothing = open(os.devnull, mode, encoding="utf-8", errors="backslashreplace")  # noqa: SIM115
+            nothing = open(os.devnull, mode, encoding="utf-8", errors="replace")  # noqa: SIM115
             setattr(sys, name, nothing)  # it stays open
     # Not in IDLE's shell, which has all letters; a pipe on Windows lacks some
     if hasattr(sys.stdout, "reconfigure"):

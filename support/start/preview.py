@@ -2,12 +2,12 @@
 
 import ast
 from collections import ChainMap
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Mapping
 from contextlib import suppress
 from typing import Any, NamedTuple, Protocol
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.main_page import Page
+from support.main_page import Loop, Page
 from support.pendulum import discard
 from support.start.checks_command import checks_command, ROOT
 from support.start.output import refuse
@@ -104,7 +104,7 @@ def end_if_unwritten(*modules: str, names: Collection[str] | None = None) -> Non
         refuse(f"There is no cradle to see yet. Write first: {missing}.")
 
 
-def what_there_is(main: Callable[[Page], None], cradle: HasFunctions) -> tuple[Callable, str]:
+def what_there_is(main: Loop, cradle: HasFunctions) -> tuple[Loop, str]:
     """Return main and no remark, or a simpler loop and a remark that names the missing functions.
 
     Exit if functions are missing without which there is no picture.
@@ -130,9 +130,7 @@ def what_there_is(main: Callable[[Page], None], cradle: HasFunctions) -> tuple[C
     return loop, f"Write next: {missing}. {sentence}".strip() if missing else ""
 
 
-def preview(
-    scope: Mapping[str, Any], swings: bool = False, collides: bool = False
-) -> Callable[[Page], None]:
+def preview(scope: Mapping[str, Any], swings: bool = False, collides: bool = False) -> Loop:
     """Return a loop that makes and moves a cradle with the functions in scope that are written.
 
     swings says whether full_swing_update is written, collides whether handle_two_bobs is: then

@@ -14,14 +14,15 @@ from typing import Any
 
 from support.cradle.cradle import Cradle
 from support.cradle.impacts import in_line
-from support.cradle.motion import in_words, Motion
+from support.cradle.motion import Motion, percent_as_text
 from support.cradle.player import Player, run
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import whole_file
+from support.main_page import Loop
 from support.start.output import in_one_line, Progress, progress_bar, say, switch_on_escapes
 from support.terminal.text_picture import TextPicture
 
-BATCH = 1000  # ticks from one report of a recording's progress to the next
+TICKS_A_FRAME = 1000  # ticks from one report of a recording's progress to the next
 WIDTH = 80  # columns, at most
 ROWS = 24  # of a terminal that does not know its size
 SERIES = 4  # of impacts, a line for each
@@ -66,7 +67,7 @@ def screen(motion: Motion, picture: TextPicture, speed: str, remark: str = "") -
     above = [motion.reading(), *textwrap.wrap(remark, columns), speed]
     below = []
     if rows >= LOW:
-        impacts = motion.trains.lines(columns)
+        impacts = motion.impacts.lines(columns)
         free = [""] * (SERIES - len(impacts))
         below = ["", "Impacts", *impacts, *free, "", "Ctrl+C ends it."]
     cradle = picture.lines(motion.cradle, columns, rows - len(above) - len(below))
@@ -80,11 +81,11 @@ def summary(motion: Motion) -> str:
     angle = max(angles, key=abs)
     bob = angles.index(angle) + 1
     side = "left" if angle < 0 else "right"
-    energy = in_words(motion.percents()["energy"]).strip()
+    energy = percent_as_text(motion.percents()["energy"]).strip()
     line = (
         f"t = {motion.time():.2f} s, energy {energy}, bob {bob} at {abs(angle):.0f} degrees {side}"
     )
-    series = motion.trains.trains
+    series = motion.impacts.series
     if series:
         line += f", hits: {series[-1]}"
     return in_line(line, WIDTH)
@@ -127,7 +128,7 @@ class Pictures(TextPlayer):
         """Show the remark, if there is one, above the picture; the rest is as in TextPlayer."""
         super().__init__(cradle, csv, options)
         self.picture = TextPicture()
-        self.loop_remark = remark
+        self.own_remark = remark
         self.last_lines: list[str] = []  # of the last picture
 
     def note(self) -> None:
@@ -135,7 +136,7 @@ class Pictures(TextPlayer):
 
         Go to the top left corner; clear each line, and at the end all lines below.
         """
-        remark = self.loop_remark or self.cradle.remark()
+        remark = self.own_remark or self.cradle.remark()
         self.last_lines = screen(self.motion, self.picture, self.pace.remark(), remark)
         text = "\n".join("\x1b[K" + line for line in self.last_lines)
         print(f"\x1b[H{text}\x1b[J", end="", flush=True)
@@ -148,7 +149,7 @@ class Lines(TextPlayer):
 
     def note(self) -> None:
         print(summary(self.motion), flush=True)
-        self.motion.trains.clear()
+        self.motion.impacts.clear()
 
 
 class Recorder(Player):
@@ -184,14 +185,14 @@ class Recorder(Player):
         self.is_over = self.motion.ticks >= self.last
         if self.motion.ticks:
             self.progress(self.motion.ticks / self.last)
-        self.plan(min(BATCH, self.last - self.motion.ticks))
+        self.plan(min(TICKS_A_FRAME, self.last - self.motion.ticks))
 
     def note(self) -> None:
         self.writer.writerow(self.motion.sample().values())
 
 
 def record(
-    loop: Callable, cradle: Cradle, snapshot: Snapshot, options: Namespace, remark: str = ""
+    loop: Loop, cradle: Cradle, snapshot: Snapshot, options: Namespace, remark: str = ""
 ) -> None:
     """Write the data of options.seconds to the file options.record, whole or not at all.
 

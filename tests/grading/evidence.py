@@ -257,12 +257,11 @@ def of_error(error, frames, function) -> tuple[str, str]:
         return "", f"{call} It takes, in this order: {names}."
     frame, line = frames[-1] if frames else (None, 0)
     evidence = Evidence(error, frame, line)
-    for kinds, pattern, test, hint in ERRORS.values():
-        if not isinstance(error, kinds):
+    for row in ERRORS.values():
+        if not isinstance(error, row.kinds) or not re.search(row.pattern, evidence.text):
             continue
-        found = re.search(pattern, evidence.text)
-        if found and (test is None or test(evidence)):
-            return hint.format(*found.groups(), name=evidence.name, evidence=evidence), ""
+        if row.fits is None or row.fits(evidence):
+            return row.hint.format(name=evidence.name, evidence=evidence), ""
     if isinstance(error, SyntaxError) and evidence.text != "invalid syntax":
         return "", ""  # Python says it better
     for kind, meaning in MEANING.items():

@@ -1,13 +1,13 @@
 """All hints for mistakes, as rows with names. evidence.py chooses among them.
 
-ERRORS  a row for an error of Python: its type, a pattern of Python's own text or "", a test of the
-        evidence (evidence.Evidence) or None, and the hint; {0} is the first group of the pattern,
-        {name} the name or key of the error
+ERRORS  a Hint for each known error of Python; of those that fit, the first one counts
 MEANING what an error means, if no row fits
 FORMS   a pattern of the sentence that says what is wrong, and the hint
 """
 
 import re
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 KEYS = "mass", "e", "theta", "omega", "color", "texture", "objects"
 TUPLE = "The bob is in the tuple objects of a pendulum: axle, bob, cord = pend['objects']."
@@ -49,68 +49,82 @@ NEWER = [
     ((3, 14), r"""\bt["']""", "t-strings"),
 ]
 
+
+class Hint(NamedTuple):
+    """A hint, and the errors of Python that it is for."""
+
+    kinds: type[BaseException] | tuple[type[BaseException], ...]
+    # {name} is the name or key of the error, {evidence} what evidence.Evidence has found
+    hint: str
+    pattern: str = ""  # of Python's own text
+    fits: Callable[[Any], Any] | None = None  # a test of the evidence.Evidence
+
+
+# The first row that fits gives the hint. So a row stands above those that would fit as well, but
+# say less: "misspelled" names the word and is above "no sign", and the rows for one kind of object
+# are above those for any.
 # A row is a line:
 # fmt: off
 ERRORS = {
-    "look-alike": (SyntaxError, r"invalid (?:non-printable )?character", None, "This character only looks like the right one. Delete it, and type it on your keyboard."),
-    "encoding": ((SyntaxError, ValueError), "null bytes|codec can't decode", None, "This file is not saved in UTF-8. Save it with the encoding UTF-8."),
-    "no Python": (SyntaxError, "", lambda evidence: evidence.other_form, "This file is no Python: it is {evidence.other_form}."),
-    "newer": (SyntaxError, "", lambda evidence: evidence.newer, "{evidence.newer}"),
-    "plus plus": (SyntaxError, "", lambda evidence: re.search(r"\+ \+( |$)", " ".join(evidence.tokens)), "Python has no ++: i += 1 adds 1."),
-    "no brackets": (SyntaxError, "", lambda evidence: evidence.side_by_side and evidence.side_by_side[0] in CALLED, "A function needs ( ) around its values: {evidence.side_by_side[0]}({evidence.side_by_side[1]})."),
-    "misspelled": (SyntaxError, "", lambda evidence: evidence.misspelled, "Python has no word {evidence.misspelled[0]}. Is it {evidence.misspelled[1]}?"),
-    "no sign": (SyntaxError, "", lambda evidence: evidence.side_by_side, "A sign is missing between {evidence.side_by_side[0]} and {evidence.side_by_side[1]}: * multiplies them, a comma separates them."),
-    "turned sign": (SyntaxError, "", lambda evidence: re.search("= [<>]", " ".join(evidence.tokens)), "In Python, = comes last in this sign: <= or >=."),
-    "curly": (SyntaxError, "", lambda evidence: re.search(r"[\])] {", " ".join(evidence.tokens)), "A key stands in [ ], not in {{ }}."),
-    "indent": ((IndentationError, SyntaxError), r"indent|'return' outside|\btabs?\b", None, "The lines of a function begin with four spaces, those of a loop or an if in it with four more."),
-    "equation": (SyntaxError, r"cannot assign to (?:expression|function call|literal)|cannot contain assignment", None, "Only a name, or a key in [ ], can get a value: on the left of = , or between for and in."),
-    "outside": (NameError, "", lambda evidence: evidence.function == "<module>", "This line stands outside of all functions. Delete it, or indent it if it belongs to one."),
-    "in front": (NameError, "", lambda evidence: evidence.behind_dot in evidence.globals, "{evidence.behind_dot} is there without {name}. in front of it: write {evidence.behind_dot}( )."),
-    "import": (NameError, "", lambda evidence: evidence.is_given and evidence.name not in evidence.globals, "The name {name} comes from another file, or from a package. Put its import back, at the top of the file."),
-    "key is a name": (NameError, "", lambda evidence: evidence.name in KEYS and evidence.in_brackets, "A key is text. Write it in quotes: ['{name}']."),
-    "end": (NameError, "", lambda evidence: evidence.name == "end", "Python has no end: delete this line. A block ends where its indentation ends."),
-    "power": (TypeError, r"for \^", None, "In Python, ** is a power, and ^ is something else."),
-    "R": (NameError, "", lambda evidence: evidence.name == "R", "The R of the handout is r_param."),
-    "csv": (NameError, "", lambda evidence: evidence.name == "NC_FP", "page.csv has the path of the file."),
-    "near": (NameError, "", lambda evidence: evidence.nearest, "No line that ran has given {name} a value."),
-    "name taken": (UnboundLocalError, "", lambda evidence: evidence.is_taken, "The name of a function is taken: {name}. Give your own value another name."),
-    "bob": (KeyError, "", lambda evidence: evidence.name in ("axle", "bob", "cord", "pos", "radius", "bob1", "bob2"), TUPLE),
-    "word": (KeyError, "", lambda evidence: evidence.has_map and evidence.name in ("color", "texture"), "You looked for the word {name}. Between [ ] belongs the pendulum's own {name}."),
-    "map": (KeyError, "", lambda evidence: evidence.has_map, "The key of COLOR_MAP is the color of the pendulum, and that of TEXTURE_MAP its texture."),
-    "last": (IndexError, "", lambda evidence: evidence.adds, "The last pendulum has none after it. The loop goes one step too far."),
-    "append": (IndexError, "list assignment", None, "A list has no place for a new element. Add it with append."),
-    "too many": (AttributeError, "'list' object has no", lambda evidence: evidence.name in (*KEYS, "values", "items", "keys"), "This is the whole list. Take one pendulum first, for example in a for loop."),
-    "add": (AttributeError, "'list' object has no", lambda evidence: evidence.name in ("add", "push", "put", "plus", "Append", "insertLast"), "A list has append: it puts one more element at the end."),
-    "no dot": (AttributeError, "'dict' object has no", lambda evidence: evidence.name in KEYS, "A dictionary needs brackets and quotes, not a dot: ['{name}']."),
-    "no bob": ((AttributeError, TypeError), "'(?:dict|tuple)' object has no attribute '(?:pos|radius|axis)'|tuple indices .* not str", None, TUPLE),
-    "nothing": ((AttributeError, TypeError), "NoneType", None, "One value in this line is None. A function without return gives None, and append gives None, too: do not store its result."),
-    "color": (AttributeError, "color must be a vector", None, "COLOR_MAP has the vector of a color. make_pendulum takes axle_pos, r_param, theta, color, texture, in this order."),
-    "pendulum as index": (TypeError, "list indices .* not dict|unhashable type: '(?:dict|list)'", None, "You use a whole pendulum as an index or a key. A loop over the list gives the pendulum itself: it needs no [ ]."),
-    "key of a list": (TypeError, "list indices .* not str", None, "A list has no keys: each of its pendula has. Take one pendulum, for example in a for loop."),
-    "text with a key": (TypeError, "string indices|byte indices", None, "This is text (a key, or the name of a file), and no pendulum: it has no keys."),
-    "no keys": (TypeError, r"'(?:int|float|numpy\.\w+)' object (?:is not subscriptable|does not support)", None, "A number has no keys and no elements: it is no pendulum. range( ) gives numbers, and a loop over a dictionary gives its keys."),
-    "keys of a loop": (TypeError, "cannot unpack non-iterable", lambda evidence: evidence.goes_through_dictionary, "A loop over a dictionary gives its keys. .values() gives its values, and .items() both."),
-    "one number": (TypeError, "'(?:int|float)' object is not iterable|cannot unpack non-iterable (?:int|float)", None, "This is one number. A loop, or two names before = , need several values. A loop that counts takes range( )."),
-    "number called": (TypeError, "'(?:int|float|vector)' object is not callable", None, "A value with ( ) behind it is called as a function, and a number cannot be called. A product needs * ."),
-    "not callable": (TypeError, "'(?:list|dict|tuple|str|dict_values)' object is not callable", None, "Only functions are called with ( ). A list, a dictionary or a tuple needs [ ] behind its name."),
-    "round brackets": (TypeError, "'(?:function|builtin_function_or_method|method|type)' object is not subscriptable|type '.*' is not subscriptable", None, "A function needs ( ), not [ ]."),
-    "not called": (TypeError, "'?(?:function|builtin_function_or_method|method)\\b", None, "You named a function, but did not call it. Put ( ) behind its name, with its values in them if it takes any."),
-    "length": (TypeError, "'[<>]=?' not supported .*'vector'", None, "A vector is no length. mag(...) is the length of a vector."),
-    "object": (TypeError, "operand.*'(?:sphere|box|cylinder)'|'(?:sphere|box|cylinder)' object is not subscriptable", None, "An object of VPython is no number and no vector. Its position is .pos, and a bob's radius is .radius."),
-    "vector": (TypeError, "'vector' object is not|vector needs 3", None, "A vector has x, y and z: vector(x, y, z), and bob.pos.x. It has no elements."),
-    "mixed": (TypeError, "operand.*'vector'|number.*'?vector'?", None, "A vector stands beside a number, or in its place. The positions of both bobs are vectors."),
-    "more text": (TypeError, "must be str|operand.*'str'|number, not '?str|between.*'str'|by non-int of type|concatenate str", None, "You calculate with text, or with several values at once. In quotes, a name is only text; [ ] or a comma make several values."),
-    "several": (TypeError, "operand.*'(?:tuple|list)'|number, not '?(?:tuple|list)|between.*'(?:tuple|list)'|concatenate", None, "You calculate with a list or a tuple. [ ] make a list, also in a formula: its brackets are ( ). Commas make a tuple. Take its numbers one by one."),
-    "next": (TypeError, r"\+: 'dict' and 'int'", None, "A pendulum plus 1 is not the next pendulum: + 1 needs an index. A loop over range(...) gives i, and pend_list[i] is a pendulum."),
-    "whole pendulum": (TypeError, "operand.*'dict'|number, not '?dict|between.*'dict'", None, "You calculate with a whole pendulum. A key gives one of its values; range(len(...)) counts pendula."),
-    "arguments": (TypeError, r"(\w+)\(\) (?:missing|takes|got)", lambda evidence: evidence.takes, "{evidence.takes}"),
-    "three parts": (ValueError, "unpack", lambda evidence: "objects" in evidence.texts, "objects has three parts: axle, bob, cord = pend['objects']."),
-    "path": ((ValueError, TypeError), r"file path|os\.PathLike", None, "The path of a file belongs here: relative_filepath."),
-    "path in quotes": (FileNotFoundError, "", lambda evidence: evidence.name in ("relative_filepath", "page.csv", "NC_FP"), "Write {name} without quotes: it is a name, not text."),
-    "circle": (ImportError, "circular import", None, "Your files import each other in a circle. Remove the import in this file."),
-    "file gone": (ModuleNotFoundError, "", lambda evidence: evidence.name.startswith("src."), "There is no file {evidence.file}. Put it back."),
-    "src": (ModuleNotFoundError, "", lambda evidence: evidence.name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"), "Write src. in front of the file in the import: src.{name}."),
-    "itself": (RecursionError, "", None, "Your function calls itself, without end. Delete this call, or call the function that you need in its place."),
+    "look-alike": Hint(SyntaxError, pattern=r"invalid (?:non-printable )?character", hint="This character only looks like the right one. Delete it, and type it on your keyboard."),
+    "encoding": Hint((SyntaxError, ValueError), pattern="null bytes|codec can't decode", hint="This file is not saved in UTF-8. Save it with the encoding UTF-8."),
+    "no Python": Hint(SyntaxError, fits=lambda evidence: evidence.other_form, hint="This file is no Python: it is {evidence.other_form}."),
+    "newer": Hint(SyntaxError, fits=lambda evidence: evidence.newer, hint="{evidence.newer}"),
+    "plus plus": Hint(SyntaxError, fits=lambda evidence: re.search(r"\+ \+( |$)", " ".join(evidence.tokens)), hint="Python has no ++: i += 1 adds 1."),
+    "no brackets": Hint(SyntaxError, fits=lambda evidence: evidence.side_by_side and evidence.side_by_side[0] in CALLED, hint="A function needs ( ) around its values: {evidence.side_by_side[0]}({evidence.side_by_side[1]})."),
+    "misspelled": Hint(SyntaxError, fits=lambda evidence: evidence.misspelled, hint="Python has no word {evidence.misspelled[0]}. Is it {evidence.misspelled[1]}?"),
+    "no sign": Hint(SyntaxError, fits=lambda evidence: evidence.side_by_side, hint="A sign is missing between {evidence.side_by_side[0]} and {evidence.side_by_side[1]}: * multiplies them, a comma separates them."),
+    "turned sign": Hint(SyntaxError, fits=lambda evidence: re.search("= [<>]", " ".join(evidence.tokens)), hint="In Python, = comes last in this sign: <= or >=."),
+    "curly": Hint(SyntaxError, fits=lambda evidence: re.search(r"[\])] {", " ".join(evidence.tokens)), hint="A key stands in [ ], not in {{ }}."),
+    "indent": Hint((IndentationError, SyntaxError), pattern=r"indent|'return' outside|\btabs?\b", hint="The lines of a function begin with four spaces, those of a loop or an if in it with four more."),
+    "equation": Hint(SyntaxError, pattern=r"cannot assign to (?:expression|function call|literal)|cannot contain assignment", hint="Only a name, or a key in [ ], can get a value: on the left of = , or between for and in."),
+    "outside": Hint(NameError, fits=lambda evidence: evidence.function == "<module>", hint="This line stands outside of all functions. Delete it, or indent it if it belongs to one."),
+    "in front": Hint(NameError, fits=lambda evidence: evidence.behind_dot in evidence.globals, hint="{evidence.behind_dot} is there without {name}. in front of it: write {evidence.behind_dot}( )."),
+    "import": Hint(NameError, fits=lambda evidence: evidence.is_given and evidence.name not in evidence.globals, hint="The name {name} comes from another file, or from a package. Put its import back, at the top of the file."),
+    "key is a name": Hint(NameError, fits=lambda evidence: evidence.name in KEYS and evidence.in_brackets, hint="A key is text. Write it in quotes: ['{name}']."),
+    "end": Hint(NameError, fits=lambda evidence: evidence.name == "end", hint="Python has no end: delete this line. A block ends where its indentation ends."),
+    "power": Hint(TypeError, pattern=r"for \^", hint="In Python, ** is a power, and ^ is something else."),
+    "R": Hint(NameError, fits=lambda evidence: evidence.name == "R", hint="The R of the handout is r_param."),
+    "csv": Hint(NameError, fits=lambda evidence: evidence.name == "NC_FP", hint="page.csv has the path of the file."),
+    "near": Hint(NameError, fits=lambda evidence: evidence.nearest, hint="No line that ran has given {name} a value."),
+    "name taken": Hint(UnboundLocalError, fits=lambda evidence: evidence.is_taken, hint="The name of a function is taken: {name}. Give your own value another name."),
+    "bob": Hint(KeyError, fits=lambda evidence: evidence.name in ("axle", "bob", "cord", "pos", "radius", "bob1", "bob2"), hint=TUPLE),
+    "word": Hint(KeyError, fits=lambda evidence: evidence.has_map and evidence.name in ("color", "texture"), hint="You looked for the word {name}. Between [ ] belongs the pendulum's own {name}."),
+    "map": Hint(KeyError, fits=lambda evidence: evidence.has_map, hint="The key of COLOR_MAP is the color of the pendulum, and that of TEXTURE_MAP its texture."),
+    "last": Hint(IndexError, fits=lambda evidence: evidence.adds, hint="The last pendulum has none after it. The loop goes one step too far."),
+    "append": Hint(IndexError, pattern="list assignment", hint="A list has no place for a new element. Add it with append."),
+    "too many": Hint(AttributeError, pattern="'list' object has no", fits=lambda evidence: evidence.name in (*KEYS, "values", "items", "keys"), hint="This is the whole list. Take one pendulum first, for example in a for loop."),
+    "add": Hint(AttributeError, pattern="'list' object has no", fits=lambda evidence: evidence.name in ("add", "push", "put", "plus", "Append", "insertLast"), hint="A list has append: it puts one more element at the end."),
+    "no dot": Hint(AttributeError, pattern="'dict' object has no", fits=lambda evidence: evidence.name in KEYS, hint="A dictionary needs brackets and quotes, not a dot: ['{name}']."),
+    "no bob": Hint((AttributeError, TypeError), pattern="'(?:dict|tuple)' object has no attribute '(?:pos|radius|axis)'|tuple indices .* not str", hint=TUPLE),
+    "nothing": Hint((AttributeError, TypeError), pattern="NoneType", hint="One value in this line is None. A function without return gives None, and append gives None, too: do not store its result."),
+    "color": Hint(AttributeError, pattern="color must be a vector", hint="COLOR_MAP has the vector of a color. make_pendulum takes axle_pos, r_param, theta, color, texture, in this order."),
+    "pendulum as index": Hint(TypeError, pattern="list indices .* not dict|unhashable type: '(?:dict|list)'", hint="You use a whole pendulum as an index or a key. A loop over the list gives the pendulum itself: it needs no [ ]."),
+    "key of a list": Hint(TypeError, pattern="list indices .* not str", hint="A list has no keys: each of its pendula has. Take one pendulum, for example in a for loop."),
+    "text with a key": Hint(TypeError, pattern="string indices|byte indices", hint="This is text (a key, or the name of a file), and no pendulum: it has no keys."),
+    "no keys": Hint(TypeError, pattern=r"'(?:int|float|numpy\.\w+)' object (?:is not subscriptable|does not support)", hint="A number has no keys and no elements: it is no pendulum. range( ) gives numbers, and a loop over a dictionary gives its keys."),
+    "keys of a loop": Hint(TypeError, pattern="cannot unpack non-iterable", fits=lambda evidence: evidence.goes_through_dictionary, hint="A loop over a dictionary gives its keys. .values() gives its values, and .items() both."),
+    "one number": Hint(TypeError, pattern="'(?:int|float)' object is not iterable|cannot unpack non-iterable (?:int|float)", hint="This is one number. A loop, or two names before = , need several values. A loop that counts takes range( )."),
+    "number called": Hint(TypeError, pattern="'(?:int|float|vector)' object is not callable", hint="A value with ( ) behind it is called as a function, and a number cannot be called. A product needs * ."),
+    "not callable": Hint(TypeError, pattern="'(?:list|dict|tuple|str|dict_values)' object is not callable", hint="Only functions are called with ( ). A list, a dictionary or a tuple needs [ ] behind its name."),
+    "round brackets": Hint(TypeError, pattern="'(?:function|builtin_function_or_method|method|type)' object is not subscriptable|type '.*' is not subscriptable", hint="A function needs ( ), not [ ]."),
+    "not called": Hint(TypeError, pattern="'?(?:function|builtin_function_or_method|method)\\b", hint="You named a function, but did not call it. Put ( ) behind its name, with its values in them if it takes any."),
+    "length": Hint(TypeError, pattern="'[<>]=?' not supported .*'vector'", hint="A vector is no length. mag(...) is the length of a vector."),
+    "object": Hint(TypeError, pattern="operand.*'(?:sphere|box|cylinder)'|'(?:sphere|box|cylinder)' object is not subscriptable", hint="An object of VPython is no number and no vector. Its position is .pos, and a bob's radius is .radius."),
+    "vector": Hint(TypeError, pattern="'vector' object is not|vector needs 3", hint="A vector has x, y and z: vector(x, y, z), and bob.pos.x. It has no elements."),
+    "mixed": Hint(TypeError, pattern="operand.*'vector'|number.*'?vector'?", hint="A vector stands beside a number, or in its place. The positions of both bobs are vectors."),
+    "more text": Hint(TypeError, pattern="must be str|operand.*'str'|number, not '?str|between.*'str'|by non-int of type|concatenate str", hint="You calculate with text, or with several values at once. In quotes, a name is only text; [ ] or a comma make several values."),
+    "several": Hint(TypeError, pattern="operand.*'(?:tuple|list)'|number, not '?(?:tuple|list)|between.*'(?:tuple|list)'|concatenate", hint="You calculate with a list or a tuple. [ ] make a list, also in a formula: its brackets are ( ). Commas make a tuple. Take its numbers one by one."),
+    "next": Hint(TypeError, pattern=r"\+: 'dict' and 'int'", hint="A pendulum plus 1 is not the next pendulum: + 1 needs an index. A loop over range(...) gives i, and pend_list[i] is a pendulum."),
+    "whole pendulum": Hint(TypeError, pattern="operand.*'dict'|number, not '?dict|between.*'dict'", hint="You calculate with a whole pendulum. A key gives one of its values; range(len(...)) counts pendula."),
+    "arguments": Hint(TypeError, pattern=r"(\w+)\(\) (?:missing|takes|got)", fits=lambda evidence: evidence.takes, hint="{evidence.takes}"),
+    "three parts": Hint(ValueError, pattern="unpack", fits=lambda evidence: "objects" in evidence.texts, hint="objects has three parts: axle, bob, cord = pend['objects']."),
+    "path": Hint((ValueError, TypeError), pattern=r"file path|os\.PathLike", hint="The path of a file belongs here: relative_filepath."),
+    "path in quotes": Hint(FileNotFoundError, fits=lambda evidence: evidence.name in ("relative_filepath", "page.csv", "NC_FP"), hint="Write {name} without quotes: it is a name, not text."),
+    "circle": Hint(ImportError, pattern="circular import", hint="Your files import each other in a circle. Remove the import in this file."),
+    "file gone": Hint(ModuleNotFoundError, fits=lambda evidence: evidence.name.startswith("src."), hint="There is no file {evidence.file}. Put it back."),
+    "src": Hint(ModuleNotFoundError, fits=lambda evidence: evidence.name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"), hint="Write src. in front of the file in the import: src.{name}."),
+    "itself": Hint(RecursionError, hint="Your function calls itself, without end. Delete this call, or call the function that you need in its place."),
 }
 MEANING = {
     UnboundLocalError: "A line of this function gives {name} a value, so {name} is a name of this function alone. When this line runs, it has no value yet.",

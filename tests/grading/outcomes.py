@@ -144,10 +144,13 @@ class Grading:
             lines = [end_of(raised, ()), *lines[1:]]
         called = error.call.lines(index_in(f"{error}") or 0)
         read = f"handout, {FUNCTIONS[function].read}: {function}"
+        text = message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)])
+        if not place:
+            place = place_in_file(function, explained.line or code.line)
         return Outcome(
             FAILED,
-            message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)]),
-            f"{place or place_in_file(function, explained.line or code.line)}",
+            text,
+            f"{place}",
             in_one_line(hint),
             wrong=wrong,
             help="" if raised else error.help,

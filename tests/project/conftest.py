@@ -1,5 +1,6 @@
-"""What the project's tests share: they meet VPython itself in other processes, and in real
-browsers.
+"""What the project's tests share.
+
+They meet VPython itself in other processes, and in real browsers.
 """
 
 import os
@@ -8,6 +9,8 @@ import signal
 import subprocess
 
 import pytest
+from classroom import classroom, python_for_all  # noqa: F401  fixtures
+from graded import solve  # noqa: F401  a fixture
 from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, needs_vpython, new_page, PROGRAM
 from rig import Rig
 from students import made, solved, starter  # noqa: F401  fixtures
@@ -17,11 +20,11 @@ from support.start.options import PORT_VARIABLE
 
 os.environ.pop(PORT_VARIABLE, None)  # or the programs that the tests start would all want that port
 
-# A program that is started inherits which signals are ignored, as with nohup, but none that has a
-# handler.
+# A program inherits the signals that are ignored, as with nohup, but none that has a handler.
 for name in ("SIGHUP", "SIGINT", "SIGQUIT"):
-    if hasattr(signal, name) and signal.getsignal(getattr(signal, name)) == signal.SIG_IGN:
-        signal.signal(getattr(signal, name), lambda *_: None)
+    number = getattr(signal, name, None)
+    if number and signal.getsignal(number) == signal.SIG_IGN:
+        signal.signal(number, lambda *_: None)
 
 
 def pytest_itemcollected(item):
@@ -33,9 +36,7 @@ def pytest_itemcollected(item):
 
 @pytest.fixture
 def program(tmp_path):
-    """The program in a project of its own, with five equal bobs, whatever has become of the shipped
-    CSV.
-    """
+    """The program in a project of its own, with five equal bobs in its CSV."""
     return copy_project(tmp_path, FIVE_CSV) / "src" / PROGRAM.name
 
 
@@ -73,17 +74,22 @@ def firefox(driver):
     """Firefox on a screen that is only in memory: without any screen it has no WebGL."""
     if FIREFOX is None or shutil.which("Xvfb") is None:
         pytest.skip("Firefox or Xvfb is not installed")
-    with subprocess.Popen(
-        ["Xvfb", "-displayfd", "1"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
-    ) as screen:
+    command = ["Xvfb", "-displayfd", "1"]
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
+    with subprocess.Popen(command, **pipes) as screen:
         try:
-            display = {**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"}
-            program = {"channel": "moz-firefox", "executable_path": FIREFOX}
-            browser = driver.firefox.launch(**program, headless=False, env=display)
+            browser = driver.firefox.launch(
+                channel="moz-firefox",
+                executable_path=FIREFOX,
+                headless=False,
+                env={**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"},
+            )
             yield browser
             browser.close()
-        except Exception as error:  # one that Playwright cannot speak with, as 1.60 cannot with 140, fails only in CI
-            if "unknown command" not in str(error) or "CI" in os.environ:
+        except Exception as error:
+            # Playwright may not speak with this version, as 1.60 does not with 140.
+            is_unknown = "unknown command" in str(error)
+            if not is_unknown or "CI" in os.environ:
                 raise
             pytest.skip("Playwright does not know this version of Firefox")
         finally:

@@ -1,5 +1,6 @@
-"""The programs as processes: how the tests start them, what they print first, how they end; and
-their pages.
+"""The programs as processes: how the tests start them, what they print first, how they end.
+
+And their pages in real browsers.
 """
 
 import os
@@ -21,22 +22,30 @@ from support.constants import R_PARAM
 ROOT = Path(__file__).parents[2]
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
 ON_A_MAC = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome"
-CHROMIUM = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome", ON_A_MAC))),
-    None,
-)
-FIREFOX = next(filter(None, map(shutil.which, ("firefox-esr", "firefox"))), None)
+
+
+def installed(*names):
+    """Return the path of the first of these programs that is there, or None."""
+    for name in names:
+        path = shutil.which(name)
+        if path:
+            return path
+    return None
+
+
+CHROMIUM = installed("chromium", "chromium-browser", "google-chrome", ON_A_MAC)
+FIREFOX = installed("firefox-esr", "firefox")
 ARGUMENTS = [
-    *(
-        "--no-sandbox",
-        "--no-first-run",
-        "--use-gl=angle",
-        "--use-angle=swiftshader",
-        "--enable-unsafe-swiftshader",
-    ),
+    "--no-sandbox",
+    "--no-first-run",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
     # Without a graphics card it is what slows everything, thirty times
     "--disable-gpu-compositing",
-    *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
 ]
 SECONDS = 60  # after which something that is waited for counts as never coming
 # The environment of a program that imports modules of the tests
@@ -54,19 +63,25 @@ needs_vpython = [with_vpython, on_posix]
 
 def slow_but_for(kept, values):
     """Return the values as parameters of a test; all except the kept ones have the mark slow."""
-    each = {value: value if isinstance(value, tuple) else (value,) for value in values}
-    assert {*kept} <= {*each}
-    return [
-        value if value in kept else pytest.param(*each[value], marks=pytest.mark.slow)
-        for value in each
-    ]
+    values = [*values]
+    assert {*kept} <= {*values}
+    parameters = []
+    for value in values:
+        parts = value if isinstance(value, tuple) else (value,)
+        marks = () if value in kept else pytest.mark.slow
+        parameters.append(pytest.param(*parts, marks=marks))
+    return parameters
 
 
 def python(*arguments, folder=ROOT, **environment):
     """Run Python with these arguments in this folder; return the process, which has ended."""
-    command, environment = [sys.executable, *map(str, arguments)], {**os.environ, **environment}
     return subprocess.run(
-        command, cwd=folder, env=environment, capture_output=True, text=True, timeout=2 * SECONDS
+        [sys.executable, *map(str, arguments)],
+        cwd=folder,
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        timeout=2 * SECONDS,
     )
 
 
@@ -80,7 +95,7 @@ def copy_project(folder, csv) -> Path:
 
 
 def call(main, capsys):
-    """Call main in this process; return its status, and what it has printed on stdout and stderr."""
+    """Call main in this process; return its status, and its output on stdout and on stderr."""
     status = 0
     try:
         main()
@@ -98,17 +113,21 @@ def running(
     patience=5 * SECONDS,
     **environment,
 ):
-    """Start the program as a user would, from this folder; yield the process, and end it in any
-    case.
+    """Start the program as a user would, from this folder; yield the process, and end it later.
 
     After `patience` seconds it ends, too: a test that waits for its output then fails.
     """
     environment = {**os.environ, "VPYTHON_NO_LAUNCH_BROWSER": "1", **environment}
     # It must not wait for a full buffer with what it has to say
     environment.pop("PYTHONUNBUFFERED", None)
-    command = [python, str(program or PROGRAM), *arguments]
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    process = subprocess.Popen(command, cwd=folder, env=environment, **pipes)
+    process = subprocess.Popen(
+        [python, str(program or PROGRAM), *arguments],
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
     timer = threading.Timer(patience, process.kill)
     timer.start()
     try:
@@ -120,7 +139,7 @@ def running(
 
 
 def first_lines(process):
-    """Return the address of the page, from what the program prints before it waits for a browser."""
+    """Return the address of the page; the program prints it before it waits for a browser."""
     address = re.fullmatch(
         r"Newton's cradle is at (http://127\.0\.0\.1:\d+/\?key=\w+)\n", process.stdout.readline()
     )[1]
@@ -129,21 +148,26 @@ def first_lines(process):
 
 
 def end(process):
-    """Wait until the program ends by itself; return its status, and what else it has printed on
-    stdout and stderr.
+    """Wait until the program ends by itself; return its status, and the rest of its output.
+
+    The output is what it has printed on stdout and on stderr.
     """
     stdout, stderr = process.communicate(timeout=SECONDS)
     return process.returncode, stdout, stderr
 
 
-# --- pages -----------------------------------------------------------------------------------------------------------
+# --- pages -----------------------------------------------------------------------------------
 
 # Before the page's own scripts: make the canvas small, because no graphics card draws it.
-SMALL = """addEventListener("DOMContentLoaded", () => document.head.insertAdjacentHTML("beforeend",
-    "<style id=small>.canvas { max-width: 320px !important; max-height: 200px !important; }</style>"))"""
+SMALL = """addEventListener("DOMContentLoaded", () => {
+    document.head.insertAdjacentHTML("beforeend", `<style id=small>
+        .canvas { max-width: 320px !important; max-height: 200px !important; }
+    </style>`);
+})"""
 
 # The bobs' positions, as the page has them.
-BOBS = "() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible).map(o => [o.pos.x, o.pos.y])"
+BOBS = """() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible)
+    .map(o => [o.pos.x, o.pos.y])"""
 
 # Whether the bobs are elsewhere a third of a second later.
 MOVES = f"""async () => {{
@@ -156,10 +180,15 @@ MOVES = f"""async () => {{
 PIXEL = """([x, y]) => {
     const scene = glowObjs[0], forward = scene.forward.norm();
     const sideways = forward.cross(scene.up).norm(), upwards = sideways.cross(forward);
-    const arm = vec(x, y, 0).sub(scene.center), distance = scene.range / Math.tan(scene.fov / 2);
-    const canvas = document.querySelector(".canvas").getBoundingClientRect(), { width, height } = canvas;
-    const pixels = Math.min(width, height) / 2 / scene.range * distance / (distance + arm.dot(forward));
-    return [canvas.x + width / 2 + pixels * arm.dot(sideways), canvas.y + height / 2 - pixels * arm.dot(upwards)];
+    const arm = vec(x, y, 0).sub(scene.center);
+    const distance = scene.range / Math.tan(scene.fov / 2);
+    const canvas = document.querySelector(".canvas").getBoundingClientRect();
+    const { width, height } = canvas, half = Math.min(width, height) / 2;
+    const pixels = half / scene.range * distance / (distance + arm.dot(forward));
+    return [
+        canvas.x + width / 2 + pixels * arm.dot(sideways),
+        canvas.y + height / 2 - pixels * arm.dot(upwards),
+    ];
 }"""
 
 
@@ -192,34 +221,52 @@ def wait_for_cradle(page, bobs=5, drawn=False):
 
 
 def draw(page, drawn):
-    """Have the browser draw the canvas, or not: without a graphics card it takes most of the time."""
+    """Have the browser draw the canvas, or not.
+
+    Without a graphics card it takes most of the time.
+    """
     frames = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
     page.evaluate(f"drawn => {{ glowObjs[0].visible = drawn; return {frames}; }}", drawn)
 
 
 def readout(page, name):
     """Return a number of the readout, by the word before it."""
-    return float(
-        re.search(rf"^{name}\s+([-+0-9.]+)", page.locator(".readout").inner_text(), re.MULTILINE)[1]
-    )
+    text = page.locator(".readout").inner_text()
+    return float(re.search(rf"^{name}\s+([-+0-9.]+)", text, re.MULTILINE)[1])
 
 
-def values(page):
+def slider_texts(page):
     """Return the texts behind the sliders: speed, lifted bobs, release angle."""
     return page.locator("output").all_inner_texts()
 
 
-def lifts(page):
+def axle(bob):
+    """Return the place (m) from which this bob (an index) hangs."""
+    return -0.1 + R_PARAM / 4 * bob, R_PARAM / 5
+
+
+def bob_angles(page):
     """Return the angles of the bobs in degrees."""
-    places = enumerate(page.evaluate(BOBS))
-    return [degrees(atan2(x - (-0.1 + R_PARAM / 4 * i), R_PARAM / 5 - y)) for i, (x, y) in places]
+    angles = []
+    for bob, (x, y) in enumerate(page.evaluate(BOBS)):
+        axle_x, axle_y = axle(bob)
+        angles.append(degrees(atan2(x - axle_x, axle_y - y)))
+    return angles
 
 
 def pixel(page, bob, theta):
     """Return where this bob's centre is seen if its cord is at theta (degrees)."""
-    x = -0.1 + R_PARAM / 4 * bob + R_PARAM * sin(radians(theta))
-    y = R_PARAM / 5 - R_PARAM * cos(radians(theta))
-    return page.evaluate(PIXEL, [x, y])
+    x, y = axle(bob)
+    angle = radians(theta)
+    return page.evaluate(PIXEL, [x + R_PARAM * sin(angle), y - R_PARAM * cos(angle)])
+
+
+def drag(page, bob, *thetas):
+    """Grab a bob that hangs, and move the mouse to where its cord is at these angles (degrees)."""
+    page.mouse.move(*pixel(page, bob, 0))
+    page.mouse.down()
+    for theta in thetas:
+        page.mouse.move(*pixel(page, bob, theta), steps=3)
 
 
 def wait_until(condition, seconds=SECONDS):
@@ -230,8 +277,8 @@ def wait_until(condition, seconds=SECONDS):
         time.sleep(0.02)
 
 
-def wait_for_lifts(page, *expected):
-    wait_until(lambda: lifts(page) == pytest.approx(expected, abs=0.01))
+def wait_for_angles(page, *expected):
+    wait_until(lambda: bob_angles(page) == pytest.approx(expected, abs=0.01))
 
 
 def wait_for_moves(page):
@@ -239,23 +286,43 @@ def wait_for_moves(page):
 
 
 def wait_for_rest(page):
-    """Wait until nothing moves any more: a click, or a picture of before, can still be on its way."""
+    """Wait until nothing moves any more.
+
+    A click, or a picture of before, can still be on its way.
+    """
     wait_until(lambda: not page.evaluate(MOVES))
 
 
+def button(page, name):
+    return page.get_by_role("button", name=name, exact=True)
+
+
+def menu(page, name):
+    return page.get_by_role("combobox", name=name, exact=True)
+
+
 def press(page, name):
-    page.get_by_role("button", name=name, exact=True).click()
+    button(page, name).click()
+
+
+def tick(page, name):
+    """Tick a box."""
+    page.get_by_role("checkbox", name=name).check()
 
 
 def pause(page):
     press(page, "Pause")
-    page.get_by_role("button", name="Run").wait_for()
+    button(page, "Run").wait_for()
     wait_for_rest(page)
 
 
-def menu(page, name):
-    """Return this menu of the panel."""
-    return page.get_by_role("combobox", name=name, exact=True)
+def wait_for_restart(page):
+    wait_until(lambda: readout(page, "t") == 0)
+
+
+def wait_for_time(page):
+    """Wait until some simulated time has passed."""
+    wait_until(lambda: readout(page, "t") > 0)
 
 
 def slide(page, name, value):
@@ -271,12 +338,14 @@ def slide(page, name, value):
 
 
 def violations(page):
-    """Return what axe finds on the page, on a pale and on a dark one: the broken rules, and by
-    which elements.
+    """Return what axe finds on the page, on a pale and on a dark one.
+
+    The keys are the broken rules, the values the elements that break them.
     """
     axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
-    found = []
+    found = {}
     for scheme in ("dark", "light"):
         page.emulate_media(color_scheme=scheme)
-        found += axe.run(page).response["violations"]
-    return {rule["id"]: [element["html"] for element in rule["nodes"]] for rule in found}
+        for rule in axe.run(page).response["violations"]:
+            found[rule["id"]] = [element["html"] for element in rule["nodes"]]
+    return found

@@ -1,7 +1,7 @@
 """A viewer on the stand-in, with a clock that a test moves, and the state as a tab has it."""
 
 import json
-from math import pi
+from math import degrees
 from threading import Event
 from types import SimpleNamespace
 
@@ -15,21 +15,33 @@ from support.page.viewer import Viewer
 
 
 class Rig:
-    """The clock, the viewer that uses it, and its only tab, which has drawn a picture and
-    always has room.
+    """The clock, the viewer that uses it, and its only tab.
+
+    The tab has drawn a picture, and always has room.
     """
 
     def __init__(self, csv, *angles, kind=Cradle, lifted: int | None = 1, **texts):
-        self.now, self.file, self.state = 100.0, csv, {}
+        self.now = 100.0
+        self.file = csv
+        self.state = {}
         self.tabs = SimpleNamespace(
             have_room=lambda: True, show=self.take, is_seen=Event(), are_gone=False
         )
         self.tabs.is_seen.set()
-        file = LiveFile(csv, self.clock)
         self.viewer = Viewer(
-            make_live(kind), file, thetas(angles or [30]), lifted, self.tabs, **texts
+            make_live(kind),
+            LiveFile(csv, self.clock),
+            thetas(angles or [30]),
+            lifted,
+            self.tabs,
+            **texts,
         )
-        self.viewer.pace = RealTime(self.viewer.cradle.dt, self.clock, sleep=lambda seconds: None)
+        self.cradle = self.viewer.cradle
+        self.viewer.pace = RealTime(self.cradle.dt, self.clock, sleep=lambda seconds: None)
+        self.begin()
+
+    def begin(self):
+        """Let main make the cradle, as at the start."""
         self.viewer.want_cradle()
         go_on(self.viewer)
         self.wait()
@@ -44,7 +56,8 @@ class Rig:
     def wait(self, seconds=0.0):
         """Let this time (s) pass, frame by frame; the state is then that of this moment."""
         for _ in range(max(1, round(seconds / FRAME))):
-            self.now += seconds and FRAME
+            if seconds:
+                self.now += FRAME
             self.do_frame()
             while not self.viewer.commands.empty():
                 self.do_frame()
@@ -56,30 +69,46 @@ class Rig:
         self.viewer.frame()
         go_on(self.viewer)
 
+    # --- what the cradle is, and what the page shows -----------------------------------------
+
     def values(self, key):
         """Return pend[key] of each pendulum."""
-        return self.viewer.cradle.values(key)
+        return self.cradle.values(key)
 
     def thetas(self):
         return self.values("theta")
 
-    def lifts(self):
-        """Return the angles of the bobs, in whole degrees."""
-        return [round(abs(theta) * 180 / pi) for theta in self.thetas()]
+    def bob_angles(self):
+        """Return by how many degrees the bobs are raised, as whole numbers."""
+        return [round(abs(degrees(theta))) for theta in self.thetas()]
 
     def time(self):
         return float(self.state["motion"]["t"].split()[0])
+
+    def release_angles(self):
+        """Return the values of the sliders of release angles (degrees)."""
+        return [self.state[name] for name in self.cradle.angle_limits]
+
+    def control(self, name):
+        """Return what the page knows of a control beside its value."""
+        return self.state["controls"][name]
+
+    # --- what a user does --------------------------------------------------------------------
 
     def give(self, command, *values):
         """Give a command as a tab does, and wait until it is carried out."""
         self.tabs.give(command, *values)
         self.wait()
 
-    def save(self, text):
-        """Save this text as the CSV, and wait until it is noticed."""
-        self.file.write_text(text)
-        self.wait(3 * POLL)
+    def set_release_angle(self, angle, cord=0):
+        """Move the slider of this cord's release angle (degrees)."""
+        self.give([*self.cradle.angle_limits][cord], angle)
 
     def mouse(self, command, point, direction=(0, 0, -1)):
         """Give a command with the ray through this point in this direction."""
         self.give(command, (point - 0.5 * vector(*direction)).value, [*direction])
+
+    def save(self, text):
+        """Save this text as the CSV, and wait until it is noticed."""
+        self.file.write_text(text)
+        self.wait(3 * POLL)

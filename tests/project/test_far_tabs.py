@@ -1,5 +1,6 @@
-"""Tabs in real browsers, far from the program: another port, path or name, TLS, no websocket, a
-line that breaks.
+"""Tabs in real browsers, far from the program.
+
+Another port, path or name, TLS, no websocket, a line that breaks.
 """
 
 import asyncio
@@ -29,7 +30,7 @@ from programs import (
 pytestmark = [pytest.mark.browser, *needs_vpython]
 
 BELOW = "/user/ann/proxy/8000/"
-ENDED, UNHEARD = "The program has ended.", "The program runs, but this page does not hear from it."
+ENDED = "The program has ended."
 NO_ANSWER = "The program does not answer."
 
 
@@ -42,10 +43,15 @@ class Proxy(threading.Thread):
 
     def __init__(self, program_port, prefix, cuts, tls, websocket):
         super().__init__()
-        self.program_port, self.cuts, self.tls, self.websocket = program_port, cuts, tls, websocket
-        self.root = prefix.rstrip("/")
-        self.writers, self.is_cut = [], False
-        self.started, self.is_over = SimpleQueue(), asyncio.Event()
+        self.program_port = program_port
+        self.root = prefix.rstrip("/").encode()
+        self.cut = self.root if cuts else b""
+        self.tls = tls
+        self.websocket = websocket
+        self.writers = []
+        self.is_cut = False
+        self.started = SimpleQueue()
+        self.is_over = asyncio.Event()
         self.start()
         self.loop, self.port = self.started.get()
 
@@ -76,20 +82,18 @@ class Proxy(threading.Thread):
                 await self.is_over.wait()
             if self.websocket == "is asked as a page":
                 head = re.sub(rb"(Upgrade|Connection): .*\r\n", b"", head)
+            is_known = head.split()[1].startswith(self.root)
+            port = self.program_port if is_known else 1  # where nobody answers
             try:
-                is_known = head.split()[1].startswith(self.root.encode())
-                port = self.program_port if is_known else 1  # where nobody answers
                 program, to_program = await asyncio.open_connection("127.0.0.1", port)
             except OSError:
                 to_browser.write(b"HTTP/1.1 502 Bad Gateway\r\nContent-Length: 5\r\n\r\nSorry")
                 to_browser.close()
-            else:
-                to_program.write(
-                    head.replace(f" {self.root if self.cuts else ''}".encode(), b" ", 1)
-                )
-                await asyncio.gather(
-                    self.pass_on(browser, to_program), self.pass_on(program, to_browser)
-                )
+                return
+            to_program.write(head.replace(b" " + self.cut, b" ", 1))
+            await asyncio.gather(
+                self.pass_on(browser, to_program), self.pass_on(program, to_browser)
+            )
 
     async def pass_on(self, reader, writer):
         with suppress(OSError):
@@ -100,19 +104,16 @@ class Proxy(threading.Thread):
 
 @contextmanager
 def far_tab(browser, csv, name="127.0.0.1", prefix="/", cuts=False, tls=None, websocket="passes"):
-    """Run a program and a Proxy; yield the process, a tab, the page's address at the proxy, and the
-    proxy.
+    """Run a program and a Proxy.
+
+    Yield the process, a tab, the page's address at the proxy, and the proxy.
     """
     with running(None, str(csv)) as process, new_page(browser, ignore_https_errors=True) as page:
         near = urlsplit(first_lines(process))
+        scheme = "https" if tls else "http"
         proxy = Proxy(near.port, prefix, cuts, tls, websocket)
         try:
-            yield (
-                process,
-                page,
-                f"{'https' if tls else 'http'}://{name}:{proxy.port}{prefix}?{near.query}",
-                proxy,
-            )
+            yield process, page, f"{scheme}://{name}:{proxy.port}{prefix}?{near.query}", proxy
         finally:
             proxy.end()
 
@@ -131,34 +132,42 @@ def tls(tmp_path):
     return context
 
 
-@pytest.mark.parametrize(
-    "how",
-    [
-        {},
-        {"prefix": BELOW, "cuts": True},
-        {"prefix": BELOW},
-        {"prefix": BELOW.rstrip("/"), "cuts": True},
-        {"prefix": BELOW.rstrip("/")},
-        {"name": "cradle.localhost", "tls": "tls"},
-    ],
-    ids=str,
-)
-def test_a_page_shows_the_moving_bobs_through_a_proxy_and_asks_nobody_else(
-    chromium, csv, request, how
-):
-    """When the program has ended, and the proxy answers in its place, the page says so."""
-    how, asked = {**how, "tls": how.get("tls") and request.getfixturevalue("tls")}, []
+def show_through_a_proxy(chromium, csv, **how):
+    """Open a page through a proxy; it must ask nobody else.
+
+    When the program has ended, and the proxy answers in its place, the page says so.
+    """
+    asked = []
     with far_tab(chromium, csv, **how) as (process, page, address, _):
         page.on("request", lambda request: asked.append(request.url))
         page.on("websocket", lambda websocket: asked.append(websocket.url.replace("ws", "http", 1)))
         open_cradle(page, address)
         wait_for_moves(page)
-        whole = address if "/?" in address else address.replace("?", "/?")
-        assert page.url == whole and any(url.startswith(whole.replace("?", "ws?")) for url in asked)
+        whole = re.sub(r"(?<!/)\?", "/?", address)
+        assert page.url == whole
+        assert any(url.startswith(whole.replace("?", "ws?")) for url in asked)
         assert all(url.startswith((urljoin(address, "."), "data:", "blob:")) for url in asked)
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
         page.get_by_text(ENDED).wait_for()
+
+
+@pytest.mark.parametrize(
+    ("prefix", "cuts"),
+    [
+        ("/", False),
+        (BELOW, True),
+        (BELOW, False),
+        (BELOW.rstrip("/"), True),
+        (BELOW.rstrip("/"), False),
+    ],
+)
+def test_a_page_shows_the_moving_bobs_through_a_proxy_at_any_path(chromium, csv, prefix, cuts):
+    show_through_a_proxy(chromium, csv, prefix=prefix, cuts=cuts)
+
+
+def test_a_page_shows_the_moving_bobs_through_tls_at_another_name(chromium, csv, tls):
+    show_through_a_proxy(chromium, csv, name="cradle.localhost", tls=tls)
 
 
 @pytest.mark.parametrize("websocket", ["is asked as a page", "is never answered"])
@@ -167,24 +176,34 @@ def test_a_page_whose_websocket_does_not_come_through_says_so(chromium, csv, web
         page.clock.install()
         page.goto(address)
         page.clock.run_for("00:15")
-        page.get_by_text(UNHEARD).wait_for()
+        page.get_by_text("The program runs, but this page does not hear from it.").wait_for()
         assert page.get_by_text(ENDED).count() == 0
 
 
 # What a page has of its own: camera, Sound; how often VPython has made something; whether a box
 # shows the true state.
-OWN = """() => [scene().forward.toString(), one("#sound").checked, glowObjs.length, one("[name=arrows]").checked,
-    window.same]"""
+OWN = """() => [
+    scene().forward.toString(),
+    one("#sound").checked,
+    glowObjs.length,
+    one("[name=arrows]").checked,
+    window.same,
+]"""
+CHANGE_OWN = """() => {
+    one("#sound").click();
+    scene().forward = vec(-1, -0.5, -1);
+    window.same = true;
+}"""
 
 
 @pytest.mark.parametrize("browser", ["chromium", "firefox"])
 def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
-    """It is not loaded again, nothing is made twice, and the same cradle swings on; so do a
-    question and Present.
+    """It is not loaded again, nothing is made twice, and the same cradle swings on.
 
-    A bob that is held swings on at once, though the mouse is still down.
+    So do a question and Present. A bob that is held swings on at once, though the mouse is still
+    down.
     """
-    with far_tab(request.getfixturevalue(browser), csv) as (process, page, address, proxy):
+    with far_tab(request.getfixturevalue(browser), csv) as (_, page, address, proxy):
 
         def cut_for_a_while():
             proxy.set_cut(True)
@@ -195,21 +214,18 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
 
         open_cradle(page, address)
         wait_for_moves(page)
-        page.evaluate(
-            "one('#sound').click(), scene().forward = vec(-1, -0.5, -1), window.same = true"
-        )
-        before, time = page.evaluate(OWN), programs.readout(page, "t")
-        page.mouse.move(*programs.pixel(page, 3, 0))
-        page.mouse.down()
-        for theta in (20, 40):
-            page.mouse.move(*programs.pixel(page, 3, theta), steps=3)
-        programs.wait_until(lambda: programs.lifts(page)[3] == pytest.approx(40, abs=1))
+        page.evaluate(CHANGE_OWN)
+        before = page.evaluate(OWN)
+        time = programs.readout(page, "t")
+        programs.drag(page, 3, 20, 40)
+        programs.wait_until(lambda: programs.bob_angles(page)[3] == pytest.approx(40, abs=1))
         cut_for_a_while()
         page.mouse.move(*programs.pixel(page, 3, 30), steps=3)
         wait_for_moves(page)
         page.mouse.up()
-        assert page.evaluate(OWN) == before and programs.readout(page, "t") > time
-        page.get_by_role("checkbox", name="Predict first").check()
+        assert page.evaluate(OWN) == before
+        assert programs.readout(page, "t") > time
+        programs.tick(page, "Predict first")
         programs.menu(page, "Experiment").select_option("Two bobs")
         page.locator(".question").wait_for()
         page.keyboard.press("f")
@@ -218,19 +234,13 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
         page.keyboard.press("a")
         page.locator(".question").get_by_text("You said").wait_for()
         wait_for_moves(page)
-        process.send_signal(signal.SIGINT)
-        assert end(process)[::2] == (0, "")
-        page.get_by_text(ENDED).wait_for()
 
 
-def test_a_page_says_of_a_killed_program_only_what_it_sees_and_of_a_new_start_that_the_old_one_has_ended(
-    page, csv
-):
+def test_a_page_does_not_say_that_a_killed_program_has_ended_until_a_new_one_answers(page, csv):
     with running(None, str(csv)) as process:
         open_cradle(page, first_lines(process))
         process.kill()
         page.get_by_text(NO_ANSWER).wait_for()
-    port = urlsplit(page.url).port
-    with running(None, str(csv), "--port", str(port)) as process:
+    with running(None, str(csv), "--port", str(urlsplit(page.url).port)) as process:
         first_lines(process)
         page.get_by_text(ENDED).wait_for()

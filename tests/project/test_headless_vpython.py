@@ -1,5 +1,4 @@
-"""The stand-in and VPython itself: the same short programs give the same numbers and the same
-errors.
+"""The stand-in and VPython itself: the same programs give the same numbers and errors.
 
 VPython's vectors and shapes work without a browser if VPython believes that the page is open. Each
 side runs all programs in its own process, without a browser. test_page_again.py tests the picture,
@@ -25,44 +24,72 @@ def programs(table):
 # their values.
 VALUES = programs("""
 names | attributes(v) | attributes(color) | attributes(textures) | attributes(box()) | attributes(s)
-attributes(cylinder()) | [scene.width, scene.height, scene.range, scene.fov, scene.center, scene.forward, scene.up]
-v + w | v - w | -v | +v | 2.5 * v | v * 3 | v / 7 | v == vector(1.0, 2.0, 3.0) | v == w | v != v | v == (1, 2, 3)
-vector(v) | vector(True, 2, 3) | vec(1, 2, 3) | v.value | str(vector(1/3, -2e10, 0)) | repr(vector(1/3, -2e10, 0))
-mag(v) | mag(vector(0, 0, 0)) | mag2(v) | v.mag | v.mag2 | hat(v) | norm(v) | v.hat | vector(0, 0, 0).hat | v.norm()
-dot(v, w) | v.dot(w) | cross(v, w) | v.cross(w) | v.equals(vector(1, 2, 3)) | comp(v, w) | v.comp(w) | proj(v, w)
-v.proj(w) | diff_angle(v, w) | v.diff_angle(-2 * v) | v.rotate(0.3) | v.rotate(angle=0.3, axis=w) | rotate(v, 0.3)
-v.mag = 7; v | v.x = 5; v.y += 1; v | u = vector(v); u.z = 9; v | 0 <= random() < 1 and vector.random().mag2 <= 3
-sin(0.3) + cos(0.3) + sqrt(2) + pi | [sign(-2.5), sign(0), combin(5, 2)] | [float(x) for x in arange(0, 1, 0.25)]
-[color.gray(0.5), color.rgb_to_hsv(v / 4), color.hsv_to_rgb(v / 4), color.rgb_to_grayscale(v)] | version[0] < "8"
+attributes(cylinder())
+[scene.width, scene.height, scene.range, scene.fov, scene.center, scene.forward, scene.up]
+v + w | v - w | -v | +v | 2.5 * v | v * 3 | v / 7 | v == vector(1.0, 2.0, 3.0) | v == w | v != v
+v == (1, 2, 3)
+vector(v) | vector(True, 2, 3) | vec(1, 2, 3) | v.value | str(vector(1/3, -2e10, 0))
+repr(vector(1/3, -2e10, 0))
+mag(v) | mag(vector(0, 0, 0)) | mag2(v) | v.mag | v.mag2 | hat(v) | norm(v) | v.hat
+vector(0, 0, 0).hat | v.norm()
+dot(v, w) | v.dot(w) | cross(v, w) | v.cross(w) | v.equals(vector(1, 2, 3)) | comp(v, w) | v.comp(w)
+proj(v, w)
+v.proj(w) | diff_angle(v, w) | v.diff_angle(-2 * v) | v.rotate(0.3) | v.rotate(angle=0.3, axis=w)
+rotate(v, 0.3)
+v.mag = 7; v | v.x = 5; v.y += 1; v | u = vector(v); u.z = 9; v
+0 <= random() < 1 and vector.random().mag2 <= 3
+sin(0.3) + cos(0.3) + sqrt(2) + pi | [sign(-2.5), sign(0), combin(5, 2)]
+[float(x) for x in arange(0, 1, 0.25)]
+[color.gray(0.5), color.rgb_to_hsv(v / 4), color.hsv_to_rgb(v / 4), color.rgb_to_grayscale(v)]
+version[0] < "8"
 b = box(pos=v, size=vector(4, 5, 6)); [b.pos, b.size, b.axis, b.length, b.height, b.width]
-b = box(axis=vector(0, 3, 0), height=2, width=5); [b.size, b.axis] | b = box(length=3, height=2); [b.size, b.axis]
+b = box(axis=vector(0, 3, 0), height=2, width=5); [b.size, b.axis]
+b = box(length=3, height=2); [b.size, b.axis]
 b = box(); b.size = vector(2, 3, 4); [b.axis, b.size] | b = box(); b.height = 7; b.width = 8; b.size
-s = sphere(radius=0.25, color=color.red, texture=textures.metal); [s.size, s.radius, s.texture, s.color, s.red]
-s.axis = vector(0, 5, 0); [s.axis, s.size] | s.radius = 3; [s.radius, s.size, s.axis] | s.size = v; s.radius
+s = sphere(radius=0.25, color=color.red); [s.size, s.radius, s.color, s.red]
+sphere(texture=textures.metal).texture
+s.axis = vector(0, 5, 0); [s.axis, s.size] | s.radius = 3; [s.radius, s.size, s.axis]
+s.size = v; s.radius
 c = cylinder(axis=vector(3, 4, 0), up=vector(0, 0, 1), radius=0.1); [c.axis, c.up, c.size, c.length]
-c.axis = w; [c.axis, c.size] | c.length = 10; [c.axis, c.size] | c.axis.x = 0; [c.axis, c.size] | c.axis.mag = 9; c.size
-c.radius = 3; [c.axis, c.size, c.radius] | a = c.axis; c.axis = v; a | c.axis = v; v.x = 9; [c.axis, c.length]
-s = sphere(pos=v, color=v); v.x = 9; [s.pos, s.color] | s.pos = s.color = v; v.x = 9; [s.pos, s.color]
+c.axis = w; [c.axis, c.size] | c.length = 10; [c.axis, c.size] | c.axis.x = 0; [c.axis, c.size]
+c.axis.mag = 9; c.size
+c.radius = 3; [c.axis, c.size, c.radius] | a = c.axis; c.axis = v; a
+c.axis = v; v.x = 9; [c.axis, c.length]
+s = sphere(pos=v, color=v); v.x = 9; [s.pos, s.color]
+s.pos = s.color = v; v.x = 9; [s.pos, s.color]
 p = s.pos; s.pos = v; p | p = s.pos; p.x = 4; s.pos | t = sphere(pos=s.pos); s.pos.x = 7; t.pos
-s.velocity = v; s.velocity | sphere(charge=3).charge | s.make_trail = True; s.clear_trail(); s.make_trail
-s.rotate(angle=0.3, axis=v, origin=w); [s.pos, s.axis] | c.rotate(angle=0.3, axis=vector(0, 0, 1)); [c.pos, c.axis]
-t = sphere(color=v, radius=2); u = t.clone(pos=w); u.axis = v; [t.pos, t.axis, u.pos, u.axis, u.size, u.color]
-[shape in scene.objects for shape in (s, c)] | s.visible = False; s in scene.objects | scene.camera.pos
+s.velocity = v; s.velocity | sphere(charge=3).charge
+s.make_trail = True; s.clear_trail(); s.make_trail
+s.rotate(angle=0.3, axis=v, origin=w); [s.pos, s.axis]
+c.rotate(angle=0.3, axis=vector(0, 0, 1)); [c.pos, c.axis]
+t = sphere(radius=2); u = t.clone(pos=w); u.axis = v; [t.pos, t.axis, u.pos, u.axis, u.size]
+sphere(color=v, radius=2).clone().color
+[shape in scene.objects for shape in (s, c)] | s.visible = False; s in scene.objects
+scene.camera.pos
 scene.range = 2; scene.forward = v; [scene.range, scene.forward] | scene.mouse.ray
 b = button(bind=print, text="Pause"); b.disabled = True; [b.text, b.disabled, b.bind is print]
-l = label(pos=v, text="a", height=9); l.pos.x = 5; [l.pos, l.text, l.height] | l = label(); [l.pos, l.color]
-a = arrow(pos=s.pos, color=v); a.axis = v; a.pos.x = a.color.x = a.axis.y = 5; [s.pos, v, a.pos, a.color, a.axis]
-a = arrow(); a.axis.x = 5; [a.pos, a.axis, a.up, arrow().axis, isinstance(a, arrow), isinstance(a, (box, sphere))]
+l = label(pos=v, text="a", height=9); l.pos.x = 5; [l.pos, l.text, l.height]
+l = label(); [l.pos, l.color]
+a = arrow(pos=s.pos, color=v); a.pos.x = a.color.x = 5; [s.pos, v, a.pos, a.color]
+a = arrow(); a.axis = v; a.axis.y = 5; [v, a.axis]
+a = arrow(); a.axis.x = 5; [a.pos, a.axis, a.up, arrow().axis]
+[isinstance(arrow(), arrow), isinstance(arrow(), (box, sphere))]
 """)
 
 # Expressions and statements that VPython refuses; the test compares the kind of error.
 REFUSED = programs("""
-vector(1, 2) | vector() | vector(1, 2, 3, 4) | vector((1, 2, 3)) | vector(None, 0, 0) | v * v | v / v | v + 1 | 1 + v
-v - (1, 2, 3) | 1 / v | v / 0 | "x" * v | hash(v) | v[0] | mag((1, 2, 3)) | norm(3) | dot(v, 3) | cross((1, 2, 3), v)
-sphere(pos=(1, 2, 3)) | sphere(pos=None) | sphere(color="red") | sphere(radius=None) | sphere(radius=v) | box(size=3)
-cylinder(axis=(0, 1, 0)) | cylinder(up=1) | s.pos = (1, 2); s | s.pos = 5; s | s.color = "red"; s | c.axis = (1, 2); c
-s.radius = None; s | sphere(1) | box(v) | box().radius | s.radus | c.lenght | box().move(1) | v.lenght | color.pink
-lable | __import__("vpython").lable | exec("from vpython import lable"); v | import vpython.lable; v | vector("1", 2, 3)
+vector(1, 2) | vector() | vector(1, 2, 3, 4) | vector((1, 2, 3)) | vector(None, 0, 0) | v * v
+v / v | v + 1 | 1 + v
+v - (1, 2, 3) | 1 / v | v / 0 | "x" * v | hash(v) | v[0] | mag((1, 2, 3)) | norm(3) | dot(v, 3)
+cross((1, 2, 3), v)
+sphere(pos=(1, 2, 3)) | sphere(pos=None) | sphere(color="red") | sphere(radius=None)
+sphere(radius=v) | box(size=3)
+cylinder(axis=(0, 1, 0)) | cylinder(up=1) | s.pos = (1, 2); s | s.pos = 5; s | s.color = "red"; s
+c.axis = (1, 2); c
+s.radius = None; s | sphere(1) | box(v) | box().radius | s.radus | c.lenght | box().move(1)
+v.lenght | color.pink
+lable | __import__("vpython").lable | exec("from vpython import lable"); v | import vpython.lable; v
+vector("1", 2, 3)
 """)
 # VPython's vectors with and without compiled code differ here. The kind of error of the stand-in:
 BY_ATTRIBUTE = programs("mag((1, 2, 3)) | norm(3) | dot(v, 3) | cross((1, 2, 3), v)")
@@ -79,28 +106,37 @@ if sys.argv[1] == "headless":
 import vpython
 if sys.argv[1] == "vpython":
     vpython.baseObj._view_constructed = True  # "the page is there": no server, no browser
-    vpython.baseObj.empty = classmethod(lambda cls: True)  # "and it has all objects": a clone waits for this
+    # "And it has all objects": a clone waits for this
+    vpython.baseObj.empty = classmethod(lambda cls: True)
 
 def plain(value):
     if isinstance(value, vpython.vector):
         return ["vector", value.x, value.y, value.z]
-    return [plain(item) for item in value] if isinstance(value, (list, tuple)) else value
+    if isinstance(value, (list, tuple)):
+        return [plain(item) for item in value]
+    return value
 
 # VPython's own use of its objects: no program of a student's needs these.
 MACHINERY = "attrLists canvas delete idx ignore objName resolveargs rotate_in_place setup".split()
 MACHINERY += dir(vpython.baseObj)
 
 def attributes(thing):
-    names = [name for name in dir(thing) if name[0] != "_" and name not in MACHINERY and hasattr(thing, name)]
-    values = {name: getattr(thing, name) for name in names}
-    return {name: "function" if callable(value) else plain(value) for name, value in values.items()}
+    found = {}
+    for name in dir(thing):
+        if name[0] != "_" and name not in MACHINERY and hasattr(thing, name):
+            value = getattr(thing, name)
+            found[name] = "function" if callable(value) else plain(value)
+    return found
 
 def outcome(program):
     names = {}
     exec("from vpython import *", names)
-    names |= {"names": sorted(names), "attributes": attributes, "v": names["vector"](1, 2, 3)}
-    names |= {"w": names["vector"](-1, 0.5, 4), "s": names["sphere"](), "c": names["cylinder"]()}
-    names["c"].axis = names["vector"](3, 4, 0)
+    names["names"] = sorted(names)
+    names["attributes"] = attributes
+    names["v"] = vpython.vector(1, 2, 3)
+    names["w"] = vpython.vector(-1, 0.5, 4)
+    names["s"] = vpython.sphere()
+    names["c"] = vpython.cylinder(axis=vpython.vector(3, 4, 0))
     *statements, expression = program.split("; ")
     try:
         for statement in statements:
@@ -128,11 +164,12 @@ def flat(value):
     """Return the numbers and words of nested lists and dictionaries as one list."""
     if isinstance(value, dict):
         value = sorted(value.items())
-    return (
-        [leaf for item in value for leaf in flat(item)]
-        if isinstance(value, (list, tuple))
-        else [value]
-    )
+    if not isinstance(value, (list, tuple)):
+        return [value]
+    leaves = []
+    for item in value:
+        leaves += flat(item)
+    return leaves
 
 
 @with_vpython

@@ -1,30 +1,29 @@
-"""many_ticks gives the same bits as the loop of main, on plain numbers; if this is not certain, it
-does nothing.
-"""
+"""many_ticks gives the same bits as the loop of main; if this is not certain, it does nothing."""
 
-import random
 import sys
 from functools import cache, partial
 from hashlib import sha256
 from itertools import product
 from math import inf
+from pkgutil import resolve_name
 from types import SimpleNamespace
 
 import pytest
+from hypothesis import example
 from programs import OF_TESTS, python, ROOT, slow_but_for, with_vpython
+from strategies import CALLS, DT, G, HAIRS, NEIGHBOURS, pendulum_rows, random_examples
 from vpython import mag, vector
 from whole_cradles import do_at_once, do_one_by_one
 
 from grading.cradles import hang, R, row
 from src import swinging, visualize_cradle_run
 from support import pendulum
-from support.cradle import many_ticks as module
+from support.cradle import certainty as module
 from support.cradle.many_ticks import many_ticks
 from support.pendulum import BUFFER
 
 RUN = visualize_cradle_run
 DIGEST = module.DIGEST
-DT, G = 1e-4, 9.81  # s, m/s^2: these tests do not depend on the shipped constants
 
 
 def digest() -> str:
@@ -33,100 +32,119 @@ def digest() -> str:
     return sha256("".join(texts).encode()).hexdigest()[:16]
 
 
-# So that only one test fails if a file has changed, and the others say whether it matters
-module.DIGEST = digest()
+@pytest.fixture(scope="module", autouse=True)
+def files_as_they_are():
+    """Take the files as they are for the shipped ones.
 
-
-def random_cradle(seed):
-    """Return 0 to 12 random pendula, in every second cradle almost alike, and the arguments
-    r_param, dt, g, ticks.
+    So only one test fails if a file has changed, and the others say whether it matters.
     """
-    dice = random.Random(seed)
-    pend_list = []
-    for i in range(dice.randint(0, 12)):
-        theta, omega = dice.uniform(-1, 1), dice.choice([1, 1, 20]) * dice.uniform(-5, 5)
-        if seed % 2 and i:
-            before, spread = pend_list[-1], dice.choice([0, 1e-6, 1e-3])
-            theta, omega = (
-                before[key] + dice.uniform(-spread, spread) for key in ("theta", "omega")
-            )
-        e = dice.choice([0, 1, dice.random()])
-        axle = (i * R / 4, dice.choice([0, 0.01]), dice.choice([0, 0.01]))
-        pend_list.append(hang(theta, omega, 10 ** dice.uniform(-2, 2), e, axle))
-        pend_list[-1]["objects"][1].radius *= dice.choice([1, dice.uniform(0.5, 1.1)])
-    ticks = dice.choice([1, 10, 500, 2000, 5000])
-    usual = [(DT, G), (DT, G), (10 * DT, G), (DT, 1000)]
-    dt, g = dice.choice([*usual, *usual, (1000 * DT, G), (DT, 0), (DT, -G), (0, G), (-DT, G)])
-    return pend_list, {"r_param": dice.choice([R, R, R, -R]), "dt": dt, "g": g, "ticks": ticks}
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.setattr(module, "DIGEST", digest())
+        # Nothing that was read with the other digest is used, neither here nor afterwards.
+        monkeypatch.setattr(module, "shipped_code", cache(module.shipped_code.__wrapped__))
+        yield
 
 
-def hair_breadth(seed):
-    """Return two bobs far from the origin that swing side by side at the contact distance, except
-    for rounding.
-    """
-    dice = random.Random(seed)
-    theta, x = dice.uniform(-1, 1), dice.choice([1, 10, 100])
-    radii = [R / 8 / 1.05 * (1 + dice.choice([0, 1e-15, 1e-14, -1e-15, -1e-14])) for _ in range(2)]
-    return [
-        hang(theta, 0, 3**i, axle=(x + i * R / 4, 0, 0), radius=radius)
-        for i, radius in enumerate(radii)
-    ]
-
-
-def just_touching(seed):
-    """Return two bobs that are at the contact distance after one tick, except for a rounding error."""
-    dice = random.Random(seed)
-    places = [(dice.uniform(-1, 1), dice.uniform(-5, 5)) for _ in range(2)]
-    axles = [(i * R / 4, dice.uniform(-0.1, 0.1), dice.uniform(-0.1, 0.1)) for i in range(2)]
-    pend_list = [hang(*place, axle=axle) for place, axle in zip(places, axles, strict=True)]
-    swinging.full_swing_update(pend_list, R, DT, G)
-    radius = mag(pend_list[0]["objects"][1].pos - pend_list[1]["objects"][1].pos) / BUFFER / 2
-    return [
-        hang(*place, axle=axle, radius=radius) for place, axle in zip(places, axles, strict=True)
-    ]
+# --- the same bits ------------------------------------------------------------------------------
 
 
 def state(pend_list):
     """Return all values that a tick changes as text with every bit, and with the sign of 0.0."""
-    shown = [(shape.pos.value, shape.axis.value) for pend in pend_list for shape in pend["objects"]]
-    return repr(([[pend[key] for key in pend if key != "objects"] for pend in pend_list], shown))
+    values = []
+    for pend in pend_list:
+        values += [value for key, value in pend.items() if key != "objects"]
+        for shape in pend["objects"]:
+            values += [*shape.pos.value, *shape.axis.value]
+    return repr(values)
 
 
-def same_contacts(make, **by):
-    """Check that many_ticks moves a cradle of make() like single ticks, to the last bit."""
-    at_once, one_by_one = make(), make()
-    assert do_at_once(at_once, **by) == do_one_by_one(one_by_one, **by)
+def same_hits(pendula, **call):
+    """Check that many_ticks moves pendula like single ticks, to the last bit.
+
+    pendula has the arguments of hang for each, call those of do_at_once.
+    """
+    at_once = [hang(**values) for values in pendula]
+    one_by_one = [hang(**values) for values in pendula]
+    assert do_at_once(at_once, **call) == do_one_by_one(one_by_one, **call)
     assert state(at_once) == state(one_by_one)
 
 
-@pytest.mark.parametrize("approaching_only", [False, True])
-@pytest.mark.parametrize("seed", slow_but_for([5, 12, 16, 17, 18, 20, 22], range(30)))
-def test_random_cradles_end_in_the_same_bits_as_after_single_ticks(seed, approaching_only):
-    same_contacts(
-        lambda: random_cradle(seed)[0], **random_cradle(seed)[1], approaching_only=approaching_only
+@random_examples(40, 300, pendula=pendulum_rows(), call=CALLS)
+def test_random_cradles_end_in_the_same_bits_as_after_single_ticks(pendula, call):
+    same_hits(pendula, **call)
+
+
+@random_examples(10, 100, hair=HAIRS)
+def test_bobs_that_swing_side_by_side_a_hair_from_touching_end_in_the_same_bits(hair):
+    """Far from the origin, rounding decides whether they touch."""
+    theta, x, *factors = hair
+    left, right = [
+        {"theta": theta, "axle": (x + i * R / 4, 0, 0), "radius": R / 8 / BUFFER * factor}
+        for i, factor in enumerate(factors)
+    ]
+    same_hits([left, {**right, "mass": 3}], ticks=300)
+
+
+# The last bit of VPython's mag is here not that of Python.
+@random_examples(100, 1000, neighbours=NEIGHBOURS)
+@example(
+    (
+        (0.6192143952711302, -1.1846127869847498, 0.04605164039394538, -0.07220118183976446),
+        (-0.6293534791635063, -4.521365101161975, -0.004824247013347938, 0.041995179065634575),
     )
-
-
-@pytest.mark.parametrize("count", slow_but_for([3], [3, 20]))
-def test_bobs_that_touch_or_not_by_a_rounding_error_end_in_the_same_bits(count):
-    for make, ticks, seeds in ((hair_breadth, 300, count), (just_touching, 1, 20 * count)):
-        for seed in range(seeds):
-            same_contacts(lambda: make(seed), ticks=ticks)  # noqa: B023  it is called at once
+)
+@example(
+    (
+        (0.5439759097213486, 3.4474842529138296, -0.09255396424366132, -0.09227003413877306),
+        (-0.40148653915597277, -2.8721669084994392, 0.06162712485397276, -0.08273654361441451),
+    )
+)
+def test_bobs_that_just_touch_after_one_tick_end_in_the_same_bits(neighbours):
+    pendula = [
+        {"theta": theta, "omega": omega, "axle": (i * R / 4, y, z)}
+        for i, (theta, omega, y, z) in enumerate(neighbours)
+    ]
+    swung = [hang(**values) for values in pendula]
+    swinging.full_swing_update(swung, R, DT, G)
+    left, right = (pend["objects"][1].pos for pend in swung)
+    radius = mag(left - right) / BUFFER / 2
+    same_hits([{**values, "radius": radius} for values in pendula], ticks=1)
 
 
 @pytest.mark.parametrize(("theta", "omega"), [*product([0, 0.0, -0.0, 3], [0, -0.0, 2])])
 def test_whole_numbers_and_zeros_of_both_signs_end_in_the_same_bits(theta, omega):
+    first = {"theta": theta, "omega": omega, "mass": 1, "e": 1, "axle": (0, -0.0, -0.0)}
     for ticks, g in ((0, G), (1, 0), (100, -0.0), (3, 10)):
-        same_contacts(
-            lambda: [hang(theta, omega, 1, 1, (0, -0.0, -0.0)), hang(axle=(R / 4, 0, 0))],
-            g=g,
-            ticks=ticks,
-        )
+        same_hits([first, {"axle": (R / 4, 0, 0)}], g=g, ticks=ticks)
+
+
+ON_VPYTHON = """
+import sys, vpython
+vpython.baseObj._view_constructed = True  # "the page is there": no server, no browser
+import test_many_ticks as tests
+
+tests.module.DIGEST = tests.digest()
+count = int(sys.argv[1])
+tests.test_random_cradles_end_in_the_same_bits_as_after_single_ticks(count)
+tests.test_bobs_that_swing_side_by_side_a_hair_from_touching_end_in_the_same_bits(count)
+tests.test_bobs_that_just_touch_after_one_tick_end_in_the_same_bits(5 * count)
+"""
+
+
+@with_vpython
+@pytest.mark.parametrize("count", slow_but_for([10], [10, 40]))
+def test_cradles_of_vpython_itself_end_in_the_same_bits(count):
+    done = python("-c", ON_VPYTHON, count, **OF_TESTS)
+    assert done.returncode == 0, done.stderr
+
+
+# --- the fast path steps back -------------------------------------------------------------------
 
 
 def is_taken() -> bool:
-    """Return whether the fast path replaces the loop of main; if not, check that it changes
-    nothing.
+    """Return whether the fast path replaces the loop of main.
+
+    If not, check that it changes nothing.
     """
     pend_list = row(3, omega=1.0)
     before = state(pend_list)
@@ -137,8 +155,11 @@ def is_taken() -> bool:
 
 def test_the_fast_path_knows_the_shipped_files():
     """After a change, the programs do single ticks: the same, but slower."""
-    words = "If you want this change, make it in many_ticks.py, too. If the other tests here pass, this is its DIGEST:"
-    assert digest() == DIGEST, f"One of {', '.join(module.FILES)} has changed. {words} {digest()}"
+    assert digest() == DIGEST, (
+        f"One of {', '.join(module.FILES)} has changed. If you want this change, make it in "
+        "many_ticks.py, too. If the other tests here pass, this is the DIGEST of certainty.py: "
+        f"{digest()}"
+    )
     assert is_taken()
 
 
@@ -156,80 +177,111 @@ def test_the_fast_path_steps_back_from_another_text_but_not_from_other_line_ends
         assert is_taken() == same
 
 
-USED = {  # what the fast path replaces, by its module
-    RUN: "main newton_cradle_tick full_swing_update handle_two_bobs handle_collision mag cos pairwise",
-    swinging: "swing_update angle_update show_pendulum sin",
-    pendulum: "arm vector",
-}
-PATCHES = {  # an owner, a name in it, and what makes its new value from the old one
-    **{
-        f"another {name}": (owner, name, partial)
-        for owner, names in USED.items()
-        for name in names.split()
-    },
-    "a changed constant": (
-        RUN.handle_two_bobs,
-        "__code__",
-        lambda code: code.replace(co_consts=(*code.co_consts, 2)),
-    ),
-    "another distance": (pendulum, "BUFFER", lambda buffer: 2 * buffer),
-    "another default": (RUN.handle_two_bobs, "__defaults__", lambda _: (True,)),
-    "a default of a keyword": (RUN.newton_cradle_tick, "__kwdefaults__", lambda _: {"wind": 1}),
-    "a constant of another kind": (RUN, "G", lambda g: type("Number", (float,), {})(g)),
-    "a debugger": (sys, "gettrace", lambda _: lambda: print),
-    "a profiler": (sys, "getprofile", lambda _: lambda: print),
-    "a tool of Python 3.12": (
-        sys,
-        "monitoring",
-        lambda _: SimpleNamespace(get_tool=lambda number: number == 5),
-    ),
-}
-
-
-@pytest.mark.parametrize("name", PATCHES)
-def test_the_fast_path_steps_back_after_a_patch(name, monkeypatch):
-    owner, attribute, change = PATCHES[name]
-    monkeypatch.setattr(owner, attribute, change(getattr(owner, attribute, None)), raising=False)
+@pytest.mark.parametrize(
+    "place",
+    [
+        "src.visualize_cradle_run.main",
+        "src.visualize_cradle_run.newton_cradle_tick",
+        "src.visualize_cradle_run.full_swing_update",
+        "src.visualize_cradle_run.handle_two_bobs",
+        "src.visualize_cradle_run.handle_collision",
+        "src.visualize_cradle_run.mag",
+        "src.visualize_cradle_run.cos",
+        "src.visualize_cradle_run.pairwise",
+        "src.swinging.swing_update",
+        "src.swinging.angle_update",
+        "src.swinging.show_pendulum",
+        "src.swinging.sin",
+        "support.pendulum.arm",
+        "support.pendulum.vector",
+    ],
+)
+def test_the_fast_path_steps_back_if_a_function_is_replaced(place, monkeypatch):
+    monkeypatch.setattr(place, partial(resolve_name(place)))
     assert not is_taken()
 
 
-STRANGE = {  # changes of a row of three pendula, p
-    "a true mass": lambda p: p[1].update(mass=True),
-    "a shared bob": lambda p: p[1].update(objects=(p[1]["objects"][0], *p[0]["objects"][1:])),
-    "no e": lambda p: p[2].pop("e"),
-    "an endless theta": lambda p: p[2].update(theta=inf),
-    "one object more": lambda p: p[0].update(objects=(*p[0]["objects"], hang()["objects"][1])),
-    "an axle too far away": lambda p: setattr(p[2]["objects"][0].pos, "y", 1e6 * R),
-    "a cord that VPython must turn": lambda p: setattr(p[0]["objects"][2], "up", vector(0, 1, 0)),
-    "an error at a contact": lambda p: (p[0].update(mass=-1, omega=5), p[1].update(mass=1)),
-}
+class Number(float):
+    """A constant of another kind."""
 
 
-@pytest.mark.parametrize("strange", STRANGE)
-def test_the_fast_path_steps_back_from_strange_pendula(strange):
+CODE = RUN.handle_two_bobs.__code__
+TOOLS = SimpleNamespace(get_tool=lambda number: number == 5)  # of Python 3.12
+
+
+@pytest.mark.parametrize(
+    ("owner", "name", "value"),
+    [
+        (RUN.handle_two_bobs, "__code__", CODE.replace(co_consts=(*CODE.co_consts, 2))),
+        (RUN.handle_two_bobs, "__defaults__", (True,)),
+        (RUN.newton_cradle_tick, "__kwdefaults__", {"wind": 1}),
+        (pendulum, "BUFFER", 2 * BUFFER),
+        (RUN, "G", Number(RUN.G)),
+        (sys, "gettrace", lambda: "a debugger"),
+        (sys, "getprofile", lambda: "a profiler"),
+        (sys, "monitoring", TOOLS),
+    ],
+)
+def test_the_fast_path_steps_back_after_a_patch(owner, name, value, monkeypatch):
+    monkeypatch.setattr(owner, name, value, raising=False)
+    assert not is_taken()
+
+
+def test_the_fast_path_steps_back_from_an_unknown_keyword_and_from_a_tuple_of_pendula():
+    assert many_ticks(vars(RUN), row(2), 10, {"wind": 1}) is None
+    assert do_at_once(tuple(row(2))) is None
+
+
+def give_a_true_mass(pend_list):
+    pend_list[1]["mass"] = True
+
+
+def share_a_bob(pend_list):
+    axle, *_ = pend_list[1]["objects"]
+    pend_list[1]["objects"] = (axle, *pend_list[0]["objects"][1:])
+
+
+def take_e_away(pend_list):
+    del pend_list[2]["e"]
+
+
+def turn_endlessly_far(pend_list):
+    pend_list[2]["theta"] = inf
+
+
+def add_a_bob(pend_list):
+    pend_list[0]["objects"] += (hang()["objects"][1],)
+
+
+def put_an_axle_too_far_away(pend_list):
+    pend_list[2]["objects"][0].pos.y = 1e6 * R
+
+
+def let_vpython_turn_a_cord(pend_list):
+    pend_list[0]["objects"][2].up = vector(0, 1, 0)
+
+
+def let_a_contact_divide_by_zero(pend_list):
+    pend_list[0].update(mass=-1, omega=5)
+    pend_list[1]["mass"] = 1
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        give_a_true_mass,
+        share_a_bob,
+        take_e_away,
+        turn_endlessly_far,
+        add_a_bob,
+        put_an_axle_too_far_away,
+        let_vpython_turn_a_cord,
+        let_a_contact_divide_by_zero,
+    ],
+)
+def test_the_fast_path_steps_back_from_strange_pendula_and_changes_nothing(change):
     pend_list = row(3)
-    STRANGE[strange](pend_list)
+    change(pend_list)
     before = state(pend_list)
-    assert (do_at_once(pend_list, ticks=1000), state(pend_list)) == (None, before)
-    assert many_ticks(vars(RUN), row(2), 10, {"wind": 1}) is do_at_once(tuple(row(2))) is None
-
-
-PROGRAM = """
-import sys, vpython
-vpython.baseObj._view_constructed = True  # "the page is there": no server, no browser
-from test_many_ticks import hair_breadth, just_touching, random_cradle, same_contacts
-
-count = int(sys.argv[1])
-for seed in [1074, 3402, *range(5 * count)]:  # at the first two, the last bit of VPython's mag is not that of Python
-    same_contacts(lambda: just_touching(seed), ticks=1)
-for seed in range(count):
-    same_contacts(lambda: hair_breadth(seed), ticks=300)
-    same_contacts(lambda: random_cradle(seed + 11)[0], **random_cradle(seed + 11)[1])
-"""
-
-
-@with_vpython
-@pytest.mark.parametrize("count", slow_but_for([5], [5, 20]))
-def test_cradles_of_vpython_itself_end_in_the_same_bits(count):
-    done = python("-c", PROGRAM, count, **OF_TESTS)
-    assert done.returncode == 0, done.stderr
+    assert do_at_once(pend_list, ticks=1000) is None
+    assert state(pend_list) == before

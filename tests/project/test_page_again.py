@@ -1,5 +1,6 @@
-"""Pages of their own, in real browsers: the first one, three tabs and a reload, hostile texts, the
-program's end.
+"""Pages of their own, in real browsers.
+
+The first one, three tabs and a reload, hostile texts, the program's end.
 """
 
 import signal
@@ -8,10 +9,23 @@ from collections import Counter, deque
 
 import programs
 import pytest
-from programs import BOBS, lifts, open_cradle, pause, slide, values, wait_for_cradle, wait_until
+from programs import (
+    bob_angles,
+    BOBS,
+    menu,
+    open_cradle,
+    pause,
+    slide,
+    wait_for_angles,
+    wait_for_cradle,
+    wait_for_moves,
+    wait_until,
+)
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from support.constants import R_PARAM
+
+IN_BOTH_BROWSERS = pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
 
 
 @pytest.fixture
@@ -22,11 +36,13 @@ def started(page, program):
         yield process
 
 
-@pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
+@IN_BOTH_BROWSERS
 def test_the_cradle_swings_until_the_tab_is_closed(page, started):
     """It has a frame, the picture changes, and a bob can be dragged."""
     kinds = Counter(page.evaluate("() => glowObjs.filter(o => o).map(o => o.constructor.name)"))
-    assert (kinds["box"], kinds["cylinder"], kinds["sphere"]) == (5 + 1, 5 + 6, 5)
+    assert kinds["box"] == 5 + 1
+    assert kinds["cylinder"] == 5 + 6
+    assert kinds["sphere"] == 5
     # The last bob has been hit
     page.wait_for_function(f"() => ({BOBS})()[4][0] > {-0.1 + 5 / 4 * R_PARAM}")
     picture = picture_of(page)
@@ -36,14 +52,10 @@ def test_the_cradle_swings_until_the_tab_is_closed(page, started):
 
     pause(page)
     slide(page, "Bobs lifted", 0)
-    programs.wait_for_lifts(page, 0, 0, 0, 0, 0)
-    page.mouse.move(*programs.pixel(page, 3, 0))
-    page.mouse.down()
-    for theta in (20, 40):
-        page.mouse.move(*programs.pixel(page, 3, theta), steps=3)
-    # It was in the way
-    wait_until(lambda: lifts(page)[3] == pytest.approx(40, abs=1) and 38 < lifts(page)[4] < 50)
-    assert lifts(page)[:3] == pytest.approx([0, 0, 0])
+    wait_for_angles(page, 0, 0, 0, 0, 0)
+    programs.drag(page, 3, 20, 40)
+    wait_until(lambda: bob_angles(page)[3] == pytest.approx(40, abs=1))
+    assert 38 < bob_angles(page)[4] < 50  # it was in the way
     page.mouse.up()
     page.keyboard.press("Space")
     wait_until(lambda: "4-3-2-1" in page.locator(".impacts").inner_text())
@@ -68,15 +80,12 @@ def test_the_first_picture_has_all_bobs_with_their_textures(page, program):
 
 
 def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
-    lost = iter(["questions.js"])
-    page.route(
-        "**/questions.js", lambda route: route.abort() if next(lost, None) else route.continue_()
-    )
+    page.route("**/questions.js", lambda route: route.abort(), times=1)
     with programs.running(program) as process:
         page.goto(programs.first_lines(process))
         page.get_by_text("A part of this page did not arrive. It loads again by itself.").wait_for()
         page.wait_for_function("() => typeof shows === 'object' && 'question' in shows")
-        programs.wait_for_moves(page)
+        wait_for_moves(page)
 
 
 def picture_of(page):
@@ -87,127 +96,123 @@ def picture_of(page):
     return picture
 
 
-@pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
-def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again_when_it_is_back(
-    page, started
-):
+@IN_BOTH_BROWSERS
+def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again(page, started):
     page.evaluate("""() => {
         glowObjs[0].forward = vec(0.6, -0.2, -1);
         window.driver = one("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
         driver.loseContext();
     }""")
-    words = page.get_by_text("The browser cannot draw the cradle now.")
-    words.wait_for()
+    message = page.get_by_text("The browser cannot draw the cradle now.")
+    message.wait_for()
     page.evaluate("driver.restoreContext()")
-    words.wait_for(state="hidden")
+    message.wait_for(state="hidden")
     wait_for_cradle(page)
     assert page.evaluate("glowObjs[0].forward.x") == 0.6  # from where you have looked at it
     picture = picture_of(page)
     wait_until(lambda: picture_of(page) != picture)
 
 
-def test_three_tabs_show_one_cradle_and_one_is_reloaded_and_closed(page, started):
-    """The cradle swings on, with the settings that somebody has chosen.
+# The values of all controls.
+CONTROLS = """() => [
+    find("select, input:not([type=checkbox])").map(control => control.value),
+    find("input[type=checkbox]").map(box => box.checked),
+    find("output").map(output => output.value),
+]"""
 
-    Each tab has its own camera.
-    """
-    # The values of all controls.
-    controls = """() => [find("select, input:not([type=checkbox])").map(control => control.value),
-        find("input[type=checkbox]").map(box => box.checked), find("output").map(output => output.value)]"""
-    with (
-        programs.new_page(page.context.browser) as second,
-        programs.new_page(page.context.browser) as third,
-    ):
-        tabs = [page, second, third]
-        for tab in tabs[1:]:
-            open_cradle(tab, page.url)
-        for name, value in (("Speed", 2), ("Bobs lifted", 2), ("Release angle", 70)):
-            slide(second, name, value)
-        programs.menu(second, "Collisions").select_option("elastic, e = 1")
-        programs.menu(second, "Graph").select_option("no graph")
-        for name in ("Arrows", "Predict first"):
-            third.get_by_role("checkbox", name=name).check()
-        page.locator("summary").click()
-        page.get_by_label("Separating bobs collide too").check()
-        for tab in tabs:
-            tab.wait_for_function(
-                "() => glowObjs.some(o => o?.constructor.name === 'arrow' && o.visible)"
-            )
-            wait_until(lambda tab=tab: values(tab) == ["2.0x", "2 of 5", "70°"])
-            programs.wait_for_moves(tab)
-        pause(page)
-        wait_until(lambda: lifts(page) == lifts(second) == lifts(third))
-        settings = page.evaluate(controls)
-        assert [tab.evaluate(controls) for tab in tabs] == [settings] * 3
-        page.keyboard.press("Space")
 
-        second.mouse.move(100, 100)
-        second.mouse.down(button="right")
-        second.mouse.move(160, 100, steps=3)
-        second.mouse.up(button="right")
-        # It is there as soon as the camera has moved
-        second.get_by_role("button", name="Reset view").wait_for()
-        page.evaluate("window.times = []; shows.now = () => times.push(parseFloat(state.motion.t))")
-        third.reload()
-        wait_for_cradle(third)
-        for tab in tabs:
-            programs.wait_for_moves(tab)
-        wait_until(lambda: third.evaluate(controls) == settings)
-        assert not third.locator(".plot").is_visible()
-        assert [tab.get_by_role("button", name="Reset view").is_visible() for tab in tabs] == [
-            False,
-            True,
-            False,
-        ]
-        second.close()
-        for tab in (page, third):
-            programs.wait_for_moves(tab)
-        times = page.evaluate("times")
-        assert times == sorted(times)
-        third.close()
-        page.close()
-        assert programs.end(started) == programs.QUIETLY
+@pytest.fixture
+def tabs(page, started):
+    """Three tabs with the same cradle, and a process that waits until all are closed."""
+    browser = page.context.browser
+    with programs.new_page(browser) as second, programs.new_page(browser) as third:
+        open_cradle(second, page.url)
+        open_cradle(third, page.url)
+        yield page, second, third
+    page.close()
+    assert programs.end(started) == programs.QUIETLY
+
+
+def test_three_tabs_show_one_cradle_with_the_settings_of_all(tabs):
+    """Also after a reload."""
+    first, second, third = tabs
+    slide(second, "Speed", 2)
+    slide(second, "Bobs lifted", 2)
+    slide(second, "Release angle", 70)
+    menu(second, "Collisions").select_option("elastic, e = 1")
+    menu(second, "Graph").select_option("no graph")
+    programs.tick(third, "Arrows")
+    programs.tick(third, "Predict first")
+    first.locator("summary").click()
+    first.get_by_label("Separating bobs collide too").check()
+    for tab in tabs:
+        tab.wait_for_function(
+            "() => glowObjs.some(o => o?.constructor.name === 'arrow' && o.visible)"
+        )
+        wait_until(lambda tab=tab: programs.slider_texts(tab) == ["2.0x", "2 of 5", "70°"])
+        wait_for_moves(tab)
+    pause(first)
+    wait_until(lambda: bob_angles(first) == bob_angles(second) == bob_angles(third))
+    settings = first.evaluate(CONTROLS)
+    third.reload()
+    wait_for_cradle(third)
+    wait_until(lambda: third.evaluate(CONTROLS) == settings)
+    assert second.evaluate(CONTROLS) == settings
+    assert not third.locator(".plot").is_visible()
+
+
+def test_each_tab_has_its_own_camera_and_the_cradle_swings_on_when_one_is_reloaded(tabs):
+    first, second, third = tabs
+    first.evaluate("window.times = []; shows.now = () => times.push(parseFloat(state.motion.t))")
+    second.mouse.move(100, 100)
+    second.mouse.down(button="right")
+    second.mouse.move(160, 100, steps=3)
+    second.mouse.up(button="right")
+    # It is there as soon as the camera has moved
+    programs.button(second, "Reset view").wait_for()
+    third.reload()
+    wait_for_cradle(third)
+    for tab in tabs:
+        wait_for_moves(tab)
+    for tab in (first, third):
+        assert not programs.button(tab, "Reset view").is_visible()
+    second.close()
+    wait_for_moves(first)
+    times = first.evaluate("times")
+    assert len(times) > 1
+    assert times == sorted(times)
 
 
 def test_the_ended_program_shows_how_to_start_it_again(page, started):
     started.send_signal(signal.SIGINT)
     assert programs.end(started) == programs.QUIETLY
     page.get_by_text("The program has ended.").wait_for()
-    assert (
-        page.locator(".notice code")
-        .inner_text()
-        .endswith(" src/visualize_cradle_run.py --angle 45")
-    )
+    command = page.locator(".notice code").inner_text()
+    assert command.endswith(" src/visualize_cradle_run.py --angle 45")
     # It is pale
-    assert float(page.locator(".canvas").evaluate("e => getComputedStyle(e).opacity")) < 0.5
+    assert float(page.evaluate("getComputedStyle(one('.canvas')).opacity")) < 0.5
     assert programs.violations(page) == {}
 
 
 def test_hostile_texts_are_shown_as_texts(page, program):
+    """In an experiment's name, question, answers and explanation, and in the CSV."""
     evil = "<s><img src onerror>"  # a text that makes elements, where it is HTML
-    file = program.parents[1] / "support" / "experiments" / "single" / "2_two_bobs.txt"
-    # In its name, its question, its answers and its explanation
+    folder = program.parents[1]
+    file = folder / "support" / "experiments" / "single" / "2_two_bobs.txt"
     text = file.read_text().replace("Two bobs", evil)
-    for name in (file.name, "1_one_bob.txt"):
-        file.with_name(name).write_text(text)
-    with programs.running(program, folder=program.parents[1]) as process:
+    file.write_text(text)
+    file.with_name("1_one_bob.txt").write_text(text)
+    with programs.running(program, folder=folder) as process:
         open_cradle(page, programs.first_lines(process))
-        page.locator("ul.failed").get_by_text(
-            f"'{evil}' is the name of another experiment"
-        ).wait_for()
-        page.get_by_role("checkbox", name="Predict first").check()
-        programs.menu(page, "Experiment").select_option(evil)
-        question = page.locator(".question")
-        for words in (f"{evil} come in.", f"C\u2002{evil}, as far as the two"):
-            question.get_by_text(words).wait_for()
+        page.get_by_text(f"'{evil}' is the name of another experiment").wait_for()
+        programs.tick(page, "Predict first")
+        menu(page, "Experiment").select_option(evil)
+        page.get_by_text(f"{evil} come in.").first.wait_for()
+        page.get_by_text(f"C\u2002{evil}, as far as the two").wait_for()
         page.keyboard.press("a")
-        question.get_by_text(
-            f"What happened: C, {evil}, as far as the two. {evil} came in at"
-        ).wait_for()
-        (program.parents[1] / "newton_cradle_pends.csv").write_text(
-            FIVE_CSV.replace("red", evil, 1)
-        )
-        page.locator(".error").get_by_text(f"found '{evil}'").wait_for()
+        page.get_by_text(f"{evil} came in at").first.wait_for()
+        (folder / "newton_cradle_pends.csv").write_text(FIVE_CSV.replace("red", evil, 1))
+        page.get_by_text(f"found '{evil}'").wait_for()
         assert page.locator("s, [onerror]").count() == 0
 
 
@@ -215,17 +220,16 @@ def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it_and_c
     page, started
 ):
     """Chromium keeps no page here; these two events are all that a kept page gets."""
-    address = page.url
+    hide = "dispatchEvent(new PageTransitionEvent('pagehide', {persisted: true}))"
     page.goto("about:blank")
     page.go_back()
     wait_for_cradle(page)
-    assert page.url == address
     page.evaluate("window.isKept = true")
-    programs.wait_for_moves(page)
-    for event in ("pagehide", "pageshow"):
-        page.evaluate(f"dispatchEvent(new PageTransitionEvent('{event}', {{persisted: true}}))")
-    programs.wait_for_moves(page)
-    page.evaluate("dispatchEvent(new PageTransitionEvent('pagehide', {persisted: true}))")
+    wait_for_moves(page)
+    page.evaluate(hide)
+    page.evaluate(hide.replace("pagehide", "pageshow"))
+    wait_for_moves(page)
+    page.evaluate(hide)
     assert page.evaluate("isKept")
     assert programs.end(started) == programs.QUIETLY
 
@@ -233,7 +237,8 @@ def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it_and_c
 # The time on the wall (s) minus the simulated one, at each change of the readout in a second; and
 # when it was read.
 LATENESS = """async () => {
-    const text = () => document.querySelector(".readout").innerText, late = [], start = performance.now();
+    const text = () => document.querySelector(".readout").innerText;
+    const late = [], start = performance.now();
     let before = text();
     while (performance.now() - start < 1000) {
         await new Promise(requestAnimationFrame);

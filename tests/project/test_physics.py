@@ -1,50 +1,33 @@
-"""Swings, hits and energies of single pendula, by newton_cradle_tick, at the shipped constants, and
-theory.
-"""
+"""Single pendula by newton_cradle_tick, at the shipped constants, beside theory."""
 
-import random
 from functools import partial
-from math import cos, degrees, pi, radians, sin, sqrt
+from itertools import pairwise
+from math import degrees, radians, sin, sqrt
 
 import pytest
+from exact_cradle import apart, exact_outer_angles, outer_angles, SAMPLE
 from programs import slow_but_for
-from whole_cradles import (
-    advance,
-    apart,
-    contacts_in,
-    energy,
-    ExactCradle,
-    make_row,
-    outer_angles,
-    SAMPLE,
-)
+from scipy.special import ellipk
+from strategies import random_examples, ROWS
+from whole_cradles import advance, energy, hits_in, make_row
 
 from src.visualize_cradle_run import handle_two_bobs
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
 
 
-def exact_period(theta_max):
-    """Return the period (s) of a pendulum with the amplitude theta_max (rad).
-
-    It is 4 sqrt(R / g) K(sin(theta_max / 2)), with the complete elliptic integral of the first
-    kind, K(k) = pi / (2 M(1, sqrt(1 - k^2))). M is the arithmetic-geometric mean
-    (https://dlmf.nist.gov/19.8.E5).
-    """
-    arithmetic, geometric = 1.0, cos(theta_max / 2)
-    while arithmetic - geometric > 1e-15:
-        arithmetic, geometric = (arithmetic + geometric) / 2, sqrt(arithmetic * geometric)
-    return 2 * pi * sqrt(R_PARAM / G) / arithmetic
+def exact_period(amplitude):
+    """Return the period (s) of a pendulum with this amplitude (rad)."""
+    return 4 * sqrt(R_PARAM / G) * ellipk(sin(amplitude / 2) ** 2)
 
 
 @pytest.mark.parametrize("amplitude", slow_but_for([30], [5, 30, 60, 90, 120, 150, 170]))  # degrees
 def test_the_period_of_one_pendulum_over_twenty_swings(amplitude):
-    pend_list, expected = make_row(1, radians(amplitude)), exact_period(radians(amplitude))
+    pend_list = make_row(1, radians(amplitude))
+    expected = exact_period(radians(amplitude))
+    thetas = [advance(pend_list, SAMPLE)[0] for _ in range(round(20.5 * expected / SAMPLE))]
     crossings = []  # times (s) at the lowest point, from the right
-    for sample in range(round(20.5 * expected / SAMPLE)):
-        before = pend_list[0]["theta"]
-        advance(pend_list, SAMPLE)
-        after = pend_list[0]["theta"]
+    for sample, (before, after) in enumerate(pairwise(thetas)):
         if before > 0 >= after:
             crossings.append((sample + before / (before - after)) * SAMPLE)
     assert len(crossings) == 21
@@ -68,19 +51,21 @@ def test_only_approaching_bobs_collide(theta, omega1, omega2, collide):
         pend.update(theta=theta, omega=omega)
         pend["objects"][1].radius *= 1.01  # side by side at one angle, they touch
     handle_two_bobs(*pair, R_PARAM, approaching_only=True)
-    omegas = (omega2, omega1) if collide else (omega1, omega2)
-    assert [pend["omega"] for pend in pair] == pytest.approx(omegas)
+    expected = [omega2, omega1] if collide else [omega1, omega2]
+    assert [pend["omega"] for pend in pair] == pytest.approx(expected)
 
 
 @pytest.mark.parametrize("e", slow_but_for([0.9], [0.99, 0.9, 0.5, 0.1]))
 def test_two_equal_bobs_keep_part_of_the_energy(e):
-    """A hit does not change the half of the energy in the common motion; it multiplies the relative
-    speed by e.
+    """A hit keeps the half of the energy in the common motion.
+
+    It multiplies the relative speed by e.
     """
-    pend_list, hits = make_row(2, THETA_INIT, e=e), 0
+    pend_list = make_row(2, THETA_INIT, e=e)
     at_start = energy(pend_list)
+    hits = 0
     for _ in range(round(3 * exact_period(THETA_INIT) / 1e-3)):  # with two hits in a period
-        hits += bool(contacts_in(pend_list, 1e-3))
+        hits += len(hits_in(pend_list, 1e-3))
         part = 1 / 2 + e ** (2 * hits) / 2
         assert energy(pend_list) / at_start == pytest.approx(part, rel=0.005)
     assert hits >= 5
@@ -90,21 +75,19 @@ def test_two_equal_bobs_keep_part_of_the_energy(e):
     ("release", "seconds"), slow_but_for([(45, 10)], [(45, 10), (5, 60), (60, 60)])
 )
 def test_five_equal_elastic_bobs_keep_the_energy(release, seconds):
-    """From release (degrees), the last bob rises as high as the first one was, and those between
-    hardly move.
+    """From release (degrees), the last bob rises as high as the first one was.
+
+    Those between hardly move.
     """
     pend_list = make_row(5, -radians(release))
     at_start = energy(pend_list)
-    highest = [0.0] * 5  # degrees
+    thetas = []
     for _ in range(round(seconds / SAMPLE)):
-        advance(pend_list, SAMPLE)
+        thetas.append(advance(pend_list, SAMPLE))
         assert energy(pend_list) == pytest.approx(at_start, rel=0.001)
-        highest = [
-            max(most, abs(degrees(pend["theta"])))
-            for most, pend in zip(highest, pend_list, strict=True)
-        ]
-    assert highest[4] == pytest.approx(release, rel=0.001)
-    assert max(highest[1:4]) < 1.5
+    _, *between, last = [degrees(max(map(abs, of_bob))) for of_bob in zip(*thetas, strict=True)]
+    assert last == pytest.approx(release, rel=0.001)
+    assert max(between) < 1.5
 
 
 EXACT = [(DT, 10, 0.6), (DT / 10, 5, 0.03)]
@@ -112,9 +95,9 @@ EXACT = [(DT, 10, 0.6), (DT / 10, 5, 0.03)]
 
 @pytest.mark.parametrize(("dt", "seconds", "most"), slow_but_for(EXACT[:1], EXACT))
 def test_the_outer_bobs_are_where_an_exact_cradle_has_them(dt, seconds, most):
-    """A tick of dt (s) leaves them off by at most `most` degrees, root mean square, in this time."""
+    """With ticks of dt (s), they are off by at most `most` degrees, root mean square."""
     move = partial(advance, make_row(5, THETA_INIT), dt=dt)
-    assert apart(outer_angles(move, seconds), outer_angles(ExactCradle().advance, seconds)) <= most
+    assert apart(outer_angles(move, seconds), exact_outer_angles(seconds)) <= most
 
 
 @pytest.mark.parametrize(
@@ -131,29 +114,23 @@ def test_each_elastic_hit_adds_the_energy_that_the_tick_explains(count, seconds,
     gap = R_PARAM / 4 - 2 * BUFFER * pend_list[0]["objects"][1].radius  # m
 
     def kept():
-        return energy(pend_list) - DT / 2 * G * R_PARAM * sum(
-            pend["omega"] * sin(pend["theta"]) for pend in pend_list
-        )
+        turning = sum(pend["omega"] * sin(pend["theta"]) for pend in pend_list)
+        return energy(pend_list) - DT / 2 * G * R_PARAM * turning
 
     at_start = kept()
-    expected = sum(
-        DT / 2 * G / R_PARAM * speed * (gap + speed * DT / 2)
-        for *_, speed in contacts_in(pend_list, seconds)
-    )
+    speeds = [speed for *_, speed in hits_in(pend_list, seconds)]
+    expected = sum(DT / 2 * G / R_PARAM * speed * (gap + speed * DT / 2) for speed in speeds)
     assert kept() - at_start == pytest.approx(expected, rel=rel)
 
 
-@pytest.mark.parametrize("seed", slow_but_for(range(10), range(100)))
-def test_random_cradles_gain_no_energy(seed):
-    dice = random.Random(seed)
-    thetas = [-1, *sorted(dice.choice([0, dice.uniform(-1, 1)]) for _ in range(dice.randint(1, 9)))]
-    pend_list = make_row(len(thetas))
-    for pend, theta in zip(pend_list, thetas, strict=True):
-        pend.update(
-            theta=theta, mass=10 ** dice.uniform(-6, 6), e=dice.choice([0, 1, dice.random()])
-        )
+@random_examples(5, 50, bobs=ROWS)
+def test_random_cradles_gain_no_energy(bobs):
+    pend_list = make_row(len(bobs))
+    thetas = [-1, *sorted(theta for theta, _, _ in bobs[1:])]
+    for pend, theta, (_, mass, e) in zip(pend_list, thetas, bobs, strict=True):
+        pend.update(theta=theta, mass=mass, e=e)
     at_start = energy(pend_list)
-    assert contacts_in(pend_list, 0.5)
+    assert hits_in(pend_list, 0.5)
     for _ in range(5):
         advance(pend_list, 0.1)
         assert energy(pend_list) <= 1.001 * at_start  # nan is not

@@ -1,6 +1,4 @@
-"""What has to be installed: the short list, the names of VPython behind it, and the pages with no
-more than that.
-"""
+"""What has to be installed: the short list, VPython's names behind it, and no more than that."""
 
 import re
 import venv
@@ -13,45 +11,47 @@ from programs import BOBS, end, first_lines, open_cradle, QUIETLY, ROOT, running
 
 from support.constants import R_PARAM
 
-LISTED, OF_TESTS = (
-    dict(
-        re.findall(
-            r"^([\w-]+)([^ \n]*)", (ROOT / folder / "requirements.txt").read_text(), re.MULTILINE
-        )
-    )
-    for folder in ("support", "tests")
-)
+
+def bounds(file, pattern=r"^([\w-]+)([^ \n]*)"):
+    """Return the bounds of each package in this file of the project."""
+    return dict(re.findall(pattern, (ROOT / file).read_text(), re.MULTILINE))
+
+
+LISTED = bounds("support/requirements.txt")
 
 # The private names of VPython that support/page uses, each as VPython's file has it.
 PRIVATE = {
     "vpython.py": [
-        *("_view_constructed = ", "object_registry = ", "updates = {", "attrs = set()"),
-        *("def handle_attach(cls)", "def initialize(cls)", "def package(cls, objdata)"),
+        "_view_constructed = ",
+        "object_registry = ",
+        "updates = {",
+        "attrs = set()",
+        "def handle_attach(cls)",
+        "def initialize(cls)",
+        "def package(cls, objdata)",
     ],
     "vpython_libraries/glowcomm.html": [
-        *("window.__GSlang =", "var glowObjs", "function decode(data)", "function handler(data)"),
+        "window.__GSlang =",
+        "var glowObjs",
+        "function decode(data)",
+        "function handler(data)",
     ],
     "vpython_libraries/glow.min.js": [
-        *(
-            "$.plot=",
-            ".color.parse=",
-            "__update:function(ev)",
-            "__canvas_element=",
-            "__overlay_element=",
-        ),
-        *(
-            "window.__context",
-            "window.Jupyter_VPython",
-            "glowscript-canvas-wrapper",
-            "userspin:",
-            ".resizable(",
-        ),
-        *(
-            'trigger("draw_complete"',
-            'cvs.waitfor_textures=false;cvs.trigger("textures"',
-            "userzoom:",
-        ),
-        *("tickLabel", "legendColorBox"),
+        "$.plot=",
+        ".color.parse=",
+        "__update:function(ev)",
+        "__canvas_element=",
+        "__overlay_element=",
+        "window.__context",
+        "window.Jupyter_VPython",
+        "glowscript-canvas-wrapper",
+        "userspin:",
+        ".resizable(",
+        'trigger("draw_complete"',
+        'cvs.waitfor_textures=false;cvs.trigger("textures"',
+        "userzoom:",
+        "tickLabel",
+        "legendColorBox",
     ],
 }
 
@@ -65,27 +65,19 @@ def test_vpython_has_its_private_names_that_the_page_uses(file):
 
 
 def test_the_short_list_has_what_pyproject_names_and_each_package_has_both_bounds():
-    named = dict(
-        re.findall(
-            r'^    "([\w-]+)([<>=][^"]+)",', (ROOT / "pyproject.toml").read_text(), re.MULTILINE
-        )
-    )
+    named = bounds("pyproject.toml", r'^    "([\w-]+)([<>=][^"]+)",')
     assert named.keys() == {"vpython", "pandas", "setuptools", "autobahn"}
     assert named.items() <= LISTED.items()
-    for bounds in [*LISTED.values(), *OF_TESTS.values()]:
-        assert re.fullmatch(r"==[\d.]+|>=[\d.]+,<[\d.]+", bounds)
+    for versions in [*LISTED.values(), *bounds("tests/requirements.txt").values()]:
+        assert re.fullmatch(r"==[\d.]+|>=[\d.]+,<[\d.]+", versions)
 
 
 def test_the_workflow_has_the_lines_of_the_readme():
     """The README has a command for Linux and macOS, and lines for Windows."""
-    workflow, readme = (
-        (ROOT / file).read_text() for file in (".github/workflows/test.yml", "README.md")
-    )
-    pattern = (
-        re.search(r"sed -n 's/(.*)/\\1/p' README.md", workflow)[1]
-        .replace(r"\(", "(")
-        .replace(r"\)", ")")
-    )
+    workflow = (ROOT / ".github/workflows/test.yml").read_text()
+    readme = (ROOT / "README.md").read_text()
+    pattern = re.search(r"sed -n 's/(.*)/\\1/p' README.md", workflow)[1]
+    pattern = pattern.replace(r"\(", "(").replace(r"\)", ")")
     assert len(re.findall(pattern, readme, re.MULTILINE)) == 1
     installs = re.findall(r"^    (\.venv\\Scripts\\p(?:ip|ytest).*)$", readme, re.MULTILINE)
     assert re.findall(r"^ +(\.venv\\.*)$", workflow, re.MULTILINE) == installs
@@ -97,20 +89,17 @@ def test_the_workflow_has_the_lines_of_the_readme():
 def test_each_page_works_with_the_short_list_alone_until_the_tab_is_closed(
     page, program, tmp_path, name, bobs
 ):
-    """In an environment with the packages of the Python that runs the tests; one that it does not
-    have is left out.
-    """
-    venv.create(tmp_path / "environment", symlinks=True)
-    [place] = (tmp_path / "environment").glob("lib/python*/site-packages")
+    """In an environment with these packages of the Python that runs the tests, if it has them."""
+    environment = tmp_path / "environment"
+    venv.create(environment, symlinks=True)
+    [place] = environment.glob("lib/python*/site-packages")
     for package in metadata.distributions():
-        for part in {
-            file.parts[0] for file in package.files or () if package.name.lower() in LISTED
-        }:
-            if part not in ("..", "__pycache__"):
+        if package.name.lower() in LISTED:
+            parts = {file.parts[0] for file in package.files or ()}
+            for part in parts - {"..", "__pycache__"}:
                 (place / part).symlink_to(package.locate_file(part))
-    with running(
-        program.with_name(name), python=str(tmp_path / "environment" / "bin" / "python")
-    ) as process:
+    python = str(environment / "bin" / "python")
+    with running(program.with_name(name), python=python) as process:
         open_cradle(page, first_lines(process), bobs)
         # To the right: only a hit brings a bob that far
         farthest = f"Math.max(...({BOBS})().map(bob => bob[0]))"

@@ -1,9 +1,9 @@
-"""The server of the page: what it does for a tab and for everyone else, at one port; and when the
-program ends.
+"""The server of the page: what it does for a tab and for everyone else, at one port.
+
+And when the program ends.
 """
 
 import json
-import random
 import re
 import signal
 import socket
@@ -13,41 +13,48 @@ from contextlib import ExitStack, suppress
 from http.client import HTTPConnection
 from importlib.machinery import PathFinder
 from pathlib import Path
-from queue import Queue
 from types import SimpleNamespace
 from urllib.parse import urlsplit
 
 import programs
 import pytest
+from hypothesis import example, given, settings, strategies
 from programs import copy_project, end, first_lines, QUIETLY, ROOT, running, SECONDS
 from students import change, put_files
-from whole_cradles import FIVE_CSV, GOOD, HEADER
+from whole_cradles import FIVE_CSV
 
+from support.page import browser
+from support.page.port import listen
 from support.page.tabs import LOOK, Tabs
 
-server = pytest.importorskip("support.page.server")  # it needs autobahn, which comes with VPython
+# They need autobahn, which comes with VPython.
+server = pytest.importorskip("support.page.server")
+connections = pytest.importorskip("support.page.connection")
 pytestmark = programs.needs_vpython
 
-WEB, BELOW = ROOT / "support" / "page" / "web", "/user/ann/proxy/8000/"
+WEB = ROOT / "support" / "page" / "web"
+BELOW = "/user/ann/proxy/8000/"
 
 
-def ask(page, path, query="{key}", host="127.0.0.1", method="GET", **headers):
-    """Send a request with exactly this path and query, by default the key; return the connection
-    and the answer.
+def ask(page, path, query="{key}", host="127.0.0.1", **headers):
+    """Send a GET with exactly this path and query; return the connection and the answer.
+
+    The query is the key if none is given.
     """
     connection = HTTPConnection(host, page.port, timeout=SECONDS)
     headers = {name.replace("_", "-"): text for name, text in headers.items() if text is not None}
-    connection.request(method, f"{path}?{query.format(key=page.query)}", headers=headers)
+    connection.request("GET", f"{path}?{query.format(key=page.query)}", headers=headers)
     return connection, connection.getresponse()
 
 
 def get(*request, **headers):
-    """Return the status and the headers of the answer to a GET, and its content."""
+    """Return the status, the headers and the content of the answer to a GET."""
     answer = ask(*request, **headers)[1]
     return answer.status, answer.headers, answer.read()
 
 
-PING = 0x89  # the first byte of a websocket's ping
+# The first bytes of messages of a websocket
+TEXT, BINARY, GOODBYE, PING, PONG = 0x81, 0x82, 0x88, 0x89, 0x8A
 
 
 class Tab(ExitStack):
@@ -56,35 +63,34 @@ class Tab(ExitStack):
     def __init__(self, page, path="/ws", query="{key}", origin="http://127.0.0.1"):
         super().__init__()
         headers = {
+            "Upgrade": "websocket",
+            "Connection": "Upgrade",
             "Sec_WebSocket_Version": "13",
             "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==",
             "Origin": origin,
         }
-        self.connection, self.answer = ask(
-            page, path, query, Upgrade="websocket", Connection="Upgrade", **headers
-        )
+        self.connection, self.answer = ask(page, path, query, **headers)
         self.callback(self.connection.close)
         self.callback(self.answer.close)
         if self.answer.status == 101:
             self.callback(self.leave)
 
     def leave(self):
-        """Say goodbye, and wait until it is heard: a socket that closes with unread bytes takes it
-        back.
+        """Say goodbye, and wait until it is heard.
+
+        A socket that closes with unread bytes takes it back.
         """
         with suppress(OSError):  # the program may have ended
-            self.tell(b"\x03\xe9", kind=8)  # it goes away
+            self.tell(b"\x03\xe9", GOODBYE)
             self.connection.sock.shutdown(socket.SHUT_WR)
             self.answer.fp.read()
 
-    def tell(self, message, kind=1):
-        """Send a message; of kind 1 it is a text, of kind 2 it is bytes."""
-        size = (
-            [len(message) | 0x80]
-            if len(message) < 126
-            else [126 | 0x80, *len(message).to_bytes(2, "big")]
-        )
-        self.connection.sock.sendall(bytes([0x80 | kind, *size, *bytes(4)]) + message)
+    def tell(self, message, kind=TEXT):
+        """Send a message, with an empty mask."""
+        size = [len(message) | 0x80]
+        if len(message) > 125:
+            size = [126 | 0x80, *len(message).to_bytes(2, "big")]
+        self.connection.sock.sendall(bytes([kind, *size, 0, 0, 0, 0]) + message)
 
     def hear(self):
         """Return the next message of the program, and answer that the picture is drawn.
@@ -94,9 +100,11 @@ class Tab(ExitStack):
         read = self.answer.fp.read
         while True:
             kind, size = read(2)
-            data = read(int.from_bytes(read({126: 2, 127: 8}[size]), "big") if size > 125 else size)
+            if size > 125:
+                size = int.from_bytes(read({126: 2, 127: 8}[size]), "big")
+            data = read(size)
             if kind == PING:
-                self.tell(data, kind=10)
+                self.tell(data, PONG)
             elif data:  # else it is only a sign of life
                 self.tell(b"seen")
                 return json.loads(data)
@@ -107,17 +115,23 @@ class Tab(ExitStack):
             while True:
                 self.hear()
 
-    def state(self, *names):
-        """Return the next state that has these names."""
-        return next(
-            state for state in iter(lambda: self.hear()["state"], None) if state.keys() >= {*names}
-        )
+    def state(self, name):
+        """Return the next state that has this name."""
+        while True:
+            state = self.hear()["state"]
+            if name in state:
+                return state
+
+    def wait_for(self, name, value):
+        while self.state(name)[name] != value:
+            pass
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """A working folder with a secret, in a folder with a secret; both end as something that the
-    server has.
+    """A working folder with a secret, in a folder with a secret.
+
+    Both secrets end as something that the server has.
     """
     files = dict.fromkeys(["secret.js", "working/secret.js"], "secret")
     return put_files(tmp_path_factory.mktemp("outside"), files) / "working"
@@ -125,16 +139,21 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def site(folder):
-    """The address of a program that has a tab from beginning to end, and prints nothing more; its
-    query is the key.
+    """The address of a program that has a tab from beginning to end, and prints nothing more.
+
+    Its query is the key.
     """
     program = copy_project(folder.parent, FIVE_CSV) / "src" / programs.PROGRAM.name
     with running(program, folder=folder, patience=60 * SECONDS) as process:
-        tab = Tab(page := urlsplit(first_lines(process)))
-        threading.Thread(target=tab.stay, daemon=True).start()
+        page = urlsplit(first_lines(process))
+        threading.Thread(target=Tab(page).stay, daemon=True).start()
         yield page
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
+
+
+def connect(site, host="127.0.0.1"):
+    return socket.create_connection((host, site.port), timeout=SECONDS)
 
 
 def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the_program_says_so(
@@ -142,33 +161,41 @@ def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the
 ):
     other_address = "127.0.0.2"  # of this machine
     with pytest.raises(OSError):
-        socket.create_connection((other_address, site.port), timeout=SECONDS)
+        connect(site, other_address)
     with running(None, "--host", "0.0.0.0") as process:
-        page, warning = urlsplit(process.stdout.readline().split()[-1]), process.stdout.readline()
+        page = urlsplit(process.stdout.readline().split()[-1])
+        warning = process.stdout.readline()
         assert warning.startswith("Every machine that reaches this one can open it")
-        for host in (page.hostname, other_address):
-            assert [get(page, "/", query, host)[0] for query in ("", "{key}")] == [403, 200]
+        assert get(page, "/", "", other_address)[0] == 403
+        assert get(page, "/", "{key}", other_address)[0] == 200
 
 
-def test_only_files_that_everybody_can_download_come_without_the_key(site, folder):
-    """They come whole. vpython.js is a part of VPython's page, without the websocket there, which
-    goes to localhost.
+@pytest.mark.parametrize(
+    "name",
+    ["secret.js", "../secret.js", "%2e%2e%2fsecret.js", "../" * 40 + "{folder}/secret.js"],
+)
+def test_a_file_that_is_not_of_the_page_is_not_there(site, folder, name):
+    status, _, content = get(site, f"/{name}".format(folder=folder))
+    assert status == 404
+    assert content == b""
+
+
+def test_only_files_that_everybody_can_download_come_without_the_key(site):
+    """They come whole.
+
+    vpython.js is a part of VPython's page, without the websocket there, which goes to localhost.
     """
-    for name in (
-        "secret.js",
-        "../secret.js",
-        "%2e%2e%2fsecret.js",
-        f"{'../' * 40}{folder}/secret.js",
-        "page.html",
-    ):
-        status, _, content = get(site, f"/{name}")
-        assert (name, status, content) == (name, 404, b"")
+    assert get(site, "/page.html", "")[0] == 404
     vpython = Path(PathFinder.find_spec("vpython").origin).parent
-    libraries, pictures = vpython / "vpython_libraries", vpython / "vpython_data"
-    for file in (WEB / "page.js", libraries / "glow.min.js", pictures / "wood_texture.jpg"):
-        assert get(site, BELOW + file.name, "")[::2] == (200, file.read_bytes())
+    libraries = vpython / "vpython_libraries"
+    picture = vpython / "vpython_data" / "wood_texture.jpg"
+    for file in (WEB / "page.js", libraries / "glow.min.js", picture):
+        status, _, content = get(site, BELOW + file.name, "")
+        assert status == 200
+        assert content == file.read_bytes()
     script = get(site, "/vpython.js", "")[2]
-    assert b"function decode(" in script and script in (libraries / "glowcomm.html").read_bytes()
+    assert b"function decode(" in script
+    assert script in (libraries / "glowcomm.html").read_bytes()
     assert b"WebSocket" not in script
 
 
@@ -182,116 +209,93 @@ def test_without_the_key_the_page_is_a_sentence_and_the_websocket_is_refused(sit
         status, headers, content = get(
             site, path + name, query, Origin="http://a", Sec_Fetch_Site="same-origin"
         )
-        assert (status, content.decode()) == (403, server.NO_KEY) and site.query[4:] not in str(
-            headers
-        )
+        assert status == 403
+        assert content.decode() == connections.NO_KEY
+        assert site.query.removeprefix("key=") not in str(headers)
     with Tab(site, f"{path}ws", query) as tab:
         assert tab.answer.status in (400, 403)
 
 
 @pytest.mark.parametrize("query", ["{key}", "{key}&redirect=http://evil.example"])
 @pytest.mark.parametrize("path", ["/", BELOW])
-def test_with_the_key_a_browser_gets_all_below_any_path_from_any_address(site, path, query):
-    """The page sends its address to no other site, and leads to none.
-
-    Without an Origin it is no browser; the Origin null is that of a file, or of a frame that a page
-    has shut in.
-    """
+def test_with_the_key_a_browser_gets_all_below_any_path(site, path, query):
+    """The page sends its address to no other site, and leads to none."""
     for name, expected in (("", (WEB / "page.html").read_bytes()), ("alive", b"alive")):
         status, headers, content = get(site, path + name, query)
-        assert (status, content, headers["Location"]) == (200, expected, None)
+        assert status == 200
+        assert content == expected
+        assert headers["Location"] is None
         assert headers["Referrer-Policy"] == "no-referrer"
-    for origin in ("http://127.0.0.1:19000", "https://a-cradle.example.org", None, "", "null"):
-        with Tab(site, f"{path}ws", query, origin) as tab:
-            assert tab.answer.status in ([101] if origin and "://" in origin else [400, 403])
+    with Tab(site, f"{path}ws", query) as tab:
+        assert tab.answer.status == 101
 
 
-TEXTS = [
-    b"",
-    b"[",
-    b"{}",
-    b"[]",
-    b"seen ",
-    b'"pause"',
-    b"\0",
-    b"[" * 60_000,
-    b'["speed",' + b"9" * 5000 + b"]",
-]
-TEXTS += [
-    b"5",
-    b'["speed", 1e400]',
-    b'["lifted", "<b>"]',
-    b'["restart", 1]',
-    b"[[], 1]",
-    b'[null, {"a": []}]',
-]
-KEPT = (
-    "title",
-    "running",
-    "lifted",
-    "lifts",
-    "collision",
-    "experiment",
-    "arrows",
-    "slow hits",
-    "mass",
-    "e",
+@pytest.mark.parametrize(
+    ("origin", "statuses"),
+    [
+        ("http://127.0.0.1:19000", [101]),
+        ("https://a-cradle.example.org", [101]),
+        (None, [400, 403]),  # no browser
+        ("", [400, 403]),
+        ("null", [400, 403]),  # a file, or a frame that a page has shut in
+    ],
 )
+def test_only_a_browser_at_any_address_gets_the_websocket(site, origin, statuses):
+    with Tab(site, origin=origin) as tab:
+        assert tab.answer.status in statuses
 
 
-def test_rubbish_changes_nothing_and_prints_nothing(site):
-    """Messages of a tab; and connections that a browser has opened in advance, or that somebody
-    tries out.
+RUBBISH = [b"", b"[", b"{}", b"[]", b"5", b"seen ", b'"pause"', b"\0", b"[" * 60_000]
+RUBBISH += [b'["speed",' + b"9" * 5000 + b"]", b"[[], 1]", b'[null, {"a": []}]']
 
-    test_table.py has more commands that are refused.
-    """
-    chance = random.Random(45)
+
+def test_rubbish_of_a_tab_changes_nothing(site):
+    """test_table.py has more commands that are refused."""
     with Tab(site) as tab:
-        before = tab.state(*KEPT)
-        for text in TEXTS:
-            tab.tell(text)
-            tab.tell(chance.randbytes(99), kind=2)
-        tab.tell(b'["speed", 0.5]')  # when this has been done, so has all before it
-        while tab.state("speed")["speed"] != 0.5:
-            pass
-        assert tab.state("motion") != tab.state("motion")  # it swings on
-    for request in (
-        b"",
-        b"GET /../secret.js HTTP/1.1\r\n\r\n",
-        b"\x16\x03\r\n\r\n",
-        *map(chance.randbytes, range(99)),
-    ):
-        with (
-            suppress(ConnectionError),
-            socket.create_connection(("127.0.0.1", site.port), SECONDS) as idle,
-        ):
-            idle.sendall(request)
-            assert get(site, "/")[0] == 200
-    with Tab(site) as tab:
-        after = tab.state(*KEPT)
-        assert {name: after[name] for name in KEPT} == {name: before[name] for name in KEPT}
+        tab.tell(b'["pause"]')
+        tab.wait_for("running", False)
+        with Tab(site) as other:
+            before = other.state("motion")
+        for message in RUBBISH:
+            tab.tell(message)
+            tab.tell(message, BINARY)
+        tab.tell(b'["arrows", true]')  # when this has been done, so has all before it
+        tab.wait_for("arrows", True)
+        tab.tell(b'["arrows", false]')
+        tab.wait_for("arrows", False)
+        with Tab(site) as other:
+            assert other.state("motion") == before
+        tab.tell(b'["pause"]')
+        tab.wait_for("running", True)
+
+
+@settings(max_examples=50, deadline=None, derandomize=True, database=None)
+@example(b"")  # a browser opens it in advance
+@example(b"GET /../secret.js HTTP/1.1\r\n\r\n")
+@example(b"\x16\x03\r\n\r\n")
+@given(strategies.binary())
+def test_any_bytes_on_a_connection_change_nothing_for_others(site, data):
+    with suppress(ConnectionError), connect(site) as idle:
+        idle.sendall(data)
+        assert get(site, "/")[0] == 200
 
 
 @pytest.mark.slow
-def test_the_program_waits_for_a_tab_whose_browser_crashes_and_says_so(csv):
-    """In the middle of a message.
-
-    Before that: a tab gets the largest cradle; one that would fill the memory ends.
-    """
-    csv.write_text(HEADER + GOOD * 1000)
+def test_a_tab_that_would_fill_the_memory_is_cut_off_and_the_program_waits_for_it(csv):
+    """It says so, and when the page is back, also when its browser crashes in a message."""
+    begin = b"\x81\xff"  # of a long message
     with running(None, str(csv)) as process:
-        page, named = urlsplit(first_lines(process)), "{key}&page=1"
-        with Tab(page) as tab:
-            assert len(tab.hear()["cmds"]) > 3000
-        with Tab(page, query=named) as tab, suppress(ConnectionResetError):
-            tab.connection.sock.sendall(
-                b"\x81\xff" + (server.LARGEST_MESSAGE + 1).to_bytes(8, "big") + bytes(4)
-            )
+        page = urlsplit(first_lines(process))
+        with Tab(page, query="{key}&page=1") as tab, suppress(ConnectionResetError):
+            size = (server.LARGEST_MESSAGE + 1).to_bytes(8, "big")
+            tab.connection.sock.sendall(begin + size + bytes(4))
             tab.answer.fp.read()  # until the end
-        with Tab(page, query=named) as tab:
-            tab.connection.sock.sendall(b"\x81\xff")
         assert process.stdout.readline().startswith("A page does not answer")
-        with Tab(page, query=named):
+        with Tab(page, query="{key}&page=1") as tab:
+            assert process.stdout.readline() == "The page is back.\n"
+            tab.connection.sock.sendall(begin)
+        assert process.stdout.readline().startswith("A page does not answer")
+        with Tab(page, query="{key}&page=1"):
             assert process.stdout.readline() == "The page is back.\n"
         assert end(process) == QUIETLY
 
@@ -306,45 +310,57 @@ print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{vis
 """
 
 
-@pytest.mark.parametrize(
-    ("until", "status"), [("a tab", 0), ("SIGINT", 0), ("SIGTERM", 143), ("SIGHUP", 129), ("", 0)]
-)
-def test_a_browser_with_pictures_gets_a_file_that_leads_on(tmp_path, until, status):
+@pytest.mark.parametrize(("until", "status"), [("a tab", 0), ("SIGTERM", 143)])
+def test_a_browser_gets_a_file_that_leads_on(tmp_path, until, status):
     """All users of a machine can read a command; only you the file.
 
     It goes with the first tab, or with the program.
     """
-    name = "browser" if until else "w3m"
-    folder, visited, browser = (tmp_path / path for path in ("100% ü #1", "visited", name))
+    folder = tmp_path / "100% ü #1"
+    visited = tmp_path / "visited"
+    browser = tmp_path / "browser"
     folder.mkdir()
     browser.write_text(BROWSER.format(python=sys.executable, visited=visited))
     browser.chmod(0o755)
     with running(folder=folder, BROWSER=str(browser), VPYTHON_NO_LAUNCH_BROWSER="") as process:
         address = first_lines(process)
-        if until:
-            programs.wait_until(lambda: visited.exists() and visited.read_text().endswith("\n"))
-            *seen, given = visited.read_text().split()
-            assert seen == ["600", address, "200"]
-            assert given.startswith("file://") and address.partition("key=")[2] not in given
-        if until.startswith("SIG"):
-            process.send_signal(getattr(signal, until))
-        else:
+        programs.wait_until(lambda: visited.exists() and visited.read_text().endswith("\n"))
+        *seen, file = visited.read_text().split()
+        assert seen == ["600", address, "200"]
+        assert file.startswith("file://")
+        assert address.partition("key=")[2] not in file
+        if until == "a tab":
             with Tab(urlsplit(address)) as tab:
-                tab.state("motion")  # the program would have started a browser before it swings
-                assert not [*folder.iterdir()]
+                tab.state("motion")
+                assert [*folder.iterdir()] == []
+        else:
+            process.send_signal(signal.SIGTERM)
         assert end(process) == (status, "", "")
-    assert (visited.exists(), [*folder.iterdir()]) == (bool(until), [])
+    assert [*folder.iterdir()] == []
 
 
 @pytest.mark.parametrize(
-    ("release", "place"), [("6.1.0-18-amd64", "file"), ("5.15.90-Microsoft-WSL2", "http")]
+    ("name", "release", "places"),
+    [
+        ("firefox", "6.1.0-18-amd64", ["file"]),
+        ("firefox", "5.15.90-Microsoft-WSL2", ["http"]),  # it sees no file of this system
+        ("/usr/bin/w3m", "6.1.0-18-amd64", []),  # it has no pictures
+    ],
 )
-def test_a_browser_that_sees_no_file_of_this_system_gets_the_address(monkeypatch, release, place):
-    opened = Queue()
+def test_what_a_browser_opens(monkeypatch, name, release, places):
+    opened = []
+
+    def at_once(target, args, daemon):
+        target(*args)
+        return SimpleNamespace(start=lambda: None)
+
     monkeypatch.setattr("platform.release", lambda: release)
-    monkeypatch.setattr("webbrowser.get", lambda: SimpleNamespace(open=opened.put))
-    server.Server.open_browser(SimpleNamespace(address=lambda: "http", make_way=lambda: "file"))
-    assert opened.get(timeout=SECONDS) == place
+    monkeypatch.setattr("webbrowser.get", lambda: SimpleNamespace(name=name, open=opened.append))
+    monkeypatch.setattr("threading.Thread", at_once)
+    start = browser.BrowserStart()
+    monkeypatch.setattr(start, "make_file", lambda address: "file")
+    start.open("http")
+    assert opened == places
 
 
 SESSION = """exec "{python}" -W ignore -i <<'END'
@@ -374,110 +390,130 @@ def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back
     The page shows what a file draws, and that once.
     """
     folder = program.parents[1]
-    site = folder / "support" / "page" / "server.py"
-    # s: quickly
-    site.write_text(site.read_text().replace("RETURN, LOADING = 3.0", "RETURN, LOADING = 0.1"))
-    with running(
-        "-c", SESSION.format(python=sys.executable, folder=folder), python="sh"
-    ) as session:
+    site = folder / "support" / "page" / "connection.py"
+    change(site, "RETURN = 3.0", "RETURN = 0.1")  # s: quickly
+    session = SESSION.format(python=sys.executable, folder=folder)
+    with running("-c", session, python="sh") as process:
 
         def until_the_prompt():
-            return [*iter(session.stdout.readline, "the prompt\n")]
+            return [*iter(process.stdout.readline, "the prompt\n")]
 
         assert [line[:3] for line in until_the_prompt()] == ["t ="] * 2
         assert [line[:3] for line in until_the_prompt()] == ["the", "t =", "t ="]
         assert until_the_prompt()[-1] == "status 0\n"
         for _ in range(2):
-            assert session.stdout.readline() == "the new file\n"
-            with Tab(urlsplit(first_lines(session))) as tab:
-                kinds, message = [], {"state": {}}
-                while "motion" not in message["state"]:  # until it swings
+            assert process.stdout.readline() == "the new file\n"
+            spheres = 0
+            with Tab(urlsplit(first_lines(process))) as tab:
+                is_swinging = False
+                while not is_swinging:
                     message = tab.hear()
-                    kinds += [cmd.get("cmd") for cmd in message["cmds"]]
-                assert kinds.count("sphere") == 5 + 1
+                    spheres += sum(cmd.get("cmd") == "sphere" for cmd in message["cmds"])
+                    is_swinging = "motion" in message["state"]
+            assert spheres == 5 + 1
             assert until_the_prompt() == []
-        assert end(session)[:2] == (0, "")
+        assert end(process)[:2] == (0, "")
 
 
-def test_an_address_that_the_page_cannot_have_is_refused_in_one_line_and_a_port_is_free_at_the_end():
-    """192.0.2.1 is no address of this machine; browsers refuse 6000."""
-    with server.listen("127.0.0.1", 0) as listener:
+def test_an_address_that_the_page_cannot_have_is_refused_and_a_port_is_free_at_the_end():
+    with listen("127.0.0.1", 0) as listener:
         port = listener.getsockname()[1]
-        none = [
-            ("127.0.0.1", port, port),
-            ("127.0.0.1", 6000, "6000.* browsers"),
-            ("192.0.2.1", 0, "192.0.2.1"),
-        ]
-        for host, number, words in (*none, ("no such host", 0, "host: found 'no such host")):
-            with pytest.raises(ValueError, match=rf"^[^\n]*\b{words}\b[^\n]+$"):
-                server.listen(host, number)
+        for host, number, part in (
+            ("127.0.0.1", port, str(port)),
+            ("127.0.0.1", 6000, "6000.* browsers"),  # they refuse it
+            ("192.0.2.1", 0, "192.0.2.1"),  # no address of this machine
+            ("no such host", 0, "host: found 'no such host"),
+        ):
+            with pytest.raises(ValueError, match=rf"^[^\n]*\b{part}\b[^\n]+$"):
+                listen(host, number)
         with socket.create_connection(("127.0.0.1", port)):
             # The side that closes first keeps the connection's port busy for a while
             listener.accept()[0].close()
-    server.listen("127.0.0.1", port).close()
+    listen("127.0.0.1", port).close()
 
 
-# How a websocket closes: its line was cut, its page was left
-CUT = (False, 1006, "")
-LEFT = (True, 1001, "")
+# --- when the program ends, without a network ------------------------------------------------
 
 
 @pytest.fixture
 def silent_site(monkeypatch):
-    """A server without a network, and without time: site.wait(seconds) does the looks of this time."""
-    loop = SimpleNamespace(call_later=lambda delay, function: site.later.append(function))
-    monkeypatch.setattr(server, "own_files", dict)
-    monkeypatch.setattr(
-        server.Server, "serve", lambda site, ready: setattr(site, "loop", loop) or ready.set()
-    )
+    """A server without a network, and without time: site.wait(seconds) does the looks of this time.
+
+    site.later are the functions that it wants to call later.
+    """
+
+    def serve(site, ready):
+        site.later = []
+        site.loop = SimpleNamespace(call_later=lambda delay, call: site.later.append(call))
+        ready.set()
+
+    def wait(seconds):
+        for _ in range(round(seconds / LOOK)):
+            site.look()
+
+    monkeypatch.setattr(server, "keyless_files", dict)
+    monkeypatch.setattr(server.Server, "serve", serve)
     site = server.Server(None, Tabs())
-    site.later = []
-    site.wait = lambda seconds: [site.look() for _ in range(round(seconds / LOOK))]
+    site.wait = wait
     return site
 
 
-def connection(site, **parameters):
-    """Return a connection of a request with these parameters, without a network."""
-    tab = type("Connection", (server.Protocol,), {"site": site})()
-    tab.http_request_params = {name: [text] for name, text in parameters.items()}
-    tab.state = tab.STATE_CLOSED  # so nothing is sent
-    tab.dropConnection = lambda abort: tab.onClose(*CUT)
-    return tab
+class Connection(server.Protocol):
+    """A connection of a page, without a network."""
+
+    def __init__(self, site, **parameters):
+        super().__init__()
+        self.site = site
+        self.http_request_params = {name: [text] for name, text in parameters.items()}
+        self.state = self.STATE_CLOSED  # so nothing is sent
+
+    def dropConnection(self, abort):  # noqa: N802
+        self.cut()
+
+    def cut(self):
+        self.onClose(False, 1006, "")
+
+    def leave(self):
+        self.onClose(True, 1001, "")
 
 
 def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkeypatch, capsys):
-    """A tab that loads has longer: a slow machine loads the page for seconds before it opens the
-    websocket.
+    """A tab that loads has longer: a slow machine loads the page for seconds.
 
     Before the first tab, the program waits for ever. A request without the key wins no time.
     """
-    site, stops = silent_site, []
+    site = silent_site
+    stops = []
     monkeypatch.setattr(server, "interrupt_main", lambda: stops.append("now"))
-    tab, other, stranger = connection(site), connection(site), connection(site)
-    for event, *how in (
-        (stranger.onClose, *CUT),
-        (tab.onOpen,),
-        (other.onOpen,),
-        (other.onClose, *LEFT),
-    ):
-        event(*how)
-        tab.onPong(b"")
-        site.wait(9)
-    tab.onClose(*CUT)
-    tab.content("goodbye", {"key": [site.key], "page": [tab.page]})
-    for seconds in (0.8 * server.RETURN, 0.9 * server.LOADING):
-        site.wait(seconds)
-        tab.content("", {"key": [site.key]})
+    key = {"key": [site.key]}
+    site.wait(99)
+    Connection(site).cut()  # it was refused
+    tab = Connection(site)
+    other = Connection(site)
     tab.onOpen()
-    tab.onClose(*LEFT)
-    site.wait(server.RETURN)
-    tab.content("", {})
+    other.onOpen()
+    other.leave()
+    for _ in range(3):
+        site.wait(9)
+        tab.onPong(b"")
+    tab.cut()
+    tab.answer("goodbye", key | {"page": [tab.page]})
+    site.wait(0.8 * connections.RETURN)
+    tab.answer("", key)
+    site.wait(0.9 * connections.LOADING)
+    tab.answer("", key)
+    site.wait(0.9 * connections.LOADING)
+    tab.onOpen()
+    tab.leave()
+    site.wait(connections.RETURN)
+    tab.answer("", {})
     assert not site.tabs.are_gone
     site.wait(LOOK)
-    assert (site.tabs.are_gone, stops) == (True, [])  # main can end by itself
+    assert site.tabs.are_gone
+    assert stops == []  # main can end by itself
     site.later[-1]()
-    assert (stops, capsys.readouterr().out) == (["now"], "")
-    assert site.key != server.Server(None, Tabs()).key  # each start has its own
+    assert stops == ["now"]
+    assert capsys.readouterr().out == ""
 
 
 @pytest.mark.parametrize("is_silent", [False, True])
@@ -486,49 +522,66 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
 
     When it goes on before the program has noticed, its old websocket costs no minute.
     """
-    site, given = silent_site, []
+    site = silent_site
+    given = []
     site.tabs.give = lambda command, *values: given.append(command)
-    tab, again = connection(site, page="0.5", has="7"), connection(site, page="0.5", has="9" * 5000)
+    tab = Connection(site, page="0.5", has="7")
     tab.onOpen()
     tab.onMessage(b'["grab"]', False)
     if is_silent:
-        site.wait(server.SILENT)
+        site.wait(connections.SILENT)
         assert given == ["grab"]
         site.wait(LOOK)
     else:
-        tab.onClose(*CUT)
+        tab.cut()
     assert given == ["grab", "let go"]
-    site.wait(server.LOST)
-    words = (
-        "A page does not answer: its line is cut, its machine sleeps, or its browser has ended. "
+    site.wait(connections.LOST)
+    assert capsys.readouterr().out == (
+        "A page does not answer: its line is cut, its machine sleeps, or its browser has ended."
+        " The program waits 57 s for it.\n"
     )
-    assert capsys.readouterr().out == f"{words}The program waits 57 s for it.\n"
     tab.onOpen()
+    assert capsys.readouterr().out == "The page is back.\n"
+    again = Connection(site, page="0.5", has="9" * 5000)
     again.onOpen()  # before anything says that tab is lost
-    assert ([*site.tabs.tabs], capsys.readouterr().out) == ([again], "The page is back.\n")
-    other = connection(site)
+    assert [*site.tabs.tabs] == [again]
+    other = Connection(site)
     other.onOpen()
-    again.onClose(*CUT)
+    again.cut()
     for _ in range(8):  # longer than a minute
         other.onPong(b"")
         site.wait(8)
-    other.onClose(*LEFT)
-    site.wait(server.RETURN)
-    assert (site.tabs.are_gone, capsys.readouterr().out) == (False, "")
+    other.leave()
+    site.wait(connections.RETURN)
+    assert not site.tabs.are_gone
     site.wait(LOOK)
     assert site.tabs.are_gone
+    assert capsys.readouterr().out == ""
+
+
+def test_of_a_page_that_is_back_at_once_nothing_is_said(silent_site, capsys):
+    tab = Connection(silent_site, page="1")
+    tab.onOpen()
+    tab.cut()
+    silent_site.wait(2)
+    tab.onOpen()
+    assert capsys.readouterr().out == ""
 
 
 def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent_site):
-    lost, other = connection(silent_site, page="1"), connection(silent_site, page="2")
+    lost = Connection(silent_site, page="1")
+    other = Connection(silent_site, page="2")
     lost.onOpen()
-    lost.onClose(*CUT)
+    lost.cut()
     other.onOpen()
-    other.onClose(*LEFT)
-    silent_site.wait(server.LOST)
+    other.leave()
+    silent_site.wait(connections.LOST)
     assert not silent_site.tabs.are_gone
     silent_site.wait(LOOK)
     assert silent_site.tabs.are_gone
+
+
+# --- other requests --------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("path", ["/", "", "/user/ann/proxy/8000", BELOW])
@@ -539,13 +592,14 @@ def test_a_request_in_another_way_is_answered_as_well(site, path, request_line):
     """Without the last slash of a proxy's address; its head only; of an older version, without a
     Host.
     """
-    expected = get(site, path)
-    assert expected[::2] == (200, (WEB / "page.html").read_bytes())
-    with socket.create_connection((site.hostname, site.port), timeout=SECONDS) as client:
-        client.sendall(f"{request_line}\r\n\r\n".format(f"{path}?{site.query}").encode())
-        head, _, content = b"".join(iter(lambda: client.recv(2**16), b"")).partition(b"\r\n\r\n")
-    assert f"Content-Length: {len(expected[2])}".encode() in head
-    assert content == (expected[2] if request_line.startswith("GET") else b"")
+    page = (WEB / "page.html").read_bytes()
+    request = request_line.format(f"{path}?{site.query}")
+    with connect(site) as client:
+        client.sendall(f"{request}\r\n\r\n".encode())
+        answer = b"".join(iter(lambda: client.recv(2**16), b""))
+    head, _, content = answer.partition(b"\r\n\r\n")
+    assert f"Content-Length: {len(page)}".encode() in head
+    assert content == (page if request.startswith("GET") else b"")
 
 
 def test_neither_many_connections_nor_an_endless_request_keep_others_away(site):
@@ -554,12 +608,8 @@ def test_neither_many_connections_nor_an_endless_request_keep_others_away(site):
     Another one stays.
     """
     with ExitStack() as stack:
-        place = site.hostname, site.port
-        idle = [
-            stack.enter_context(socket.create_connection(place, SECONDS))
-            for _ in range(server.MOST_WAITING + 1)
-        ]
-        idle[-1].sendall(bytes(server.LARGEST_HEAD + 1))
+        idle = [stack.enter_context(connect(site)) for _ in range(connections.MOST_WAITING + 1)]
+        idle[-1].sendall(bytes(connections.LARGEST_HEAD + 1))
         for ended in (idle[0], idle[-1]):
             with suppress(ConnectionResetError):
                 assert ended.recv(1) == b""
@@ -570,9 +620,8 @@ def test_neither_many_connections_nor_an_endless_request_keep_others_away(site):
 
 
 @pytest.mark.slow
-def test_the_page_names_the_function_that_does_not_return_until_it_does(tmp_path):
+def test_the_page_names_the_function_that_does_not_return_until_it_does(program, tmp_path):
     """The one with the loop, not one that it calls again and again."""
-    program = copy_project(tmp_path, FIVE_CSV) / "src" / programs.PROGRAM.name
     stuck = tmp_path / "stuck"
     begin = "    for pend_dict in pend_list:\n"
     loop = f"    while __import__('os').path.exists({str(stuck)!r}):\n"
@@ -582,8 +631,12 @@ def test_the_page_names_the_function_that_does_not_return_until_it_does(tmp_path
         with Tab(urlsplit(first_lines(process))) as tab:
             tab.state("motion")
             stuck.touch()
-            words = r"full_swing_update in src/swinging\.py, line \d+, has been running for 3 s and has not returned\."
-            assert re.fullmatch(words, tab.state("endless")["endless"])
+            message = tab.state("endless")["endless"]
+            assert re.fullmatch(
+                r"full_swing_update in src/swinging\.py, line \d+,"
+                r" has been running for 3 s and has not returned\.",
+                message,
+            )
             stuck.unlink()
             assert tab.state("endless")["endless"] == ""
         assert end(process) == QUIETLY

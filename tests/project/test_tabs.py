@@ -1,77 +1,52 @@
 """What each tab still has to get: merged, bounded, and nothing lost; and which tab drags a bob."""
 
 import json
-import random
 from fractions import Fraction
+from unittest.mock import patch
 
 import pytest
+from hypothesis import settings, strategies
+from hypothesis.stateful import rule, RuleBasedStateMachine, run_state_machine_as_test
 
 from support.page.tabs import Changes, MOST, Tabs
 
-SPHERE, CANVAS = {"cmd": "sphere", "idx": 1}, {"cmd": "canvas", "idx": 0}
+SPHERE = {"cmd": "sphere", "idx": 1}
+CANVAS = {"cmd": "canvas", "idx": 0}
 WOOD = {"idx": 1, "texture": {"file": "wood_texture.jpg"}}
 
 
 @pytest.mark.parametrize(
-    ("messages", "cmds", "attrs"),
+    ("deliveries", "merged"),
     [
         # Objects are made in their order.
-        ([{"cmds": [CANVAS]}, {"cmds": [SPHERE]}], [CANVAS, SPHERE], []),
+        ([[CANVAS], [SPHERE]], [CANVAS, SPHERE]),
         # A shape is made with its last texture: glow.min.js mixes up two that it loads.
-        ([{"cmds": [SPHERE, CANVAS]}, {"cmds": [WOOD]}], [{**SPHERE, **WOOD}, CANVAS], []),
-        # The last value of a setting of the canvas.
-        ([{"cmds": [{"range": size, "idx": 0}]} for size in (1, 2)], [{"range": 2, "idx": 0}], []),
+        ([[SPHERE, CANVAS], [WOOD]], [{**SPHERE, **WOOD}, CANVAS]),
         # The last value of each attribute: object 12 is not object 1, and a1... is not b1...
         (
-            [{"attrs": ["a12a0,0", "a1a0,0", "b12a5"]}, {"attrs": ["a12a4,5"]}],
-            [],
+            [["a12a0,0", "a1a0,0", "b12a5"], ["a12a4,5"]],
             ["a1a0,0", "b12a5", "a12a4,5"],
         ),
-        # It comes after the values that it may change: to set the size of a shape changes its axis.
-        (
-            [{"attrs": ["a1f1,0,0"]}, {"attrs": ["a1g2,1,1"]}, {"attrs": ["a1f3,0,0"]}],
-            [],
-            ["a1g2,1,1", "a1f3,0,0"],
-        ),
         # A method is called once with each value.
-        (
-            [{"attrs": ["m0Gkey", "m0Gmouse"]}, {"attrs": ["a0t1", "m0Gkey"]}],
-            [],
-            ["m0Gmouse", "a0t1", "m0Gkey"],
-        ),
+        ([["m0Gkey", "m0Gmouse"], ["a0t1", "m0Gkey"]], ["m0Gmouse", "a0t1", "m0Gkey"]),
     ],
 )
-def test_changes_merge_into_one_message_with_the_result_of_all(messages, cmds, attrs):
+def test_changes_merge_into_one_message_with_the_result_of_all(deliveries, merged):
     changes = Changes()
-    for number, message in enumerate(messages, start=1):
-        changes.add({'a "name"': ["<b>"], "t": number}, **message)
-    state = {'a "name"': ["<b>"], "t": number}
-    assert json.loads(changes.message(0)) == {
-        "number": number,
-        "cmds": cmds,
-        "attrs": attrs,
-        "state": state,
-    }
-
-
-@pytest.mark.parametrize("words", ["NameError", ""])
-def test_a_full_tab_hears_of_the_end_at_once_and_any_number_can_be_in_the_state(tabs, words):
-    sent = open_tab(tabs, 1)
-    for number in range(MOST):
-        tabs.show({"mass": [Fraction(1, 2)], "t": number})
-    tabs.show({"ended": words})
-    assert (sent[0]["state"]["mass"], sent[-1]["state"]) == ([0.5], {"ended": words})
+    for delivery in deliveries:
+        cmds = [change for change in delivery if isinstance(change, dict)]
+        attrs = [change for change in delivery if isinstance(change, str)]
+        changes.add({}, cmds, attrs)
+    message = json.loads(changes.message(0))
+    assert message["cmds"] + message["attrs"] == merged
 
 
 @pytest.fixture
 def tabs(monkeypatch):
-    """Tabs; changes has what VPython has changed, given is the list of the commands that reach the
-    viewer.
-    """
+    """Tabs; changes has what VPython has changed."""
     tabs = Tabs()
-    tabs.changes, tabs.given = {}, []
+    tabs.changes = {}
     monkeypatch.setattr("support.page.tabs.vpython_changes", lambda: tabs.changes)
-    tabs.give = lambda command, *values: tabs.given.append(command)
     return tabs
 
 
@@ -83,6 +58,16 @@ def open_tab(tabs, name, *messages):
     return messages
 
 
+@pytest.mark.parametrize("message", ["NameError", ""])
+def test_a_full_tab_hears_of_the_end_at_once_and_any_number_can_be_in_the_state(tabs, message):
+    sent = open_tab(tabs, 1)
+    for number in range(MOST):
+        tabs.show({"mass": [Fraction(1, 2)], "t": number})
+    tabs.show({"ended": message})
+    assert sent[0]["state"]["mass"] == [0.5]
+    assert sent[-1]["state"] == {"ended": message}
+
+
 @pytest.mark.parametrize(("size", "most"), [(1, 24), (2**16, 4), (2**19, 1)])
 def test_a_slow_tab_gets_a_bounded_number_of_messages_and_then_the_last_values_of_all(
     tabs, size, most
@@ -91,40 +76,34 @@ def test_a_slow_tab_gets_a_bounded_number_of_messages_and_then_the_last_values_o
 
     One always goes, however many bytes it has.
     """
-    sent, last = open_tab(tabs, 1), 3 * MOST
-    for number in range(last + 1):
+    sent = open_tab(tabs, 1)
+    for number in range(100):
         assert tabs.have_room() == (number < most)
         tabs.changes = {"attrs": [f"a{number % 2}a{number}"]}
         tabs.show({"t": f"{number:{size}}"})
     assert len(sent) == most
     tabs.receive(1, b"seen " * 2 * MOST)  # for more pictures than messages
-    assert len(tabs.tabs[1].under_way) == 1
+    assert len(sent) == most + 1
+    assert sent[-1]["attrs"] == ["a0a98", "a1a99"]
+    assert int(sent[-1]["state"]["t"]) == 99
     tabs.receive(1, b"seen")
-    assert (len(sent), tabs.have_room()) == (most + 1, True)
-    assert (sent[-1]["attrs"], int(sent[-1]["state"]["t"])) == (
-        [f"a1a{last - 1}", f"a0a{last}"],
-        last,
-    )
+    assert tabs.have_room()
 
 
 def test_a_tab_gets_what_has_changed_and_a_new_one_gets_everything(tabs):
     first = open_tab(tabs, 1)
-    for state, tabs.changes in (
-        ({"t": 1, "a": "b"}, {"cmds": [CANVAS]}),
-        ({"t": 2, "a": "b"}, {}),
-        ({"t": 2}, {}),
-    ):
-        tabs.show(state)
+    tabs.changes = {"cmds": [CANVAS]}
+    tabs.show({"t": 1, "a": "b"})
+    tabs.changes = {}
+    tabs.show({"t": 2, "a": "b"})
+    tabs.show({"t": 2})
     assert [message["state"] for message in first] == [{"t": 1, "a": "b"}, {"t": 2}]
-    for number in range(MOST):
-        tabs.show({"a": number})
-    assert not tabs.have_room()
-    last = 2 + MOST
-    everything = {"number": last, "cmds": [CANVAS], "attrs": [], "state": {"t": 2, "a": MOST - 1}}
-    assert open_tab(tabs, 2) == open_tab(tabs, 3, {"number": last + 1})[1:] == [everything]
-    cut = {"number": last, "cmds": [], "attrs": [], "state": {"a": MOST - 1}}
-    assert open_tab(tabs, 4, {"number": last - 1})[1:] == [cut]
-    assert tabs.have_room()  # one tab has room
+    everything = {"number": 2, "cmds": [CANVAS], "attrs": [], "state": {"t": 2, "a": "b"}}
+    of_an_earlier_program = {"number": 3}
+    assert open_tab(tabs, 2) == [everything]
+    assert open_tab(tabs, 3, of_an_earlier_program)[1:] == [everything]
+    later = {"number": 2, "cmds": [], "attrs": [], "state": {"t": 2}}
+    assert open_tab(tabs, 4, {"number": 1})[1:] == [later]
 
 
 def picture_of(messages):
@@ -139,50 +118,79 @@ def picture_of(messages):
             picture |= {(cmd["idx"], name): value for name, value in cmd.items()}
         for text in message["attrs"]:
             length, other = text[3:].split(",")
-            picture |= {(text[1], "length"): length, (text[1], text[2]): other}
+            picture[text[1], "length"] = length
+            picture[text[1], text[2]] = other
         picture |= message["state"]
     return picture
 
 
-@pytest.mark.parametrize("seed", range(20))
-def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(tabs, seed):
-    """Also when a line is cut: the messages under way are lost, and the page goes on with what it
-    has.
+CMDS = [SPHERE, {"idx": 0, "range": 1}, {"idx": 0, "range": 2}, {"idx": 0, "fov": 1}]
+ATTRS = ["a1f1,2", "a1f3,4", "a1g1,3", "a1g2,2", "a2f1,2", "a2g3,3"]
+
+
+class ComingAndGoing(RuleBasedStateMachine):
+    """Whenever tabs come, answer, and lose their line, all show the same in the end.
+
+    A change comes after those that it may change: to set the size of a shape changes its axis.
     """
-    chance, shown, got = random.Random(seed), [], {}
-    for number in range(400):
-        cmds = {"idx": 0, "range": number}, {"idx": 0, "fov": number}
-        attrs = [
-            f"a{i}{chance.choice('fg')}{number},{chance.random()}"
-            for i in range(4)
-            if chance.random() < 0.4
-        ]
-        tabs.changes = {
-            "cmds": [cmd for cmd in cmds if chance.random() < 0.2] if number else [SPHERE],
-            "attrs": attrs,
-        }
-        tabs.show(state := {name: chance.randrange(3) for name in "abc" if chance.random() < 0.5})
-        shown.append({**tabs.changes, "state": state})
-        for name in [*got]:
-            # Each third tab is so slow that it never answers
-            if chance.random() < 0.3 * (name % 3):
-                tabs.receive(name, b"seen")
-        if len(got) < 3 or chance.random() < 0.03:
-            got[number] = open_tab(tabs, number)
-        elif chance.random() < 0.02:
-            tabs.close(gone := chance.choice([*got]))
-            messages = got.pop(gone)
-            if chance.random() < 0.7:
-                got[number] = open_tab(
-                    tabs, number, *messages[: chance.randrange(len(messages) + 1)]
-                )
-    for name, messages in got.items():
-        tabs.receive(name, b"seen")
-        assert picture_of(messages) == picture_of(shown)
+
+    def __init__(self):
+        super().__init__()
+        self.tabs = Tabs()
+        self.shown = []
+        self.sent = {}  # the messages of each tab, by its name
+        self.come()
+
+    @rule()
+    def come(self, *messages):
+        name = max(self.sent, default=0) + 1
+        self.sent[name] = open_tab(self.tabs, name, *messages)
+
+    @rule(
+        cmds=strategies.lists(strategies.sampled_from(CMDS), max_size=1),
+        attrs=strategies.lists(strategies.sampled_from(ATTRS), max_size=2),
+        state=strategies.dictionaries(strategies.sampled_from("abc"), strategies.integers(0, 2)),
+    )
+    def show(self, cmds, attrs, state):
+        drawing = {"cmds": cmds, "attrs": attrs}
+        with patch("support.page.tabs.vpython_changes", lambda: drawing):
+            self.tabs.show(state)
+        self.shown.append({**drawing, "state": state})
+
+    @rule(data=strategies.data())
+    def answer(self, data):
+        self.tabs.receive(data.draw(strategies.sampled_from([*self.sent])), b"seen")
+
+    @rule(data=strategies.data())
+    def lose_a_line(self, data):
+        """Lose the last messages; the page comes back with the others, or without any."""
+        name = data.draw(strategies.sampled_from([*self.sent]))
+        self.tabs.close(name)
+        messages = self.sent.pop(name)
+        self.come(*messages[: data.draw(strategies.integers(0, len(messages)))])
+
+    def teardown(self):
+        for name, messages in self.sent.items():
+            self.tabs.receive(name, b"seen")
+            assert picture_of(messages) == picture_of(self.shown)
+
+
+def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(monkeypatch):
+    monkeypatch.setattr("support.page.tabs.MOST", 2)
+    run_state_machine_as_test(
+        ComingAndGoing,
+        settings=settings(
+            max_examples=100,
+            stateful_step_count=15,
+            deadline=None,
+            derandomize=True,
+            database=None,
+        ),
+    )
 
 
 @pytest.mark.parametrize(
-    ("events", "given"),
+    ("events", "commands"),
     [
         (
             "1 drag, 1 grab, 2 grab, 2 drag, 2 let go, 1 drag, 1 let go, 1 drag",
@@ -195,12 +203,16 @@ def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(tab
     ],
 )
 def test_only_the_tab_that_has_grabbed_a_bob_drags_it_and_it_lets_go_when_it_is_closed(
-    tabs, events, given
+    tabs, events, commands
 ):
-    for name in "12":
-        open_tab(tabs, name)
-    for name, _, event in (event.partition(" ") for event in events.split(", ")):
-        tabs.close(name) if event == "closes" else tabs.receive(
-            name, json.dumps([event, 1, 2]).encode()
-        )
-    assert tabs.given == given.split(", ")
+    given = []
+    tabs.give = lambda command, *values: given.append(command)
+    open_tab(tabs, "1")
+    open_tab(tabs, "2")
+    for event in events.split(", "):
+        name, event = event.split(" ", 1)
+        if event == "closes":
+            tabs.close(name)
+        else:
+            tabs.receive(name, json.dumps([event, 1, 2]).encode())
+    assert given == commands.split(", ")

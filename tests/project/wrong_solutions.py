@@ -309,26 +309,35 @@ OTHERS = {
     },
 }
 
-# Mistakes in the formulas of handle_collision, by their hint: an old and a new text in the first
-# one, and in the second.
+# Mistakes in the formulas of handle_collision, by their hint: old and new texts. Each is in both
+# formulas, or in one.
 FORMULAS = {
-    "e is missing.": ("m2*e*", "m2*", "m1*e*", "m1*"),
-    "the sign before e is wrong.": ("- m2*e", "+ m2*e", "+ m1*e", "- m1*e"),
-    "the mass before e is wrong:": ("m2*e", "m1*e", "m1*e", "m2*e"),
-    "the mass before e is missing.": ("m2*e", "e", "m1*e", "e"),
-    "e multiplies only a part of": ("(v1 - v2)", "v1 - v2", "(v1 - v2)", "v1 - v2"),
-    "only the end is divided": ("2)) /", "2) / (m1 + m2)) #", "2)) /", "2) / (m1 + m2)) #"),
-    "only m1 divides:": ("(m1 + m2)", "m1 + m2", "(m1 + m2)", "m1 + m2"),
-    "nothing divides by the sum": (" / (m1 + m2)", "", " / (m1 + m2)", ""),
-    "both divisions count only for the end:": ("2)) / (m1 + m2)", "2) / (m1 + m2) / r_param) * r_param", "2)) / (m1 + m2)", "2) / (m1 + m2) / r_param) * r_param"),
-    "v1 and v2 are exchanged": ("m1*v1 + m2*v2", "m1*v2 + m2*v1", "m1*v1 + m2*v2", "m1*v2 + m2*v1"),
-    "the linear velocity is returned:": ("2))", "2)) * r_param", "2))", "2)) * r_param"),
+    "e is missing.": {"*e*": "*"},
+    "the sign before e is wrong.": {"- m2*e": "+ m2*e", "+ m1*e": "- m1*e"},
+    "the mass before e is wrong:": {"- m2*e": "- m1*e", "+ m1*e": "+ m2*e"},
+    "the mass before e is missing.": {"m2*e": "e", "m1*e": "e"},
+    "e multiplies only a part of": {"(v1 - v2)": "v1 - v2"},
+    "only the end is divided": {"2)) /": "2) / (m1 + m2)) #"},
+    "only m1 divides:": {"(m1 + m2)": "m1 + m2"},
+    "nothing divides by the sum": {" / (m1 + m2)": ""},
+    "both divisions count only for the end:": {"2)) / (m1 + m2)": "2) / (m1 + m2) / r_param) * r_param"},
+    "v1 and v2 are exchanged": {"m1*v1 + m2*v2": "m1*v2 + m2*v1"},
+    "the linear velocity is returned:": {"2))": "2)) * r_param"},
 }
-for words, (old1, new1, old2, new2) in FORMULAS.items():
-    _, _, first, second, *_ = PLAIN["handle_collision"].splitlines()
-    firsts, seconds = (first, first.replace(old1, new1)), (second, second.replace(old2, new2))
+RIGHT_1, RIGHT_2 = PLAIN["handle_collision"].splitlines()[2:4]
+for words, changes in FORMULAS.items():
+    wrong_1, wrong_2 = RIGHT_1, RIGHT_2
+    for old, new in changes.items():
+        wrong_1 = wrong_1.replace(old, new)
+        wrong_2 = wrong_2.replace(old, new)
     HINTED["handle_collision"] |= {
-        f"This is the result if, in the first formula, {words}": firsts,
-        f"This is the result if, in the second formula, {words}": seconds,
-        f"This is the result if, in both formulas, {words}": ("\n".join([first, second]), "\n".join([firsts[1], seconds[1]])),
+        f"This is the result if, in the first formula, {words}": (RIGHT_1, wrong_1),
+        f"This is the result if, in the second formula, {words}": (RIGHT_2, wrong_2),
+        f"This is the result if, in both formulas, {words}": (f"{RIGHT_1}\n{RIGHT_2}", f"{wrong_1}\n{wrong_2}"),
     }
+
+# All of them, by the function and the words.
+WRONG = {}
+for table in (HINTED, OTHERS):
+    for function, mistakes in table.items():
+        WRONG |= {(function, words): version for words, version in mistakes.items()}

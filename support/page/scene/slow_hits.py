@@ -1,4 +1,4 @@
-"""Slow hits: when a train of hits comes, the time holds, and you see the hits one after another."""
+"""Slow hits: when a series of hits comes, the time holds, and you see one hit after the other."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -6,7 +6,7 @@ from math import inf
 from typing import NamedTuple
 
 from support.cradle.cradle import Cradle
-from support.cradle.impacts import Hit
+from support.cradle.hits import Hit
 
 EACH = 1.2  # s that each hit is shown
 
@@ -15,7 +15,7 @@ class SlowHit(NamedTuple):
     """A hit to show."""
 
     hit: Hit
-    number: int  # in its train of hits
+    number: int  # in its series
     pend_list: list[dict]  # all pendula as after it
 
 
@@ -31,7 +31,7 @@ class SlowHits:
         self.waiting: deque[SlowHit] = deque()
         self.shown: SlowHit | None = None
         self.until = -inf  # the time on the pace's clock at which the next one comes
-        # Of this train: the number and the time (s) of its last hit.
+        # Of this series: the number and the time (s) of its last hit.
         self.count = 0
         self.last = -inf
 
@@ -47,7 +47,7 @@ class SlowHits:
             pend_list[hit.left], pend_list[hit.right] = hit.after
             if hit.speed < least:
                 continue
-            if time - self.last > 2 * self.cradle.gap:  # a new train
+            if time - self.last > 2 * self.cradle.gap:  # a new series
                 self.count = 0
             self.count += 1
             self.last = time
@@ -68,24 +68,26 @@ class SlowHits:
             self.until = -inf
         return self.shown is not None
 
-    def words(self) -> dict | None:
-        """Return what is shown now, in words: a title, lines and a note; or None."""
+    def state(self) -> dict | None:
+        """Return what the page says of the hit: a title, lines and a note; or None."""
         if not self.shown:
             return None
         hit = self.shown.hit
-        if len(self.cradle.angles) == 1:
+        if self.cradle.cord_count == 1:
             noun, plural = "bob", "bobs"
         else:
             noun, plural = "pendulum", "pendula"
         lines = []
         for i, old, new in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
-            lines.append(f"{noun} {i + 1}: {self.velocity(old)} → {self.velocity(new)} m/s")
+            lines.append(
+                f"{noun} {i + 1}: {self.velocity_as_text(old)} → {self.velocity_as_text(new)} m/s"
+            )
         return {
             "title": f"Hit {self.shown.number}: {plural} {hit.left + 1} and {hit.right + 1}",
             "lines": lines,
             "note": "This order is the model's: a tick takes one pair after the other.",
         }
 
-    def velocity(self, pend: dict) -> str:
-        """Return the (mean) velocity of a pendulum's bobs to the right (m/s)."""
+    def velocity_as_text(self, pend: dict) -> str:
+        """Return the (mean) velocity of a pendulum's bobs to the right (m/s) as text."""
         return f"{round(self.cradle.velocity(pend), 2) + 0.0:+.2f}"  # not -0.00

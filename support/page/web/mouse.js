@@ -12,11 +12,11 @@ function listen() {
     update.call(this, { ...event, type: event.type, pageX, pageY });
   };
   const ray = ({ pos }) => [pos, mouse.ray].map(coordinates);
-  scene().bind("mousedown", event => tell("grab", ...ray(event)));
-  scene().bind("mousemove", event => tell("drag", ...ray(event)));
+  scene().bind("mousedown", event => send("grab", ...ray(event)));
+  scene().bind("mousemove", event => send("drag", ...ray(event)));
   scene().bind("mouseup", letGo);
 }
-const letGo = () => tell("let go");
+const letGo = () => send("let go");
 
 const isCanvas = target => home && target.matches(".canvas canvas");
 

@@ -11,7 +11,7 @@ const row = cells => make("tr", {}, ...cells.map(cell => make("td", {}, cell)));
 const outcome = ({ title, why }) => paragraph(strong(`${title} `), why);
 
 function button(text, className, ...command) {
-  return make("button", { className, onclick: () => tell(...command) }, text);
+  return make("button", { className, onclick: () => send(...command) }, text);
 }
 
 function makeQuestion({ key, question, answers, votes, asking, said, happened }) {

@@ -4,8 +4,8 @@ let cells = {}; // of the coordinates, by their names
 let editors = {}; // of mass and e, by "row,column"
 let shape;
 
-shows.keys = shows.mass = shows.e = shows.refused = () => {
-  const newShape = `${state.mass.length} ${state.keys}`;
+shows.keys = shows.table = shows.refused = () => {
+  const newShape = `${state.table.mass.length} ${state.keys}`;
   if (shape !== newShape) build();
   shape = newShape;
   for (const place in editors) showEditor(place, editors[place]);
@@ -21,15 +21,15 @@ one(".fold").addEventListener("toggle", () => shows.now(state.now));
 function build() {
   cells = {};
   editors = {};
-  const names = ["row", "mass", "e", ...state.keys];
+  const names = ["row", ...state.columns, ...state.keys];
   const titles = names.map(name => make("th", { scope: "col" }, name));
   head.replaceChildren(make("tr", {}, ...titles));
-  body.replaceChildren(...state.mass.map((_, row) => makeRow(row)));
+  body.replaceChildren(...state.table.mass.map((_, row) => makeRow(row)));
 }
 
 function makeRow(row) {
   const line = make("tr", {}, make("th", { scope: "row" }, String(row + 1)));
-  for (const column of ["mass", "e"]) line.append(makeEditor(row, column));
+  for (const column of state.columns) line.append(makeEditor(row, column));
   for (const key of state.keys) {
     const cell = make("td", { className: "now" });
     cells[`${key}_${row + 1}`] = cell;
@@ -43,7 +43,7 @@ function makeEditor(row, column) {
   const field = make("input", { type: "text", inputMode: "decimal", size: 6, ariaLabel });
   const message = make("div", { className: "failed", role: "alert" });
   field.addEventListener("change", () => {
-    tell("edit", row, column, field.value);
+    send("edit", row, column, field.value);
     if (!isHeard) field.value = field.defaultValue; // it was not sent
   });
   editors[`${row},${column}`] = { row, column, field, message };
@@ -51,7 +51,7 @@ function makeEditor(row, column) {
 }
 
 function showEditor(place, { row, column, field, message }) {
-  const [text, allowed] = state.refused[place] ?? [String(state[column][row]), ""];
+  const [text, allowed] = state.refused[place] ?? [String(state.table[column][row]), ""];
   const isTyped = field === document.activeElement && field.value !== field.defaultValue;
   if (!isTyped) field.value = field.defaultValue = text;
   field.ariaInvalid = !!allowed;

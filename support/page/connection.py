@@ -1,0 +1,178 @@
+"""A connection of a browser to the page's server: a request, or the websocket of a tab."""
+
+import re
+from pathlib import Path
+from typing import Any, NamedTuple, TYPE_CHECKING
+from urllib.parse import parse_qs
+
+from autobahn.asyncio.websocket import WebSocketServerProtocol
+from autobahn.websocket.types import ConnectionDeny
+
+from support.page.tabs import LOOK
+
+if TYPE_CHECKING:
+    from support.page.server import Server
+
+RETURN = 3.0  # s that a closed tab has to come back
+LOADING = 30.0  # s that a page has from its request to its websocket
+# s that a page has to come back which has said no goodbye: its line is cut, or its machine sleeps.
+LOST = 60.0
+SILENT = 10.0  # s after which a tab that does not answer is lost
+SLOWEST = 2**13  # bytes/s of what is under way to it, which it has in addition
+LARGEST_HEAD = 2**14  # bytes of a request
+MOST_WAITING = 64  # connections that are no websocket: when one more comes, the oldest one goes
+# line.js knows by "ends with a key" that another program is at this port now.
+NO_KEY = (
+    "Open the whole address that the program has printed in the terminal: "
+    "it ends with a key, new at each start.\n"
+)
+TYPES = {
+    ".html": "text/html",
+    ".js": "text/javascript",
+    ".css": "text/css",
+    ".jpg": "image/jpeg",
+    "": "text/plain",
+}
+
+Parameters = dict[str, list[str]]  # of a request, by name
+
+
+class Response(NamedTuple):
+    """The answer to a request."""
+
+    status: str
+    kind: str  # a key of TYPES
+    content: bytes
+
+
+class Protocol(WebSocketServerProtocol):
+    """A connection. Autobahn calls these methods."""
+
+    site: "Server"
+    page = ""  # the name of the page, which it keeps when its line is cut
+    silent = 0.0  # s since its last sign of life
+    has_said_goodbye = False
+
+    # --- requests ------------------------------------------------------------------------------
+
+    def connection_made(self, transport: Any) -> None:
+        super().connection_made(transport)
+        waiting = self.site.waiting
+        waiting[self] = None
+        if len(waiting) > MOST_WAITING:
+            oldest = next(iter(waiting))
+            del waiting[oldest]
+            oldest.transport.abort()
+
+    def processHandshake(self) -> None:  # noqa: N802
+        """Answer a request that asks for no websocket: autobahn would refuse HEAD and HTTP/1.0."""
+        head, end, _ = self.data.partition(b"\r\n\r\n")
+        if len(head) > LARGEST_HEAD:
+            self.dropConnection(abort=True)
+            return
+        if not end:
+            return
+        request = re.match(r"(GET|HEAD|POST) ([^ ?]*)\??(\S*) HTTP/1\.", head.decode("latin-1"))
+        if request and b"\nupgrade:" not in head.lower():
+            method, path, query = request.groups()
+            answer = self.answer(path.rpartition("/")[2], parse_qs(query))
+            self.send_answer(answer, has_content=method != "HEAD")
+            self.dropConnection()
+        else:
+            super().processHandshake()
+
+    def send_answer(self, answer: Response, has_content: bool) -> None:
+        """Send the head of an answer, and its content."""
+        head = [
+            f"HTTP/1.1 {answer.status}",
+            f"Content-Type: {TYPES[answer.kind]}; charset=utf-8",
+            f"Content-Length: {len(answer.content)}",
+            "Connection: close",
+            "Cache-Control: no-cache",
+            "Referrer-Policy: no-referrer",  # no site that the page leads to hears of the key
+        ]
+        self.sendData("\r\n".join([*head, "", ""]).encode())
+        if has_content:
+            self.sendData(answer.content)
+
+    def answer(self, name: str, parameters: Parameters) -> Response:
+        """Return the answer for a path whose last part is name.
+
+        Without a point in it, it is no file: a proxy's address may lack its last slash. The page
+        then adds it.
+        """
+        site = self.site
+        if name in site.files:
+            content = site.files[name]
+            if isinstance(content, Path):
+                content = content.read_bytes()
+            return Response("200 OK", Path(name).suffix, content)
+        if "." in name:
+            return Response("404 Not Found", "", b"")
+        if not site.has_key(parameters):
+            return Response("403 Forbidden", "", NO_KEY.encode())
+        if name == "alive":
+            return Response("200 OK", "", b"alive")
+        if name == "goodbye":
+            site.leave(parameters.get("page", ["no name"])[0])
+            return Response("200 OK", "", b"")
+        site.expect(LOADING)
+        return Response("200 OK", ".html", site.page_file.read_bytes())
+
+    # --- the websocket of a tab ----------------------------------------------------------------
+
+    def onConnect(self, request: Any) -> None:  # noqa: N802
+        has_origin = request.origin not in (None, "", "null")
+        if not has_origin or not self.site.has_key(request.params):
+            raise ConnectionDeny(ConnectionDeny.FORBIDDEN)
+
+    def onOpen(self) -> None:  # noqa: N802
+        site = self.site
+        parameters = self.http_request_params
+        site.waiting.pop(self, None)
+        self.page = parameters.get("page", [""])[0] or f"without a name, {id(self)}"
+        for tab in [*site.tabs.tabs]:
+            if tab.page == self.page:  # its line was cut, and nobody has said so yet
+                site.tabs.close(tab)
+                tab.dropConnection(abort=True)
+        site.welcome(self.page)
+        has = parameters.get("has", [""])[0]
+        site.tabs.open(self, self.send, int(has) if re.fullmatch("[0-9]{1,15}", has) else 0)
+
+    def look(self) -> None:
+        """Give a sign of life to the tab, and ask for one.
+
+        The tab is lost when it has given none for too long.
+        """
+        self.silent += LOOK
+        under_way = sum(self.site.tabs.tabs[self].under_way)
+        if self.silent > SILENT + under_way / SLOWEST:
+            self.dropConnection(abort=True)
+        else:
+            self.send(b"")
+            self.sendPing()
+
+    def send(self, message: bytes) -> None:
+        if self.state == self.STATE_OPEN and not self.transport.is_closing():
+            self.sendMessage(message)
+
+    def onPong(self, _: bytes) -> None:  # noqa: N802
+        self.silent = 0.0
+
+    def onMessage(self, data: bytes, is_binary: bool) -> None:  # noqa: N802
+        self.silent = 0.0
+        if self in self.site.tabs.tabs:
+            self.site.tabs.receive(self, data)
+
+    def onClose(self, was_clean: bool, code: int | None, reason: str) -> None:  # noqa: N802
+        """Hear of the end of a connection, also of one that was refused."""
+        site = self.site
+        site.waiting.pop(self, None)
+        if self not in site.tabs.tabs:
+            return
+        site.tabs.close(self)
+        # Firefox says that it goes away, if you go on from the page.
+        if self.has_said_goodbye or code == self.CLOSE_STATUS_CODE_GOING_AWAY:
+            site.expect(RETURN)
+        else:
+            site.expect(LOST, self.page)

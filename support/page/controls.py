@@ -1,0 +1,137 @@
+"""The controls of the page, and the commands of its tabs.
+
+A control is declared once, in declarations.py. What follows from it: its value in the
+state, the values that its command takes, and its element, for which page.html has a place. page.js
+makes a checkbox of a Switch, a slider of a Slider, and a menu of a Menu.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+
+def is_switch(value: Any) -> bool:
+    return type(value) is bool
+
+
+def is_text(value: Any) -> bool:
+    return type(value) is str and len(value) < 1000
+
+
+def is_count(value: Any) -> bool:
+    return type(value) is int and value >= 0
+
+
+def is_number(value: Any) -> bool:
+    return type(value) in (int, float) and abs(value) < 1e9
+
+
+def is_point(value: Any) -> bool:
+    return type(value) is list and len(value) == 3 and all(map(is_number, value))
+
+
+def is_direction(value: Any) -> bool:
+    return is_point(value) and max(map(abs, value)) > 1e-3
+
+
+def always() -> bool:
+    return True
+
+
+@dataclass
+class Command:
+    """What a command of a tab does, and a test for each of its values, which come as JSON."""
+
+    do: Callable[..., None]
+    tests: tuple[Callable[[Any], bool], ...] = ()
+
+    def takes(self, values: Sequence) -> bool:
+        """Return whether these are values of this command."""
+        if len(values) != len(self.tests):
+            return False
+        return all(test(value) for test, value in zip(self.tests, values, strict=True))
+
+
+@dataclass
+class Control:
+    """A control: the name of its value and of its command, its label, and its value."""
+
+    name: str
+    label: str
+    get: Callable[[], Any]
+    set: Callable[[Any], None]
+    help: str = field(default="", kw_only=True)  # appears under a mouse that rests on it
+
+    def allows(self, value: Any) -> bool:
+        """Return whether the value, which comes as JSON, can be set."""
+        raise NotImplementedError
+
+    def command(self) -> Command:
+        return Command(self.set, (self.allows,))
+
+    def description(self) -> dict[str, Any]:
+        """Return what the page needs beside the value, to make and to fill the element."""
+        return {"kind": type(self).__name__, "label": self.label, "help": self.help}
+
+
+@dataclass
+class Switch(Control):
+    """A value that is true or false."""
+
+    is_enabled: Callable[[], bool] = always
+
+    def allows(self, value: Any) -> bool:
+        return is_switch(value)
+
+    def description(self) -> dict[str, Any]:
+        return {**super().description(), "enabled": self.is_enabled()}
+
+
+@dataclass
+class Slider(Control):
+    """A number from the least to the largest one."""
+
+    limits: Callable[[], tuple[float, float]]
+    as_text: Callable[[Any], str]
+    step: float = 1
+    is_whole: bool = False
+
+    def allows(self, value: Any) -> bool:
+        least, largest = self.limits()
+        has_kind = is_count(value) if self.is_whole else is_number(value)
+        return has_kind and least <= value <= largest
+
+    def description(self) -> dict[str, Any]:
+        least, largest = self.limits()
+        return {
+            **super().description(),
+            "min": least,
+            "max": largest,
+            "step": self.step,
+            "text": self.as_text(self.get()),
+        }
+
+
+@dataclass
+class Menu(Control):
+    """One of several names."""
+
+    choices: Callable[[], Sequence[str]]
+
+    def allows(self, value: Any) -> bool:
+        return value in self.choices()
+
+    def description(self) -> dict[str, Any]:
+        return {**super().description(), "choices": list(self.choices())}
+
+
+def commands_of(controls: Sequence[Control]) -> dict[str, Command]:
+    """Return the command of each control by its name."""
+    return {control.name: control.command() for control in controls}
+
+
+def state_of(controls: Sequence[Control]) -> dict[str, Any]:
+    """Return the value of each control by its name, and their descriptions as `controls`."""
+    state = {control.name: control.get() for control in controls}
+    state["controls"] = {control.name: control.description() for control in controls}
+    return state

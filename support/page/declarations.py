@@ -1,0 +1,165 @@
+"""The controls and commands of the page: each is declared here, once.
+
+page.html has a place for each control, by its name; Viewer.state has their values.
+"""
+
+from typing import Any
+
+from support.columns import NUMBER_COLUMNS
+from support.page.actions import Actions
+from support.page.controls import (
+    Command,
+    Control,
+    is_count,
+    is_direction,
+    is_point,
+    is_switch,
+    is_text,
+    Menu,
+    Slider,
+    Switch,
+)
+from support.page.graph import SPANS
+from support.pendulum import angle_to_outwards
+
+SPEEDS = (0.1, 2.0)  # times real time: the ends of the slider
+
+
+def declare_controls(actions: Actions) -> list[Control]:
+    """Return the controls of the page; page.html has a place for each name."""
+    return [*experiment_controls(actions), *cradle_controls(actions), *show_controls(actions)]
+
+
+def experiment_controls(actions: Actions) -> list[Control]:
+    """Return the controls of the experiments."""
+    experiment = Menu(
+        name="experiment",
+        label="Experiment",
+        get=actions.chooser.name,
+        set=actions.choose,
+        choices=actions.chooser.menu,
+    )
+    ask_first = Switch(
+        name="ask first",
+        label="Predict first",
+        get=lambda: actions.questions.ask_first,
+        set=actions.set_ask_first,
+    )
+    return [experiment, ask_first]
+
+
+def cradle_controls(actions: Actions) -> list[Control]:
+    """Return the controls of how the cradle is released, and how it moves."""
+    cradle = actions.cradle
+    speed = Slider(
+        name="speed",
+        label="Speed",
+        get=lambda: round(actions.pace.speed, 2),
+        set=actions.set_speed,
+        limits=lambda: SPEEDS,
+        as_text=lambda speed: f"{speed:.1f}x",
+        step=0.1,
+    )
+    lifted = Slider(
+        name="lifted",
+        label="Bobs lifted",
+        get=actions.lifted_now,
+        set=actions.set_lifted,
+        limits=lambda: (0, len(cradle.pend_list)),
+        as_text=lambda lifted: f"{lifted} of {len(cradle.pend_list)}",
+        is_whole=True,
+        help="Keys: 1 to 9",
+    )
+    angles = [release_angle(actions, cord, name) for cord, name in enumerate(cradle.angle_limits)]
+    collision = Menu(
+        name="collision",
+        label="Collisions",
+        get=actions.collision_name,
+        set=actions.set_collision,
+        choices=actions.collision_names,
+    )
+    separating = Switch(
+        name="separating",
+        label="Separating bobs collide too",
+        get=lambda: actions.separating,
+        set=actions.set_separating,
+        is_enabled=lambda: cradle.takes_rule,
+    )
+    controls: list[Control] = [speed, lifted, *angles, collision]
+    if cradle.has_rule:
+        controls.append(separating)
+    return controls
+
+
+def show_controls(actions: Actions) -> list[Control]:
+    """Return the controls of what the page shows beside the cradle."""
+    arrows = Switch(
+        name="arrows",
+        label="Arrows",
+        get=lambda: actions.marks.has_arrows,
+        set=actions.show_arrows,
+    )
+    slow_hits = Switch(
+        name="slow hits",
+        label="Slow hits",
+        get=lambda: actions.looks_at_hits,
+        set=actions.slow_down_hits,
+        help="Key: H",
+    )
+    graph = Menu(
+        name="graph",
+        label="Graph",
+        get=lambda: actions.graph.choice,
+        set=actions.graph.show,
+        choices=lambda: [*actions.graph.choices],
+    )
+    span = Menu(
+        name="span",
+        label="Time of the graph",
+        get=lambda: actions.graph.span,
+        set=actions.set_span,
+        choices=lambda: [*SPANS],
+    )
+    return [arrows, slow_hits, graph, span]
+
+
+def release_angle(actions: Actions, cord: int, name: str) -> Slider:
+    """Return the control of the release angle of this cord (0 upper, 1 lower)."""
+
+    def get() -> float:
+        return angle_to_outwards(actions.cradle.release_angles(actions.angles)[cord])
+
+    return Slider(
+        name=name,
+        label=name.capitalize(),
+        get=get,
+        set=lambda degrees: actions.set_release_angle(cord, degrees),
+        limits=lambda: actions.cradle.angle_limits[name],
+        as_text=lambda degrees: f"{degrees:.4g}°",
+    )
+
+
+def declare_commands(actions: Actions) -> dict[str, Command]:
+    """Return the commands that have no control with a value, by their names."""
+    return {
+        "pause": Command(actions.pause),
+        "step": Command(actions.do_step),
+        "tick": Command(actions.do_one_tick),
+        "restart": Command(actions.restart),
+        "next": Command(actions.choose_next),
+        "again": Command(actions.repeat, (is_switch,)),
+        "answer": Command(actions.answer, (is_text, is_answer)),
+        "vote": Command(actions.questions.vote, (is_text, is_count)),
+        "edit": Command(actions.edit, (is_count, is_in_table, is_text)),
+        "grab": Command(actions.grab, (is_point, is_direction)),
+        "drag": Command(actions.drag, (is_point, is_direction)),
+        "let go": Command(actions.let_go),
+    }
+
+
+def is_answer(value: Any) -> bool:
+    return value is None or is_count(value)
+
+
+def is_in_table(value: Any) -> bool:
+    return value in NUMBER_COLUMNS

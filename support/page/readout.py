@@ -1,0 +1,36 @@
+"""What the page says of the motion."""
+
+from support.cradle.cradle import Cradle
+from support.cradle.motion import Motion, percent_as_text
+from support.cradle.real_time import RealTime
+
+
+def readout(motion: Motion, pace: RealTime) -> dict[str, str]:
+    """Return the time, the energy and the momentum as text."""
+    return {
+        "t": f"{motion.time():.2f} s {pace.remark()}".strip(),
+        "energy": percent_as_text(motion.percents()["energy"]).strip(),
+        "momentum": momentum_as_text(motion.cradle.momentum()),
+    }
+
+
+def momentum_as_text(momentum: float) -> str:
+    """Return a momentum (kg m/s) with an arrow in its direction."""
+    # + 0.0: not -0.000
+    number = f"{round(momentum, 3) + 0.0:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
+    if abs(momentum) < 0.0005:
+        return f"{number} kg m/s"
+    return f"{number} kg m/s {'→' if momentum > 0 else '←'}"
+
+
+def changes(cradle: Cradle, before: dict[str, float]) -> list[str]:
+    """Return what one tick has done with the coordinates `before`, in a line for each pendulum."""
+    after = cradle.coordinates()
+    lines = [f"One tick, {cradle.dt:g} s: before -> after"]
+    for i in range(len(cradle.pend_list)):
+        texts = []
+        for key in (*cradle.angle_keys, *cradle.rate_keys):
+            name = f"{key}_{i + 1}"
+            texts.append(f"{key} {before[name]:.6g} -> {after[name]:.6g}".ljust(29))
+        lines.append(f"[{i}] {' '.join(texts)}".rstrip())
+    return lines

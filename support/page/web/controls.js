@@ -1,0 +1,130 @@
+// The controls: made and filled as the program declares them (declarations.py); buttons and keys.
+const makers = {
+  Switch({ name, label }) {
+    const box = make("input", { type: "checkbox", name });
+    return [make("label", {}, box, label)];
+  },
+  Slider({ name, label, step }) {
+    const id = name.replaceAll(" ", "-");
+    return [
+      make("label", { htmlFor: id }, label),
+      make("input", { type: "range", id, name, step }),
+      make("output", { htmlFor: id }),
+    ];
+  },
+  Menu({ name, label }, isUnlabelled) {
+    if (isUnlabelled) return [make("select", { name, ariaLabel: label })];
+    return [make("label", { htmlFor: name }, label), make("select", { id: name, name })];
+  },
+};
+
+const fillers = {
+  Switch(box, { enabled }, value) {
+    box.checked = value;
+    box.disabled = !enabled;
+  },
+  Slider(slider, { min, max, text }, value) {
+    Object.assign(slider, { min, max });
+    if (!slider.matches(":active")) slider.value = value;
+    slider.nextElementSibling.value = text;
+    slider.setAttribute("aria-valuetext", text);
+  },
+  Menu(menu, { choices }, value) {
+    const old = [...menu.options].map(option => option.value);
+    const isNew = JSON.stringify(old) !== JSON.stringify(choices);
+    if (isNew) menu.replaceChildren(...choices.map(choice => new Option(choice, choice)));
+    if (isNew || !menu.matches(":active")) menu.value = value;
+  },
+};
+
+shows.controls = controls => {
+  for (const place of find("template[data-control]")) {
+    const name = place.dataset.control;
+    const control = controls[name];
+    if (!control) continue; // the other kind of cradle has it
+    const isUnlabelled = place.matches(".unlabelled");
+    place.replaceWith(...makers[control.kind]({ name, ...control }, isUnlabelled));
+  }
+  for (const name in controls) showControl(name);
+};
+
+function showControl(name) {
+  const control = state.controls?.[name];
+  if (!control) return;
+  for (const element of find(`[name="${name}"]`)) {
+    element.title = control.help;
+    fillers[control.kind](element, control, state[name]);
+  }
+}
+
+addEventListener("click", ({ target }) => {
+  const button = target.closest?.("button");
+  if (button?.dataset.do) send(button.dataset.do);
+  if (button?.matches(".present")) present();
+});
+addEventListener("input", ({ target }) => {
+  if (target.type === "range") wanted.set(target.name, [target.name, +target.value]);
+});
+addEventListener("change", ({ target }) => {
+  if (!target.name || target.type === "range") return;
+  send(target.name, target.type === "checkbox" ? target.checked : target.value);
+});
+
+const keys = {
+  " ": () => send("pause"),
+  ArrowRight: () => send("step"),
+  r: () => send("restart"),
+  n: () => send("next"),
+  f: () => present(),
+  v: () => resetView(),
+  h: () => send("slow hits", !state["slow hits"]),
+  "?": () => one("#keys").togglePopover(),
+};
+
+// Return what a key means: what you type or, on an alphabet without such letters, the key's place.
+function keyOf({ key, code }) {
+  if (key.length > 1) return key;
+  const isForeign = key > "~";
+  return (isForeign ? code.replace(/^(Key|Digit)/, "") : key).toLowerCase();
+}
+
+// Return the digit of a key: as typed, or that of its place, where a digit needs Shift.
+function digitOf(key, code) {
+  if (/^[1-9]$/.test(key)) return +key;
+  return +(code.match(/^Digit([1-9])$/)?.[1] ?? 0);
+}
+
+addEventListener("keydown", event => {
+  const isPresenting = document.documentElement.classList.contains("presenting");
+  if (event.key === "Escape" && isPresenting) { // without full screen
+    present();
+    return;
+  }
+  const isShortcut = event.metaKey || event.ctrlKey || event.altKey;
+  const isForUs = event.target === document.body && !isShortcut;
+  const isHeld = event.repeat && event.key !== "ArrowRight";
+  if (!isForUs || isHeld) return;
+  const key = keyOf(event);
+  const digit = digitOf(key, event.code);
+  const answer = ["a", "b", "c", "d", "e"].indexOf(key);
+  if (key in keys) keys[key]();
+  else if (digit) send("lifted", Math.min(digit, state.controls.lifted.max));
+  else if (answer >= 0 && state.question) send("answer", state.question.key, answer);
+  else return;
+  event.preventDefault(); // no key scrolls the page
+});
+
+// A control that you reach with the Tab key keeps the keys; one that you click does not.
+let byMouse = false;
+addEventListener("pointerdown", () => byMouse = true, true);
+addEventListener("keydown", () => byMouse = false, true);
+addEventListener("click", ({ target }) => { // a click on a menu only opens it
+  if (target.tagName !== "SELECT") giveKeysBack(target);
+});
+addEventListener("change", ({ target }) => {
+  if (target.tagName === "SELECT") giveKeysBack(target);
+});
+
+function giveKeysBack(target) {
+  if (byMouse && target.type !== "text") document.activeElement.blur();
+}

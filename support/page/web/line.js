@@ -1,0 +1,140 @@
+// The line to the program: a websocket. It brings the state and VPython's drawing, and takes
+// commands. When it is cut, the page connects again.
+const QUIET = 4; // looks without a sign of life, after which the page says so
+const LONGEST = 10; // such looks, after which it connects again
+const FIRST = 60; // such looks before the first message
+
+// Relative to the page, whatever stands before it.
+const address = new URL(`ws${location.search}`, location.href);
+address.protocol = address.protocol.replace("http", "ws");
+// The program knows the page again when its line was cut.
+address.searchParams.set("page", Math.random());
+
+let socket;
+let has = 0; // the number of the last message
+let retry; // the timer of the next try
+let delay = 0; // ms until it
+let silence = 0; // looks without a sign of life
+let isHeard = true;
+let isDone = false; // whether the page wants no line any more
+let unseen = 0; // messages that no picture has shown yet
+let seen = 0; // messages whose picture the program does not know of
+let nextWord = 0; // ms: the time of the next word to the program
+const wanted = new Map(); // the last command of each slider that you move
+
+const isOpen = () => socket?.readyState === WebSocket.OPEN;
+
+function send(...command) {
+  // A late drag would be wrong, but a bob that is let go must not stay in the air.
+  const isWanted = isHeard || command[0] === "let go";
+  if (isOpen() && isWanted) socket.send(JSON.stringify(command));
+}
+
+addEventListener("DOMContentLoaded", () => { // all scripts are there
+  connect();
+  setInterval(look, 1000);
+  requestAnimationFrame(countPictures);
+});
+
+function connect() { // the program sends what is later than the last message
+  if (isDone) return;
+  clearTimeout(retry);
+  socket?.close();
+  address.searchParams.set("has", has);
+  const line = new WebSocket(address);
+  socket = line;
+  line.onmessage = event => {
+    if (line === socket) receive(event.data);
+  };
+  line.onclose = () => {
+    if (line === socket) lose();
+  };
+}
+
+function lose() {
+  if (isDone) return;
+  isHeard = false;
+  silence = 0;
+  wanted.clear();
+  clearTimeout(retry);
+  retry = setTimeout(connect, delay);
+  delay = Math.min(delay + 1000, 5000);
+  explain();
+}
+
+async function explain() { // why the line is cut; a proxy may answer in the program's place
+  const answer = await fetch(`alive${location.search}`).then(answer => answer.text(), () => "");
+  if (answer.includes("ends with a key")) finish("ended"); // another start has another key
+  else if (answer === "alive" && !isHeard) fill(".unheard", "no-websocket");
+}
+
+function look() { // each second, but seldom in a tab that nobody sees: so it counts looks, not time
+  if (isDone) return;
+  silence++;
+  if (silence > QUIET) isHeard = false;
+  const longest = isOpen() && !has ? FIRST : LONGEST;
+  if (silence > longest) lose();
+  if (!isHeard && !one(".unheard").firstChild) fill(".unheard", "unheard");
+}
+
+function hurry() {
+  if (!isOpen()) connect();
+}
+addEventListener("online", hurry);
+addEventListener("visibilitychange", hurry);
+
+function hear() {
+  silence = 0;
+  delay = 0;
+  if (isHeard) return;
+  isHeard = true;
+  one(".unheard").replaceChildren();
+  for (const name in state)
+    if (name !== "sound") update(name); // a control may show what was not sent
+}
+
+function receive(data) {
+  hear();
+  if (!data) return; // only a sign of life
+  unseen++;
+  const { number, state: changes, ...drawing } = JSON.parse(data);
+  has = number;
+  if (canDraw) handler(decode(drawing)); // VPython's
+  Object.assign(state, changes);
+  for (const name in changes) update(name);
+}
+
+// For each picture that the browser has drawn, the program may send one message more. Few words are
+// quicker than many.
+function countPictures(now) {
+  if (unseen > seen) seen++;
+  const isDue = seen > 2 || ((seen || wanted.size) && now > nextWord);
+  if (isOpen() && isDue) {
+    socket.send("seen ".repeat(seen));
+    // Only the last value of a slider: most of them restart the cradle.
+    for (const command of wanted.values()) send(...command);
+    wanted.clear();
+    unseen -= seen;
+    seen = 0;
+    nextWord = now + 45;
+  }
+  requestAnimationFrame(countPictures);
+}
+
+function finish(id) {
+  isDone = true;
+  notice(id);
+}
+
+// A browser that keeps the page for Back would keep the line open.
+addEventListener("pagehide", () => {
+  isDone = true;
+  // Not by the line: what is on its way here can take it back.
+  navigator.sendBeacon(`goodbye${address.search}`);
+  socket?.close();
+});
+addEventListener("pageshow", event => {
+  if (!event.persisted || one(".notice").firstChild) return;
+  isDone = false;
+  connect();
+});

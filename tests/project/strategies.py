@@ -1,0 +1,120 @@
+"""Random values for the project's tests, which are the same in each run."""
+
+import pytest
+from hypothesis import given, HealthCheck, Phase, settings
+from hypothesis import strategies as st
+from programs import slow_but_for
+
+from grading.cradles import R
+from support.files.valid_cradle import MOST_TIMES
+from support.pendulum import BUFFER
+
+ALWAYS_THE_SAME = settings(
+    deadline=None,
+    derandomize=True,
+    database=None,
+    suppress_health_check=[HealthCheck.too_slow],
+    # Without Phase.shrink, which looks for the smallest example that fails: it can take minutes
+    phases=[Phase.explicit, Phase.generate],
+)
+
+
+def random_examples(few, many, **strategies):
+    """Run a test with few values of these strategies, and with many in a slow run."""
+
+    def decorate(test):
+        @pytest.mark.parametrize("count", slow_but_for([few], [few, many]))
+        def run(count):
+            settings(ALWAYS_THE_SAME, max_examples=count)(given(**strategies)(test))()
+
+        return run
+
+    return decorate
+
+
+def powers(base, least, most):
+    """Powers of the base; both exponents are in the range."""
+    return st.floats(least, most).map(lambda exponent: base**exponent)
+
+
+RESTITUTIONS = st.sampled_from([0, 1]) | st.floats(0, 1)
+
+# theta (rad), mass (kg) and e of each pendulum in a row, from left to right
+ROWS = st.lists(
+    st.tuples(st.just(0) | st.floats(-1, 1), powers(10, -6, 6), RESTITUTIONS),
+    min_size=2,
+    max_size=10,
+)
+
+# --- double pendula -----------------------------------------------------------------------------
+
+# theta, phi, omega, phi_omega, mass and e of a pendulum
+TURNS = st.floats(-9, 9)  # rad, or rad/s
+DOUBLE_PENDULA = st.tuples(TURNS, TURNS, TURNS, TURNS, powers(10, -3, 3), RESTITUTIONS)
+
+# Two pendula, a bob of each (0 upper, 1 lower), and their distance: at 1, they touch
+BOBS = st.sampled_from([0, 1])
+DISTANCES = st.sampled_from([0.99, 0.99, 1.01])
+DOUBLE_HITS = st.tuples(DOUBLE_PENDULA, DOUBLE_PENDULA, st.tuples(BOBS, BOBS), DISTANCES)
+
+# theta, phi (rad) and the sizes of the bobs of four pendula
+SIZES = st.floats(0.5, 2)
+BENT_ROWS = st.lists(
+    st.tuples(st.floats(-2, 2), st.floats(-3, 3), SIZES, SIZES), min_size=4, max_size=4
+)
+
+# theta and phi (rad) of the first pendulum, mass (kg) and e of all
+MASSES = st.sampled_from([1, MOST_TIMES]) | powers(MOST_TIMES, 0, 1)
+UNEQUAL_ROWS = st.tuples(
+    st.floats(-2.5, -0.8),
+    st.floats(-1, 1),
+    st.lists(st.tuples(MASSES, st.just(1) | st.floats(0, 1)), min_size=3, max_size=5),
+)
+
+# --- the fast path ------------------------------------------------------------------------------
+
+
+@st.composite
+def pendulum_rows(draw):
+    """Return the arguments of hang for up to 12 pendula, which move almost alike or not at all."""
+    spread = draw(st.sampled_from([1, 1, 1e-3, 1e-6, 0]))
+    angles = st.floats(-1, 1)
+    rates = st.floats(-5, 5) | st.floats(-100, 100)
+    offsets = st.sampled_from([0, 0.01])
+    sizes = st.sampled_from([1, 1.01]) | st.floats(0.5, 1.1)
+    theta, omega = draw(angles), draw(rates)
+    row = []
+    for i in range(12 - draw(st.integers(0, 12))):
+        pendulum = {
+            "theta": theta + spread * draw(angles),
+            "omega": omega + spread * draw(rates),
+            "mass": draw(powers(10, -2, 2)),
+            "e": draw(RESTITUTIONS),
+            "axle": (i * R / 4, draw(offsets), draw(offsets)),
+            "radius": 0.9995 * R / 8 / BUFFER * draw(sizes),
+        }
+        row.append(pendulum)
+    return row
+
+
+DT, G = 1e-4, 9.81  # s, m/s^2: these tests do not depend on the shipped constants
+
+CALLS = st.fixed_dictionaries(  # of do_at_once
+    {
+        "r_param": st.sampled_from([R, R, R, -R]),
+        "dt": st.sampled_from([DT] * 8 + [10 * DT, 1000 * DT, 0, -DT]),
+        "g": st.sampled_from([G] * 8 + [1000, 0, -G]),
+        "ticks": st.sampled_from([2000, 1000, 500, 10, 1]),
+        "approaching_only": st.booleans(),
+    }
+)
+
+# theta (rad), the place of the first axle (m), and the factors of the radii
+FACTORS = st.sampled_from([1, 1 + 1e-15, 1 + 1e-14, 1 - 1e-15, 1 - 1e-14])
+HAIRS = st.tuples(st.floats(-1, 1), st.sampled_from([1, 10, 100]), FACTORS, FACTORS)
+
+# theta (rad), omega (rad/s), and y and z of the axle (m) of two pendula
+NEIGHBOUR = st.tuples(
+    st.floats(-1, 1), st.floats(-5, 5), st.floats(-0.1, 0.1), st.floats(-0.1, 0.1)
+)
+NEIGHBOURS = st.tuples(NEIGHBOUR, NEIGHBOUR)

@@ -1,0 +1,153 @@
+"""What the graded suites do with a solution without end, and with one that waits."""
+
+import os
+import sys
+from importlib import import_module
+from pathlib import Path
+from textwrap import dedent
+
+from grading.begin import ROOT
+
+import pytest
+from graded import failures, outcomes_of
+from wrong_solutions import PLAIN
+
+from grading import grader, limits, students_code
+from grading.grader import check, checks, expect
+from grading.outcomes import FAULT, Grading, WAITING
+from support.constants import NC_FP
+
+STUB = 'raise NotImplementedError("{} is not written yet")'
+
+
+def require_stopped(message):
+    """Require that angle_update is stopped with this message, and not called again."""
+    first, second, *_ = outcomes_of("angle_update", users=False).values()
+    assert f"came back   nothing; it {message} and was stopped" in first.message
+    assert f"angle_update {message}." in first.message
+    assert second.message == "waits for angle_update"
+
+
+@pytest.mark.parametrize(
+    ("body", "patience", "message"),
+    [
+        ("import time; time.sleep(100)", 0.1, "waited longer than 1 s"),
+        # Python 3.11 catches nothing in a loop right below try.
+        (
+            "try:\n omega = 0\n while True: omega += 1\nexcept: pass\nwhile True: pass",
+            0.3,
+            "took longer than 0.3 s",
+        ),
+    ],
+)
+def test_what_takes_too_long_is_stopped(solve, monkeypatch, capsys, body, patience, message):
+    monkeypatch.setattr(limits, "PATIENCE", patience)
+    solve("angle_update", f"print('called')\n{body}")
+    require_stopped(message)
+    assert capsys.readouterr().out == "called\n"
+
+
+@pytest.mark.skipif(not limits.MEMORY_IN_USE.exists(), reason="the memory is limited on Linux")
+def test_what_takes_too_much_memory_is_stopped(solve, monkeypatch):
+    """Its lines are not watched, and the grader has its memory back."""
+    resource = import_module("resource")
+    before = resource.getrlimit(resource.RLIMIT_DATA)
+    monkeypatch.setattr(limits, "MOST_MEMORY", 20)
+    solve("angle_update", "rows = [omega]\nfor row in rows: rows.append(row)")
+    require_stopped("took more than 20 MB of memory")
+    assert failures("angle_update")[0].rows == []
+    assert resource.getrlimit(resource.RLIMIT_DATA) == before
+
+
+@pytest.mark.parametrize(
+    "line",
+    ["import time; g == 8 and time.sleep(0.5)", "breakpoint()", "import pdb; pdb.set_trace()"],
+)
+def test_what_takes_no_processor_time_is_not_stopped(solve, monkeypatch, line):
+    """On a busy machine, the clock goes on while nothing runs.
+
+    Without a terminal, nobody can debug.
+    """
+    monkeypatch.setattr(limits, "PATIENCE", 0.3)
+    monkeypatch.setattr(limits, "HAS_TERMINAL", False)
+    solve("angle_update", f"{line}\n{dedent(PLAIN['angle_update'])}")
+    assert failures("angle_update") == []
+
+
+def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
+    code = compile("\nwhile True: pass", str(ROOT / "src" / "swinging.py"), "exec")
+
+    def import_endless(name):
+        if name == "src.swinging":
+            exec(code, {})
+        return import_module(name)
+
+    monkeypatch.setattr(limits, "PATIENCE", 1.0)
+    monkeypatch.delitem(sys.modules, "src.swinging")
+    monkeypatch.setattr(students_code.importlib, "import_module", import_endless)
+    grading = Grading()
+    first, *others = checks(function="angle_update") + checks(function="full_swing_update")
+    message = grading.judge(first).message
+    assert message.startswith("src/swinging.py, line 2:\n")
+    assert message.endswith("took longer than 1 s\nDoes a loop in it ever end?")
+    assert {grading.judge(other).message for other in others} == {"waits for src/swinging.py"}
+
+
+@pytest.mark.parametrize("catches", ["{}", "try: {}\nexcept BaseException: pass"])
+def test_ctrl_c_ends_the_run_also_if_the_solution_catches_it(solve, catches):
+    solve("angle_update", catches.format("__import__('signal').raise_signal(2)"))
+    with pytest.raises(KeyboardInterrupt):
+        Grading().judge(checks(function="angle_update")[0])
+    limits.PRESSED.clear()  # for the tests that follow
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="only Linux and macOS have fork")
+def test_a_process_that_a_solution_starts_can_end(solve):
+    """A child that went on would run the tests a second time."""
+    fork = "import os\nchild = os.fork()\nif not child: os._exit(0)\nos.waitpid(child, 0)"
+    solve("angle_update", f"{fork}\n{dedent(PLAIN['angle_update'])}")
+    assert failures("angle_update") == []
+
+
+def test_a_solution_that_writes_the_shipped_file_fails_and_the_file_is_put_back(solve):
+    before = Path(NC_FP).read_bytes()
+    writes = "from src.pds_helper import write_to_csv; write_to_csv(pend_list)\n        return"
+    solve("uniform_mass_newton_cradle", ("return", writes))
+    wrong = failures("uniform_mass_newton_cradle")[0].wrong
+    assert wrong == "uniform_mass_newton_cradle writes into a file."
+    assert Path(NC_FP).read_bytes() == before
+
+
+def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
+    monkeypatch.setattr(grader, "CHECKS", {})
+
+    @check("angle_update")
+    def test_with_a_fault():
+        """A sentence."""
+        expect("angle_update", 1 / 0, wanted=None)
+
+    outcome = Grading().judge(grader.CHECKS["test_with_a_fault"])
+    assert outcome.state == FAULT
+    assert outcome.message.startswith("This is a fault of the grader, not of your code.")
+    assert outcome.message.endswith("ZeroDivisionError: division by zero")
+
+
+def test_a_function_that_is_not_written_waits_and_so_do_written_functions_that_use_it(solve):
+    waits = {}
+    for name in ("newton_cradle_tick", "main"):
+        waits[name] = "waits for angle_update, full_swing_update"
+    for name in ("angle_update", "full_swing_update"):
+        solve(name, STUB.format(name))
+        waits[name] = f"waits for you to write {name} in src/my_{name}.py, line 2"
+    messages = {}
+    for asked, outcome in outcomes_of("angle_update").items():
+        assert outcome.state == WAITING
+        messages[asked.function] = outcome.message
+    assert messages == waits
+
+
+def test_a_function_waits_for_one_that_it_need_not_use(solve):
+    solve("uniform_mass_newton_cradle", STUB.format("uniform_mass_newton_cradle"))
+    solve("uniform_e_newton_cradle", "return uniform_mass_newton_cradle(relative_filepath, e_val)")
+    outcome = Grading().judge(checks(function="uniform_e_newton_cradle")[0])
+    assert outcome[:2] == (WAITING, "waits for uniform_mass_newton_cradle")

@@ -1,0 +1,34 @@
+"""What a module may import: the contracts in pyproject.toml hold, and look at every folder."""
+
+from importlinter.api import read_configuration
+from programs import python, ROOT
+
+LINT = (
+    "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports(no_cache=True))"
+)
+
+
+def test_the_contracts_of_imports_in_pyproject_hold():
+    done = python("-c", LINT)
+    assert done.returncode == 0, done.stdout
+
+
+def python_files(*folders):
+    """Return the Python files below these folders of the project."""
+    files = []
+    for folder in folders:
+        files += (ROOT / folder).rglob("*.py")
+    return files
+
+
+def test_the_contracts_look_at_each_folder_of_modules():
+    """A folder without __init__.py is looked at only if it is named."""
+    folders = {file.parent.relative_to(ROOT) for file in python_files("src", "support")}
+    options = read_configuration(str(ROOT / "pyproject.toml"))["session_options"]
+    assert {".".join(folder.parts) for folder in folders} == {*options["root_packages"]}
+
+
+def test_only_a_start_as_a_program_changes_the_path():
+    files = python_files("src", "support", "tests")
+    changing = [file for file in files if "\nsys.path" in file.read_text(encoding="utf-8")]
+    assert changing == [ROOT / "tests" / "grading" / "begin.py"]

@@ -1,0 +1,157 @@
+"""Each experiment explains what really happens: theory and the measurement agree."""
+
+import re
+from itertools import combinations, pairwise
+from math import acos, copysign, cos, degrees, sqrt
+
+import pytest
+from programs import copy_project, OF_TESTS, python, slow_but_for
+from students import put_files
+from whole_cradles import go_on, make_live, PERIOD, Swing
+
+from support.constants import G, R_PARAM
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
+from support.cradle.prediction import Measurement
+from support.files.experiments import EXPERIMENTS, read_experiment, read_experiments
+
+KINDS = Cradle, DoubleCradle
+TICK = Cradle.dt / PERIOD  # in small swings
+
+
+def measured(experiment, kind):
+    """Measure this experiment with single ticks."""
+    player = Swing(make_live(kind), experiment.csv, [None] * kind.cord_count, None, 4, 1e9)
+    player.cradle.many_ticks = None
+    player.want_cradle()
+    go_on(player)
+    player.cradle.pose(experiment.poses)
+    player.motion.restart()
+    measurement = Measurement(experiment, player.motion)
+    while not measurement.is_over:
+        player.swing(max(1, round(PERIOD / 1000 / kind.dt)))
+        measurement.measure()
+    return measurement
+
+
+def after_the_hits(masses, es, velocities):
+    """Return the velocities after all hits of a row of bobs that hang side by side.
+
+    Each hit keeps the momentum, and e holds.
+    """
+    velocities = list(velocities)
+    is_over = False
+    while not is_over:
+        is_over = True
+        for left, right in pairwise(range(len(masses))):
+            m1, m2 = masses[left], masses[right]
+            v1, v2 = velocities[left], velocities[right]
+            if v1 - v2 > 1e-9:
+                common = (m1 * v1 + m2 * v2) / (m1 + m2)
+                velocities[left] = common - es[left] * (v1 - common)
+                velocities[right] = common - es[left] * (v2 - common)
+                is_over = False
+    return velocities
+
+
+def check_theory(found, experiment):
+    """Compare a measured experiment of the single cradle with theory.
+
+    A bob comes in at v = sqrt(2 g R (1 - cos(theta))), and swings out until 1 - cos(theta) = v^2 /
+    (2 g R).
+    """
+    masses = found.cradle.values("mass")
+    befores = [
+        copysign(sqrt(2 * G * R_PARAM * (1 - cos(theta))), -theta) for [theta] in experiment.poses
+    ]
+    afters = after_the_hits(masses, found.cradle.values("e"), befores)
+    swings = [copysign(degrees(acos(1 - v**2 / (2 * G * R_PARAM))), v) for v in afters]
+
+    def energy(velocities):
+        return sum(mass * v**2 for mass, v in zip(masses, velocities, strict=True))
+
+    nearly = (0.008 + 12 * TICK) * max(map(abs, befores))  # m/s
+    assert found.befores == pytest.approx([*map(abs, befores)], abs=nearly)
+    assert found.speeds == pytest.approx([*map(abs, afters)], abs=nearly)
+    assert found.swings == pytest.approx(swings, abs=0.1 + 700 * TICK)  # degrees
+    assert found.energy == pytest.approx(100 * energy(afters) / energy(befores), abs=0.1)  # %
+
+
+def check_this_world(keys=""):
+    """Check what each shipped experiment explains, at the constants of this process.
+
+    keys are those of the experiments to check, separated by spaces; without keys, check all.
+    """
+    for kind in KINDS:
+        experiments, mistakes = read_experiments(EXPERIMENTS / kind.kind, kind.cord_count)
+        assert mistakes == []
+        for experiment in experiments:
+            if experiment.key not in (keys.split() or [experiment.key]):
+                continue
+            found = measured(experiment, kind)
+            assert found.outcome() == experiment.explained, (experiment.key, found.swings)
+            assert "{" not in found.explanation()
+            for answer, other in combinations(experiment.answers, 2):
+                assert answer.swings != pytest.approx(other.swings, abs=5)
+            right = experiment.answers[experiment.explained]
+            assert found.swings == pytest.approx(right.swings, abs=3)
+            if kind is Cradle:
+                check_theory(found, experiment)
+
+
+# Changed constants: R_PARAM (m), G (m/s^2), DT (s), DOUBLE_DT (s); the experiments to check, or all
+WORLDS = {
+    "the Moon": ("0.2 1.62 0.001 0.001", ""),
+    "a short cord, and fast": ("0.05 25.0 0.0005 0.0005", ""),
+    "the longest cord": ("2.0 9.81 0.001 0.001", ""),
+    "short ticks": ("0.05 9.81 0.00001 0.00025", "2_two_bobs"),
+    "the shipped one": ("0.2 9.81 0.0001 0.00025", ""),
+}
+
+
+@pytest.mark.parametrize("world", slow_but_for(["the Moon"], WORLDS))
+def test_an_experiment_is_right_with_any_cord_gravity_and_tick(world, tmp_path):
+    numbers, keys = WORLDS[world]
+    file = copy_project(tmp_path, "") / "support" / "constants.py"
+    text = file.read_text()
+    for name, number in zip(("R_PARAM", "G", "DT", "DOUBLE_DT"), numbers.split(), strict=True):
+        text = re.sub(rf"(?m)^{name} = .*", f"{name} = {number}", text)
+    file.write_text(text)
+    modules = "import support.headless_vpython, src.double_cradle, test_measurements"
+    check = f"{modules}; test_measurements.check_this_world({keys!r})"
+    done = python("-c", check, folder=tmp_path, **OF_TESTS)
+    assert done.returncode == 0, done.stderr
+
+
+SHORT = """\
+name = Short
+theta = {}
+e = 0 0
+question = What happens?
+why = They stop.
+* All stop = 0 0
+- All go on = 45 45
+"""
+
+
+@pytest.mark.parametrize(
+    ("theta", "explanation", "swings"),
+    [
+        ("-45 45", "They stop.", 0.5),  # nothing moves any more
+        ("0 0", "In 2.69 s, no two bobs hit each other.", 3),
+        ("-1 -1", "In 2.69 s, no two bobs hit each other.", 3),  # side by side
+    ],
+)
+def test_a_measurement_ends_in_any_case(tmp_path, theta, explanation, swings):
+    folder = put_files(tmp_path, {"short.txt": SHORT.format(theta)})
+    found = measured(read_experiment(folder / "short.txt", 1), Cradle)
+    assert found.explanation() == explanation
+    assert found.end / PERIOD < swings + 0.1
+
+
+@pytest.mark.parametrize(("fastest", "digits"), [(0.51, 2), (0.45, 3), (0.045, 4), (0, 2)])
+def test_slow_speeds_have_more_digits(tmp_path, fastest, digits):
+    folder = put_files(tmp_path, {"short.txt": SHORT.format("-45 45")})
+    found = measured(read_experiment(folder / "short.txt", 1), Cradle)
+    found.fastest = fastest
+    assert len(found.numbers()["speed_1"].partition(".")[2]) == digits

@@ -1,0 +1,294 @@
+"""Submissions of a class: the forms in which they are read, and a key for each student."""
+
+import os
+import stat
+import zipfile
+from io import BytesIO
+from unicodedata import normalize
+
+import pytest
+from programs import on_posix
+from students import put_files
+
+from grading.handout import FUNCTIONS
+from teacher.keys import keys_of, Student
+from teacher.submissions import read_submission, submissions_in
+
+SOLUTION = {function.file: f"# {function.file}\n" for function in FUNCTIONS.values()}
+# The same as it is read: by the paths below src/
+READ = {file.removeprefix("src/"): text.encode() for file, text in SOLUTION.items()}
+
+
+def below(folder, files):
+    return {f"{folder}/{name}": text for name, text in files.items()}
+
+
+def renamed(before, after, files):
+    return {name.replace(before, after): text for name, text in files.items()}
+
+
+def zip_of(files) -> bytes:
+    """Return a .zip with these files; a name may be a ZipInfo."""
+    whole = BytesIO()
+    with zipfile.ZipFile(whole, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(name, content)
+    return whole.getvalue()
+
+
+def read_zip(folder, data):
+    """Read a submission that is a .zip with this content."""
+    (folder / "a.zip").write_bytes(data)
+    return read_submission([("", folder / "a.zip")])
+
+
+PROJECT = {
+    **SOLUTION,
+    "src/helpers/angles.py": "a",
+    "src/notes.txt": "n",
+    "src/__pycache__/x.py": "x",
+    "README.md": "text",
+    "support/swinging.py": "mine",
+    "tests/swinging.py": "mine",
+    ".venv/lib/swinging.py": "x",
+}
+MAC = {**below("cradle", PROJECT), **below("__MACOSX/cradle", SOLUTION)}
+TWO_SWINGS = {**renamed("swinging", "my_swinging", SOLUTION), "src/swinging_old.py": "o"}
+LONG_NUMBER = f"a-{'9' * 200}.py"
+NEWER = ["src/swinging (1).py", "src/swinging-12.py", "src/swinging-2.py"]
+# The files of a submission, those that are read, and how the messages about it begin
+FORMS = {
+    "the files of src": (READ, READ, []),
+    "a project of macOS": (MAC, {**READ, "helpers/angles.py": b"a"}, []),
+    "two projects": (
+        {**below("new", SOLUTION), "old/src/swinging.py": "old"},
+        READ,
+        ["took new/src, left old/src"],
+    ),
+    "two versions": (
+        {**below("Version 2", SOLUTION), **below("Version 1", SOLUTION)},
+        READ,
+        ["took Version 2/src, left Version 1/src"],
+    ),
+    "two candidates": (
+        TWO_SWINGS,
+        {**renamed("swinging", "my_swinging", READ), "swinging_old.py": b"o"},
+        ["src/swinging.py is missing, found 'my_swinging.py' and 'swinging_old.py'"],
+    ),
+    "a file again and again": (
+        {**SOLUTION, **dict.fromkeys(NEWER, "2"), NEWER[1]: "12"},
+        {**READ, "swinging.py": b"12"},
+        [f"took {NEWER[1]} as swinging.py, left src/swinging.py, {NEWER[0]}, {NEWER[2]}"],
+    ),
+    "all files again": (
+        renamed(".py", "-1 (2).py", SOLUTION),
+        READ,
+        [f"took {name.replace('.py', '-1 (2).py')} as {name[4:]}" for name in sorted(SOLUTION)],
+    ),
+    "a long number": ({**SOLUTION, f"src/{LONG_NUMBER}": ""}, {**READ, LONG_NUMBER: b""}, []),
+    "a long path": (
+        {**SOLUTION, f"src/{'a/' * 120}long.py": ""},
+        READ,
+        [f"left out {'/a' * 21}/long.py: allowed is a path of at most 250 letters"],
+    ),
+    "nothing": ({}, {}, ["none of the handout's files is there, found: "]),
+    "much": (
+        {**SOLUTION, "src/big.py": "#" * 1_000_000},
+        {},
+        ["too large: allowed are at most 200"],
+    ),
+    "many": (
+        {**SOLUTION, **{f"src/a{i}.py": "" for i in range(200)}},
+        {},
+        ["too large: allowed are at most 200"],
+    ),
+}
+CANDIDATES = [
+    "Swinging.py",
+    "swinging.PY",
+    "swinging copy.py",
+    "Copy of swinging.py",
+    "swinging - Copy.py",
+]
+for name in CANDIDATES:
+    FORMS[name] = (
+        renamed("swinging.py", name, SOLUTION),
+        {**READ, name: READ["swinging.py"]},
+        [f"took src/{name} as swinging.py"],
+    )
+
+
+@pytest.mark.parametrize(("files", "found", "beginnings"), FORMS.values(), ids=FORMS)
+@pytest.mark.parametrize("is_packed", [False, True])
+@pytest.mark.parametrize("place", ["ann", "ann.zip"])
+def test_the_files_of_src_are_found_and_problems_named(
+    tmp_path, files, found, beginnings, is_packed, place
+):
+    """is_packed: they are in a .zip, in a folder or in another .zip."""
+    if is_packed:
+        files = {"cradle.zip": zip_of(files)}
+    if place == "ann":
+        (tmp_path / "ann").mkdir()
+        put_files(tmp_path / "ann", files)
+    else:
+        (tmp_path / "ann.zip").write_bytes(zip_of(files))
+    read, messages = read_submission([("", tmp_path / place)])
+    assert read == found
+    for message, beginning in zip(sorted(messages), beginnings, strict=True):
+        assert message.replace("cradle.zip/", "").startswith(beginning)
+
+
+def test_an_odd_entry_of_a_zip_is_named_and_the_rest_is_taken(tmp_path):
+    link = zipfile.ZipInfo("src/link.py")
+    link.external_attr = (stat.S_IFLNK | 0o777) << 16
+    bzip2 = zipfile.ZipInfo("src/bzip2.py")
+    bzip2.compress_type = zipfile.ZIP_BZIP2
+    lzma = zipfile.ZipInfo("src/lzma.py")
+    lzma.compress_type = zipfile.ZIP_LZMA
+    odd = {
+        "C:/src/swinging.py": "x",
+        "/src/swinging.py": "x",
+        "src/../../swinging.py": "x",
+        "..\\src\\swinging.py": "x",
+        "src/large.py": "x" * 20_000_001,
+        link: "x",
+        bzip2: "x",
+        lzma: "x",
+    }
+    files, problems = read_zip(tmp_path, zip_of({**SOLUTION, **odd}))
+    assert files == READ
+    for entry, problem in zip(odd, problems, strict=True):
+        name = getattr(entry, "filename", entry)
+        # As zipfile reads it on Windows
+        assert problem.startswith(f"left out {name.replace(os.sep, '/')}: allowed is no link")
+
+
+def test_an_encrypted_and_a_damaged_entry_are_named_and_the_rest_is_taken(tmp_path):
+    data = bytearray(zip_of(SOLUTION))
+    content = data.find(b"src/swinging.py") + len("src/swinging.py")
+    data[content] ^= 0xFF
+    flags = data.rfind(b"src/pds_helper.py") - 38
+    data[flags] |= 1  # encrypted
+    files, problems = read_zip(tmp_path, data)
+    assert files.keys() == READ.keys() - {"swinging.py", "pds_helper.py"}
+    encrypted, missing, damaged, *_ = problems
+    assert encrypted.startswith("left out src/pds_helper.py: allowed is no link, no password")
+    assert missing == "src/pds_helper.py is missing"
+    assert damaged.startswith("left out src/swinging.py: ")
+
+
+def test_a_zip_with_too_long_a_list_of_files_is_not_read(tmp_path):
+    data = bytearray(zip_of(SOLUTION))
+    data[-10:-6] = (5_000_001).to_bytes(4, "little")
+    files, problems = read_zip(tmp_path, data)
+    assert files == {}
+    reason = "its list of files has more than 5,000,000 bytes"
+    assert problems[0] == f"a.zip is no .zip that can be read: {reason}"
+
+
+def test_problems_are_few_and_short(tmp_path):
+    files = {f"/{'a' * 300}{i}\x1b.py": "" for i in range(99)}
+    _, problems = read_zip(tmp_path, zip_of(files))
+    assert len(problems) == 9
+    assert problems[-1] == "and more"
+    assert max(map(len, problems)) <= 203
+    assert "".join(problems).isprintable()
+
+
+@on_posix
+def test_pipes_and_links_are_not_read(tmp_path):
+    """A link could lead to another student's files."""
+    put_files(tmp_path, {"secret.py": "secret", "ann/src/pds_helper.py": "a"})
+    src = tmp_path / "ann" / "src"
+    (src / "swinging.py").symlink_to(tmp_path / "secret.py")
+    (src / "folder").symlink_to(tmp_path)
+    os.mkfifo(src / "special_cradles.py")
+    files, problems = read_submission([("", tmp_path / "ann")])
+    assert files == {"pds_helper.py": b"a"}
+    assert "src/special_cradles.py is missing" in problems
+    assert "src/swinging.py is missing" in problems
+
+
+# What is in the folder, and the student's key and the own name of the file: "" is a folder or an
+# archive
+CLASS = {
+    "Bea B/a.py": ("Bea B", ""),
+    "a\x7fb/c\x85d/e\x85f": ("a_x7fb", ""),
+    "cem.ZIP": ("cem", ""),
+    "dan.rar": ("dan", ""),
+    "li_1_5_swinging.py": ("li_1", "swinging.py"),
+    "li_1_6_pds_helper-1.py": ("li_1", "pds_helper-1.py"),
+    "li_2_7_swinging.py": ("li_2", "swinging.py"),
+    "eve_LATE_3_8_a.zip": ("eve", "a.zip"),
+    "li_1_9_4_8_swinging.py": ("li_1_9", "swinging.py"),  # a student calls herself li_1_9
+    "Fay F_9_assignsubmission_file_swinging.py": ("Fay F", "swinging.py"),
+    "Fay F_9_assignsubmission_onlinetext_/onlinetext.html": ("Fay F", ""),
+    "Gus_7_assignsubmission_file/swinging.py": ("Gus", ""),
+}
+
+
+def test_each_folder_each_archive_and_each_name_of_a_flat_download_is_a_student(tmp_path):
+    """Letters of a name that cannot be printed are spelled out."""
+    put_files(tmp_path, dict.fromkeys([*CLASS, ".git/a", "__MACOSX/a", "index.html"], ""))
+    submissions, others = submissions_in(tmp_path)
+    found = []
+    for key, paths in submissions.items():
+        found += [(path.name, (key, file)) for file, path in paths]
+    assert {*found} == {(path.partition("/")[0], owner) for path, owner in CLASS.items()}
+    assert others == ["index.html"]
+    _, problems = read_submission(submissions["dan"])
+    assert problems[0] == "dan.rar is no .zip that can be read: File is not a zip file"
+    _, (problem,) = read_submission(submissions["a_x7fb"])
+    assert problem.endswith(r", found: c\x85d/e\x85f")
+    files, _ = read_submission(submissions["li_1"])
+    assert [*files] == ["swinging.py", "pds_helper.py"]
+
+
+@on_posix
+def test_a_link_is_no_submission(tmp_path):
+    """It may lead to somebody else's files."""
+    put_files(tmp_path, {"ann/a.py": ""})
+    (tmp_path / "link").symlink_to(tmp_path / "ann")
+    submissions, others = submissions_in(tmp_path)
+    assert [*submissions] == ["ann"]
+    assert others == ["link"]
+
+
+@pytest.mark.parametrize(
+    "files", [{}, {"index.html": "a"}, PROJECT, READ], ids=["nothing", "a file", "project", "src"]
+)
+def test_a_folder_that_is_no_class_is_refused(tmp_path, files):
+    put_files(tmp_path, files)
+    with pytest.raises(ValueError, match="allowed is a folder with a folder or a .zip for each"):
+        submissions_in(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        ["ann", "Ann", "ANN"],
+        ["Zo\u00e9", "Zoe\u0301"],
+        ["a/b", "a:b", "a_b"],
+        ["x" * 300 + "1", "x" * 300 + "2"],
+        ["con", "_con", "CON.txt", "", ".", "..", " "],
+        ["=1", "\ud800", "\udc80", "\n"],
+    ],
+)
+def test_a_students_key_is_apart_from_all_others_on_any_file_system(tmp_path, names):
+    students = {Student(name, name) for name in names}
+    # Others call themselves like the keys
+    students |= {Student(key, key) for key in keys_of(students).values()}
+    keys = keys_of(students).values()
+    # As macOS and Windows compare names
+    assert len({normalize("NFC", key.upper()) for key in keys}) == len(students)
+    for key in keys:
+        # As a file is called before it is whole
+        (tmp_path / f".{key}.txt.12345678.tmp").write_text("")
+        assert key == key.strip(" .")
+        assert not {*key} & {*'<>:"/|?*\\\n'}
+        assert key.partition(".")[0].upper() not in ("CON", "NUL")
+
+
+def test_a_key_is_the_plain_name_where_no_other_one_is_like_it():
+    keys = {"Bea B": "Bea B", "Ünal (2)": "Ünal (2)", "O'Brien": "O'Brien", "nul.txt": "_nul.txt"}
+    assert [*keys_of([Student(name, name) for name in keys]).values()] == [*keys.values()]
