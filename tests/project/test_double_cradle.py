@@ -128,7 +128,7 @@ def approach(pair, bobs, direction):
     return (v1 - v2).dot(direction)
 
 
-@random_examples(150, 5000, hit=DOUBLE_HITS)
+@random_examples(150, 2000, hit=DOUBLE_HITS)
 def test_touching_bobs_that_approach_separate_with_e_times_their_speed(hit):
     """The energy stays the same at e = 1, and never grows below.
 
@@ -170,7 +170,7 @@ def test_each_two_touching_bobs_of_two_pendula_collide(rates, apart, after):
     assert values(pair, RATES) == pytest.approx(after or rates)
 
 
-@random_examples(50, 500, bent=BENT_ROWS)
+@random_examples(50, 250, bent=BENT_ROWS)
 def test_any_two_bobs_of_two_pendula_touch(bent):
     """Not only those of neighbours, and also an upper bob and a lower one."""
     row = []
@@ -203,7 +203,7 @@ def test_five_elastic_double_pendula_keep_the_energy_and_do_not_pass_through_eac
     assert hits > 13.5 * seconds / PERIOD
 
 
-@random_examples(2, 30, row=UNEQUAL_ROWS)
+@random_examples(2, 15, row=UNEQUAL_ROWS)
 def test_random_masses_in_the_range_of_a_csv_gain_nothing(row):
     """The masses of neighbours often differ by the largest ratio."""
     theta, phi, bobs = row

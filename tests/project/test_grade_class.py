@@ -128,7 +128,6 @@ def test_a_run_that_is_not_final_is_made_once_more_alone_and_only_a_grade_is_kep
     [
         pytest.param([], "SIGINT", marks=needs_bwrap),
         pytest.param([UNBOXED], "SIGTERM", marks=pytest.mark.slow),
-        pytest.param([UNBOXED], "SIGHUP", marks=pytest.mark.slow),
     ],
 )
 def test_an_interrupted_class_leaves_no_folder_and_no_process(classroom, solved, options, name):

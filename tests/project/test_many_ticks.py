@@ -69,7 +69,7 @@ def same_hits(pendula, **call):
     assert state(at_once) == state(one_by_one)
 
 
-@random_examples(40, 300, pendula=pendulum_rows(), call=CALLS)
+@random_examples(40, 150, pendula=pendulum_rows(), call=CALLS)
 def test_random_cradles_end_in_the_same_bits_as_after_single_ticks(pendula, call):
     same_hits(pendula, **call)
 
@@ -86,7 +86,7 @@ def test_bobs_that_swing_side_by_side_a_hair_from_touching_end_in_the_same_bits(
 
 
 # The last bit of VPython's mag is here not that of Python.
-@random_examples(100, 1000, neighbours=NEIGHBOURS)
+@random_examples(100, 500, neighbours=NEIGHBOURS)
 @example(
     (
         (0.6192143952711302, -1.1846127869847498, 0.04605164039394538, -0.07220118183976446),

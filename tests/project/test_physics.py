@@ -123,7 +123,7 @@ def test_each_elastic_hit_adds_the_energy_that_the_tick_explains(count, seconds,
     assert kept() - at_start == pytest.approx(expected, rel=rel)
 
 
-@random_examples(5, 50, bobs=ROWS)
+@random_examples(5, 25, bobs=ROWS)
 def test_random_cradles_gain_no_energy(bobs):
     pend_list = make_row(len(bobs))
     thetas = [-1, *sorted(theta for theta, _, _ in bobs[1:])]
