@@ -6,6 +6,7 @@ from math import degrees, radians, sin, sqrt
 
 import pytest
 from exact_cradle import apart, exact_outer_angles, outer_angles, SAMPLE
+from hypothesis import assume
 from programs import slow_but_for
 from scipy.special import ellipk
 from strategies import random_examples, ROWS
@@ -130,7 +131,7 @@ def test_random_cradles_gain_no_energy(bobs):
     for pend, theta, (_, mass, e) in zip(pend_list, thetas, bobs, strict=True):
         pend.update(theta=theta, mass=mass, e=e)
     at_start = energy(pend_list)
-    assert hits_in(pend_list, 0.5)
+    assume(hits_in(pend_list, 0.5))  # some swing side by side
     for _ in range(5):
         advance(pend_list, 0.1)
         assert energy(pend_list) <= 1.001 * at_start  # nan is not
