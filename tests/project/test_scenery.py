@@ -7,7 +7,7 @@ from itertools import product
 from math import cos, pi, sin
 
 import pytest
-from vpython import scene, vector
+from vpython import box, scene, vector
 
 from grading.cradles import hang, R
 from support.page.scene.scenery import Scenery, TEXT
@@ -21,10 +21,10 @@ def pendula(count):
     return axles, bobs
 
 
-def surround(count, masses=None, scenery=None):
-    """Return a Scenery, a new one if there is none, around count pendula."""
-    scenery = scenery or Scenery()
-    scenery.surround(*pendula(count), R, masses or [1.0] * count)
+def surround(masses):
+    """Return a Scenery around pendula with these masses (kg)."""
+    scenery = Scenery()
+    scenery.surround(*pendula(len(masses)), R, masses)
     return scenery
 
 
@@ -50,33 +50,21 @@ def outline(count, highest):
 
 
 @pytest.mark.parametrize("count", [1, 5, 50])
-def test_every_swing_up_to_the_horizontal_is_in_view_with_the_frame(count):
-    scenery = surround(count)
-    *bars, base = scenery.frame
-    points = outline(count, pi / 2)
-    for bar in bars:
-        points += [bar.pos.value, (bar.pos + bar.axis).value]
-    points += [(base.pos - base.size / 2).value, (base.pos + base.size / 2).value]
-    for (least, most), (low, high) in zip(extent(points), view(scenery), strict=True):
-        assert low <= least < most <= high
-        assert high - low < 1.2 * (most - least)
-
-
-@pytest.mark.parametrize("count", [1, 5, 50])
-def test_a_bob_above_the_frame_widens_the_view_until_the_cradle_restarts(count):
-    """A camera that you have turned or moved stays so while the view is the same."""
-    scenery = surround(count)
+def test_the_frame_and_swings_to_the_horizontal_are_in_view_and_later_those_above_it(count):
+    """The view stays wide when the bob comes down: a camera that you have turned stays so."""
+    scenery = surround([1.0] * count)
     axles, bobs = pendula(count)
-    near = scenery.view()
-    scenery.keep_in_view(bobs)
-    assert scenery.view() == near
-    bobs[0].pos.y = axles[0].pos.y + 0.9 * R
-    for bob in (bobs[0], axles[0]):  # also when the bob comes down
-        scenery.keep_in_view([bob])
-        _, (_, most), _ = extent(outline(count, pi))
-        _, (_, high), _ = view(scenery)
-        assert most <= high
-    assert surround(count, scenery=scenery).view() == near
+    base = scenery.frame[-1]
+    frame = [(base.pos - base.size / 2).value, (base.pos + base.size / 2).value]
+    for bar in scenery.frame[:-1]:
+        frame += [bar.pos.value, (bar.pos + bar.axis).value]
+    above = [box(pos=axles[0].pos + vector(0, 0.9 * R, 0))]
+    for moved, highest in ((bobs, pi / 2), (above, pi), (bobs, pi)):
+        scenery.keep_in_view(moved)
+        points = frame + outline(count, highest)
+        for (least, most), (low, high) in zip(extent(points), view(scenery), strict=True):
+            assert low <= least < most <= high
+            assert high - low < 1.2 * (most - least)
 
 
 def test_the_frame_carries_the_axles():
@@ -85,11 +73,11 @@ def test_the_frame_carries_the_axles():
     Their posts stand on the base.
     """
     axles, bobs = pendula(5)
-    *bars, base = surround(5).frame
+    *bars, base = surround([1.0] * 5).frame
     rails = [bar for bar in bars if bar.axis.x]
     posts = [bar for bar in bars if bar.axis.y]
     depth = axles[0].width / 2
-    assert sorted(rail.pos.z for rail in rails) == pytest.approx([-depth, depth])
+    assert [rail.pos.z for rail in rails] == pytest.approx([-depth, depth])
     for rail in rails:
         assert rail.pos.x < axles[0].pos.x < axles[-1].pos.x < rail.pos.x + rail.axis.x
         assert rail.pos.y == axles[0].pos.y
@@ -103,12 +91,11 @@ def test_the_frame_carries_the_axles():
 
 
 def test_a_frame_of_another_size_takes_the_place_of_the_old_one():
-    scenery = surround(5)
-    count = len(scene.objects)
-    length = scenery.frame[0].axis.x
-    surround(9, scenery=scenery)
-    assert len(scene.objects) - count == 9 * 3  # of the new pendula
-    assert scenery.frame[0].axis.x - length == pytest.approx(4 * R / 4)
+    scenery = Scenery()
+    for count in (5, 9):
+        before = len(scene.objects)
+        scenery.surround(*pendula(count), R, [1.0] * count)
+    assert len(scene.objects) - before == 9 * 3  # of the new pendula
 
 
 @pytest.mark.parametrize(
@@ -116,7 +103,7 @@ def test_a_frame_of_another_size_takes_the_place_of_the_old_one():
 )
 def test_the_axles_carry_their_numbers_and_masses_that_differ(masses, texts):
     """Above the axles; the view has space for them, and for more lines."""
-    scenery = surround(3, masses)
+    scenery = surround(masses)
     axles, _ = pendula(3)
     places = [axle.pos.x for axle in axles]
     assert scenery.view()["numbers"] == [*zip(places, texts, strict=True)]

@@ -16,13 +16,10 @@ from support.cradle.double_cradle import DoubleCradle
 
 
 def test_the_table_shows_pend_list_as_it_is_now(rig):
-    rig.give("lifted", 2)
     rig.wait(0.3)
-    numbers = [float(text) for text in rig.state["now"].values()]
+    names = [f"{key}_{number}" for key in ("theta", "omega") for number in range(1, 6)]
+    numbers = [float(rig.state["now"][name]) for name in names]
     assert numbers == pytest.approx(rig.values("theta") + rig.values("omega"), abs=5e-7)
-    assert any(rig.values("omega"))
-    assert [*rig.state["now"]][4:6] == ["theta_5", "omega_1"]
-    assert rig.state["keys"] == ["theta", "omega"]
 
 
 def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_shown(rig, csv):
@@ -45,6 +42,7 @@ def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_
 def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(rig):
     rig.wait(0.3)
     rig.give("edit", 3, "mass", "<b>")
+    assert rig.time() > 0.2
     rig.give("edit", 0, "e", "0.25")  # another cell does not hide the mistake
     [(cell, (text, message))] = rig.state["refused"].items()
     assert cell == "3,mass"
@@ -53,15 +51,11 @@ def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(rig):
     rig.give("edit", 3, "mass", " 0.5 ")
     assert rig.state["refused"] == {}
     assert rig.values("mass")[3] == 0.5
-    assert rig.values("e")[0] == 0.25
-    rig.wait(0.3)
     rig.give("edit", 1, "e", "2")
-    assert rig.time() > 0.2
     rig.save(HEADER + GOOD * 3)  # a saved file replaces it all
     rig.give("edit", 3, "mass", "2")  # of a row that is no longer there
     assert rig.state["refused"] == {}
-    assert rig.values("mass") == [1] * 3
-    assert rig.values("e") == [1] * 3
+    assert rig.values("mass") == rig.values("e") == [1] * 3
 
 
 def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(rig, csv):
@@ -73,9 +67,8 @@ def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(rig, csv):
     double.give("edit", 3, "mass", "9e-7 ")
     message = "mass: allowed is at most 1e6 times the smallest mass, in a double cradle"
     assert double.state["refused"] == {"3,mass": ["9e-7 ", message]}
-    double.give("edit", 3, "mass", "1e-6")
     double.save(HEADER + GOOD.replace("1.0", "500000", 1) + GOOD.replace("1.0", ".4", 1))
-    assert double.values("mass") == [1, 1, 1, 1e-6, 1]
+    assert double.values("mass") == [1] * 5
     assert "line 2, column mass: found '500000', and '.4' in line 3" in double.state["error"]
 
 
@@ -83,7 +76,9 @@ def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(rig, csv):
 
 # The third bob's middle: a ray from here grabs it, and drags it a little
 RAY = [[R_PARAM / 20, -0.8 * R_PARAM, 0], [0, 0, -1]]
-ALLOWED = {  # values for each command of an honest page; no question is open, no run to repeat
+# Values for each command of an honest page, but of the controls only one of each kind.
+# No question is open, no run to repeat.
+ALLOWED = {
     "pause": [],
     "step": [],
     "tick": [],
@@ -91,17 +86,10 @@ ALLOWED = {  # values for each command of an honest page; no question is open, n
     "next": [],
     "let go": [],
     "arrows": [True],
-    "slow hits": [True],
-    "ask first": [True],
-    "separating": [True],
     "again": [True],
     "speed": [0.5],
     "lifted": [2],
-    "release angle": [10],
-    "collision": ["elastic, e = 1"],
     "graph": ["Angles theta"],
-    "span": ["last 10 s"],
-    "experiment": ["Two bobs"],
     "answer": ["2_two_bobs", 0],
     "vote": ["2_two_bobs", 0],
     "grab": RAY,
@@ -120,7 +108,6 @@ REFUSED = [
     ("release angle", -0.5),
     ("angle phi", 30),
     ("arrows", 1),
-    ("drag", RAY[0], [0, 0, 0]),
     ("drag", RAY[0], [1e-9] * 3),
     ("edit", 0, "color", ""),
     ("edit", 0, ["e"], "0"),
@@ -129,13 +116,10 @@ REFUSED = [
     ("edit", -1, "e", "0"),
     ("edit", True, "e", "0"),
     ("edit", HUGE, "e", "0"),
-    ("reload",),
     ("__init__",),
-    ("",),
     (None,),
     (nan,),
     (["pause"],),
-    ({"pause": 1},),
 ]
 
 
@@ -170,6 +154,18 @@ def test_a_command_with_other_values_does_nothing(rig):
 # --- one tick --------------------------------------------------------------------------------
 
 
+CALLS = {
+    Cradle: (
+        f"handle_collision(e=1, omega1=2, omega2=0, m1=1, m2=1, r_param={R_PARAM:g})"
+        " returned (0, 2)"
+    ),
+    DoubleCradle: (
+        "handle_two_double_bobs(pend1=pend_list[0], pend2=pend_list[1],"
+        f" r_param={R_PARAM:g}) returned True"
+    ),
+}
+
+
 def test_one_tick_shows_each_pendulum_before_and_after_while_paused(rig, monkeypatch):
     """Also before handle_collision is written."""
     rig.give("tick")
@@ -192,23 +188,11 @@ def test_one_tick_shows_each_pendulum_before_and_after_while_paused(rig, monkeyp
     assert rig.state["tick"][-1] == last
 
 
-CALLS = {
-    Cradle: (
-        f"handle_collision(e=1, omega1=2, omega2=0, m1=1, m2=1, r_param={R_PARAM:g})"
-        " returned (0, 2)"
-    ),
-    DoubleCradle: (
-        "handle_two_double_bobs(pend1=pend_list[0], pend2=pend_list[1],"
-        f" r_param={R_PARAM:g}) returned True"
-    ),
-}
-
-
 @pytest.mark.parametrize("kind", CALLS)
 def test_one_tick_shows_each_call_of_the_collision_function(csv, kind):
     """Two pendula hang so that they touch, and the first one moves towards the second one."""
     csv.write_text(HEADER + GOOD * 2)
-    rig = Rig(csv, *[0] * len(kind.angle_keys), kind=kind)
+    rig = Rig(csv, *[0] * kind.cord_count, kind=kind)
     rig.give("pause")
     first = rig.cradle.pend_list[0]
     first["objects"][1].radius *= 1.5
@@ -217,4 +201,4 @@ def test_one_tick_shows_each_call_of_the_collision_function(csv, kind):
     _, *pendula, call = rig.state["tick"][:4]
     assert call == CALLS[kind]
     for line in pendula:
-        assert line.count("->") == 2 * len(kind.angle_keys)
+        assert line.count("->") == 2 * kind.cord_count
