@@ -1,9 +1,12 @@
 """A function that does not return is named, and only that one."""
 
+import re
 from types import SimpleNamespace
 
 import pytest
 
+from src import visualize_cradle_run
+from support.cradle.player import run
 from support.page import endless
 from support.page.tabs import LOOK
 
@@ -38,3 +41,27 @@ def test_nothing_is_named_while_the_loop_ticks(watch, monkeypatch):
     for _ in range(2 * LOOKS):
         watch.player.motion.ticks += 1
         assert watch.look() == ""
+
+
+def test_the_page_names_the_function_that_does_not_return_until_it_does(rig, monkeypatch):
+    """The one with the loop, not one that it calls again and again."""
+    messages = []
+
+    def does_not_return(*arguments):
+        while len(messages) <= LOOKS:
+            messages.append(rig.tabs.endless())
+        rig.tabs.are_gone = True
+
+    def sleep(seconds):
+        rig.now += seconds
+
+    rig.viewer.pace.sleep = sleep
+    monkeypatch.setattr(visualize_cradle_run, "full_swing_update", does_not_return)
+    run(visualize_cradle_run.main, rig.viewer)
+    assert [*map(bool, messages)] == [False] * LOOKS + [True]
+    assert re.fullmatch(
+        r"newton_cradle_tick in src/visualize_cradle_run\.py, line \d+,"
+        r" has been running for 3 s and has not returned\.",
+        messages[-1],
+    )
+    assert rig.tabs.endless() == ""

@@ -4,7 +4,6 @@ And when the program ends.
 """
 
 import json
-import re
 import signal
 import socket
 import sys
@@ -25,7 +24,6 @@ from whole_cradles import FIVE_CSV
 
 from support.page import browser
 from support.page.port import listen
-from support.page.tabs import LOOK, Tabs
 
 # They need autobahn, which comes with VPython.
 server = pytest.importorskip("support.page.server")
@@ -245,30 +243,6 @@ def test_only_a_browser_at_any_address_gets_the_websocket(site, origin, statuses
         assert tab.answer.status in statuses
 
 
-RUBBISH = [b"", b"[", b"{}", b"[]", b"5", b"seen ", b'"pause"', b"\0", b"[" * 60_000]
-RUBBISH += [b'["speed",' + b"9" * 5000 + b"]", b"[[], 1]", b'[null, {"a": []}]']
-
-
-def test_rubbish_of_a_tab_changes_nothing(site):
-    """test_table.py has more commands that are refused."""
-    with Tab(site) as tab:
-        tab.tell(b'["pause"]')
-        tab.wait_for("running", False)
-        with Tab(site) as other:
-            before = other.state("motion")
-        for message in RUBBISH:
-            tab.tell(message)
-            tab.tell(message, BINARY)
-        tab.tell(b'["arrows", true]')  # when this has been done, so has all before it
-        tab.wait_for("arrows", True)
-        tab.tell(b'["arrows", false]')
-        tab.wait_for("arrows", False)
-        with Tab(site) as other:
-            assert other.state("motion") == before
-        tab.tell(b'["pause"]')
-        tab.wait_for("running", True)
-
-
 @settings(max_examples=50, deadline=None, derandomize=True, database=None)
 @example(b"")  # a browser opens it in advance
 @example(b"GET /../secret.js HTTP/1.1\r\n\r\n")
@@ -280,24 +254,11 @@ def test_any_bytes_on_a_connection_change_nothing_for_others(site, data):
         assert get(site, "/")[0] == 200
 
 
-@pytest.mark.slow
-def test_a_tab_that_would_fill_the_memory_is_cut_off_and_the_program_waits_for_it(csv):
-    """It says so, and when the page is back, also when its browser crashes in a message."""
-    begin = b"\x81\xff"  # of a long message
-    with running(None, str(csv)) as process:
-        page = urlsplit(first_lines(process))
-        with Tab(page, query="{key}&page=1") as tab, suppress(ConnectionResetError):
-            size = (server.LARGEST_MESSAGE + 1).to_bytes(8, "big")
-            tab.connection.sock.sendall(begin + size + bytes(4))
-            tab.answer.fp.read()  # until the end
-        assert process.stdout.readline().startswith("A page does not answer")
-        with Tab(page, query="{key}&page=1") as tab:
-            assert process.stdout.readline() == "The page is back.\n"
-            tab.connection.sock.sendall(begin)
-        assert process.stdout.readline().startswith("A page does not answer")
-        with Tab(page, query="{key}&page=1"):
-            assert process.stdout.readline() == "The page is back.\n"
-        assert end(process) == QUIETLY
+def test_a_tab_that_would_fill_the_memory_is_cut_off(site):
+    with Tab(site) as tab, suppress(ConnectionResetError):
+        size = (server.LARGEST_MESSAGE + 1).to_bytes(8, "big")
+        tab.connection.sock.sendall(b"\x81\xff" + size + bytes(4))  # the begin of a message
+        tab.answer.fp.read()  # until the end
 
 
 # A browser: it writes down who can read the file that it gets, where that leads to, and what the
@@ -432,155 +393,6 @@ def test_an_address_that_the_page_cannot_have_is_refused_and_a_port_is_free_at_t
     listen("127.0.0.1", port).close()
 
 
-# --- when the program ends, without a network ------------------------------------------------
-
-
-@pytest.fixture
-def silent_site(monkeypatch):
-    """A server without a network, and without time: site.wait(seconds) does the looks of this time.
-
-    site.later are the functions that it wants to call later.
-    """
-
-    def serve(site, ready):
-        site.later = []
-        site.loop = SimpleNamespace(call_later=lambda delay, call: site.later.append(call))
-        ready.set()
-
-    def wait(seconds):
-        for _ in range(round(seconds / LOOK)):
-            site.look()
-
-    monkeypatch.setattr(server, "keyless_files", dict)
-    monkeypatch.setattr(server.Server, "serve", serve)
-    site = server.Server(None, Tabs())
-    site.wait = wait
-    return site
-
-
-class Connection(server.Protocol):
-    """A connection of a page, without a network."""
-
-    def __init__(self, site, **parameters):
-        super().__init__()
-        self.site = site
-        self.http_request_params = {name: [text] for name, text in parameters.items()}
-        self.state = self.STATE_CLOSED  # so nothing is sent
-
-    def dropConnection(self, abort):  # noqa: N802
-        self.cut()
-
-    def cut(self):
-        self.onClose(False, 1006, "")
-
-    def leave(self):
-        self.onClose(True, 1001, "")
-
-
-def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkeypatch, capsys):
-    """A tab that loads has longer: a slow machine loads the page for seconds.
-
-    Before the first tab, the program waits for ever. A request without the key wins no time.
-    """
-    site = silent_site
-    stops = []
-    monkeypatch.setattr(server, "interrupt_main", lambda: stops.append("now"))
-    key = {"key": [site.key]}
-    site.wait(99)
-    Connection(site).cut()  # it was refused
-    tab = Connection(site)
-    other = Connection(site)
-    tab.onOpen()
-    other.onOpen()
-    other.leave()
-    for _ in range(3):
-        site.wait(9)
-        tab.onPong(b"")
-    tab.cut()
-    tab.answer("goodbye", key | {"page": [tab.page]})
-    site.wait(0.8 * connections.RETURN)
-    tab.answer("", key)
-    site.wait(0.9 * connections.LOADING)
-    tab.answer("", key)
-    site.wait(0.9 * connections.LOADING)
-    tab.onOpen()
-    tab.leave()
-    site.wait(connections.RETURN)
-    tab.answer("", {})
-    assert not site.tabs.are_gone
-    site.wait(LOOK)
-    assert site.tabs.are_gone
-    assert stops == []  # main can end by itself
-    site.later[-1]()
-    assert stops == ["now"]
-    assert capsys.readouterr().out == ""
-
-
-@pytest.mark.parametrize("is_silent", [False, True])
-def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys, is_silent):
-    """Its bob swings on at once.
-
-    When it goes on before the program has noticed, its old websocket costs no minute.
-    """
-    site = silent_site
-    given = []
-    site.tabs.give = lambda command, *values: given.append(command)
-    tab = Connection(site, page="0.5", has="7")
-    tab.onOpen()
-    tab.onMessage(b'["grab"]', False)
-    if is_silent:
-        site.wait(connections.SILENT)
-        assert given == ["grab"]
-        site.wait(LOOK)
-    else:
-        tab.cut()
-    assert given == ["grab", "let go"]
-    site.wait(connections.LOST)
-    assert capsys.readouterr().out == (
-        "A page does not answer: its line is cut, its machine sleeps, or its browser has ended."
-        " The program waits 57 s for it.\n"
-    )
-    tab.onOpen()
-    assert capsys.readouterr().out == "The page is back.\n"
-    again = Connection(site, page="0.5", has="9" * 5000)
-    again.onOpen()  # before anything says that tab is lost
-    assert [*site.tabs.tabs] == [again]
-    other = Connection(site)
-    other.onOpen()
-    again.cut()
-    for _ in range(8):  # longer than a minute
-        other.onPong(b"")
-        site.wait(8)
-    other.leave()
-    site.wait(connections.RETURN)
-    assert not site.tabs.are_gone
-    site.wait(LOOK)
-    assert site.tabs.are_gone
-    assert capsys.readouterr().out == ""
-
-
-def test_of_a_page_that_is_back_at_once_nothing_is_said(silent_site, capsys):
-    tab = Connection(silent_site, page="1")
-    tab.onOpen()
-    tab.cut()
-    silent_site.wait(2)
-    tab.onOpen()
-    assert capsys.readouterr().out == ""
-
-
-def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent_site):
-    lost = Connection(silent_site, page="1")
-    other = Connection(silent_site, page="2")
-    lost.onOpen()
-    lost.cut()
-    other.onOpen()
-    other.leave()
-    silent_site.wait(connections.LOST)
-    assert not silent_site.tabs.are_gone
-    silent_site.wait(LOOK)
-    assert silent_site.tabs.are_gone
-
-
 # --- other requests --------------------------------------------------------------------------
 
 
@@ -617,26 +429,3 @@ def test_neither_many_connections_nor_an_endless_request_keep_others_away(site):
         idle[2].setblocking(False)
         with pytest.raises(BlockingIOError):
             idle[2].recv(1)
-
-
-@pytest.mark.slow
-def test_the_page_names_the_function_that_does_not_return_until_it_does(program, tmp_path):
-    """The one with the loop, not one that it calls again and again."""
-    stuck = tmp_path / "stuck"
-    begin = "    for pend_dict in pend_list:\n"
-    loop = f"    while __import__('os').path.exists({str(stuck)!r}):\n"
-    call = "        swing_update(pend_list[0], r_param, dt, g)\n"
-    change(tmp_path / "src" / "swinging.py", begin, loop + call + begin)
-    with running(program) as process:
-        with Tab(urlsplit(first_lines(process))) as tab:
-            tab.state("motion")
-            stuck.touch()
-            message = tab.state("endless")["endless"]
-            assert re.fullmatch(
-                r"full_swing_update in src/swinging\.py, line \d+,"
-                r" has been running for 3 s and has not returned\.",
-                message,
-            )
-            stuck.unlink()
-            assert tab.state("endless")["endless"] == ""
-        assert end(process) == QUIETLY

@@ -216,3 +216,23 @@ def test_only_the_tab_that_has_grabbed_a_bob_drags_it_and_it_lets_go_when_it_is_
         else:
             tabs.receive(name, json.dumps([event, 1, 2]).encode())
     assert given == commands.split(", ")
+
+
+RUBBISH = [b"", b"[", b"{}", b"[]", b"5", b"\0", b"\xff", b"[" * 60_000]
+RUBBISH += [b'["speed",' + b"9" * 5000 + b"]"]
+
+
+def test_what_is_no_command_is_forgotten(tabs):
+    """test_table.py has commands that the viewer refuses."""
+    tabs.give = pytest.fail
+    open_tab(tabs, 1)
+    for message in RUBBISH:
+        tabs.receive(1, message)
+
+
+def test_the_tabs_hear_of_a_function_that_does_not_return_and_when_it_has(tabs):
+    messages = open_tab(tabs, 1)
+    for text in ("main", "main", ""):
+        tabs.endless = lambda text=text: text
+        tabs.look()
+    assert [message["state"]["endless"] for message in messages] == ["main", ""]
