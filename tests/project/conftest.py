@@ -13,6 +13,7 @@ from classroom import classroom, python_for_all  # noqa: F401  fixtures
 from graded import solve  # noqa: F401  a fixture
 from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, needs_vpython, new_page, PROGRAM
 from rig import Rig
+from shared_page import file, open_page, shared  # noqa: F401  fixtures
 from students import made, solved, starter  # noqa: F401  fixtures
 from whole_cradles import FIVE_CSV
 

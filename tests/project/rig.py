@@ -85,10 +85,6 @@ class Rig:
     def time(self):
         return float(self.state["motion"]["t"].split()[0])
 
-    def release_angles(self):
-        """Return the values of the sliders of release angles (degrees)."""
-        return [self.state[name] for name in self.cradle.angle_limits]
-
     def control(self, name):
         """Return what the page knows of a control beside its value."""
         return self.state["controls"][name]
@@ -99,10 +95,6 @@ class Rig:
         """Give a command as a tab does, and wait until it is carried out."""
         self.tabs.give(command, *values)
         self.wait()
-
-    def set_release_angle(self, angle, cord=0):
-        """Move the slider of this cord's release angle (degrees)."""
-        self.give([*self.cradle.angle_limits][cord], angle)
 
     def mouse(self, command, point, direction=(0, 0, -1)):
         """Give a command with the ray through this point in this direction."""

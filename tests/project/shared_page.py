@@ -1,0 +1,139 @@
+"""A page that the tests of a file share, with all settings put back between them."""
+
+import signal
+
+import programs
+import pytest
+from whole_cradles import FIVE_CSV
+
+# Put the settings back to those with which the page opens, pause, and restart the cradle.
+PUT_BACK = """() => {
+    send("experiment", state.controls.experiment.choices[0]);
+    if (state.running || state.question?.asking) send("pause");
+    for (const name of ["ask first", "slow hits", "arrows", "separating"]) send(name, false);
+    for (const name of ["collision", "graph", "span"]) send(name, state.controls[name].choices[0]);
+    send("edit", 1, "mass", "1.0");
+    send("speed", 1);
+    send("lifted", 1);
+    send("release angle", 45);
+    send("restart");
+    if (one("#sound").checked) one("#sound").click();
+    for (const open of find("details[open]")) open.open = false;
+    one("#keys").hidePopover();
+    if (document.documentElement.matches(".presenting")) present();
+    document.activeElement.blur();
+    resetView();
+    glowObjs[0].visible = false;
+}"""
+IS_BACK = """() => !state.running && parseFloat(state.motion.t) === 0
+    && !state.arrows && !state.question && bobs().length === 5
+    && find("output").map(e => e.value).join() === "1.0x,1 of 5,45°" """
+
+# Ask the question of the first experiment.
+ASK = """async () => {
+    send("ask first", true);
+    send("next");
+    while (!state.question) await new Promise(requestAnimationFrame);
+}"""
+
+# Before the page's own scripts: peak() is the largest sample of the last 0.7 s at the loudspeaker,
+# if it is in use.
+LISTEN = """
+const connect = AudioNode.prototype.connect;
+window.peak = () => null;
+AudioNode.prototype.connect = function (to, ...others) {
+    if (to === this.context.destination) {
+        const tap = new AnalyserNode(this.context, { fftSize: 32768 });
+        const samples = new Float32Array(tap.fftSize);
+        connect.call(this, tap);
+        window.audio = this.context;
+        window.peak = () => {
+            tap.getFloatTimeDomainData(samples);
+            return Math.max(...samples.map(Math.abs));
+        };
+    }
+    return connect.call(this, to, ...others);
+};"""
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    """The CSV of the shared page."""
+    project = programs.copy_project(tmp_path_factory.mktemp("shared"), FIVE_CSV)
+    return project / "newton_cradle_pends.csv"
+
+
+@pytest.fixture(scope="module")
+def open_page(chromium, file):
+    """A page with a touch screen; in the end, nothing more was printed than at the start."""
+    program = file.parent / "src" / programs.PROGRAM.name
+    patience = 60 * programs.SECONDS
+    with (
+        programs.running(
+            program, "--angle", "45", folder=file.parent, patience=patience
+        ) as process,
+        programs.new_page(chromium, has_touch=True) as page,
+    ):
+        page.add_init_script(LISTEN)
+        programs.open_cradle(page, programs.first_lines(process))
+        yield page
+        process.send_signal(signal.SIGINT)
+        assert programs.end(process) == programs.QUIETLY
+
+
+@pytest.fixture
+def shared(open_page, file):
+    """The shared page as it opens: with its settings and its CSV.
+
+    The first bob has just been released.
+    """
+    page = open_page
+    page.mouse.up()
+    if file.read_text() != FIVE_CSV:
+        file.write_text(FIVE_CSV)
+    page.set_viewport_size({"width": 1000, "height": 700})
+    page.evaluate(PUT_BACK)
+    page.wait_for_function(IS_BACK)
+    programs.press(page, "Run")
+    return page
+
+
+def wait_for_text(page, text):
+    page.get_by_text(text).wait_for()
+
+
+# The edges of an element, in the window: left, top, right, bottom.
+EDGES = "e => (r => [r.left, r.top, r.right, r.bottom])(e.getBoundingClientRect())"
+
+
+def edges(page, selector):
+    return page.locator(selector).first.evaluate(EDGES)
+
+
+def is_whole(page, selector):
+    """Return whether an element is in the window as a whole."""
+    left, top, right, bottom = edges(page, selector)
+    width, height = page.viewport_size["width"], page.viewport_size["height"]
+    return 0 <= left < right <= width and 0 <= top < bottom <= height
+
+
+# Where a picture on paper begins to be red, from its left edge (0) to its right one (1).
+RED = """picture => {
+    const { width, height } = picture;
+    const { data } = picture.getContext("2d").getImageData(0, 0, width, height);
+    const isWhite = Math.min(...data.slice(0, 4)) === 255;
+    if (!isWhite || !picture.checkVisibility() || one(".canvas").checkVisibility()) return NaN;
+    let left = width;
+    for (let place = 0; place < width * height; place++) {
+        const [r, g, b] = data.slice(4 * place, 4 * place + 3);
+        if (r > 100 && g < 40 && b < 40) left = Math.min(left, place % width);
+    }
+    return left / width;
+}"""
+
+
+def printed(page):
+    """Have the page as it is on paper; return where the red bob is in its picture, from 0 to 1."""
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    return page.locator(".picture canvas").first.evaluate(RED)

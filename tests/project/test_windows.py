@@ -1,0 +1,228 @@
+"""The shared page in windows of all sizes, on paper, in dark and light, and under fingers."""
+
+from itertools import combinations
+
+import programs
+import pytest
+from programs import (
+    bob_angles,
+    menu,
+    pause,
+    pixel,
+    press,
+    slide,
+    wait_for_angles,
+    wait_until,
+)
+from shared_page import ASK, EDGES, edges, is_whole, printed, wait_for_text
+
+# The parts of the panel that reach out of the window on the right.
+CUT = """() => find(".panel *").filter(part => part.checkVisibility())
+    .filter(part => part.getBoundingClientRect().right > innerWidth).map(part => part.outerHTML)"""
+
+
+PHONE, TABLET, LAPTOP, BOARD = (390, 844), (768, 1024), (1366, 625), (2560, 1440)
+
+# At once: it is replaced
+LETTERS = "() => parseFloat(getComputedStyle(document.querySelector('.readout')).fontSize)"
+
+
+@pytest.fixture
+def at_rest(shared):
+    """The page in a laptop's window, with all bobs at rest.
+
+    The canvas is as large as it is for a user.
+    """
+    shared.evaluate("document.querySelector('#small').disabled = true")
+    resize(shared, LAPTOP)
+    pause(shared)
+    slide(shared, "Bobs lifted", 0)
+    wait_for_angles(shared, 0, 0, 0, 0, 0)
+    yield shared
+    shared.emulate_media(media="screen", color_scheme="light", forced_colors="none")
+    shared.evaluate("document.querySelector('#small').disabled = false")
+
+
+def resize(page, size):
+    """Make the window this large (pixels), and wait until the canvas has followed."""
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    wait_until(lambda: page.evaluate("glowObjs[0].width") == round(edges(page, ".canvas")[2]))
+
+
+def is_whole_after_scrolling(page, selector):
+    """Scroll down to an element, but not sideways; return whether it is in the window."""
+    scroll = "e => (e.closest('tr')?.cells[0] ?? e).scrollIntoView()"
+    page.locator(selector).evaluate(scroll)
+    return is_whole(page, selector)
+
+
+def overlap(part1, part2):
+    """Return whether two rectangles (as of EDGES) cover each other."""
+    left1, top1, right1, bottom1 = part1
+    left2, top2, right2, bottom2 = part2
+    is_beside = right1 <= left2 or right2 <= left1
+    is_above = bottom1 <= top2 or bottom2 <= top1
+    return not (is_beside or is_above)
+
+
+@pytest.mark.parametrize("size", [PHONE, TABLET, LAPTOP, BOARD])
+def test_the_whole_swing_is_in_view_and_no_part_of_the_panel_covers_another(at_rest, size):
+    resize(at_rest, size)
+    assert is_whole(at_rest, "canvas")
+    left, _, right, _ = edges(at_rest, "canvas")
+    wait_until(lambda: left < pixel(at_rest, 0, -90)[0] < pixel(at_rest, 4, 90)[0] < right)
+    # The graph follows the window, too
+    wait_until(lambda: edges(at_rest, ".graph")[2] <= size[0])
+    assert at_rest.evaluate(CUT) == []
+    sections = at_rest.locator(".panel section").all()
+    parts = [part.evaluate(EDGES) for part in sections if part.is_visible()]
+    for part1, part2 in combinations(parts, 2):
+        assert not overlap(part1, part2)
+
+
+@pytest.mark.parametrize("size", [PHONE, TABLET])
+def test_a_tall_window_has_the_buttons_in_view_and_scrolls_up_and_down_to_the_rest(at_rest, size):
+    resize(at_rest, size)
+    for name in ("Run", "Step", "Restart"):
+        assert is_whole(at_rest, f"button:has-text('{name}')")
+    at_rest.locator("summary").click()
+    for name in ("tr:has(.now:not(:empty)) [aria-label='e of pendulum 5']", ".fold summary"):
+        wait_until(lambda name=name: is_whole_after_scrolling(at_rest, name))
+    assert at_rest.evaluate("(e => e.scrollWidth - e.clientWidth)(one('.panel'))") == 0
+
+
+@pytest.mark.parametrize("size", [LAPTOP, BOARD])
+def test_a_wide_window_has_all_in_view_beside_a_large_cradle(at_rest, size):
+    resize(at_rest, size)
+    assert at_rest.evaluate("(e => e.scrollHeight - e.clientHeight)(one('.panel'))") == 0
+    for selector in (".readout", ".impacts", ".graph", "select", "summary"):
+        assert is_whole(at_rest, selector)
+    left, _, right, _ = edges(at_rest, "canvas")
+    assert right < edges(at_rest, ".panel")[0] + 1
+    assert right - left >= 0.56 * size[0]
+    swing = pixel(at_rest, 4, 90)[0] - pixel(at_rest, 0, -90)[0]
+    assert swing >= 0.8 * (right - left)
+    assert at_rest.evaluate(LETTERS) >= 0.022 * size[1]
+
+
+def test_a_page_on_paper_has_the_cradle_as_it_is_now_its_numbers_and_no_controls(at_rest):
+    programs.draw(at_rest, True)
+    at_rest.emulate_media(color_scheme="dark")
+    assert 0.25 < printed(at_rest) < 0.4
+    assert at_rest.evaluate("document.body.innerText.trim() === one('.readout').innerText.trim()")
+
+
+def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver, shared):
+    """24 pixels in the settings of the browser.
+
+    The small text follows, and the texts in the canvas.
+    """
+    arguments = [*programs.ARGUMENTS, "--blink-settings=defaultFontSize=24"]
+    sizes = """() => [
+        getComputedStyle(document.body).fontSize,
+        getComputedStyle(one(".impacts")).fontSize,
+        labels[0].height,
+    ]"""
+    with (
+        driver.chromium.launch(executable_path=programs.CHROMIUM, args=arguments) as browser,
+        programs.new_page(browser) as page,
+    ):
+        programs.open_cradle(page, shared.url)
+        assert page.evaluate(sizes) == ["24px", "21px", 18]
+        page.evaluate(ASK)
+        for size in (LAPTOP, PHONE):
+            resize(page, size)
+            assert page.evaluate(CUT) == []
+
+
+def test_impacts_break_between_chains_and_each_line_is_whole_or_hidden(at_rest):
+    chains = ["1-2-3", "1-2-3-4", "1-2-3-4-5", "1-2-3-4-5-6", "1-2-3-4-5-6-7"]
+    lines = [f"t = 12.34 s  {chain}  {chain}  {chain}" for chain in chains]
+    at_rest.evaluate("lines => shows.impacts(lines)", lines)
+    _, _, box_right, box_bottom = edges(at_rest, ".series")
+    visible = 0
+    for line in at_rest.locator(".series div").all():
+        left, _, _, bottom = line.evaluate(EDGES)
+        if left < box_right:  # else it is in a column that is hidden
+            visible += 1
+            assert bottom <= box_bottom + 1
+    assert 2 <= visible < 5
+    rows = at_rest.evaluate("find('.series span').map(chain => chain.getClientRects().length)")
+    assert max(rows) == 1
+
+
+def test_present_leaves_cradle_and_numbers(at_rest):
+    before = at_rest.evaluate(LETTERS)
+    press(at_rest, "Present")
+    wait_until(lambda: menu(at_rest, "Collisions").is_hidden())
+    assert edges(at_rest, ".canvas")[2] == LAPTOP[0]
+    assert is_whole(at_rest, ".readout")
+    assert at_rest.evaluate(LETTERS) > 1.5 * before
+    press(at_rest, "End the presentation")
+    menu(at_rest, "Collisions").wait_for()
+    assert at_rest.locator(".leave").is_hidden()
+
+
+@pytest.mark.parametrize("scheme", ["dark", "light"])
+def test_the_page_and_the_canvas_are_as_dark_as_the_system(at_rest, scheme):
+    paper = "parseInt(getComputedStyle(one('.panel')).backgroundColor.slice(4))"
+    at_rest.emulate_media(color_scheme=scheme)
+    is_dark = scheme == "dark"
+    wait_until(lambda: (at_rest.evaluate("glowObjs[0].background.x") < 0.3) == is_dark)
+    assert (at_rest.evaluate(paper) < 128) == is_dark
+
+
+def test_the_curves_keep_their_colors_where_the_system_forces_its_own(at_rest):
+    at_rest.emulate_media(forced_colors="active")
+    legend = at_rest.evaluate(
+        "find('.legendColorBox div div').map(e => getComputedStyle(e).borderColor)"
+    )
+    assert len(legend) == len({*legend}) == 3
+
+
+def test_one_finger_drags_a_bob_or_turns_the_camera_and_two_zoom(at_rest):
+    fingers = at_rest.context.new_cdp_session(at_rest)
+
+    def touch(kind, *points):
+        """Kind is Start, Move or End, with a finger at each of the points (x, y)."""
+        points = [{"x": x, "y": y} for x, y in points]
+        fingers.send("Input.dispatchTouchEvent", {"type": f"touch{kind}", "touchPoints": points})
+
+    def view():
+        return at_rest.evaluate("[glowObjs[0].forward.x, glowObjs[0].range]")
+
+    turn, size = view()
+    x, y = pixel(at_rest, 4, 0)
+    radius = (x - pixel(at_rest, 3, 0)[0]) / 2.1
+    touch("Start", (x, y + 1.3 * radius))  # a finger is not exact
+    touch("Move", pixel(at_rest, 4, 20))
+    touch("Move", pixel(at_rest, 4, 40))
+    wait_until(lambda: bob_angles(at_rest)[4] == pytest.approx(40, abs=3))
+    assert view() == [turn, size]
+    touch("End")
+    touch("Start", (60, 60))
+    touch("Move", (90, 60))
+    touch("Move", (140, 60))
+    touch("End")
+    wait_until(lambda: view()[0] != turn)
+    touch("Start", (200, 60), (300, 60))
+    for apart in (20, 40, 60, 80):
+        touch("Move", (200 - apart, 60), (300 + apart, 60))
+    touch("End")
+    wait_until(lambda: view()[1] != size)
+    at_rest.evaluate("glowObjs[0].forward = vec(0, 0.5, -1)")
+    wait_until(lambda: at_rest.evaluate("glowObjs[0].forward.y") == 0)  # never below the base
+
+
+def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, shared):
+    arguments = ["--no-sandbox", "--disable-3d-apis"]
+    with driver.chromium.launch(executable_path=programs.CHROMIUM, args=arguments) as browser:
+        blind = browser.new_page()
+        blind.set_default_timeout(programs.SECONDS * 1000)
+        blind.goto(shared.url)
+        wait_for_text(
+            blind, "This browser cannot draw the cradle: WebGL 2 is missing or switched off."
+        )
+        command = blind.locator(".notice code").inner_text()
+        assert command.endswith("src/text_cradle_run.py")
+    programs.wait_for_moves(shared)
