@@ -52,7 +52,7 @@ def get(*request, **headers):
 
 
 # The first bytes of messages of a websocket
-TEXT, BINARY, GOODBYE, PING, PONG = 0x81, 0x82, 0x88, 0x89, 0x8A
+TEXT, GOODBYE, PING, PONG = 0x81, 0x88, 0x89, 0x8A
 
 
 class Tab(ExitStack):
@@ -84,11 +84,9 @@ class Tab(ExitStack):
             self.answer.fp.read()
 
     def tell(self, message, kind=TEXT):
-        """Send a message, with an empty mask."""
-        size = [len(message) | 0x80]
-        if len(message) > 125:
-            size = [126 | 0x80, *len(message).to_bytes(2, "big")]
-        self.connection.sock.sendall(bytes([kind, *size, 0, 0, 0, 0]) + message)
+        """Send a short message, with an empty mask."""
+        head = bytes([kind, len(message) | 0x80, 0, 0, 0, 0])
+        self.connection.sock.sendall(head + message)
 
     def hear(self):
         """Return the next message of the program, and answer that the picture is drawn.
@@ -112,17 +110,6 @@ class Tab(ExitStack):
         with suppress(ValueError):  # no more bytes
             while True:
                 self.hear()
-
-    def state(self, name):
-        """Return the next state that has this name."""
-        while True:
-            state = self.hear()["state"]
-            if name in state:
-                return state
-
-    def wait_for(self, name, value):
-        while self.state(name)[name] != value:
-            pass
 
 
 @pytest.fixture(scope="module")
@@ -292,7 +279,7 @@ def test_a_browser_gets_a_file_that_leads_on(tmp_path, until, status):
         assert address.partition("key=")[2] not in file
         if until == "a tab":
             with Tab(urlsplit(address)) as tab:
-                tab.state("motion")
+                tab.hear()
                 assert [*folder.iterdir()] == []
         else:
             process.send_signal(signal.SIGTERM)
