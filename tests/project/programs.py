@@ -26,11 +26,8 @@ ON_A_MAC = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome"
 
 def installed(*names):
     """Return the path of the first of these programs that is there, or None."""
-    for name in names:
-        path = shutil.which(name)
-        if path:
-            return path
-    return None
+    paths = map(shutil.which, names)
+    return next(filter(None, paths), None)
 
 
 CHROMIUM = installed("chromium", "chromium-browser", "google-chrome", ON_A_MAC)
@@ -326,15 +323,8 @@ def wait_for_time(page):
 
 
 def slide(page, name, value):
-    """Click into a slider, where it has this value."""
-    # pixels: the width of a slider's handle, whose middle stays half of it away from the ends
-    thumb = 16
-    slider = page.get_by_role("slider", name=name, exact=True)
-    least, most, width, height = slider.evaluate(
-        "e => [+e.min, +e.max, e.offsetWidth, e.offsetHeight]"
-    )
-    x = thumb / 2 + (value - least) / (most - least) * (width - thumb)
-    slider.click(position={"x": x, "y": height / 2})
+    """Move a slider to this value."""
+    page.get_by_role("slider", name=name, exact=True).fill(str(value))
 
 
 def violations(page):

@@ -112,9 +112,11 @@ def edges(page, selector):
 
 def is_whole(page, selector):
     """Return whether an element is in the window as a whole."""
-    left, top, right, bottom = edges(page, selector)
-    width, height = page.viewport_size["width"], page.viewport_size["height"]
-    return 0 <= left < right <= width and 0 <= top < bottom <= height
+    return page.locator(selector).first.evaluate("""element => {
+        const { left, top, right, bottom } = element.getBoundingClientRect();
+        return 0 <= left && left < right && right <= innerWidth
+            && 0 <= top && top < bottom && bottom <= innerHeight;
+    }""")
 
 
 # Where a picture on paper begins to be red, from its left edge (0) to its right one (1).

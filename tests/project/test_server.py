@@ -10,8 +10,6 @@ import sys
 import threading
 from contextlib import ExitStack, suppress
 from http.client import HTTPConnection
-from importlib.machinery import PathFinder
-from pathlib import Path
 from types import SimpleNamespace
 from urllib.parse import urlsplit
 
@@ -31,7 +29,6 @@ connections = pytest.importorskip("support.page.connection")
 pytestmark = programs.needs_vpython
 
 WEB = ROOT / "support" / "page" / "web"
-BELOW = "/user/ann/proxy/8000/"
 
 
 def ask(page, path, query="{key}", host="127.0.0.1", **headers):
@@ -58,7 +55,7 @@ TEXT, GOODBYE, PING, PONG = 0x81, 0x88, 0x89, 0x8A
 class Tab(ExitStack):
     """A tab without a browser: a websocket, if the status of the answer is 101."""
 
-    def __init__(self, page, path="/ws", query="{key}", origin="http://127.0.0.1"):
+    def __init__(self, page, query="{key}", origin="http://127.0.0.1"):
         super().__init__()
         headers = {
             "Upgrade": "websocket",
@@ -67,7 +64,7 @@ class Tab(ExitStack):
             "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==",
             "Origin": origin,
         }
-        self.connection, self.answer = ask(page, path, query, **headers)
+        self.connection, self.answer = ask(page, "/ws", query, **headers)
         self.callback(self.connection.close)
         self.callback(self.answer.close)
         if self.answer.status == 101:
@@ -157,7 +154,7 @@ def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the
 
 @pytest.mark.parametrize(
     "name",
-    ["secret.js", "../secret.js", "%2e%2e%2fsecret.js", "../" * 40 + "{folder}/secret.js"],
+    ["page.html", "secret.js", "../secret.js", "%2e%2e%2fsecret.js", "../../../{folder}/secret.js"],
 )
 def test_a_file_that_is_not_of_the_page_is_not_there(site, folder, name):
     status, _, content = get(site, f"/{name}".format(folder=folder))
@@ -165,54 +162,26 @@ def test_a_file_that_is_not_of_the_page_is_not_there(site, folder, name):
     assert content == b""
 
 
-def test_only_files_that_everybody_can_download_come_without_the_key(site):
-    """They come whole.
-
-    vpython.js is a part of VPython's page, without the websocket there, which goes to localhost.
-    """
-    assert get(site, "/page.html", "")[0] == 404
-    vpython = Path(PathFinder.find_spec("vpython").origin).parent
-    libraries = vpython / "vpython_libraries"
-    picture = vpython / "vpython_data" / "wood_texture.jpg"
-    for file in (WEB / "page.js", libraries / "glow.min.js", picture):
-        status, _, content = get(site, BELOW + file.name, "")
-        assert status == 200
-        assert content == file.read_bytes()
-    script = get(site, "/vpython.js", "")[2]
-    assert b"function decode(" in script
-    assert script in (libraries / "glowcomm.html").read_bytes()
-    assert b"WebSocket" not in script
-
-
-@pytest.mark.parametrize(
-    "query", ["", "key=", "key=wrong", "{key}0", "key=%ff%00", "redirect=http://evil.example"]
-)
-@pytest.mark.parametrize("path", ["/", BELOW])
-def test_without_the_key_the_page_is_a_sentence_and_the_websocket_is_refused(site, path, query):
+@pytest.mark.parametrize("query", ["", "key=", "key=wrong", "{key}0", "key=%ff%00"])
+def test_without_the_key_the_page_is_a_sentence_and_the_websocket_is_refused(site, query):
     """A request can have all headers of a browser: another program on this machine can send it."""
-    for name in ("", "alive"):
+    for path in ("/", "/alive"):
         status, headers, content = get(
-            site, path + name, query, Origin="http://a", Sec_Fetch_Site="same-origin"
+            site, path, query, Origin="http://a", Sec_Fetch_Site="same-origin"
         )
         assert status == 403
         assert content.decode() == connections.NO_KEY
         assert site.query.removeprefix("key=") not in str(headers)
-    with Tab(site, f"{path}ws", query) as tab:
+    with Tab(site, query) as tab:
         assert tab.answer.status in (400, 403)
 
 
-@pytest.mark.parametrize("query", ["{key}", "{key}&redirect=http://evil.example"])
-@pytest.mark.parametrize("path", ["/", BELOW])
-def test_with_the_key_a_browser_gets_all_below_any_path(site, path, query):
-    """The page sends its address to no other site, and leads to none."""
-    for name, expected in (("", (WEB / "page.html").read_bytes()), ("alive", b"alive")):
-        status, headers, content = get(site, path + name, query)
+def test_with_the_key_a_browser_gets_the_page_which_sends_its_address_to_no_other_site(site):
+    for path, expected in (("/", (WEB / "page.html").read_bytes()), ("/alive", b"alive")):
+        status, headers, content = get(site, path)
         assert status == 200
         assert content == expected
-        assert headers["Location"] is None
         assert headers["Referrer-Policy"] == "no-referrer"
-    with Tab(site, f"{path}ws", query) as tab:
-        assert tab.answer.status == 101
 
 
 @pytest.mark.parametrize(
@@ -383,7 +352,7 @@ def test_an_address_that_the_page_cannot_have_is_refused_and_a_port_is_free_at_t
 # --- other requests --------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("path", ["/", "", "/user/ann/proxy/8000", BELOW])
+@pytest.mark.parametrize("path", ["/", "", "/user/ann/proxy/8000", "/user/ann/proxy/8000/"])
 @pytest.mark.parametrize(
     "request_line", ["HEAD {} HTTP/1.1", "GET {} HTTP/1.0", "HEAD {} HTTP/1.0"]
 )
