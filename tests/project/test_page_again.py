@@ -5,7 +5,7 @@ The first one, three tabs and a reload, hostile texts, the program's end.
 
 import signal
 import time
-from collections import Counter, deque
+from collections import deque
 
 import programs
 import pytest
@@ -38,11 +38,7 @@ def started(page, program):
 
 @IN_BOTH_BROWSERS
 def test_the_cradle_swings_until_the_tab_is_closed(page, started):
-    """It has a frame, the picture changes, and a bob can be dragged."""
-    kinds = Counter(page.evaluate("() => glowObjs.filter(o => o).map(o => o.constructor.name)"))
-    assert kinds["box"] == 5 + 1
-    assert kinds["cylinder"] == 5 + 6
-    assert kinds["sphere"] == 5
+    """The picture changes, and a bob can be dragged."""
     # The last bob has been hit
     page.wait_for_function(f"() => ({BOBS})()[4][0] > {-0.1 + 5 / 4 * R_PARAM}")
     picture = picture_of(page)
@@ -163,13 +159,13 @@ def test_three_tabs_show_one_cradle_with_the_settings_of_all(tabs):
 
 def test_each_tab_has_its_own_camera_and_the_cradle_swings_on_when_one_is_reloaded(tabs):
     first, second, third = tabs
-    first.evaluate("window.times = []; shows.now = () => times.push(parseFloat(state.motion.t))")
     second.mouse.move(100, 100)
     second.mouse.down(button="right")
     second.mouse.move(160, 100, steps=3)
     second.mouse.up(button="right")
     # It is there as soon as the camera has moved
     programs.button(second, "Reset view").wait_for()
+    time = programs.readout(first, "t")
     third.reload()
     wait_for_cradle(third)
     for tab in tabs:
@@ -178,9 +174,7 @@ def test_each_tab_has_its_own_camera_and_the_cradle_swings_on_when_one_is_reload
         assert not programs.button(tab, "Reset view").is_visible()
     second.close()
     wait_for_moves(first)
-    times = first.evaluate("times")
-    assert len(times) > 1
-    assert times == sorted(times)
+    assert programs.readout(first, "t") > time
 
 
 def test_the_ended_program_shows_how_to_start_it_again(page, started):
@@ -189,8 +183,6 @@ def test_the_ended_program_shows_how_to_start_it_again(page, started):
     page.get_by_text("The program has ended.").wait_for()
     command = page.locator(".notice code").inner_text()
     assert command.endswith(" src/visualize_cradle_run.py --angle 45")
-    # It is pale
-    assert float(page.evaluate("getComputedStyle(one('.canvas')).opacity")) < 0.5
     assert programs.violations(page) == {}
 
 

@@ -11,6 +11,7 @@ import threading
 from contextlib import ExitStack, suppress
 from http.client import HTTPConnection
 from types import SimpleNamespace
+from unittest.mock import Mock
 from urllib.parse import urlsplit
 
 import programs
@@ -265,19 +266,14 @@ def test_a_browser_gets_a_file_that_leads_on(tmp_path, until, status):
     ],
 )
 def test_what_a_browser_opens(monkeypatch, name, release, places):
-    opened = []
-
-    def at_once(target, args, daemon):
-        target(*args)
-        return SimpleNamespace(start=lambda: None)
-
+    thread = Mock()
     monkeypatch.setattr("platform.release", lambda: release)
-    monkeypatch.setattr("webbrowser.get", lambda: SimpleNamespace(name=name, open=opened.append))
-    monkeypatch.setattr("threading.Thread", at_once)
+    monkeypatch.setattr("webbrowser.get", lambda: SimpleNamespace(name=name, open=None))
+    monkeypatch.setattr("threading.Thread", thread)
     start = browser.BrowserStart()
     monkeypatch.setattr(start, "make_file", lambda address: "file")
     start.open("http")
-    assert opened == places
+    assert [call.kwargs["args"][0] for call in thread.call_args_list] == places
 
 
 SESSION = """exec "{python}" -W ignore -i <<'END'

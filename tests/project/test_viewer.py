@@ -184,18 +184,6 @@ def test_a_saved_csv_makes_a_new_cradle(rig):
     assert rig.state["lifted"] == 3  # the old settings, where they are possible again
 
 
-def test_a_broken_csv_shows_its_error_until_it_is_good_again(rig):
-    """The cradle swings on, here that of an experiment."""
-    rig.give("experiment", "A heavy one hits light ones")
-    rig.save(FIVE_CSV + GOOD.replace("red", "<b>pink"))
-    assert "cradle.csv, line 7, column color: found '<b>pink', allowed" in rig.state["error"]
-    assert rig.time() > 0.3
-    assert rig.values("mass") == [5, 1, 1, 1, 1]
-    rig.save(FIVE_CSV)
-    assert rig.state["error"] == ""
-    assert rig.values("mass") == [1] * 5
-
-
 def test_a_swing_above_the_frame_widens_the_view_until_the_next_restart(rig):
     near = rig.state["view"]
     rig.give("release angle", 150)
