@@ -108,6 +108,9 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
     site.tabs.give = lambda command, *values: given.append(command)
     tab = Connection(site, page="0.5", has="7")
     tab.onOpen()
+    tab.cut()
+    site.wait(2)
+    tab.onOpen()  # so soon that nothing is said
     tab.onMessage(b'["grab"]', False)
     if is_silent:
         site.wait(connections.SILENT)
