@@ -24,8 +24,9 @@ if __name__ == "__main__":
 import pymunk
 import vpython
 from exact_cradle import apart, exact_outer_angles, outer_angles, SAMPLE
+from pages import ARGUMENTS, BOBS, CHROMIUM, draw, open_cradle, readout
 from playwright.sync_api import sync_playwright
-from programs import ARGUMENTS, BOBS, CHROMIUM, draw, first_lines, open_cradle, readout, running
+from programs import first_lines, running
 from whole_cradles import advance, do_at_once, GOOD, HEADER, make_row
 
 from support.constants import DT, G, R_PARAM, THETA_INIT

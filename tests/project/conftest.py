@@ -11,7 +11,8 @@ import subprocess
 import pytest
 from classroom import classroom, python_for_all  # noqa: F401  fixtures
 from graded import solve  # noqa: F401  a fixture
-from programs import ARGUMENTS, CHROMIUM, copy_project, FIREFOX, needs_vpython, new_page, PROGRAM
+from pages import ARGUMENTS, CHROMIUM, FIREFOX, new_page
+from programs import copy_project, needs_vpython, PROGRAM
 from rig import Rig
 from shared_page import file, open_page, shared  # noqa: F401  fixtures
 from students import made, solved, starter  # noqa: F401  fixtures

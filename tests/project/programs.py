@@ -1,7 +1,4 @@
-"""The programs as processes: how the tests start them, what they print first, how they end.
-
-And their pages in real browsers.
-"""
+"""The programs as processes: how the tests start them, what they print first, how they end."""
 
 import os
 import re
@@ -12,38 +9,12 @@ import threading
 import time
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
-from math import atan2, cos, degrees, radians, sin
 from pathlib import Path
 
 import pytest
 
-from support.constants import R_PARAM
-
 ROOT = Path(__file__).parents[2]
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
-ON_A_MAC = "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome"
-
-
-def installed(*names):
-    """Return the path of the first of these programs that is there, or None."""
-    paths = map(shutil.which, names)
-    return next(filter(None, paths), None)
-
-
-CHROMIUM = installed("chromium", "chromium-browser", "google-chrome", ON_A_MAC)
-FIREFOX = installed("firefox-esr", "firefox")
-ARGUMENTS = [
-    "--no-sandbox",
-    "--no-first-run",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    # Without a graphics card it is what slows everything, thirty times
-    "--disable-gpu-compositing",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
 SECONDS = 60  # after which something that is waited for counts as never coming
 # The environment of a program that imports modules of the tests
 OF_TESTS = {"PYTHONPATH": os.pathsep.join(sys.path)}
@@ -153,196 +124,9 @@ def end(process):
     return process.returncode, stdout, stderr
 
 
-# --- pages -----------------------------------------------------------------------------------
-
-# Before the page's own scripts: make the canvas small, because no graphics card draws it.
-SMALL = """addEventListener("DOMContentLoaded", () => {
-    document.head.insertAdjacentHTML("beforeend", `<style id=small>
-        .canvas { max-width: 320px !important; max-height: 200px !important; }
-    </style>`);
-})"""
-
-# The bobs' positions, as the page has them.
-BOBS = """() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible)
-    .map(o => [o.pos.x, o.pos.y])"""
-
-# Whether the bobs are elsewhere a third of a second later.
-MOVES = f"""async () => {{
-    const where = () => JSON.stringify(({BOBS})()), before = where();
-    await new Promise(resolve => setTimeout(resolve, 333));
-    return where() !== before;
-}}"""
-
-# Where a point of the plane of swing is seen: pixels in the window.
-PIXEL = """([x, y]) => {
-    const scene = glowObjs[0], forward = scene.forward.norm();
-    const sideways = forward.cross(scene.up).norm(), upwards = sideways.cross(forward);
-    const arm = vec(x, y, 0).sub(scene.center);
-    const distance = scene.range / Math.tan(scene.fov / 2);
-    const canvas = document.querySelector(".canvas").getBoundingClientRect();
-    const { width, height } = canvas, half = Math.min(width, height) / 2;
-    const pixels = half / scene.range * distance / (distance + arm.dot(forward));
-    return [
-        canvas.x + width / 2 + pixels * arm.dot(sideways),
-        canvas.y + height / 2 - pixels * arm.dot(upwards),
-    ];
-}"""
-
-
-@contextmanager
-def new_page(browser, **settings):
-    """Open a new tab in this browser, with Playwright's settings, and close it in the end."""
-    page = browser.new_page(viewport={"width": 1000, "height": 700}, **settings)
-    page.set_default_timeout(SECONDS * 1000)
-    page.add_init_script(SMALL)
-    yield page
-    page.close()
-
-
-def open_cradle(page, address, bobs=5, drawn=False):
-    """Open the page, and wait until it shows the cradle."""
-    page.goto(address)
-    wait_for_cradle(page, bobs, drawn)
-
-
-def wait_for_cradle(page, bobs=5, drawn=False):
-    """Wait for the bobs, their numbers, and a camera that fits the canvas.
-
-    Only a test of the picture has it drawn.
-    """
-    page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === {bobs}")
-    draw(page, drawn)
-    page.wait_for_function(
-        "() => home && glowObjs[0].width === $('.canvas').width() * devicePixelRatio"
-    )
-
-
-def draw(page, drawn):
-    """Have the browser draw the canvas, or not.
-
-    Without a graphics card it takes most of the time.
-    """
-    frames = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
-    page.evaluate(f"drawn => {{ glowObjs[0].visible = drawn; return {frames}; }}", drawn)
-
-
-def readout(page, name):
-    """Return a number of the readout, by the word before it."""
-    text = page.locator(".readout").inner_text()
-    return float(re.search(rf"^{name}\s+([-+0-9.]+)", text, re.MULTILINE)[1])
-
-
-def slider_texts(page):
-    """Return the texts behind the sliders: speed, lifted bobs, release angle."""
-    return page.locator("output").all_inner_texts()
-
-
-def axle(bob):
-    """Return the place (m) from which this bob (an index) hangs."""
-    return -0.1 + R_PARAM / 4 * bob, R_PARAM / 5
-
-
-def bob_angles(page):
-    """Return the angles of the bobs in degrees."""
-    angles = []
-    for bob, (x, y) in enumerate(page.evaluate(BOBS)):
-        axle_x, axle_y = axle(bob)
-        angles.append(degrees(atan2(x - axle_x, axle_y - y)))
-    return angles
-
-
-def pixel(page, bob, theta):
-    """Return where this bob's centre is seen if its cord is at theta (degrees)."""
-    x, y = axle(bob)
-    angle = radians(theta)
-    return page.evaluate(PIXEL, [x + R_PARAM * sin(angle), y - R_PARAM * cos(angle)])
-
-
-def drag(page, bob, *thetas):
-    """Grab a bob that hangs, and move the mouse to where its cord is at these angles (degrees)."""
-    page.mouse.move(*pixel(page, bob, 0))
-    page.mouse.down()
-    for theta in thetas:
-        page.mouse.move(*pixel(page, bob, theta), steps=3)
-
-
 def wait_until(condition, seconds=SECONDS):
     """Wait until condition() holds; fail after `seconds`."""
     deadline = time.monotonic() + seconds
     while not condition():
         assert time.monotonic() < deadline, "it never came"
         time.sleep(0.02)
-
-
-def wait_for_angles(page, *expected):
-    wait_until(lambda: bob_angles(page) == pytest.approx(expected, abs=0.01))
-
-
-def wait_for_moves(page):
-    wait_until(lambda: page.evaluate(MOVES))
-
-
-def wait_for_rest(page):
-    """Wait until nothing moves any more.
-
-    A click, or a picture of before, can still be on its way.
-    """
-    wait_until(lambda: not page.evaluate(MOVES))
-
-
-def button(page, name):
-    return page.get_by_role("button", name=name, exact=True)
-
-
-def menu(page, name):
-    return page.get_by_role("combobox", name=name, exact=True)
-
-
-def press(page, name):
-    button(page, name).click()
-
-
-def tick(page, name):
-    """Tick a box."""
-    page.get_by_role("checkbox", name=name).check()
-
-
-def pause(page):
-    press(page, "Pause")
-    button(page, "Run").wait_for()
-    wait_for_rest(page)
-
-
-def wait_for_restart(page):
-    wait_until(lambda: readout(page, "t") == 0)
-
-
-def wait_for_time(page):
-    """Wait until some simulated time has passed."""
-    wait_until(lambda: readout(page, "t") > 0)
-
-
-def slide(page, name, value):
-    """Click into a slider, where it has this value."""
-    # pixels: the width of a slider's handle, whose middle stays half of it away from the ends
-    thumb = 16
-    slider = page.get_by_role("slider", name=name, exact=True)
-    least, most, width, height = slider.evaluate(
-        "e => [+e.min, +e.max, e.offsetWidth, e.offsetHeight]"
-    )
-    x = thumb / 2 + (value - least) / (most - least) * (width - thumb)
-    slider.click(position={"x": x, "y": height / 2})
-
-
-def violations(page):
-    """Return what axe finds on the page, on a pale and on a dark one.
-
-    The keys are the broken rules, the values the elements that break them.
-    """
-    axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
-    found = {}
-    for scheme in ("dark", "light"):
-        page.emulate_media(color_scheme=scheme)
-        for rule in axe.run(page).response["violations"]:
-            found[rule["id"]] = [element["html"] for element in rule["nodes"]]
-    return found

@@ -2,6 +2,7 @@
 
 import signal
 
+import pages
 import programs
 import pytest
 from whole_cradles import FIVE_CSV
@@ -72,10 +73,10 @@ def open_page(chromium, file):
         programs.running(
             program, "--angle", "45", folder=file.parent, patience=patience
         ) as process,
-        programs.new_page(chromium, has_touch=True) as page,
+        pages.new_page(chromium, has_touch=True) as page,
     ):
         page.add_init_script(LISTEN)
-        programs.open_cradle(page, programs.first_lines(process))
+        pages.open_cradle(page, programs.first_lines(process))
         yield page
         process.send_signal(signal.SIGINT)
         assert programs.end(process) == programs.QUIETLY
@@ -94,7 +95,7 @@ def shared(open_page, file):
     page.set_viewport_size({"width": 1000, "height": 700})
     page.evaluate(PUT_BACK)
     page.wait_for_function(IS_BACK)
-    programs.press(page, "Run")
+    pages.press(page, "Run")
     return page
 
 

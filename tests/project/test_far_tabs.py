@@ -14,18 +14,11 @@ from contextlib import contextmanager, suppress
 from queue import SimpleQueue
 from urllib.parse import urljoin, urlsplit
 
+import pages
 import programs
 import pytest
-from programs import (
-    end,
-    first_lines,
-    needs_vpython,
-    new_page,
-    open_cradle,
-    QUIETLY,
-    running,
-    wait_for_moves,
-)
+from pages import new_page, open_cradle, wait_for_moves
+from programs import end, first_lines, needs_vpython, QUIETLY, running
 
 pytestmark = [pytest.mark.browser, *needs_vpython]
 
@@ -216,17 +209,17 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
         wait_for_moves(page)
         page.evaluate(CHANGE_OWN)
         before = page.evaluate(OWN)
-        time = programs.readout(page, "t")
-        programs.drag(page, 3, 20, 40)
-        programs.wait_until(lambda: programs.bob_angles(page)[3] == pytest.approx(40, abs=1))
+        time = pages.readout(page, "t")
+        pages.drag(page, 3, 20, 40)
+        programs.wait_until(lambda: pages.bob_angles(page)[3] == pytest.approx(40, abs=1))
         cut_for_a_while()
-        page.mouse.move(*programs.pixel(page, 3, 30), steps=3)
+        page.mouse.move(*pages.pixel(page, 3, 30), steps=3)
         wait_for_moves(page)
         page.mouse.up()
         assert page.evaluate(OWN) == before
-        assert programs.readout(page, "t") > time
-        programs.tick(page, "Predict first")
-        programs.menu(page, "Experiment").select_option("Two bobs")
+        assert pages.readout(page, "t") > time
+        pages.tick(page, "Predict first")
+        pages.menu(page, "Experiment").select_option("Two bobs")
         page.locator(".question").wait_for()
         page.keyboard.press("f")
         cut_for_a_while()

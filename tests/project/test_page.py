@@ -3,9 +3,9 @@
 import re
 from itertools import pairwise
 
-import programs
+import pages
 import pytest
-from programs import (
+from pages import (
     bob_angles,
     button,
     menu,
@@ -21,8 +21,8 @@ from programs import (
     wait_for_rest,
     wait_for_restart,
     wait_for_time,
-    wait_until,
 )
+from programs import wait_until
 from shared_page import ASK, is_whole, printed, wait_for_text
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
@@ -112,8 +112,8 @@ def test_the_cursor_shows_that_a_bob_can_be_grabbed_and_it_is_let_go_outside_of_
 
     The canvas has them, too.
     """
-    with programs.new_page(shared.context.browser) as sharp:
-        programs.open_cradle(sharp, shared.url)
+    with pages.new_page(shared.context.browser) as sharp:
+        pages.open_cradle(sharp, shared.url)
         display = {"width": 1000, "height": 700, "deviceScaleFactor": 2, "mobile": False}
         sharp.context.new_cdp_session(sharp).send("Emulation.setDeviceMetricsOverride", display)
         sharp.wait_for_function(IS_SHARP)
@@ -121,7 +121,7 @@ def test_the_cursor_shows_that_a_bob_can_be_grabbed_and_it_is_let_go_outside_of_
         wait_for_angles(sharp, 0, 0, 0, 0, 0)
         sharp.mouse.move(*pixel(sharp, 0, 0))
         sharp.wait_for_function(HAS_CURSOR, arg="grab")
-        programs.drag(sharp, 0, -30)
+        pages.drag(sharp, 0, -30)
         wait_until(lambda: bob_angles(sharp)[0] == pytest.approx(-30, abs=1))
         sharp.wait_for_function(HAS_CURSOR, arg="grabbing")
         sharp.mouse.move(20, 230, steps=3)  # below the canvas
@@ -139,7 +139,7 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, file):
     file.write_text(HEADER + GOOD * 7)
     slider = shared.get_by_role("slider", name="Bobs lifted")
     wait_until(lambda: slider.evaluate("e => [e.value, e.max]") == ["1", "7"])
-    programs.wait_for_cradle(shared, bobs=7)
+    pages.wait_for_cradle(shared, bobs=7)
     file.write_text(FIVE_CSV + GOOD.replace("1.0", "-1", 1))
     error = shared.locator(".error").first
     error.get_by_text(f"{file}, line 7, column mass: found '-1', allowed is ").wait_for()
@@ -158,14 +158,14 @@ SHAPES = """() => ["arrow", "box", "sphere"].map(
 def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
     question = shared.locator(".question")
     tick(shared, "Predict first")
-    programs.draw(shared, True)
+    pages.draw(shared, True)
     shared.keyboard.press("n")
     question.get_by_text("One bob comes in.").wait_for()
     shared.keyboard.press("n")
     question.get_by_text("Two bobs come in.").wait_for()
     # The picture of the sheet is there
     shared.wait_for_function("() => asked === state.question.question")
-    programs.draw(shared, False)
+    pages.draw(shared, False)
     shared.keyboard.press("f")
     wait_until(lambda: menu(shared, "Collisions").is_hidden())
     assert violations(shared) == {}

@@ -7,9 +7,10 @@ import signal
 import time
 from collections import deque
 
+import pages
 import programs
 import pytest
-from programs import (
+from pages import (
     bob_angles,
     BOBS,
     menu,
@@ -19,8 +20,8 @@ from programs import (
     wait_for_angles,
     wait_for_cradle,
     wait_for_moves,
-    wait_until,
 )
+from programs import wait_until
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from support.constants import R_PARAM
@@ -49,7 +50,7 @@ def test_the_cradle_swings_until_the_tab_is_closed(page, started):
     pause(page)
     slide(page, "Bobs lifted", 0)
     wait_for_angles(page, 0, 0, 0, 0, 0)
-    programs.drag(page, 3, 20, 40)
+    pages.drag(page, 3, 20, 40)
     wait_until(lambda: bob_angles(page)[3] == pytest.approx(40, abs=1))
     assert 38 < bob_angles(page)[4] < 50  # it was in the way
     page.mouse.up()
@@ -86,9 +87,9 @@ def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
 
 def picture_of(page):
     """Return a picture of the canvas (PNG)."""
-    programs.draw(page, True)
+    pages.draw(page, True)
     picture = page.locator("canvas").first.screenshot()
-    programs.draw(page, False)
+    pages.draw(page, False)
     return picture
 
 
@@ -121,7 +122,7 @@ CONTROLS = """() => [
 def tabs(page, started):
     """Three tabs with the same cradle, and a process that waits until all are closed."""
     browser = page.context.browser
-    with programs.new_page(browser) as second, programs.new_page(browser) as third:
+    with pages.new_page(browser) as second, pages.new_page(browser) as third:
         open_cradle(second, page.url)
         open_cradle(third, page.url)
         yield page, second, third
@@ -137,15 +138,15 @@ def test_three_tabs_show_one_cradle_with_the_settings_of_all(tabs):
     slide(second, "Release angle", 70)
     menu(second, "Collisions").select_option("elastic, e = 1")
     menu(second, "Graph").select_option("no graph")
-    programs.tick(third, "Arrows")
-    programs.tick(third, "Predict first")
+    pages.tick(third, "Arrows")
+    pages.tick(third, "Predict first")
     first.locator("summary").click()
     first.get_by_label("Separating bobs collide too").check()
     for tab in tabs:
         tab.wait_for_function(
             "() => glowObjs.some(o => o?.constructor.name === 'arrow' && o.visible)"
         )
-        wait_until(lambda tab=tab: programs.slider_texts(tab) == ["2.0x", "2 of 5", "70°"])
+        wait_until(lambda tab=tab: pages.slider_texts(tab) == ["2.0x", "2 of 5", "70°"])
         wait_for_moves(tab)
     pause(first)
     wait_until(lambda: bob_angles(first) == bob_angles(second) == bob_angles(third))
@@ -164,17 +165,17 @@ def test_each_tab_has_its_own_camera_and_the_cradle_swings_on_when_one_is_reload
     second.mouse.move(160, 100, steps=3)
     second.mouse.up(button="right")
     # It is there as soon as the camera has moved
-    programs.button(second, "Reset view").wait_for()
-    time = programs.readout(first, "t")
+    pages.button(second, "Reset view").wait_for()
+    time = pages.readout(first, "t")
     third.reload()
     wait_for_cradle(third)
     for tab in tabs:
         wait_for_moves(tab)
     for tab in (first, third):
-        assert not programs.button(tab, "Reset view").is_visible()
+        assert not pages.button(tab, "Reset view").is_visible()
     second.close()
     wait_for_moves(first)
-    assert programs.readout(first, "t") > time
+    assert pages.readout(first, "t") > time
 
 
 def test_the_ended_program_shows_how_to_start_it_again(page, started):
@@ -183,7 +184,7 @@ def test_the_ended_program_shows_how_to_start_it_again(page, started):
     page.get_by_text("The program has ended.").wait_for()
     command = page.locator(".notice code").inner_text()
     assert command.endswith(" src/visualize_cradle_run.py --angle 45")
-    assert programs.violations(page) == {}
+    assert pages.violations(page) == {}
 
 
 def test_hostile_texts_are_shown_as_texts(page, program):
@@ -197,7 +198,7 @@ def test_hostile_texts_are_shown_as_texts(page, program):
     with programs.running(program, folder=folder) as process:
         open_cradle(page, programs.first_lines(process))
         page.get_by_text(f"'{evil}' is the name of another experiment").wait_for()
-        programs.tick(page, "Predict first")
+        pages.tick(page, "Predict first")
         menu(page, "Experiment").select_option(evil)
         page.get_by_text(f"{evil} come in.").first.wait_for()
         page.get_by_text(f"C\u2002{evil}, as far as the two").wait_for()

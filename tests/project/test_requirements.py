@@ -7,7 +7,8 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 
 import pytest
-from programs import BOBS, end, first_lines, open_cradle, QUIETLY, ROOT, running, with_vpython
+from pages import BOBS, open_cradle
+from programs import end, first_lines, QUIETLY, ROOT, running, with_vpython
 
 from support.constants import R_PARAM
 

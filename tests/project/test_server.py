@@ -1,27 +1,19 @@
-"""The server of the page: what it does for a tab and for everyone else, at one port.
+"""The server of the page: what it does for a tab and for everyone else, at one port."""
 
-And when the program ends.
-"""
-
-import json
 import signal
 import socket
-import sys
 import threading
 from contextlib import ExitStack, suppress
-from http.client import HTTPConnection
-from types import SimpleNamespace
-from unittest.mock import Mock
 from urllib.parse import urlsplit
 
 import programs
 import pytest
 from hypothesis import example, given, settings, strategies
 from programs import copy_project, end, first_lines, QUIETLY, ROOT, running, SECONDS
-from students import change, put_files
+from students import put_files
+from web_client import get, Tab
 from whole_cradles import FIVE_CSV
 
-from support.page import browser
 from support.page.port import listen
 
 # They need autobahn, which comes with VPython.
@@ -30,84 +22,6 @@ connections = pytest.importorskip("support.page.connection")
 pytestmark = programs.needs_vpython
 
 WEB = ROOT / "support" / "page" / "web"
-
-
-def ask(page, path, query="{key}", host="127.0.0.1", **headers):
-    """Send a GET with exactly this path and query; return the connection and the answer.
-
-    The query is the key if none is given.
-    """
-    connection = HTTPConnection(host, page.port, timeout=SECONDS)
-    headers = {name.replace("_", "-"): text for name, text in headers.items() if text is not None}
-    connection.request("GET", f"{path}?{query.format(key=page.query)}", headers=headers)
-    return connection, connection.getresponse()
-
-
-def get(*request, **headers):
-    """Return the status, the headers and the content of the answer to a GET."""
-    answer = ask(*request, **headers)[1]
-    return answer.status, answer.headers, answer.read()
-
-
-# The first bytes of messages of a websocket
-TEXT, GOODBYE, PING, PONG = 0x81, 0x88, 0x89, 0x8A
-
-
-class Tab(ExitStack):
-    """A tab without a browser: a websocket, if the status of the answer is 101."""
-
-    def __init__(self, page, query="{key}", origin="http://127.0.0.1"):
-        super().__init__()
-        headers = {
-            "Upgrade": "websocket",
-            "Connection": "Upgrade",
-            "Sec_WebSocket_Version": "13",
-            "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==",
-            "Origin": origin,
-        }
-        self.connection, self.answer = ask(page, "/ws", query, **headers)
-        self.callback(self.connection.close)
-        self.callback(self.answer.close)
-        if self.answer.status == 101:
-            self.callback(self.leave)
-
-    def leave(self):
-        """Say goodbye, and wait until it is heard.
-
-        A socket that closes with unread bytes takes it back.
-        """
-        with suppress(OSError):  # the program may have ended
-            self.tell(b"\x03\xe9", GOODBYE)
-            self.connection.sock.shutdown(socket.SHUT_WR)
-            self.answer.fp.read()
-
-    def tell(self, message, kind=TEXT):
-        """Send a short message, with an empty mask."""
-        head = bytes([kind, len(message) | 0x80, 0, 0, 0, 0])
-        self.connection.sock.sendall(head + message)
-
-    def hear(self):
-        """Return the next message of the program, and answer that the picture is drawn.
-
-        Answer each ping before it.
-        """
-        read = self.answer.fp.read
-        while True:
-            kind, size = read(2)
-            if size > 125:
-                size = int.from_bytes(read({126: 2, 127: 8}[size]), "big")
-            data = read(size)
-            if kind == PING:
-                self.tell(data, PONG)
-            elif data:  # else it is only a sign of life
-                self.tell(b"seen")
-                return json.loads(data)
-
-    def stay(self):
-        """Answer the program until it ends."""
-        with suppress(ValueError):  # no more bytes
-            while True:
-                self.hear()
 
 
 @pytest.fixture(scope="module")
@@ -216,116 +130,6 @@ def test_a_tab_that_would_fill_the_memory_is_cut_off(site):
         size = (server.LARGEST_MESSAGE + 1).to_bytes(8, "big")
         tab.connection.sock.sendall(b"\x81\xff" + size + bytes(4))  # the begin of a message
         tab.answer.fp.read()  # until the end
-
-
-# A browser: it writes down who can read the file that it gets, where that leads to, and what the
-# page answers at once.
-BROWSER = """#!{python}
-import os, re, sys, urllib.request as web
-address = re.search('url=([^"]*)', web.urlopen(sys.argv[1]).read().decode())[1]
-mode = oct(os.stat(*os.listdir()).st_mode)[-3:]
-print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{visited}", "w"))
-"""
-
-
-@pytest.mark.parametrize(("until", "status"), [("a tab", 0), ("SIGTERM", 143)])
-def test_a_browser_gets_a_file_that_leads_on(tmp_path, until, status):
-    """All users of a machine can read a command; only you the file.
-
-    It goes with the first tab, or with the program.
-    """
-    folder = tmp_path / "100% ü #1"
-    visited = tmp_path / "visited"
-    browser = tmp_path / "browser"
-    folder.mkdir()
-    browser.write_text(BROWSER.format(python=sys.executable, visited=visited))
-    browser.chmod(0o755)
-    with running(folder=folder, BROWSER=str(browser), VPYTHON_NO_LAUNCH_BROWSER="") as process:
-        address = first_lines(process)
-        programs.wait_until(lambda: visited.exists() and visited.read_text().endswith("\n"))
-        *seen, file = visited.read_text().split()
-        assert seen == ["600", address, "200"]
-        assert file.startswith("file://")
-        assert address.partition("key=")[2] not in file
-        if until == "a tab":
-            with Tab(urlsplit(address)) as tab:
-                tab.hear()
-                assert [*folder.iterdir()] == []
-        else:
-            process.send_signal(signal.SIGTERM)
-        assert end(process) == (status, "", "")
-    assert [*folder.iterdir()] == []
-
-
-@pytest.mark.parametrize(
-    ("name", "release", "places"),
-    [
-        ("firefox", "6.1.0-18-amd64", ["file"]),
-        ("firefox", "5.15.90-Microsoft-WSL2", ["http"]),  # it sees no file of this system
-        ("/usr/bin/w3m", "6.1.0-18-amd64", []),  # it has no pictures
-    ],
-)
-def test_what_a_browser_opens(monkeypatch, name, release, places):
-    thread = Mock()
-    monkeypatch.setattr("platform.release", lambda: release)
-    monkeypatch.setattr("webbrowser.get", lambda: SimpleNamespace(name=name, open=None))
-    monkeypatch.setattr("threading.Thread", thread)
-    start = browser.BrowserStart()
-    monkeypatch.setattr(start, "make_file", lambda address: "file")
-    start.open("http")
-    assert [call.kwargs["args"][0] for call in thread.call_args_list] == places
-
-
-SESSION = """exec "{python}" -W ignore -i <<'END'
-import runpy, sys
-def start(name, *options):
-    sys.argv = [f"{folder}/src/{{name}}.py", *options]
-    try:
-        runpy.run_path(sys.argv[0], run_name="__main__")
-    except SystemExit as ended:
-        print("status", ended.code)
-    print("the prompt")
-
-start("text_cradle_run", "--seconds", "0.01")
-with open("{folder}/src/swinging.py", "a") as file:
-    _ = file.write("\\nfrom vpython import sphere\\nsphere()\\nprint('the new file')\\n")
-
-start("text_cradle_run", "--seconds", "0.01")
-start("visualize_cradle_run", "--help")
-start("visualize_cradle_run", "--no-browser")
-start("visualize_cradle_run", "--no-browser")
-END"""
-
-
-def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back(program):
-    """As in IPython: with changed files, with and without VPython.
-
-    The page shows what a file draws, and that once.
-    """
-    folder = program.parents[1]
-    site = folder / "support" / "page" / "connection.py"
-    change(site, "RETURN = 3.0", "RETURN = 0.1")  # s: quickly
-    session = SESSION.format(python=sys.executable, folder=folder)
-    with running("-c", session, python="sh") as process:
-
-        def until_the_prompt():
-            return [*iter(process.stdout.readline, "the prompt\n")]
-
-        assert [line[:3] for line in until_the_prompt()] == ["t ="] * 2
-        assert [line[:3] for line in until_the_prompt()] == ["the", "t =", "t ="]
-        assert until_the_prompt()[-1] == "status 0\n"
-        for _ in range(2):
-            assert process.stdout.readline() == "the new file\n"
-            spheres = 0
-            with Tab(urlsplit(first_lines(process))) as tab:
-                is_swinging = False
-                while not is_swinging:
-                    message = tab.hear()
-                    spheres += sum(cmd.get("cmd") == "sphere" for cmd in message["cmds"])
-                    is_swinging = "motion" in message["state"]
-            assert spheres == 5 + 1
-            assert until_the_prompt() == []
-        assert end(process)[:2] == (0, "")
 
 
 def test_an_address_that_the_page_cannot_have_is_refused_and_a_port_is_free_at_the_end():

@@ -1,17 +1,10 @@
 """The shared page in windows of all sizes, on paper, in dark and light, and under fingers."""
 
+import pages
 import programs
 import pytest
-from programs import (
-    bob_angles,
-    menu,
-    pause,
-    pixel,
-    press,
-    slide,
-    wait_for_angles,
-    wait_until,
-)
+from pages import bob_angles, menu, pause, pixel, press, slide, wait_for_angles
+from programs import wait_until
 from shared_page import ASK, edges, is_whole, printed, wait_for_text
 
 # The parts of the panel that reach out of the window on the right.
@@ -100,7 +93,7 @@ def test_a_wide_window_has_all_in_view_beside_a_large_cradle(at_rest, size):
 
 
 def test_a_page_on_paper_has_the_cradle_as_it_is_now_its_numbers_and_no_controls(at_rest):
-    programs.draw(at_rest, True)
+    pages.draw(at_rest, True)
     at_rest.emulate_media(color_scheme="dark")
     assert 0.25 < printed(at_rest) < 0.4
     assert at_rest.evaluate("document.body.innerText.trim() === one('.readout').innerText.trim()")
@@ -111,17 +104,17 @@ def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver
 
     The small text follows, and the texts in the canvas.
     """
-    arguments = [*programs.ARGUMENTS, "--blink-settings=defaultFontSize=24"]
+    arguments = [*pages.ARGUMENTS, "--blink-settings=defaultFontSize=24"]
     sizes = """() => [
         getComputedStyle(document.body).fontSize,
         getComputedStyle(one(".impacts")).fontSize,
         labels[0].height,
     ]"""
     with (
-        driver.chromium.launch(executable_path=programs.CHROMIUM, args=arguments) as browser,
-        programs.new_page(browser) as page,
+        driver.chromium.launch(executable_path=pages.CHROMIUM, args=arguments) as browser,
+        pages.new_page(browser) as page,
     ):
-        programs.open_cradle(page, shared.url)
+        pages.open_cradle(page, shared.url)
         assert page.evaluate(sizes) == ["24px", "21px", 18]
         page.evaluate(ASK)
         for size in (LAPTOP, PHONE):
@@ -218,7 +211,7 @@ def test_one_finger_drags_a_bob_or_turns_the_camera_and_two_zoom(at_rest):
 
 def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, shared):
     arguments = ["--no-sandbox", "--disable-3d-apis"]
-    with driver.chromium.launch(executable_path=programs.CHROMIUM, args=arguments) as browser:
+    with driver.chromium.launch(executable_path=pages.CHROMIUM, args=arguments) as browser:
         blind = browser.new_page()
         blind.set_default_timeout(programs.SECONDS * 1000)
         blind.goto(shared.url)
@@ -227,4 +220,4 @@ def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, shared):
         )
         command = blind.locator(".notice code").inner_text()
         assert command.endswith("src/text_cradle_run.py")
-    programs.wait_for_moves(shared)
+    pages.wait_for_moves(shared)

@@ -1,0 +1,126 @@
+"""The start of the browser, and of a program again and again in a session."""
+
+import signal
+import sys
+from types import SimpleNamespace
+from unittest.mock import Mock
+from urllib.parse import urlsplit
+
+import programs
+import pytest
+from programs import end, first_lines, running
+from students import change
+from web_client import Tab
+
+from support.page import browser
+
+pytestmark = programs.needs_vpython
+
+# A browser: it writes down who can read the file that it gets, where that leads to, and what the
+# page answers at once.
+BROWSER = """#!{python}
+import os, re, sys, urllib.request as web
+address = re.search('url=([^"]*)', web.urlopen(sys.argv[1]).read().decode())[1]
+mode = oct(os.stat(*os.listdir()).st_mode)[-3:]
+print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{visited}", "w"))
+"""
+
+
+@pytest.mark.parametrize(("until", "status"), [("a tab", 0), ("SIGTERM", 143)])
+def test_a_browser_gets_a_file_that_leads_on(tmp_path, until, status):
+    """All users of a machine can read a command; only you the file.
+
+    It goes with the first tab, or with the program.
+    """
+    folder = tmp_path / "100% ü #1"
+    visited = tmp_path / "visited"
+    browser = tmp_path / "browser"
+    folder.mkdir()
+    browser.write_text(BROWSER.format(python=sys.executable, visited=visited))
+    browser.chmod(0o755)
+    with running(folder=folder, BROWSER=str(browser), VPYTHON_NO_LAUNCH_BROWSER="") as process:
+        address = first_lines(process)
+        programs.wait_until(lambda: visited.exists() and visited.read_text().endswith("\n"))
+        *seen, file = visited.read_text().split()
+        assert seen == ["600", address, "200"]
+        assert file.startswith("file://")
+        assert address.partition("key=")[2] not in file
+        if until == "a tab":
+            with Tab(urlsplit(address)) as tab:
+                tab.hear()
+                assert [*folder.iterdir()] == []
+        else:
+            process.send_signal(signal.SIGTERM)
+        assert end(process) == (status, "", "")
+    assert [*folder.iterdir()] == []
+
+
+@pytest.mark.parametrize(
+    ("name", "release", "places"),
+    [
+        ("firefox", "6.1.0-18-amd64", ["file"]),
+        ("firefox", "5.15.90-Microsoft-WSL2", ["http"]),  # it sees no file of this system
+        ("/usr/bin/w3m", "6.1.0-18-amd64", []),  # it has no pictures
+    ],
+)
+def test_what_a_browser_opens(monkeypatch, name, release, places):
+    thread = Mock()
+    monkeypatch.setattr("platform.release", lambda: release)
+    monkeypatch.setattr("webbrowser.get", lambda: SimpleNamespace(name=name, open=None))
+    monkeypatch.setattr("threading.Thread", thread)
+    start = browser.BrowserStart()
+    monkeypatch.setattr(start, "make_file", lambda address: "file")
+    start.open("http")
+    assert [call.kwargs["args"][0] for call in thread.call_args_list] == places
+
+
+SESSION = """exec "{python}" -W ignore -i <<'END'
+import runpy, sys
+def start(name, *options):
+    sys.argv = [f"{folder}/src/{{name}}.py", *options]
+    try:
+        runpy.run_path(sys.argv[0], run_name="__main__")
+    except SystemExit as ended:
+        print("status", ended.code)
+    print("the prompt")
+
+start("text_cradle_run", "--seconds", "0.01")
+with open("{folder}/src/swinging.py", "a") as file:
+    _ = file.write("\\nfrom vpython import sphere\\nsphere()\\nprint('the new file')\\n")
+
+start("text_cradle_run", "--seconds", "0.01")
+start("visualize_cradle_run", "--help")
+start("visualize_cradle_run", "--no-browser")
+start("visualize_cradle_run", "--no-browser")
+END"""
+
+
+def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back(program):
+    """As in IPython: with changed files, with and without VPython.
+
+    The page shows what a file draws, and that once.
+    """
+    folder = program.parents[1]
+    site = folder / "support" / "page" / "connection.py"
+    change(site, "RETURN = 3.0", "RETURN = 0.1")  # s: quickly
+    session = SESSION.format(python=sys.executable, folder=folder)
+    with running("-c", session, python="sh") as process:
+
+        def until_the_prompt():
+            return [*iter(process.stdout.readline, "the prompt\n")]
+
+        assert [line[:3] for line in until_the_prompt()] == ["t ="] * 2
+        assert [line[:3] for line in until_the_prompt()] == ["the", "t =", "t ="]
+        assert until_the_prompt()[-1] == "status 0\n"
+        for _ in range(2):
+            assert process.stdout.readline() == "the new file\n"
+            spheres = 0
+            with Tab(urlsplit(first_lines(process))) as tab:
+                is_swinging = False
+                while not is_swinging:
+                    message = tab.hear()
+                    spheres += sum(cmd.get("cmd") == "sphere" for cmd in message["cmds"])
+                    is_swinging = "motion" in message["state"]
+            assert spheres == 5 + 1
+            assert until_the_prompt() == []
+        assert end(process)[:2] == (0, "")
