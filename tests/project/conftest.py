@@ -7,6 +7,7 @@ import os
 import shutil
 import signal
 import subprocess
+from functools import partial
 
 import pytest
 from classroom import classroom, python_for_all  # noqa: F401  fixtures
@@ -16,7 +17,7 @@ from programs import copy_project, needs_vpython, PROGRAM
 from rig import Rig
 from shared_page import file, open_page, shared  # noqa: F401  fixtures
 from students import made, solved, starter  # noqa: F401  fixtures
-from whole_cradles import FIVE_CSV
+from whole_cradles import FIVE_CSV, make_swing
 
 from support.start.options import PORT_VARIABLE
 
@@ -48,6 +49,12 @@ def csv(tmp_path):
     path = tmp_path / "cradle.csv"
     path.write_text(FIVE_CSV)
     return path
+
+
+@pytest.fixture
+def swing(tmp_path):
+    """make_swing, in a folder of its own."""
+    return partial(make_swing, tmp_path)
 
 
 @pytest.fixture

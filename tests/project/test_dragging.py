@@ -1,0 +1,139 @@
+"""A held bob stays; a dragged one follows the mouse, and pushes those in its way."""
+
+from itertools import pairwise
+from math import pi, sin
+
+import pytest
+from whole_cradles import check_places, distances, hang_double, PERIOD
+
+from grading.cradles import R, row
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
+from support.cradle.dragging import drag_bob, drag_pendulum
+from support.pendulum import cord_angles
+
+
+@pytest.mark.parametrize(
+    ("kind", "bob", "separating"),
+    [(Cradle, 1, False), (Cradle, 1, True), (DoubleCradle, 2, False), (DoubleCradle, 3, False)],
+)
+def test_a_held_bob_stays_and_throws_others_back(swing, kind, bob, separating):
+    player = swing(kind=kind)
+    player.separating = separating
+    player.hold(bob)
+    cradle = player.cradle
+    masses = player.cradle.values("mass")
+    energy = sum(cradle.energies())
+    momenta = []
+    for _ in range(100):
+        player.swing(round(0.9 * PERIOD / kind.dt / 100))
+        momenta.append(cradle.momentum())
+        assert player.impacts() == []
+        for key in kind.angle_keys:
+            assert player.cradle.values(key)[1:] == [0.0] * 4
+    assert min(momenta) < -0.2  # as from a wall
+    assert sum(cradle.energies()) == pytest.approx(energy, rel=0.01)
+    assert player.cradle.values("mass") == masses
+
+
+@pytest.mark.parametrize("held", range(5))
+@pytest.mark.parametrize("theta", [-1.5, -0.3, -1e-4, 1e-4, 0.3, 1.5])
+def test_a_dragged_bob_pushes_those_in_its_way(held, theta):
+    """Pushed bobs just touch, at rest; the others swing on.
+
+    So do all if the bob moves less than the gap.
+    """
+    pend_list = row(5, omega=2.0)
+    if abs(theta) < 1:  # far up, a smaller bob slips past
+        pend_list[4]["objects"][1].radius *= 0.9
+    drag_pendulum(pend_list, held, [theta], R)
+    assert pend_list[held]["theta"] == pytest.approx(theta)
+    pushed = {i for i in range(5) if abs(theta) > 0.01 and (i - held) * theta > 0}
+    for i, pend in enumerate(pend_list):
+        check_places(pend, (i * R / 4, 0), R)
+        if i in pushed | {held}:
+            assert pend["theta"] * theta > 0
+            assert pend["omega"] == 0
+        else:
+            assert pend["theta"] == 0
+            assert pend["omega"] == 2
+    for left, pair in enumerate(pairwise(pend_list)):
+        [distance] = distances(pair)
+        assert distance > 1
+        if pushed & {left, left + 1}:
+            assert distance < 1 + 1e-6
+
+
+@pytest.mark.parametrize(
+    ("before", "theta", "after"),
+    [
+        ([0, 0], -3.0, [-3.0, 0]),  # away from its neighbour, and on over its axle
+        ([3.0, 0], -3.0, [2 * pi - 3.0, 0]),  # the short way, over the top
+    ],
+)
+def test_a_dragged_bob_leaves_those_that_are_not_in_its_way(before, theta, after):
+    pend_list = row(2)
+    for pend, angle in zip(pend_list, before, strict=True):
+        pend["theta"] = angle
+    drag_pendulum(pend_list, 0, [theta], R)
+    assert [pend["theta"] for pend in pend_list] == pytest.approx(after)
+
+
+def test_a_bob_is_pushed_to_the_same_side_after_a_whole_turn():
+    pair, turned = row(2), row(2)
+    turned[1]["theta"] = -2 * pi
+    drag_pendulum(pair, 0, [0.3], R)
+    drag_pendulum(turned, 0, [0.3], R)
+    assert turned[1]["theta"] == pytest.approx(pair[1]["theta"])
+
+
+def double_row(count, phi=0.0):
+    """Return double pendula R / 4 apart that move; their upper cords hang straight down."""
+    return [
+        hang_double(phi=phi, axle=(i * R / 4, 0), omega=2.0, phi_omega=-1.0, r_param=R)
+        for i in range(count)
+    ]
+
+
+@pytest.mark.parametrize("phi", [0.3, -0.3, 6.0, -6.0, 0.0, 2 * pi])
+@pytest.mark.parametrize(("x", "y"), [(0.3, -0.4), (-0.3, -0.2), (0.1, 0.5), (-0.05, -0.05)])
+def test_a_lower_bob_follows_the_mouse_and_its_cords_bend_to_the_same_side_as_before(x, y, phi):
+    """Straight cords bend so that the upper bob hangs lower than the line to the mouse."""
+    [pend] = pend_list = double_row(1, phi)
+    drag_bob(pend_list, 0, 1, x, y, R)
+    assert pend["objects"][3].pos.value == pytest.approx([x, y, 0])
+    check_places(pend, (0, 0), R)
+    bend = sin(phi) if phi % (2 * pi) else x
+    assert sin(pend["phi"]) * bend > 0
+
+
+@pytest.mark.parametrize("bob", [0, 1])
+@pytest.mark.parametrize("held", [1, 2])
+@pytest.mark.parametrize(("x", "y"), [(0.5, -0.6), (-0.5, -0.6), (0.3, -0.3), (-0.2, -0.5)])
+def test_both_bobs_push_those_in_their_way(held, bob, x, y):
+    """An upper bob leaves the direction of its lower cord."""
+    pend_list = double_row(4, 0.5)
+    drag_bob(pend_list, held, bob, held * R / 4 + x, y, R)
+    assert min(distances(pend_list)) > 1
+    in_the_way = pend_list[:held] if x < 0 else pend_list[held + 1 :]
+    assert 0 in [pend["omega"] for pend in in_the_way]
+    if bob == 0:
+        assert cord_angles(pend_list[held])[1] == pytest.approx(0.5)
+
+
+def test_a_bob_stops_if_those_in_its_way_have_no_room():
+    """The neighbour's upper bob is stuck between the two bobs of the dragged pendulum."""
+    pend_list = double_row(5)
+    for held, bob, x, y in [(3, 0, 0.57, 0.17), (3, 1, -0.27, 0.03)]:
+        drag_bob(pend_list, held, bob, x, y, R)
+        assert min(distances(pend_list)) > 0.999
+
+
+def test_all_stay_where_they_were_if_there_is_no_room(monkeypatch):
+    """It does not jump to the next free place, and the other pendula swing on."""
+    pend_list = double_row(3)
+    answers = iter([False] + [True] * 99)
+    monkeypatch.setattr("support.cradle.dragging.push_others", lambda *_: next(answers))
+    drag_bob(pend_list, 0, 0, 0.3, -0.3, R)
+    assert [cord_angles(pend) for pend in pend_list] == [[0, 0]] * 3
+    assert [pend["omega"] for pend in pend_list] == [0, 2, 2]
