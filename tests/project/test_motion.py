@@ -7,7 +7,7 @@ from unittest.mock import patch
 
 import pytest
 from vpython import cylinder, mag2
-from whole_cradles import make_live, make_swing, PERIOD, velocities
+from whole_cradles import make_live, PERIOD, velocities
 
 from grading.cradles import MIXED_CSV
 from src import visualize_cradle_run
@@ -22,9 +22,9 @@ from support.start.mistake import MistakeError
 
 
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
-def test_a_sample_has_all_figures_of_the_moment_by_their_names(tmp_path, kind):
+def test_a_sample_has_all_figures_of_the_moment_by_their_names(swing, kind):
     """The energies and the momentum are sums over the bobs of three unequal pendula."""
-    player = make_swing(tmp_path, MIXED_CSV, kind=kind)
+    player = swing(MIXED_CSV, kind=kind)
     ticks = round(PERIOD / kind.dt)  # until all bobs move
     player.swing(ticks)
     expected = {"t": ticks * kind.dt}
@@ -123,8 +123,8 @@ def test_bobs_that_touch_for_ever_take_no_more_memory():
     assert sum(map(len, impacts.series[0].chains)) < 100
 
 
-def test_bobs_that_hang_have_no_impacts_although_each_series_leaves_them_in_slight_motion(tmp_path):
-    player = make_swing(tmp_path, lift=3)
+def test_bobs_that_hang_have_no_impacts_although_each_series_leaves_them_in_slight_motion(swing):
+    player = swing(lift=3)
     player.swing(round(5 * PERIOD / DT))
     assert player.motion.hit_count > 60  # that is, more than six in each of ten series
     chains = [line.partition(" s  ")[2] for line in player.impacts()]
