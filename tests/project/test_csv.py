@@ -232,6 +232,7 @@ def test_the_copy_of_a_long_number_has_only_digits_that_pandas_2_reads():
 def test_an_edit_leaves_the_other_cells_as_they_are():
     original = Snapshot("cradle.csv", b'note,mass , e\n"a, b",1.50,1\nshort,2\n')
     edited = with_numbers(original, {"mass": [1.5, 0.1 + 0.2], "e": [1]})
+    assert edited.filepath == original.filepath
     assert edited.rows == [
         (1, ["note", "mass", "e"]),
         (2, ["a, b", "1.50", "1"]),

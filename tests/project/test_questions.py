@@ -1,0 +1,277 @@
+"""Experiments on the page, and their questions."""
+
+from math import atan2, degrees
+from typing import NamedTuple
+
+import pytest
+from rig import Rig
+from students import put_files
+from whole_cradles import GOOD, HEADER
+
+CSV = "My cradle (CSV)"
+TWO = "Two bobs"
+KEY = "2_two_bobs"
+FROM_BOTH_SIDES = "From both sides"
+HEAVY = "A heavy one hits light ones"
+INELASTIC = "perfectly inelastic, e = 0"
+ANSWERS = [
+    "One bob, twice as fast",
+    "One bob, as far as the two",
+    "Two bobs, as far as the two",
+    "Three bobs, not so far",
+]
+THAT = "That is what happened."
+OTHER = f"What happened: C, {ANSWERS[2]}."
+
+
+class Asked(NamedTuple):
+    """What a tab shows of a question."""
+
+    asking: bool = False
+    said: str = ""
+    happened: str | None = None
+
+
+ASKING = Asked(asking=True)
+
+
+def asked(rig):
+    """Return the Asked of the state, or None without a question."""
+    question = rig.state["question"]
+    if not question:
+        return None
+    title = question["happened"]["title"] if question["happened"] else None
+    return Asked(question["asking"], question["said"], title)
+
+
+@pytest.fixture
+def asking(rig):
+    """A viewer that asks the question of an experiment, Two bobs."""
+    rig.give("ask first", True)
+    rig.give("experiment", TWO)
+    return rig
+
+
+def test_an_experiment_is_as_its_file_says_until_it_is_changed(rig):
+    rig.give("experiment", HEAVY)
+    assert rig.values("mass") == [5, 1, 1, 1, 1]
+    assert rig.state["collision"] == "as in the experiment"
+    assert asked(rig) is None
+    rig.give("experiment", FROM_BOTH_SIDES)
+    rig.give("edit", 0, "e", "0.5")
+    assert rig.values("e") == [0.5, 1, 1, 1, 1]
+    assert [round(degrees(theta)) for theta in rig.thetas()] == [-45, 0, 0, 0, 45]
+    assert rig.state["lifted"] == 1
+    rig.give("lifted", 5)
+    assert rig.bob_angles() == [45] * 5
+    assert rig.state["experiment"] == f"{FROM_BOTH_SIDES}, changed"
+    rig.give("experiment", FROM_BOTH_SIDES)
+    assert rig.values("e") == [1] * 5
+
+
+@pytest.mark.parametrize("is_saved", [False, True])
+def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
+    """If the file was saved meanwhile, it comes back without your edits."""
+    rig.give("edit", 1, "mass", "3")
+    rig.give("release angle", 20)
+    rig.give("lifted", 2)
+    rig.give("collision", INELASTIC)
+    rig.give("experiment", FROM_BOTH_SIDES)
+    rig.give("lifted", 5)
+    if is_saved:
+        rig.save(HEADER + GOOD * 6)
+        rig.give("restart")
+    else:
+        rig.give("experiment", CSV)
+    assert rig.state["experiment"] == CSV
+    assert rig.state["collision"] == INELASTIC
+    assert rig.values("mass") == ([1] * 6 if is_saved else [1, 3, 1, 1, 1])
+    assert {*rig.values("e")} == {0}
+    assert rig.bob_angles()[:3] == [20, 20, 0]
+
+
+def test_a_mistake_in_an_experiment_is_shown_as_plain_text_and_no_other_one_is_next(
+    csv, tmp_path, monkeypatch
+):
+    folder = put_files(tmp_path / "experiments", {"single/one.txt": "<s>"})
+    monkeypatch.setattr("support.page.chooser.EXPERIMENTS", folder)
+    rig = Rig(csv)
+    rig.give("next")
+    assert rig.control("experiment")["choices"] == [rig.state["experiment"]] == [CSV]
+    [mistake] = rig.state["mistakes"]
+    assert "one.txt, line 1: found '<s>'" in mistake
+
+
+def test_a_main_that_reads_another_file_does_not_end_the_page(asking, monkeypatch, tmp_path):
+    """A frequent mistake: make_newton_cradle forgets its parameter. The page shows that cradle."""
+    other = tmp_path / "other.csv"
+    other.write_text(HEADER + GOOD * 2)
+    scope = asking.viewer.cradle.scope
+    make = scope["make_newton_cradle"]
+    monkeypatch.setitem(scope, "make_newton_cradle", lambda _, *given: make(other, *given))
+    asking.give("experiment", HEAVY)
+    asking.give("edit", 1, "mass", "2")
+    asking.wait(0.1)
+    assert len(asking.thetas()) == 2
+    assert asked(asking) is None
+
+
+@pytest.mark.parametrize(("answer", "happened"), [(2, THAT), (0, OTHER), (None, OTHER)])
+def test_the_question_comes_before_each_release_and_the_explanation_after_it(
+    asking, answer, happened
+):
+    said = "" if answer is None else f"You said: {'ABCD'[answer]}, {ANSWERS[answer]}."
+    for _ in range(2):
+        asking.wait(0.5)
+        assert asking.time() == 0
+        assert asking.bob_angles() == [45, 45, 0, 0, 0]
+        assert asked(asking) == ASKING
+        question = asking.state["question"]
+        assert question["name"] == TWO
+        assert question["question"] == "Two bobs come in. What leaves on the other side?"
+        assert question["answers"] == ANSWERS
+        asking.tabs.give("answer", question["key"], answer)
+        asking.wait(0.3)
+        assert asking.time() > 0.2
+        assert asked(asking) == Asked(said=said)
+        asking.wait(0.3)
+        assert asked(asking) == Asked(said=said, happened=happened)
+        result = asking.state["question"]["happened"]
+        # From 45 degrees, a bob comes down at sqrt(2 g R (1 - cos 45 degrees)) = 1.07 m/s.
+        assert "two left at 1.07 and 1.07 m/s." in result["why"]
+        assert [" ".join(row) for row in result["rows"]] == [
+            "bob 1 2 3 4 5",
+            "largest speed before the hits (m/s) 1.07 1.07 0.00 0.00 0.00",
+            "largest speed after them (m/s) 0.00 0.00 0.00 1.07 1.07",
+            "swung to (degrees) 0 0 0 45 45",
+        ]
+        asking.give("restart")
+
+
+@pytest.mark.parametrize("command", ["pause", "step", "tick"])
+def test_the_cradle_also_runs_without_an_answer(asking, command):
+    asking.tabs.give(command)
+    asking.wait(0.05)
+    assert asked(asking) == Asked()
+    assert asking.viewer.motion.ticks > 0
+    if not asking.state["running"]:
+        asking.tabs.give("pause")
+    asking.wait(0.6)
+    assert asked(asking) == Asked(happened=OTHER)
+
+
+def test_an_answer_to_another_question_does_nothing(asking):
+    for value in (("1_one_bob", 0), ("5_heavy_hits_light", None), (KEY, 4)):
+        asking.give("answer", *value)
+        asking.give("vote", *value)
+    asking.wait(0.1)
+    assert asked(asking) == ASKING
+    assert asking.state["question"]["votes"] == [0] * 4
+
+
+@pytest.mark.parametrize(("name", "question"), [(CSV, None), (TWO, ASKING)])
+def test_the_box_asks_at_once_and_takes_the_question_back(rig, name, question):
+    """Your CSV has no question."""
+    rig.give("experiment", name)
+    rig.wait(0.2)
+    rig.give("ask first", True)
+    assert asked(rig) == question
+    assert (rig.time() == 0) == (name == TWO)
+    rig.give("ask first", False)
+    rig.wait(0.2)
+    assert asked(rig) is None
+    assert rig.time() > 0.1
+
+
+CHANGES = [
+    ("release angle", 10),
+    ("collision", INELASTIC),
+    ("separating", True),
+    ("edit", 0, "mass", "2"),
+    ("drag",),
+    ("save",),
+]
+
+
+@pytest.mark.parametrize("change", CHANGES, ids=[change[0] for change in CHANGES])
+def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking, change):
+    name = f"{TWO}, changed"
+    if change == ("drag",):
+        asking.mouse("grab", asking.viewer.cradle.bobs()[4].pos)
+    elif change == ("save",):
+        asking.save(HEADER + GOOD * 6)
+        name = CSV
+    else:
+        asking.give(*change)
+    asking.wait(0.6)  # the measurement would be over
+    assert asked(asking) is None
+    assert asking.state["running"]  # only the question has held it up
+    asking.give("ask first", False)
+    asking.give("ask first", True)
+    asking.give("experiment", name)
+    assert asking.state["experiment"] == name
+    assert name in asking.control("experiment")["choices"]
+    assert asked(asking) is None
+    asking.give("experiment", TWO)
+    assert asked(asking) == ASKING
+
+
+def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):
+    """The picture rests for three seconds at the measurement.
+
+    Then they have gone, and a later answer does nothing.
+    """
+    for number in (1, 2, 2):
+        asking.give("vote", KEY, number)
+    assert asking.state["question"]["votes"] == [0, 1, 2, 0]
+    asking.give("answer", KEY, 0)
+    asking.wait(0.2)
+    assert ghosts(asking) == []
+    asking.wait(0.15)
+    assert 0 < ghosts(asking)[4] < 100
+    asking.wait(2.5)
+    assert asking.time() == 0.47
+    said = f"You said: A, {ANSWERS[0]}. Hands: A 0, B 1, C 2, D 0."
+    assert ghosts(asking) == pytest.approx([0, 0, 0, 0, 100])  # the pale bobs that its file says
+    asking.give("answer", KEY, 1)
+    asking.give("vote", KEY, 1)
+    asking.wait(1)
+    assert asking.time() > 0.6
+    assert ghosts(asking) == []
+    assert asked(asking).said == said
+
+
+def ghosts(rig):
+    """Return the angles of the visible ghosts (degrees)."""
+    angles = []
+    for number, ghost in enumerate(rig.viewer.marks.shapes["ghosts"]):
+        if ghost.visible:
+            arm = ghost.pos - rig.viewer.cradle.axles()[number].pos
+            angles.append(degrees(atan2(arm.x, -arm.y)))
+    return angles
+
+
+@pytest.mark.parametrize(("slowly", "speed"), [(True, 0.1), (False, 2)])
+def test_again_keeps_the_answer(asking, slowly, speed):
+    """Slow motion ends with the rest, and the speed is as you have set it."""
+    said = f"You said: B, {ANSWERS[1]}."
+    asking.give("speed", 2)
+    asking.give("answer", KEY, 1)
+    asking.wait(0.5)
+    asking.give("again", slowly)
+    assert asking.bob_angles()[:2] == [45, 45]
+    assert asked(asking) == Asked(said=said)
+    asking.wait(0.47 / speed + 0.1)
+    assert asking.time() == 0.47
+    assert asked(asking) == Asked(said=said, happened=OTHER)
+    assert asking.state["speed"] == speed
+    asking.wait(3)
+    assert asking.state["speed"] == 2
+
+
+def test_next_goes_through_all_experiments(asking):
+    names = asking.control("experiment")["choices"][1:]
+    assert names[1] == TWO
+    for name in (*names[2:], *names[:2]):
+        asking.give("next")
+        assert asking.state["experiment"] == name
