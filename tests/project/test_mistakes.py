@@ -13,7 +13,7 @@ from unittest.mock import Mock, patch
 import pytest
 from programs import call, copy_project, end, first_lines, ROOT, running
 from students import change
-from whole_cradles import FIVE_CSV, make_swing
+from whole_cradles import FIVE_CSV
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.cradle.motion import Motion
@@ -75,18 +75,13 @@ def test_recorded_data_are_those_of_a_plain_loop_to_the_last_bit(project, name):
     start(*RECORDED)
     functions = import_module("src.visualize_cradle_run")
     pend_list = functions.make_newton_cradle(CSV, R_PARAM, THETA_INIT)
-    shipped = make_swing(project, LOSSY, None, None)
-    is_shipped = True
     _, *rows = csv.reader((project / "data.csv").read_text().splitlines())
     assert len(rows) == 7
     for row in rows:
         recorded = [*map(float, row[1:11])]
         assert recorded == [pend[key] for key in ("theta", "omega") for pend in pend_list]
-        is_shipped &= recorded == shipped.cradle.values("theta") + shipped.cradle.values("omega")
-        shipped.swing(round(0.05 / DT))
         for _ in range(round(0.05 / DT)):
             functions.newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
-    assert is_shipped == (name == "nothing")  # or the change would prove nothing
 
 
 # A change, and the end of stderr: the student's function, a part of the line, and the error

@@ -32,7 +32,6 @@ def test_a_sample_has_all_figures_of_the_moment_by_their_names(swing, kind):
     for key in (*kind.angle_keys, *kind.rate_keys):
         for i, pend in enumerate(pend_list, start=1):
             expected[f"{key}_{i}"] = pend[key]
-            assert abs(pend[key]) > 0.001
     kinetic, potential, momentum = 0.0, 0.0, 0.0
     for pend in pend_list:
         axle, *bobs = (part.pos.y for part in pend["objects"] if type(part) is not cylinder)

@@ -145,6 +145,8 @@ def test_the_question_comes_before_each_release_and_the_explanation_after_it(
             "largest speed after them (m/s) 0.00 0.00 0.00 1.07 1.07",
             "swung to (degrees) 0 0 0 45 45",
         ]
+        asking.wait(0.5)
+        assert asking.state["question"]["happened"] == result
         asking.give("restart")
 
 
