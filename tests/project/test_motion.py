@@ -223,7 +223,6 @@ def test_a_short_delay_is_made_up_for_and_a_long_one_is_not(csv, speed, hiccup, 
 def test_after_a_pause_or_a_change_of_the_speed_slow_motion_is_forgotten(csv):
     timed = Timed(csv, until=5, tick=1e-3)
     timed.run()
-    assert timed.pace.kept_up < 0.5
     timed.now += 100
     timed.pace.restart()
     assert timed.pace.kept_up == 1

@@ -2,12 +2,9 @@
 
 import os
 import re
-import select
-import shlex
 import signal
 import sys
-import time
-from contextlib import nullcontext, suppress
+from contextlib import nullcontext
 from io import StringIO
 from math import radians
 from pathlib import Path
@@ -16,7 +13,7 @@ from unittest.mock import Mock
 
 import pandas as pd
 import pytest
-from programs import call, on_posix, ROOT, SECONDS
+from programs import call
 from whole_cradles import make_live, PERIOD
 
 from src import text_cradle_run
@@ -29,7 +26,7 @@ from support.pendulum import outwards_to_angle
 from support.start import output
 from support.terminal import players
 
-HOME = "\x1b[H"
+REMARK = "Write next: main."
 
 
 @pytest.fixture
@@ -104,60 +101,23 @@ def test_ctrl_c_in_a_loop_without_end_names_it(main, csv, monkeypatch):
 # --- on a terminal --------------------------------------------------------------------------------
 
 
-def on_a_terminal(command, keys):
-    """Run a command in a terminal of its own; return its output.
-
-    Each key is pressed after the number of pictures for which it stands in keys.
-    """
-    import pty
-
-    process, file = pty.fork()
-    if process == 0:
-        os.execvpe("sh", ["sh", "-mc", command], {**os.environ, "TERM": "xterm"})
-    text = ""
-    deadline = time.monotonic() + SECONDS
-    try:
-        data = b"..."
-        while data:
-            assert time.monotonic() < deadline, text
-            key = keys.pop(text.count(HOME), None)
-            if key:
-                os.write(file, key)
-            if select.select([file], [], [], 1)[0]:
-                data = b""
-                # On Linux, this means that the command has ended; macOS reads nothing
-                with suppress(OSError):
-                    data = os.read(file, 100)  # less than a picture
-                text += data.decode("ascii")
-    finally:
-        os.close(file)
-        os.kill(process, signal.SIGKILL)
-        os.waitpid(process, 0)
-    return text
-
-
-@on_posix
-def test_on_a_terminal_a_picture_moves_until_ctrl_c(csv):
-    """Ctrl+Z would leave its screen to the shell."""
-    program = [sys.executable, str(ROOT / "src" / "text_cradle_run.py"), str(csv), "--angle", "40"]
-    keys = {9: b"\x1a", 13: b"\x03"}
-    printed = on_a_terminal(f'{shlex.join(program)}; echo "ended: $?"', keys)
-    before, _, pictures = printed.partition(players.OWN_SCREEN)
-    assert HOME not in before
+def test_on_a_terminal_a_picture_moves_on_a_screen_of_its_own(main, csv, monkeypatch):
+    """Ctrl+Z would leave this screen to the shell. The last picture stays."""
+    monkeypatch.setattr(text_cradle_run, "has_terminal", lambda: True)
+    monkeypatch.setattr(text_cradle_run, "what_there_is", lambda loop, _: (loop, REMARK))
+    ignore = Mock()
+    monkeypatch.setattr("signal.signal", ignore)
+    status, out, _ = main(csv, "--seconds", "0.12")
+    assert status == 0
+    before, _, pictures = out.partition(players.OWN_SCREEN)
+    assert before == ""
     pictures, last = pictures.split(players.OLD_SCREEN)
-    # A key may cut a later picture
-    whole = re.findall(r"\x1b\[H(.*?)\x1b\[J", pictures, re.DOTALL)[:4]
-    times = [re.match(r"\x1b\[Kt = (\S+) s +energy", picture)[1] for picture in whole]
-    assert times == ["0.00", "0.05", "0.10", "0.15"]
-    assert re.fullmatch(r"t = .*ended: 0\r\n", last, re.DOTALL)  # the last picture stays
-
-
-def test_each_picture_has_the_remark(csv, capsys):
-    options = SimpleNamespace(angle=None, lift=None, seconds=0.05)
-    remark = "Write next: main."
-    player = players.Pictures(make_live(), Snapshot(csv), options, remark)
-    players.run(cradle_main, player)
-    assert capsys.readouterr().out.count(f"\n\x1b[K{remark}\n") == 2
+    times = re.findall(rf"\x1b\[H\x1b\[Kt = (\S+) s .*\n\x1b\[K{REMARK}\n", pictures)
+    assert times == ["0.00", "0.05", "0.10", "0.12"]
+    assert pictures.endswith("\n\x1b[KCtrl+C ends it.\x1b[J")
+    assert last.startswith("t = 0.12 s ")
+    if os.name == "posix":
+        ignore.assert_called_once_with(signal.SIGTSTP, signal.SIG_IGN)
 
 
 @pytest.mark.parametrize(
@@ -203,14 +163,12 @@ def test_a_row_is_recorded_at_each_multiple_up_to_the_end(
 
 def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(main, csv, monkeypatch):
     monkeypatch.chdir(csv.parent)
-    monkeypatch.setattr(
-        text_cradle_run, "what_there_is", lambda loop, scope: (loop, "Write next: main.")
-    )
+    monkeypatch.setattr(text_cradle_run, "what_there_is", lambda loop, _: (loop, REMARK))
     arguments = csv, "--seconds", "0.02", "--record"
     main(*arguments, "./-")
-    assert main(*arguments, "-") == (0, Path("-").read_text(), "Write next: main.\n")
+    assert main(*arguments, "-") == (0, Path("-").read_text(), f"{REMARK}\n")
     monkeypatch.setattr(players.Recorder, "note", Mock(side_effect=KeyboardInterrupt(1)))
-    assert main(*arguments, "-")[2] == "Write next: main.\nThe recording ended too early.\n"
+    assert main(*arguments, "-")[2] == f"{REMARK}\nThe recording ended too early.\n"
 
 
 def test_a_recording_that_is_ended_early_leaves_the_old_file(main, csv, monkeypatch):
