@@ -13,8 +13,8 @@ from textwrap import dedent, indent
 from grading.begin import ROOT
 
 import pytest
+from right_solutions import PLAIN
 from vpython import vector
-from wrong_solutions import PLAIN
 
 from grading import grader, limits
 from grading.grader import checks

@@ -1,10 +1,87 @@
-"""Correct solutions in other ways.
+"""Correct solutions, which the graded suites must accept.
 
-The graded suites must accept them all, and those in PLAIN (wrong_solutions.py).
-
-RIGHT has ways to write each function of the handout: the body of the function, or a pair (old text,
-new text) for its body in PLAIN. Add one, and tests/project/test_graded_suites.py covers it.
+PLAIN has the body of each function of the handout. RIGHT has other ways to write it: the body, or a
+pair (old text, new text) for its body in PLAIN. Add one, and tests/project/test_graded_suites.py
+covers it.
 """
+
+PLAIN = {
+    "extract_and_convert": """\
+        bad_rep = pd.read_csv(relative_filepath).to_dict(orient='index')
+        pend_list = []
+        for pend in bad_rep.values():
+            pend_list.append(pend)
+        return pend_list""",
+    "uniform_mass_newton_cradle": """\
+        pend_list = extract_and_convert(relative_filepath)
+        for pend in pend_list:
+            pend['mass'] = mass
+        return pend_list""",
+    "uniform_e_newton_cradle": """\
+        pend_list = extract_and_convert(relative_filepath)
+        for pend in pend_list:
+            pend['e'] = e_val
+        return pend_list""",
+    "elastic_newton_cradle": "return uniform_e_newton_cradle(relative_filepath, 1)",
+    "inelastic_newton_cradle": "return uniform_e_newton_cradle(relative_filepath, 0)",
+    "make_newton_cradle": """\
+        pend_list = extract_and_convert(relative_filepath)
+        for i in range(len(pend_list)):
+            pend = pend_list[i]
+            if i == 0:
+                pend['theta'] = theta_init
+            else:
+                pend['theta'] = 0
+            pend['omega'] = 0
+            axle_pos = vector((-0.1 + r_param/4 * i), r_param/5, 0)
+            color, texture = COLOR_MAP[pend['color']], TEXTURE_MAP[pend['texture']]
+            pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)
+        return pend_list""",
+    "angle_update": """\
+        omega_new = omega + -g * sin(theta) / r_param * dt
+        theta_new = theta + omega_new * dt
+        return (omega_new, theta_new)""",
+    "full_swing_update": """\
+        for pend in pend_list:
+            swing_update(pend, r_param, dt, g)""",
+    "handle_collision": """\
+        v1 = r_param * omega1
+        v2 = r_param * omega2
+        v1_new = (m1*v1 + m2*v2 - m2*e*(v1 - v2)) / (m1 + m2)
+        v2_new = (m1*v1 + m2*v2 + m1*e*(v1 - v2)) / (m1 + m2)
+        w1, w2 = v1_new / r_param, v2_new / r_param
+        return (w1, w2)""",
+    "handle_two_bobs": """\
+        m1, m2 = pend1['mass'], pend2['mass']
+        bob1, bob2 = pend1['objects'][1], pend2['objects'][1]
+        omega1, omega2 = pend1['omega'], pend2['omega']
+        e = pend1['e']
+        if mag(bob1.pos - bob2.pos) <= 1.05 * (bob1.radius + bob2.radius):
+            new_omega1, new_omega2 = handle_collision(e, omega1, omega2, m1, m2, r_param)
+            pend1['omega'] = new_omega1
+            pend2['omega'] = new_omega2""",
+    "newton_cradle_tick": """\
+        full_swing_update(pend_list, r_param, dt, g)
+        for i in range(len(pend_list) - 1):
+            handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)""",
+    "main": """\
+        pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+        page.show(pend_list)
+        while page.is_running():
+            newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
+    "make_double_pendulum": """\
+        axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
+        bob2, cord2 = make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture)
+        return (axle, bob1, cord1, bob2, cord2)""",
+    "double_angle_update": """\
+        a, b, u, v = theta, theta + phi, omega_theta, omega_theta + omega_phi
+        du, dv = double_accelerations(a, b, u, v, g / r_param, m2 / (m1 + m2))
+        u = u + du * dt
+        v = v + dv * dt
+        a = a + u * dt
+        b = b + v * dt
+        return (u, v - u, a, b - a)""",
+}
 
 # A row is a line:
 # fmt: off

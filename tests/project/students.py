@@ -8,7 +8,7 @@ from textwrap import dedent, indent
 import pytest
 from make_starter import make_starter
 from programs import python
-from wrong_solutions import PLAIN
+from right_solutions import PLAIN
 
 from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES

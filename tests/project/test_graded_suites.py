@@ -10,8 +10,8 @@ from grading.begin import ROOT
 import pytest
 from graded import CHECKS, failures, outcomes_of
 from programs import slow_but_for
-from right_solutions import RIGHT
-from wrong_solutions import HINTED, PLAIN, WRONG
+from right_solutions import PLAIN, RIGHT
+from wrong_solutions import HINTED, WRONG
 
 from grading import comparing, grader, hints
 from grading.handout import FUNCTIONS

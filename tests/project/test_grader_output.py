@@ -10,8 +10,8 @@ from textwrap import dedent
 
 import pytest
 from programs import python, ROOT, SECONDS, slow_but_for
+from right_solutions import PLAIN
 from students import change, put_files, write
-from wrong_solutions import PLAIN
 
 from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES

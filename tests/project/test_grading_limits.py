@@ -10,7 +10,7 @@ from grading.begin import ROOT
 
 import pytest
 from graded import failures, outcomes_of
-from wrong_solutions import PLAIN
+from right_solutions import PLAIN
 
 from grading import grader, limits, students_code
 from grading.grader import check, checks, expect
