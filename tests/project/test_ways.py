@@ -1,19 +1,19 @@
-"""Students import, rename, wrap and rebuild: each way has its impacts, sound and experiments."""
+"""Students import, rename, wrap and rebuild: in each way, the hits are found.
+
+The impacts, the sound and slow hits come from them.
+"""
 
 import shutil
 import sys
 from importlib import import_module
-from threading import Event
 from types import SimpleNamespace
 
 import pytest
 from programs import ROOT, slow_but_for
 
 from support.cradle.cradle import Cradle
-from support.cradle.player import run
-from support.cradle.real_time import RealTime
-from support.files.cradle_csv import LiveFile
-from support.page.viewer import Viewer
+from support.cradle.player import Player, run
+from support.files.cradle_csv import Snapshot
 
 RUN = "visualize_cradle_run.py"
 MAKE = "from src.special_cradles import make_newton_cradle\n"
@@ -185,9 +185,30 @@ OFTEN = [
 ]
 
 
+class Listener(Player):
+    """Plays two cradles after each other, and keeps the hits of each."""
+
+    def __init__(self, cradle, csv):
+        super().__init__(cradle, Snapshot(csv), [None], None, impacts=9, step_seconds=0.01)
+        self.looks_at_hits = True
+        self.cradles = []  # the hits of each
+
+    def show_new_cradle(self):
+        self.cradles.append([])
+        self.plan(round(0.6 / self.cradle.dt))
+
+    def frame(self):
+        if len(self.cradles) < 2:
+            self.want_cradle()
+        else:
+            self.is_over = True
+
+    def note_hits(self, hits, ticks=0):
+        self.cradles[-1] += hits
+
+
 @pytest.mark.parametrize("way", slow_but_for(OFTEN, [*WAYS, "a file of one's own"]))
-def test_whatever_is_right_has_its_impacts_its_sound_and_its_experiments(way, folder, csv):
-    """A student's main runs as in the program, on a clock on which only rests take time."""
+def test_whatever_is_right_has_its_hits(way, folder, csv):
     text = (folder / RUN).read_text()
     before, _, behind = text.partition("def handle_two_bobs")
     text = before.rstrip() + "\n\n" + OWN + "\n\ndef main" + behind.partition("def main")[2]
@@ -200,47 +221,12 @@ def test_whatever_is_right_has_its_impacts_its_sound_and_its_experiments(way, fo
     (folder / RUN).write_text(text)
     main = import_module("src.visualize_cradle_run").main
     special_cradles = import_module("src.special_cradles")
-    cradle = Cradle(
-        main, special_cradles, SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
-    )
-    now = [100.0]
-    state = {}
-    tabs = SimpleNamespace(
-        have_room=lambda: True, show=state.update, is_seen=Event(), are_gone=False
-    )
-    tabs.is_seen.set()
-    viewer = Viewer(cradle, LiveFile(csv), [None], None, tabs)
-    viewer.pace = RealTime(
-        cradle.dt, lambda: now[0], lambda seconds: now.append(now.pop() + seconds)
-    )
-
-    def lesson():
-        yield 0.6
-        assert "1-2-3-4-5" in state["impacts"][-1]
-        assert state["sound"][0] > 0
-        tabs.give("ask first", True)
-        tabs.give("experiment", "Two bobs")
-        tabs.give("answer", "2_two_bobs", 2)
-        yield 1
-        assert state["question"]["happened"]["title"] == "That is what happened."
-        tabs.give("slow hits", True)
-        tabs.give("restart")
-        tabs.give("answer", "2_two_bobs", 2)
-        yield 0.5
-        assert state["hit"]["title"].startswith("Hit ")
-
-    do_frame = viewer.frame
-    steps = lesson()
-    until = 0.0
-
-    def frame():
-        nonlocal until
-        do_frame()
-        if now[0] >= until:
-            pause = next(steps, None)
-            tabs.are_gone = pause is None
-            until = now[0] + (pause or 0)
-
-    viewer.frame = frame
-    run(main, viewer)
-    assert next(steps, None) is None
+    options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
+    listener = Listener(Cradle(main, special_cradles, options), csv)
+    run(main, listener)
+    first, second = listener.cradles
+    assert [(hit.left, hit.right) for hit in first[:4]] == [(0, 1), (1, 2), (2, 3), (3, 4)]
+    for hit in first[:4]:
+        assert hit.before[0]["omega"] > 1
+        assert hit.after[0]["omega"] == pytest.approx(0, abs=0.01)
+    assert first[0].tick == second[0].tick
