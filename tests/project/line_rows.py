@@ -265,6 +265,18 @@ ROWS = {
         page.show(pend_list)""",
         ["the function make_newton_cradle: a call has ( )"],
     ),
+    "an object of the student's class, which would answer otherwise if it was asked again": (
+        "angle_update",
+        """\
+        class Count(dict):
+            n = 0
+            def __getitem__(self, key): self.n += 1; return 5
+        c = Count()
+        c['x'] = 4
+        n = c.n
+        return n, theta""",
+        ["n = c.n n = 0"],
+    ),
     "the first value that is certainly not the formula's": (
         "angle_update",
         ("-g * sin(theta) / r_param * dt", "0 * dt"),

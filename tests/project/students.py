@@ -15,6 +15,10 @@ from grading.handout import FUNCTIONS, SUITES
 
 COUNTS = {tier: len(checks(tier=tier)) for tier in SUITES}
 
+PYTEST = "-m pytest -p no:cacheprovider"
+COLUMNS = 80
+
+# The calls in main that a student writes.
 CALLS = (
     "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)",
     "newton_cradle_tick(pend_list, R_PARAM, DT, G)",
@@ -51,13 +55,25 @@ def files_of(folder) -> dict[str, bytes]:
 
 def graded_in(starter) -> dict:
     """Return what pytest writes for a gradebook in this starter."""
-    command = "-m pytest -p no:cacheprovider --grade-json grade.json"
+    command = f"{PYTEST} --grade-json grade.json"
     done = python(*command.split(), folder=starter, PYTEST_ADDOPTS="", COLUMNS="100")
     grade = json.loads((starter / "grade.json").read_text())
     (starter / "grade.json").unlink()  # or pytest would take it for a folder of tests
     assert done.stderr == ""
     assert done.returncode == (0 if grade["grade"] == "Honor roll" else 1)
     return grade
+
+
+def pytest_in(starter, *options):
+    """Return the exit status of pytest in this starter, and its output as rows of a terminal."""
+    done = python(
+        *PYTEST.split(), *options, folder=starter, PYTEST_ADDOPTS="", COLUMNS=str(COLUMNS)
+    )
+    assert done.stderr == ""
+    rows = []
+    for line in done.stdout.splitlines():
+        rows += re.findall(f".{{1,{COLUMNS}}}", line) or [""]
+    return done.returncode, rows
 
 
 def put_files(folder, files):

@@ -1,6 +1,5 @@
 """What the graded suites do with a solution without end, and with one that waits."""
 
-import os
 import sys
 from importlib import import_module
 from pathlib import Path
@@ -10,6 +9,7 @@ from grading.begin import ROOT
 
 import pytest
 from graded import failures, outcomes_of
+from programs import on_posix
 from right_solutions import PLAIN
 
 from grading import grader, limits, students_code
@@ -59,18 +59,27 @@ def test_what_takes_too_much_memory_is_stopped(solve, monkeypatch):
     assert resource.getrlimit(resource.RLIMIT_DATA) == before
 
 
+# A child that went on would run the tests a second time.
+FORK = "import os\nchild = os.fork()\nif not child: os._exit(0)\nos.waitpid(child, 0)"
+
+
 @pytest.mark.parametrize(
-    "line",
-    ["import time; g == 8 and time.sleep(0.5)", "breakpoint()", "import pdb; pdb.set_trace()"],
+    "lines",
+    [
+        "import time; g == 8 and time.sleep(0.5)",
+        "breakpoint()",
+        "import pdb; pdb.set_trace()",
+        pytest.param(FORK, marks=on_posix),
+    ],
 )
-def test_what_takes_no_processor_time_is_not_stopped(solve, monkeypatch, line):
+def test_what_takes_no_processor_time_is_not_stopped(solve, monkeypatch, lines):
     """On a busy machine, the clock goes on while nothing runs.
 
     Without a terminal, nobody can debug.
     """
     monkeypatch.setattr(limits, "PATIENCE", 0.3)
     monkeypatch.setattr(limits, "HAS_TERMINAL", False)
-    solve("angle_update", f"{line}\n{dedent(PLAIN['angle_update'])}")
+    solve("angle_update", f"{lines}\n{dedent(PLAIN['angle_update'])}")
     assert failures("angle_update") == []
 
 
@@ -99,14 +108,6 @@ def test_ctrl_c_ends_the_run_also_if_the_solution_catches_it(solve, catches):
     with pytest.raises(KeyboardInterrupt):
         Grading().judge(checks(function="angle_update")[0])
     limits.PRESSED.clear()  # for the tests that follow
-
-
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="only Linux and macOS have fork")
-def test_a_process_that_a_solution_starts_can_end(solve):
-    """A child that went on would run the tests a second time."""
-    fork = "import os\nchild = os.fork()\nif not child: os._exit(0)\nos.waitpid(child, 0)"
-    solve("angle_update", f"{fork}\n{dedent(PLAIN['angle_update'])}")
-    assert failures("angle_update") == []
 
 
 def test_a_solution_that_writes_the_shipped_file_fails_and_the_file_is_put_back(solve):

@@ -103,20 +103,6 @@ def test_under_a_debugger_there_is_no_table(solve, monkeypatch):
     assert (first.rows, first.facts) == ([], [])
 
 
-def test_an_object_of_the_students_class_is_not_asked_again(solve):
-    """Here, the second question would give something else."""
-    body = """\
-        class Count(dict):
-            n = 0
-            def __getitem__(self, key): self.n += 1; return 5
-        c = Count()
-        c['x'] = 4
-        n = c.n
-        return n, theta"""
-    _, rows = explained(solve, "angle_update", body)
-    assert "n = c.n n = 0" in rows
-
-
 def test_with_no_room_the_lines_that_matter_stay(solve):
     others = "".join(f"    a{i} = {i}\n" for i in range(20))
     first, _ = explained(solve, "angle_update", f"w = 5\nif True:\n{others}return w, theta")

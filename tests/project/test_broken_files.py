@@ -1,0 +1,73 @@
+"""A student's file that Python cannot read: what pytest says about it."""
+
+import sys
+
+import pytest
+from programs import slow_but_for
+from students import change, pytest_in, write
+
+from grading.handout import FUNCTIONS
+
+CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
+MAIN = 'if __name__ == "__main__":\n    from'
+# A file, an old and a new text in it, and all that pytest prints about it: {} is the line
+BROKEN = {
+    "a bracket": (
+        "src/special_cradles.py",
+        "r_param/5, 0)",
+        "r_param/5, 0",
+        "src/special_cradles.py, line {}: axle_pos = vector((-0.1 + r_param/4 * i), r_param/5, 0 "
+        "^ SyntaxError: '(' was never closed",
+    ),
+    "a circle": (
+        "src/swinging.py",
+        "from support.p",
+        f"{CIRCLE}\nfrom support.p",
+        f"src/swinging.py, line {{}}: {CIRCLE} ImportError: cannot import name 'full_swing_update' "
+        "from partially initialized module 'src.swinging' (most likely due to a circular import) "
+        "({file}) Your files import each other in a circle. Remove the import in this file.",
+    ),
+    "a call of main": (
+        "src/visualize_cradle_run.py",
+        MAIN,
+        f"main(5)\n{MAIN}",
+        "src/visualize_cradle_run.py, line {}: main(5) AttributeError: 'int' object has no "
+        "attribute 'csv' This line stands outside of all functions, so it runs when Python reads "
+        "the file. Remove it.",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", slow_but_for(["a bracket", "a circle"], BROKEN))
+def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter, name):
+    """One check fails, and no function is named. Also if a thread of the solution does not end."""
+    file, old, new, message = BROKEN[name]
+    write(starter, *FUNCTIONS)
+    with (starter / "src/pds_helper.py").open("a") as source:
+        source.write("import threading\nthreading.Thread(target=threading.Event().wait).start()\n")
+    number = (starter / file).read_text().partition(old)[0].count("\n") + 1
+    change(starter / file, old, new)
+    status, (_, title, *rows, last) = pytest_in(starter)
+    assert status == 1
+    assert title.strip("= ") == "Python cannot read a file"
+    message = message.format(number, file=starter / file)
+    assert "".join(rows).replace(" ", "") == message.replace(" ", "")  # wrapped at 80 columns
+    assert last.startswith("1 failed, ")
+
+
+NO_PYTHON = {  # the content of a file, and what pytest says about it
+    "<!DOCTYPE html>\n<html>": "This file is no Python: it is a web page.",
+    "{\\rtf1 def": "This file is no Python: it is a text of a word processor (RTF).",
+    "x = 1\n<<<<<<< HEAD\nx = 2\n=======\n": "This file is no Python: it is two versions",
+    "d = {'a': 1}\nx = f'{d['a']}'\n": "Python 3.12 and later ones read the same quotes inside",
+    "x = sin 2\n": "A function needs ( ) around its values: sin(2).",
+}
+
+
+@pytest.mark.parametrize("content", slow_but_for([*NO_PYTHON][:1], NO_PYTHON))
+def test_a_file_that_is_no_python_is_named_as_what_it_is(starter, content):
+    if "f'" in content and sys.version_info >= (3, 12):
+        pytest.skip("this Python reads it")
+    (starter / "src/swinging.py").write_text(content)
+    _, rows = pytest_in(starter, "--tier", "C")
+    assert NO_PYTHON[content] in " ".join(rows)
