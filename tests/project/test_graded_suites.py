@@ -135,8 +135,7 @@ def test_each_function_has_steps_in_lines_that_python_can_read():
             ast.parse(f"{line}\n  ..." if is_head else line)
 
 
-def test_each_check_has_a_name_and_a_title_of_its_own():
-    assert len({check.name for check in CHECKS}) == len(CHECKS)
+def test_each_check_has_a_title_of_its_own():
     assert len({check.title for check in CHECKS}) == len(CHECKS)
 
 

