@@ -89,15 +89,6 @@ WAYS = {  # the changes: (old text, new text) in the file with main
         (MAKE, "import src.special_cradles as sc\n"),
         (MADE, f"sc.{MADE}"),
     ],
-    "all names of a module": [(MAKE, "from src.special_cradles import *\n")],
-    "an import in main": [
-        (MAKE, ""),
-        (f"    pend_list = {MADE}", f"    {MAKE}    pend_list = {MADE}"),
-    ],
-    "the swings as a module": [
-        ("from src.swinging import full_swing_update", "import src.swinging as s"),
-        ("    full_s", "    s.full_s"),
-    ],
     "the constants as a module": [
         (CONSTANTS, "import support.constants as c\n"),
         (MADE, "make_newton_cradle(page.csv, c.R_PARAM, c.THETA_INIT)"),
@@ -106,10 +97,6 @@ WAYS = {  # the changes: (old text, new text) in the file with main
     "the collision by another name": [
         (DEF, f"collide = handle_two_bobs\n\n\n{DEF}"),
         (COLLIDE, COLLIDE.replace("handle_two_bobs", "collide")),
-    ],
-    "the tick by another name in main": [
-        ("    page.show", "    tick = newton_cradle_tick\n    page.show"),
-        (TICKS, "tick(pend_list, R_PARAM, DT, G)"),
     ],
     "a tick in a decorator": [(DEF, f"{DECORATOR}@counted\n{DEF}")],
     "a collision in a decorator": [
