@@ -55,7 +55,7 @@ PROJECT = {
 MAC = {**below("cradle", PROJECT), **below("__MACOSX/cradle", SOLUTION)}
 TWO_SWINGS = {**renamed("swinging", "my_swinging", SOLUTION), "src/swinging_old.py": "o"}
 LONG_NUMBER = f"a-{'9' * 200}.py"
-NEWER = ["src/swinging (1).py", "src/swinging-12.py", "src/swinging-2.py"]
+NEWER = ["src/swinging (3).py", "src/swinging-12.py", "src/swinging-3 (1).py"]
 # The files of a submission, those that are read, and how the messages about it begin
 FORMS = {
     "the files of src": (READ, READ, []),
@@ -79,11 +79,6 @@ FORMS = {
         {**SOLUTION, **dict.fromkeys(NEWER, "2"), NEWER[1]: "12"},
         {**READ, "swinging.py": b"12"},
         [f"took {NEWER[1]} as swinging.py, left src/swinging.py, {NEWER[0]}, {NEWER[2]}"],
-    ),
-    "all files again": (
-        renamed(".py", "-1 (2).py", SOLUTION),
-        READ,
-        [f"took {name.replace('.py', '-1 (2).py')} as {name[4:]}" for name in sorted(SOLUTION)],
     ),
     "a long number": ({**SOLUTION, f"src/{LONG_NUMBER}": ""}, {**READ, LONG_NUMBER: b""}, []),
     "a long path": (
