@@ -1,5 +1,5 @@
 // The graph of the state's rows: below the cradle; in a tall window, in the panel.
-const tall = matchMedia("(max-aspect-ratio: 14/10)"); // as in page.css
+const tall = matchMedia("(max-aspect-ratio: 14/10)"); // as in windows.css
 
 shows.curves = drawGraph;
 new ResizeObserver(drawGraph).observe(one(".plot"));
