@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from vpython import vector
 
 from grading.messages import about, form_of, plural, text_of, Wanted
+from grading.subject import RESULT, Subject, subject_of
 
 LONG = 60  # characters; of a longer list, a message shows only the first difference
 
@@ -24,6 +25,13 @@ OTHER_FORM = (
 
 # The names of elements in a sentence, and the name of the list that has them.
 ELEMENTS = {"each pendulum": "pend_list", "each axle": "axle", "each bob": "bob"}
+
+
+class Mistake(NamedTuple):
+    """What is wrong with a value."""
+
+    sentence: str
+    subject: Subject
 
 
 class Part(NamedTuple):
@@ -127,33 +135,38 @@ def number_of(value) -> str:
     return f"a list of {plural(len(value), 'element', 'elements')}"
 
 
-def mistake_in(what, found, wanted) -> str:
-    """Return a sentence about the first mistake in found.
+def mistake_in(what, found, wanted, is_result=False) -> Mistake:
+    """Return the first mistake in found.
 
-    what is its name or, with commas, the names of the parts of a tuple.
+    what is its name or, with commas, the names of the parts of a tuple; is_result says whether it
+    is the whole result.
     """
-    whole = "The result" if ", " in what else what
+    whole = RESULT if is_result or ", " in what else what
+    subject = subject_of(whole)
     like = wanted.like if isinstance(wanted, Wanted) else wanted
     if wanted is True and isinstance(found, bool):
-        return f"It is not true {what}."
+        return Mistake(f"It is not true {what}.", Subject())
     if like is not None and form_of(found) != form_of(like):
-        return f"{whole} {verb_of(whole)} {form_of(found)}, not {form_of(like)}."
+        sentence = f"{whole} {verb_of(whole)} {form_of(found)}, not {form_of(like)}."
+        return Mistake(sentence, subject)
     if isinstance(like, (list, tuple)) and len(found) != len(like):
         if what.endswith(" of each pendulum"):
             whole = "pend_list"
         has = "have" if verb_of(whole) == "are" else "has"
         elements = plural(len(found), "element", "elements")
-        return f"{whole} {has} {elements}, not {len(like)}."
+        return Mistake(f"{whole} {has} {elements}, not {len(like)}.", subject_of(whole))
     if isinstance(wanted, dict) and found.keys() != wanted.keys():
         missing = wanted.keys() - found.keys()
         if missing:
-            return f"{what} misses the key {min(map(text_of, missing))}."
-        others = found.keys() - wanted.keys()
-        return f"{what} must not have the key {min(map(text_of, others))}."
+            sentence = f"{what} misses the key {min(map(text_of, missing))}."
+        else:
+            others = found.keys() - wanted.keys()
+            sentence = f"{what} must not have the key {min(map(text_of, others))}."
+        return Mistake(sentence, subject_of(what, has_wrong_keys=True))
     for part in parts_in(what, found, wanted):
         if not fits(part.found, part.wanted):
             return mistake_in(part.name, part.found, part.wanted)
-    return f"{whole} {verb_of(whole)} {difference(found, wanted)}."
+    return Mistake(f"{whole} {verb_of(whole)} {difference(found, wanted)}.", subject)
 
 
 def verb_of(whole) -> str:

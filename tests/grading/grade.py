@@ -8,7 +8,6 @@ from typing import NamedTuple
 
 from grading.grader import Check, checks, STEPS
 from grading.handout import FUNCTIONS, highest, SUITES
-from grading.line_by_line import CALLED
 from grading.outcomes import FAILED, FAULT, Outcome, PASSED, WAITING
 from support.start.checks_command import checks_command
 from support.start.preview import missing_in
@@ -34,6 +33,7 @@ class Part(NamedTuple):
     rank: float
     lines: list[str]
     is_row: bool = False  # of a trace table
+    is_title: bool = False  # of the table of a helper
 
 
 def grade(outcomes) -> dict:
@@ -79,7 +79,7 @@ def failed_checks(outcomes) -> list[Check]:
     for check in checks_with_outcome(outcomes):
         if outcomes[check.name].state in (FAILED, FAULT):
             failed.append(check)
-    return sorted(failed, key=lambda check: not outcomes[check.name].cause)
+    return sorted(failed, key=lambda check: not outcomes[check.name].broken_file)
 
 
 def next_step(outcomes) -> tuple[str, list[Part]]:
@@ -93,7 +93,7 @@ def next_step(outcomes) -> tuple[str, list[Part]]:
         outcome = outcomes[check.name]
         if outcome.state == FAULT:
             return f"show your teacher the grader's fault in {check.name}", []
-        if outcome.state == FAILED and outcome.cause:
+        if outcome.broken_file:
             return outcome.place, explanation(check, outcome)
         if outcome.state == FAILED or outcome.is_unwritten:
             place = outcome.place or FUNCTIONS[check.function].file
@@ -101,7 +101,7 @@ def next_step(outcomes) -> tuple[str, list[Part]]:
     for check in in_order:
         outcome = outcomes[check.name]
         if outcome.state == WAITING:
-            return f"{outcome.cause}, which {check.function} waits for", []
+            return f"{outcome.waits_for}, which {check.function} waits for", []
     for tier in SUITES:
         if any(check.name not in outcomes for check in checks(tier=tier)):
             name = tier.split()[0]
@@ -121,17 +121,16 @@ def explanation(check, outcome: Outcome) -> list[Part]:
     dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
     # An error, or the exact result
     parts = [Part(ALWAYS, [f"{outcome.wrong}{dot} {outcome.hint}".strip()])]
-    if outcome.cause:  # a file that Python cannot read: nothing else matters
+    if outcome.broken_file:  # a file that Python cannot read: nothing else matters
         return parts
     if outcome.help:
         parts.append(Part(FACTS, [outcome.help]))
     if outcome.rows:
         parts.append(Part(ALWAYS, [LINE_BY_LINE]))
-    best = sorted(outcome.rows, key=lambda row: row[0])[:MOST_ROWS]
+    best = sorted(outcome.rows, key=lambda row: row.rank)[:MOST_ROWS]
     for row in outcome.rows:
-        rank, lines = row
-        is_row = not lines[0].endswith(CALLED)
-        parts.append(Part(rank if row in best else NEVER, lines, is_row))
+        rank = row.rank if row in best else NEVER
+        parts.append(Part(rank, row.lines, is_row=not row.is_title, is_title=row.is_title))
     parts += [Part(FACTS, [fact]) for fact in outcome.facts]
     return [*parts, *step_parts(check.function)]
 

@@ -7,7 +7,6 @@ function does not matter.
 """
 
 import importlib
-import re
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -17,6 +16,7 @@ from grading.comparing import (
     fits,
     hint_for_result,
     is_exchanged,
+    Mistake,
     mistake_in,
     number_of,
     OTHER_FORM,
@@ -25,6 +25,7 @@ from grading.handout import FUNCTIONS, is_students, SUITES
 from grading.messages import about, Call, damage, end_of, plain, PlainFile, text_of
 from grading.raised import Place, StoppedError
 from grading.students_code import MissingError, StudentsCode
+from grading.subject import RESULT, Subject
 
 
 class Check(NamedTuple):
@@ -79,18 +80,30 @@ def steps(function, sentence, *python) -> None:
     STEPS[function] = Steps(sentence, python)
 
 
+NOTHING = Subject()  # if a sentence is about no value
+
+
 class WrongError(Exception):
     """A result that the handout does not ask for.
 
     Its text is a sentence that says what is wrong.
     """
 
-    def __init__(self, wrong, call: Call, lines, hint="", raised: StoppedError | None = None):
+    def __init__(
+        self,
+        wrong,
+        call: Call,
+        lines,
+        hint="",
+        raised: StoppedError | None = None,
+        subject: Subject = NOTHING,
+    ):
         """lines are (label, text) pairs, and raised is what stopped the call.
 
-        hint is that of the exact result, or "".
+        hint is that of the exact result, or "". subject is what the sentence is about.
         """
         super().__init__(wrong)
+        self.subject = subject
         self.call = call
         self.lines = lines
         self.hint = hint
@@ -159,17 +172,17 @@ def compared(function, *arguments, wanted, see=None, what="", results=(), notes=
     except OTHER_FORM as error:
         form = f"This has the wrong form ({type(error).__name__}: {error})."
         came_back = [*text_of(result).split("\n"), form] if returns else form
-        sentence = unreadable(error, what, result)
+        mistake = unreadable(error, what, result)
         hint = hint_for_result(result, results)
-        raise WrongError(sentence, call, [("came back", came_back), expected], hint) from None
+        lines = [("came back", came_back), expected]
+        raise WrongError(mistake.sentence, call, lines, hint, subject=mistake.subject) from None
     if not fits(found, wanted):
-        sentence = mistake_in(what or returns, found, wanted)
-        if not what:
-            sentence = re.sub(rf"^{returns} (is|has) ", r"The result \1 ", sentence)
+        mistake = mistake_in(what or returns, found, wanted, is_result=not what)
         hint = hint_for_result(found, results)
         if not hint and is_exchanged(found, wanted):
             hint = "These are the right values, in another order."
-        raise WrongError(sentence, call, both(what, found, wanted), hint)
+        lines = both(what, found, wanted)
+        raise WrongError(mistake.sentence, call, lines, hint, subject=mistake.subject)
     for test, note in notes:
         if fits(found, test):
             NOTES.append(note)
@@ -199,16 +212,16 @@ def require_pendula(call: Call, arguments) -> None:
         raise WrongError(f"{call.function} has lost a pendulum.", call, lines)
 
 
-def unreadable(error, what, result) -> str:
-    """Return a sentence about a result from which the check cannot read a value."""
-    sentence = f"{what or 'The result'} cannot be read."
+def unreadable(error, what, result) -> Mistake:
+    """Return what is wrong with a result from which the check cannot read a value."""
+    mistake = Mistake(f"{what or RESULT} cannot be read.", Subject(what or RESULT))
     if isinstance(error, KeyError):
-        sentence = f"A pendulum has no key {error}."
+        mistake = Mistake(f"A pendulum has no key {error}.", NOTHING)
     if isinstance(result, list):
         for i, element in enumerate(result):
             if not isinstance(element, dict):
-                sentence = mistake_in(f"pend_list[{i}]", element, {})
-    return sentence
+                mistake = mistake_in(f"pend_list[{i}]", element, {})
+    return mistake
 
 
 def result_of(function, *arguments) -> Any:

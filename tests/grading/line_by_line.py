@@ -11,10 +11,10 @@ from grading.layout import INDENT
 from grading.messages import text_of
 from grading.notes import Run, Statement
 from grading.question import lines_in, Question
+from grading.subject import Subject
 from grading.trace_table import Row, Stop, Table
 from grading.watch import EndlessError, Watch
 
-CALLED = "called there:"  # ends the line above the table of a helper
 MOST_FUNCTIONS = 3  # that have a table
 
 
@@ -29,20 +29,20 @@ class Explained(NamedTuple):
 class WrongCall:
     """A call of a student's function that gave something wrong, and was watched."""
 
-    def __init__(self, function, sentence, watch: Watch, arguments, index: int | None, right):
-        """sentence says what is wrong, for the pendulum at index (or None).
+    def __init__(self, function, subject: Subject, watch: Watch, arguments, right):
+        """subject is what the sentence about the mistake names.
 
         arguments are those of the call. right are pairs of a part of the handout's formula, and its
         right value in this call.
         """
         self.function = function
         self.watch = watch
-        self.index = index
+        self.index = subject.index
         self.right = right
         self.runs = [*watch.runs.values()]
         self.main = next(run for run in self.runs if self.name_of(run) == function)
         self.stops = self.found_stops()
-        self.question = Question(function, sentence, watch, self.main, arguments)
+        self.question = Question(function, subject, watch, self.main, arguments)
         self.marks = self.departures()
 
     def name_of(self, run: Run) -> str:
@@ -58,8 +58,8 @@ class WrongCall:
             table = self.table(run, needed)
             if runs:
                 rank = min((row.rank for row in table), default=0)
-                title = f"{' ' * INDENT}Your function {self.name_of(run)}, {CALLED}"
-                rows.append(Row(rank, [title]))
+                title = f"{' ' * INDENT}Your function {self.name_of(run)}, called there:"
+                rows.append(Row(rank, [title], is_title=True))
             rows += table
             runs.append(run)
             helper = self.helper(run, needed)

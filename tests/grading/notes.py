@@ -30,6 +30,8 @@ class Value(NamedTuple):
 
     code: str  # of its place, or ""
     text: str
+    is_false: bool = False  # of a condition
+    is_lost: bool = False  # no name gets it
 
 
 @dataclass
@@ -39,6 +41,7 @@ class Called:
     name: str
     got: str  # its parameters and their values
     gave: str = ""  # its result and what it has changed; "" if it did not come to its end
+    says_result: bool = False  # whether `gave` has its result
     run: Any = None  # its Run, if the student wrote it
 
 

@@ -3,7 +3,6 @@
 pytest_grader.py asks for them in pytest, and grade.py makes a grade of them.
 """
 
-import re
 import sys
 import traceback
 from contextlib import redirect_stderr, redirect_stdout, suppress
@@ -21,6 +20,7 @@ from grading.handout import FUNCTIONS, needed
 from grading.line_by_line import Explained, WrongCall
 from grading.messages import COLUMNS, end_of, error_lines, message
 from grading.students_code import Code, code_of, working_in
+from grading.trace_table import Row
 from grading.watch import EndlessError, Watch
 from support.start.output import in_one_line
 
@@ -37,13 +37,22 @@ class Outcome(NamedTuple):
     message: str = ""
     # A file and a line of the student's: where the function is not written yet, or is wrong
     place: str = ""
-    hint: str = ""  # of a check that passes, a note
-    # The functions or the file that a check waits for, or the file that makes it fail
-    cause: str = ""
+    note: str = ""  # about a right solution
+    waits_for: str = ""  # the functions, or the file, that are wrong
+    broken_file: str = ""  # that Python cannot read, so that the check fails
     wrong: str = ""  # in a sentence
+    hint: str = ""
     help: str = ""  # of the check
-    rows: list = []  # of the trace tables: pairs of a rank and lines; a low rank comes first
-    facts: list = []  # sentences about what was seen
+    rows: list[Row] = []  # of the trace tables
+    facts: list[str] = []  # sentences about what was seen
+
+    def plain(self) -> dict:
+        """Return it as a dictionary that another process can get; from_plain makes it again."""
+        return {**self._asdict(), "rows": [[*row] for row in self.rows]}
+
+    @classmethod
+    def from_plain(cls, fields) -> "Outcome":
+        return cls(**{**fields, "rows": [Row(*row) for row in fields["rows"]]})
 
     @property
     def is_unwritten(self) -> bool:
@@ -52,12 +61,12 @@ class Outcome(NamedTuple):
     @property
     def is_wrong(self) -> bool:
         """Whether the function has a mistake of its own, and not its file."""
-        return self.state in (FAILED, FAULT) and not self.cause
+        return self.state in (FAILED, FAULT) and not self.broken_file
 
 
 def waiting(cause, place="") -> Outcome:
     """Return the outcome of a check that waits for this cause."""
-    return Outcome(WAITING, f"waits for {cause}", place=place, cause=cause)
+    return Outcome(WAITING, f"waits for {cause}", place=place, waits_for=cause)
 
 
 class Grading:
@@ -86,7 +95,8 @@ class Grading:
             return waiting(check.function) if check.function in self.hung else self.make(check)
         if not self.hung:  # find out whether the function is written
             outcome = self.make(checks(function=check.function)[0])
-            if outcome.is_unwritten or outcome.cause in self.broken.values():
+            waits_for_file = outcome.waits_for in self.broken.values()
+            if outcome.is_unwritten or outcome.broken_file or waits_for_file:
                 return outcome
         return waiting(", ".join(causes))
 
@@ -114,7 +124,7 @@ class Grading:
             if limits.PRESSED.is_set() or limits.DEBUGGED.is_set() or is_full:
                 raise
             return Outcome(FAULT, fault_message())
-        return Outcome(PASSED, hint=" ".join(NOTES))
+        return Outcome(PASSED, note=" ".join(NOTES))
 
     def failed(self, check: Check, error: WrongError) -> Outcome:
         """Return the outcome of a check that raised this WrongError.
@@ -142,7 +152,7 @@ class Grading:
         elif raised and explained.line:  # where the clock has stopped it is chance
             place = None
             lines = [end_of(raised, ()), *lines[1:]]
-        called = error.call.lines(index_in(f"{error}") or 0)
+        called = error.call.lines(error.subject.index or 0)
         read = f"handout, {FUNCTIONS[function].read}: {function}"
         text = message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)])
         if not place:
@@ -150,11 +160,11 @@ class Grading:
         return Outcome(
             FAILED,
             text,
-            f"{place}",
-            in_one_line(hint),
+            place=f"{place}",
             wrong=wrong,
+            hint=in_one_line(hint),
             help="" if raised else error.help,
-            rows=[[row.rank, row.lines] for row in explained.rows],
+            rows=explained.rows,
             facts=explained.facts,
         )
 
@@ -203,7 +213,9 @@ class Grading:
                     "file. Remove it."
                 )
         lines = [f"{where}:", *code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
-        return Outcome(FAILED, "\n".join(lines), where, hint, file, wrong)
+        return Outcome(
+            FAILED, "\n".join(lines), place=where, broken_file=file, wrong=wrong, hint=hint
+        )
 
 
 def fault_message() -> str:
@@ -249,9 +261,8 @@ def watch_again(check: Check, error: WrongError) -> Explained:
         is_same = f"{again}" == f"{error}" and again.call.lines() == error.call.lines()
         if watch.runs and (is_same or isinstance(watch.error, EndlessError)):
             with suppress(Exception):  # a student's values may say nothing of themselves
-                index = index_in(f"{error}")
                 call = WrongCall(
-                    check.function, f"{error}", watch, runner.arguments, index, error.right
+                    check.function, error.subject, watch, runner.arguments, error.right
                 )
                 return call.explained()
     except Exception:
@@ -260,9 +271,3 @@ def watch_again(check: Check, error: WrongError) -> Explained:
         runner.watch = None
         sys.setrecursionlimit(depth)
     return NOTHING_SEEN
-
-
-def index_in(sentence) -> int | None:
-    """Return the index of the pendulum in question, as a sentence has it: "bob[2] is ..."."""
-    found = re.search(r"\b(?:pend_list|axle|bob)\[(\d+)\]", sentence)
-    return int(found[1]) if found else None

@@ -101,7 +101,7 @@ class Item(pytest.Item):
 
     def runtest(self):
         outcome = self.config.grading.judge(self.check)
-        self.user_properties.append((OUTCOME, [*outcome]))
+        self.user_properties.append((OUTCOME, outcome.plain()))
         if outcome.state == WAITING:
             if self.config.option.maxfail == 1:  # -x
                 self.session.shouldfail = "stopping at the first check that waits"
@@ -118,7 +118,7 @@ def pytest_runtest_logreport(report):
     """Take the outcome of a check out of its report, which may come from another process."""
     for key, fields in report.user_properties:
         if key == OUTCOME:
-            RAN[name_of(report)] = Outcome(*fields)
+            RAN[name_of(report)] = Outcome.from_plain(fields)
 
 
 def name_of(report) -> str:
@@ -174,7 +174,7 @@ def grade_of_run(config) -> dict:
             "state": outcome.state,
             "message": outcome.message,
             "place": outcome.place,
-            "hint": outcome.hint,
+            "hint": outcome.hint or outcome.note,
         }
     text = [line.text for line in report_of_run(config)]
     return {**grade(RAN), "checks": results, "text": text, "final": is_final}

@@ -4,31 +4,16 @@ The call was watched.
 """
 
 import ast
-import re
 from collections.abc import Iterable
 from typing import Any
 
 from grading.expressions import AS_THEY_ARE, names_in_head, operations_in, targets_of
 from grading.handout import FUNCTIONS
 from grading.notes import Known, LOOPS, Run, Store
+from grading.subject import Subject
 from grading.values import in_words
 from grading.watch import Watch
 
-# What a sentence of comparing.py is about: a value of a pendulum, the keys of one, or a part of its
-# objects.
-PEND = r"(?P<pend>(?P<name>pend\w*)(?:\[(?P<index>\d+)\])?)"
-VALUE = re.compile(rf"(?P<key>\w+) of {PEND} ")
-KEYS = re.compile(rf"{PEND} (?:misses|must not have) the key ")
-IN_EACH = re.compile(r"the value of (?P<key>\w+) in each pendulum ")
-OBJECT = re.compile(
-    r"""
-    (?P<what>\w+) .*            # position of ..., ends of ..., color and texture of ...
-    \ of\ (?:the\ )?
-    (?P<part>axle|bob|cord)
-    (?:\[|\ of\ pend_list\[) \d+\]
-    """,
-    re.VERBOSE,
-)
 UNSEEN = {"update", "setdefault", "pop", "clear", "map", "setattr", "exec", "vars", "__setitem__"}
 MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parameters
 
@@ -36,13 +21,13 @@ MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parame
 class Question:
     """Finds the lines that have set the value in question. facts are sentences about it."""
 
-    def __init__(self, function, sentence, watch: Watch, main: Run, arguments):
+    def __init__(self, function, subject: Subject, watch: Watch, main: Run, arguments):
         """main is the call of the function.
 
-        sentence says what is wrong, arguments are those of the call.
+        subject is what the sentence about the mistake names; arguments are those of the call.
         """
         self.function = FUNCTIONS[function]
-        self.sentence = sentence
+        self.subject = subject
         self.watch = watch
         self.main = main
         self.values = dict(zip(self.function.parameters.split(", "), arguments, strict=False))
@@ -53,25 +38,22 @@ class Question:
 
     def found(self) -> list[int]:
         """Return the lines that have set the value, none if they are those that give the result."""
-        searches = [
-            (VALUE, self.of_value),
-            (KEYS, self.of_keys),
-            (OBJECT, self.of_object),
-            (IN_EACH, self.of_each),
-        ]
-        for pattern, search in searches:
-            match = pattern.match(self.sentence)
-            if match:
-                return search(match)
-        return []
+        subject = self.subject
+        if subject.has_wrong_keys:
+            return self.of_keys() if subject.is_of_pendulum and not subject.value else []
+        if subject.owner == "each pendulum":
+            return self.lines_with_key(subject.value)
+        if subject.is_of_pendulum:
+            return self.of_value() if subject.value else []
+        return self.of_object() if subject.owner else []
 
-    # --- by the sentence ---
+    # --- by the subject ---
 
-    def of_value(self, match) -> list[int]:
+    def of_value(self) -> list[int]:
         """Return the lines for a value of a pendulum: "theta of pend_list[0]"."""
-        pend = self.pendulum(match)
-        key = match["key"]
-        name = match["pend"]
+        pend = self.pendulum()
+        key = self.subject.value
+        name = self.subject.pend
         if pend is None:
             return []
         setting = self.lines_with_key(key, name)
@@ -88,18 +70,18 @@ class Question:
             return [*lines, *self.conditions_around(setting[-1])]
         return [*lines, *(self.lines_without_effect() or self.lines_of_loops())]
 
-    def of_keys(self, match) -> list[int]:
+    def of_keys(self) -> list[int]:
         """Return the lines for a pendulum with other keys: those that store something in it."""
-        pend = self.pendulum(match)
+        pend = self.pendulum()
         return lines_in(store for store in self.watch.stores if store.place is pend)
 
-    def of_object(self, match) -> list[int]:
+    def of_object(self) -> list[int]:
         """Return the lines for the place or the looks of an object.
 
         They set what make_pendulum gets for it.
         """
-        parameter = match["what"] if match["what"] in MAKE_PENDULUM else "theta"
-        if match["part"] == "axle":
+        parameter = self.subject.value if self.subject.value in MAKE_PENDULUM else "theta"
+        if self.subject.owner == "axle":
             parameter = "axle_pos"
         for run, number in self.statements_that_ran():
             node = self.node(number)
@@ -111,10 +93,6 @@ class Question:
                         stores = self.stores_of(names_in_head(given[parameter]), run)
                         return lines_in(stores) or [node.lineno]
         return []
-
-    def of_each(self, match) -> list[int]:
-        """Return the lines for a key of each pendulum."""
-        return self.lines_with_key(match["key"])
 
     def of_result(self) -> list[int]:
         """Return the lines for a result: those that set the wrong part of it, and that give it."""
@@ -128,7 +106,7 @@ class Question:
             part = part.elts[wrong[0]]
         stores = self.stores_of(names_in_head(part), self.main)
         lines = [*lines_in(stores), first_with_last_value(stores)] if stores else []
-        if not isinstance(part, ast.Name) or self.sentence.startswith("The result "):
+        if not isinstance(part, ast.Name) or self.subject.is_result:
             return [*lines, node.lineno]
         if wrong and part.id in self.values and not self.is_set(part.id):
             name = names[wrong[0]]
@@ -137,23 +115,19 @@ class Question:
 
     # --- what they need ---
 
-    def pendulum(self, match) -> dict | None:
-        """Return the pendulum that a sentence names, if it is there."""
-        found = self.values.get(match["name"])
-        if match["index"]:
-            index = int(match["index"])
+    def pendulum(self) -> dict | None:
+        """Return the pendulum in question, if it is there."""
+        found = self.values.get(self.subject.owner)
+        index = self.subject.index
+        if index is not None:
             if not isinstance(found, (list, tuple)) or index >= len(found):
                 return None
             found = found[index]
         return found if isinstance(found, dict) else None
 
     def wrong_parts(self, names) -> list[int]:
-        """Return the indexes of the parts of the result about which the sentence is."""
-        found = []
-        for i, name in enumerate(names):
-            if re.match(rf"(\w+ of )?{name} (is|are|has) ", self.sentence):
-                found.append(i)
-        return found
+        """Return the indexes of the parts of the result that are in question."""
+        return [i for i, name in enumerate(names) if self.subject.is_part(name)]
 
     def add_fact_about_same(self, name, value, known: Known) -> None:
         """Add a sentence about a value of a pendulum that is the same as before."""
@@ -185,7 +159,7 @@ class Question:
             is_condition = isinstance(node, (ast.If, ast.While))
             if not is_condition or not node.lineno < line <= node.end_lineno:
                 continue
-            if run.notes[number][-1].values[0].text.endswith("False"):
+            if run.notes[number][-1].values[0].is_false:
                 found.append(node.lineno)
         return found[-1:]
 
@@ -194,9 +168,7 @@ class Question:
         found = []
         for run, number in self.statements_that_ran():
             node = self.node(number)
-            texts = [value.text for value in run.notes[number][-1].values]
-            gives = any(text.startswith("gives") for text in texts)
-            if gives and isinstance(node, ast.Expr):
+            if any(value.is_lost for value in run.notes[number][-1].values):
                 found.append(node.lineno)
         return found
 

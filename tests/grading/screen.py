@@ -16,7 +16,6 @@ from grading.grade import (
     Part,
 )
 from grading.handout import SUITES
-from grading.line_by_line import CALLED
 from grading.messages import plural
 from grading.outcomes import PASSED, WAITING
 from support.start.output import in_one_line
@@ -44,7 +43,7 @@ def report(outcomes, printed, columns, note) -> list[Line]:
     if failed:
         first = failed[0]
         message = [Line(text) for text in outcomes[first.name].message.split("\n")]
-        if outcomes[first.name].cause:  # a file that Python cannot read: nothing else matters
+        if outcomes[first.name].broken_file:  # a file that Python cannot read: nothing else matters
             return [Line(separator("Python cannot read a file", "=", columns)), *message]
         lines.append(Line(separator(first.title, "_", columns), "red"))
         for text in printed_lines(printed.get(first.name, "")):
@@ -94,7 +93,7 @@ def table(outcomes, columns, note="", height=SCREEN) -> list[Line]:
     graded = grade(outcomes)
     lines = [*tier_lines(graded["tiers"]), *waiting_lines(outcomes)]
     sentences = verdict(graded)
-    hints = [outcome.hint for outcome in outcomes.values() if outcome.state == PASSED]
+    hints = [outcome.note for outcome in outcomes.values() if outcome.state == PASSED]
     for hint in [*hints, note]:
         sentences += wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=MORE)
     sentences += next_step_rows(outcomes, columns, height - len(lines) - len(sentences))
@@ -133,7 +132,7 @@ def waiting_lines(outcomes) -> list[Line]:
     causes = Counter()
     for outcome in outcomes.values():
         if outcome.state == WAITING and not outcome.place:
-            causes[outcome.cause] += 1
+            causes[outcome.waits_for] += 1
     lines = []
     for cause, count in causes.most_common(MOST_CAUSES):
         wait = plural(count, "check waits", "checks wait")
@@ -193,8 +192,7 @@ def fitting(parts, height) -> list[Part]:
             height -= len(parts[i].lines)
     found: list[Part] = []
     for i in sorted(kept, reverse=True):
-        is_title = parts[i].lines[0].endswith(CALLED)
         # The title of a helper's table needs a row below it
-        if not is_title or (found and found[0].is_row):
+        if not parts[i].is_title or (found and found[0].is_row):
             found.insert(0, parts[i])
     return found

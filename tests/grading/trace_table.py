@@ -33,6 +33,7 @@ class Row(NamedTuple):
 
     rank: float
     lines: list[str]
+    is_title: bool = False  # of the table of a helper
 
 
 class Stop(NamedTuple):
@@ -297,4 +298,4 @@ class Table:
         is_whole = isinstance(getattr(node, "value", None), ast.Call)
         if not is_whole or isinstance(node, ast.AugAssign):
             return False
-        return called.gave.startswith("gave") and len(note.calls) == 1 and bool(note.values)
+        return called.says_result and len(note.calls) == 1 and bool(note.values)

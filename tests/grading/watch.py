@@ -131,7 +131,7 @@ class Watch:
         """The condition of an if, a while or an assert has this value."""
         node = self.statements[number].node.test
         text = self.values_in(run, number).condition(node, value)
-        self.end(run, number, [Value("", text)])
+        self.end(run, number, [Value("", text, is_false=not value)])
 
     @noting
     def turn(self, run, number):
@@ -212,6 +212,7 @@ class Watch:
                 called.run = self.run_after(count, function)
             changes = self.changes(run, number, called, pendula, before)
             called.gave = gave_in_words(result, changes, names_in(run.frame))
+            called.says_result = result is not None or not changes
             self.know([result], function.__name__)
             return result
 
@@ -301,7 +302,8 @@ class Watch:
             with suppress(LookupError):
                 if values.of(argument) is value:
                     return []
-        return [Value("", f"gives {in_words(value, values.names)}, and no name gets it")]
+        text = f"gives {in_words(value, values.names)}, and no name gets it"
+        return [Value("", text, is_lost=True)]
 
     def changes(self, run: Run, number, called: Called, pendula, before) -> list[Change]:
         """Return which values of pendula a call has changed, and keep them in stores."""
