@@ -67,7 +67,7 @@ def test_a_right_solution_passes(solve, function, way, users):
 
 def notes(function):
     outcomes = outcomes_of(function, users=False).values()
-    return [outcome.hint for outcome in outcomes if outcome.hint]
+    return [outcome.note for outcome in outcomes if outcome.note]
 
 
 @pytest.mark.parametrize(

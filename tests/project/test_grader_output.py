@@ -16,6 +16,7 @@ from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
 from grading.outcomes import FAILED, FAULT, Outcome, PASSED
 from grading.screen import SCREEN, table
+from grading.trace_table import Row
 
 
 def section(rows, title):
@@ -74,8 +75,11 @@ def test_a_mistake_is_told_on_a_screen(starter):
 
 
 WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5, not 6.")
-OWN_ROWS = [[0, ["    7  a = 5"]]]
-HELPERS_ROWS = [[0, ["    Your function f, called there:"]], [9, ["    2  b"] * 40]]
+OWN_ROWS = [Row(0, ["    7  a = 5"])]
+HELPERS_ROWS = [
+    Row(0, ["    Your function f, called there:"], is_title=True),
+    Row(9, ["    2  b"] * 40),
+]
 
 
 @pytest.mark.parametrize(

@@ -22,8 +22,8 @@ def explained(solve, function, version):
     solve(function, version)
     first = failures(function)[0]
     text = ""
-    for _, lines in first.rows:
-        text += " ".join(lines) + " "
+    for row in first.rows:
+        text += " ".join(row.lines) + " "
     return first, " ".join(text.split())
 
 
@@ -106,7 +106,7 @@ def test_under_a_debugger_there_is_no_table(solve, monkeypatch):
 def test_with_no_room_the_lines_that_matter_stay(solve):
     others = "".join(f"    a{i} = {i}\n" for i in range(20))
     first, _ = explained(solve, "angle_update", f"w = 5\nif True:\n{others}return w, theta")
-    ranks = {lines[0].split()[1]: rank for rank, lines in first.rows}
+    ranks = {row.lines[0].split()[1]: row.rank for row in first.rows}
     assert ranks["w"] < ranks["a0"]
 
 

@@ -9,6 +9,7 @@ import pytest
 from programs import python, slow_but_for, with_vpython
 from students import change, COUNTS, graded_in, write, write_tiers
 
+from grading.grader import checks
 from grading.handout import FUNCTIONS
 
 
@@ -18,15 +19,18 @@ def failed_in(result):
 
 
 def test_a_half_written_project(starter):
-    """D is there, angle_update has a mistake, and handle_collision raises; others are stubs."""
+    """D is there, angle_update and handle_collision raise errors, and others are stubs."""
+    angle_checks = len(checks(function="angle_update"))
+    hit_checks = len(checks(function="handle_collision"))
     write_tiers(starter, "DC")
-    change(starter / "src/swinging.py", "theta + omega_new * dt", "theta + omega * dt")
+    change(starter / "src/swinging.py", "theta + omega_new * dt", "theta + omega_neu * dt")
     write(starter, "handle_collision", handle_collision='return int("m1")')
     result = graded_in(starter)
-    assert failed_in(result) == {"D": 0, "C": 2, "B": 4, "A": 0, "Honor roll": 0}
+    failed = {"D": 0, "C": angle_checks, "B": hit_checks, "A": 0, "Honor roll": 0}
+    assert failed_in(result) == failed
     assert result["grade"] == "D"
     assert result["next"].startswith("angle_update ")
-    assert f"{COUNTS['C'] - 2} checks wait for angle_update" in result["text"]
+    assert f"{COUNTS['C'] - angle_checks} checks wait for angle_update" in result["text"]
 
 
 def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(starter):
