@@ -55,7 +55,7 @@ os.chmod(here + '/src', 0o500)
 """,
 }
 
-# these too, in bubblewrap,
+# what is tried in vain in bubblewrap, by one of them,
 BOXED = {
     "takes shared memory": "assert calls.shmget(0, 10**6, 0o1666) == -1",
     "takes memory in a file": "assert error_of(os.memfd_create, 'a')",

@@ -232,10 +232,13 @@ def test_hostile_solutions_harm_nobody_else(classroom, solved, tmp_path, is_boxe
         if is_boxed:
             options = []
             address = server.getsockname()
-            unharmed |= BOXED
-            unharmed["writes"] = f"for path in {outside}: error_of(open, path, 'w')"
-            unharmed["reads"] = f"for path in {outside}: assert not os.path.exists(path)"
-            unharmed["connects"] = f"assert socket.socket().connect_ex({address})"
+            in_vain = [
+                *BOXED.values(),
+                f"for path in {outside}: error_of(open, path, 'w')",
+                f"for path in {outside}: assert not os.path.exists(path)",
+                f"assert socket.socket().connect_ex({address})",
+            ]
+            unharmed["tries all in vain"] = "\n".join(in_vain)
             spoiled["kills all"] = "os.kill(-1, 9)"
         for student, code in {**unharmed, **spoiled}.items():
             swinging = solved["swinging.py"] + f"{HEADER}{code}".encode()
