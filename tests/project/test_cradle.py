@@ -114,6 +114,15 @@ def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(
     assert ("stay together" in " ".join(impacts)) == stay_together
 
 
+@pytest.mark.parametrize(("kind", "lengths"), [(Cradle, 1), (DoubleCradle, 1.5)])
+def test_the_velocity_of_a_pendulum_is_the_mean_of_its_bobs(swing, kind, lengths):
+    """A pendulum that hangs straight swings as a whole; lengths are those of a cord."""
+    cradle = swing(kind=kind, lift=0).cradle
+    pend = cradle.pend_list[0]
+    pend["omega"] = 2.0
+    assert cradle.velocity(pend) == pytest.approx(2.0 * lengths * R_PARAM)
+
+
 @pytest.mark.parametrize(("theta", "phi"), [(30, 0), (60, -50), (10, 120)])
 def test_the_speed_of_a_double_hit_is_that_of_the_nearest_bobs(swing, theta, phi):
     player = swing(HEADER + "1,1,0,0,red,wood\n" * 2, theta, phi=phi, kind=DoubleCradle)

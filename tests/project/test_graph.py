@@ -25,6 +25,7 @@ def test_the_graph_shows_the_energies_of_the_last_seconds(rig, span):
     seconds, interval = SPANS[span]
     rig.give("span", span)
     rig.wait(seconds + 2)
+    assert span == f"last {seconds:g} s"
     curves = rig.state["curves"]
     assert curves["curves"] == [[name, ENERGIES[name]] for name in ENERGIES]
     times = [row[0] for row in curves["rows"]]

@@ -1,6 +1,7 @@
 """Arrows, bars, slow hits, and bobs that a mouse drags; on the stand-in."""
 
 from itertools import pairwise
+from math import sqrt
 
 import pytest
 from rig import Rig
@@ -39,10 +40,14 @@ def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(c
     arrows = visible(rig, "arrows")
     moves = velocities(cradle.pend_list[0])
     assert len(arrows) == len(moves)
+    assert pytest.approx(PERIOD / 9) == ARROW_TIME
     for arrow, bob, velocity in zip(arrows, cradle.bobs(), moves, strict=False):
         assert arrow.pos.value[:2] == bob.pos.value[:2]
         assert arrow.axis.value == pytest.approx((ARROW_TIME * velocity).value)
 
+    # The bar of the largest momentum, sqrt(2 m E) of the only pendulum that moves, is a full one
+    mass = 3.0 * kind.cord_count
+    assert marks.largest == pytest.approx(sqrt(2 * mass * sum(cradle.energies())), rel=0.001)
     bars = visible(rig, "bars")
     first, second = [momentum([pend], R_PARAM) for pend in cradle.pend_list]
     for bar, p in zip(bars, (first, second, first + second), strict=True):

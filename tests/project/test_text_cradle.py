@@ -14,7 +14,7 @@ from unittest.mock import Mock
 import pandas as pd
 import pytest
 from programs import call
-from whole_cradles import make_live, PERIOD
+from whole_cradles import FIVE_CSV, make_live, PERIOD
 
 from src import text_cradle_run
 from src.visualize_cradle_run import main as cradle_main
@@ -219,8 +219,14 @@ def test_a_bar_shows_the_progress_and_the_seconds_that_are_left(bar, columns, wi
     [("--lift", "6", "allowed is at most 5"), ("--record", "cradle.csv", "which has no data")],
 )
 def test_the_program_refuses_in_one_line(main, csv, monkeypatch, option, value, allowed):
-    """test_programs.py has a CSV that is no cradle."""
     monkeypatch.chdir(csv.parent)
     status, out, err = main(csv, option, value, "--seconds", "1")
     assert (status, out, err.count("\n")) == (2, "", 1)
     assert err.startswith(f"{option}: found '{value}', {allowed}")
+
+
+def test_a_csv_that_is_no_cradle_is_refused(main, csv):
+    csv.write_text(FIVE_CSV.replace("1.0", "-1", 1))
+    status, out, err = main(csv, "--seconds", "1")
+    assert (status, out) == (2, "")
+    assert "line 2, column mass: found '-1', allowed is" in err
