@@ -10,6 +10,14 @@ CODE = 34  # columns of a short line of code; the values of all short lines stan
 MOST_LINES = 3  # of the values of a row
 
 
+class Row(NamedTuple):
+    """A line of code, and what it gave, as lines of the screen."""
+
+    rank: float
+    lines: list[str]
+    is_title: bool = False  # of the table of a helper
+
+
 class Remark(NamedTuple):
     """What is said of a line of code. If there is no room, a high rank is left out."""
 

@@ -7,13 +7,14 @@ from typing import Any, NamedTuple
 
 from grading.expressions import keys_in_head, names_in_head, targets_of
 from grading.handout import FUNCTIONS
-from grading.layout import INDENT
+from grading.layout import INDENT, Row
 from grading.messages import text_of
 from grading.notes import Run, Statement
+from grading.noting import EndlessError
 from grading.question import lines_in, Question
 from grading.subject import Subject
-from grading.trace_table import Row, Stop, Table
-from grading.watch import EndlessError, Watch
+from grading.trace_table import Stop, Table
+from grading.watch import Watch
 
 MOST_FUNCTIONS = 3  # that have a table
 

@@ -17,11 +17,12 @@ from grading import limits
 from grading.evidence import hint_for
 from grading.grader import Check, checks, NOTES, place_of, runner, WaitError, WrongError
 from grading.handout import FUNCTIONS, needed
+from grading.layout import Row
 from grading.line_by_line import Explained, WrongCall
 from grading.messages import COLUMNS, end_of, error_lines, message
+from grading.noting import EndlessError
 from grading.students_code import Code, code_of, working_in
-from grading.trace_table import Row
-from grading.watch import EndlessError, Watch
+from grading.watch import Watch
 from support.start.output import in_one_line
 
 DEEPER = 4  # times more calls within each other, for code that is watched

@@ -7,7 +7,7 @@ import ast
 from typing import NamedTuple
 
 from grading.instrument import TRIES
-from grading.layout import cell, cells, laid_out, once, Remark, together
+from grading.layout import cell, cells, laid_out, once, Remark, Row, together
 from grading.notes import Called, LOOPS, Note, Run
 from grading.source import Source, without_comment
 from grading.values import in_words
@@ -26,14 +26,6 @@ CALLS = 1
 VALUES = 2
 ABOVE = 3
 IDLE = 4
-
-
-class Row(NamedTuple):
-    """A line of code, and what it gave, as lines of the screen."""
-
-    rank: float
-    lines: list[str]
-    is_title: bool = False  # of the table of a helper
 
 
 class Stop(NamedTuple):

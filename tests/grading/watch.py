@@ -27,33 +27,11 @@ from grading.notes import (
     Store,
     Value,
 )
+from grading.noting import EndlessError, MOST_TURNS, noting
 from grading.values import in_words, names_in
 
-MOST_TURNS = 1000  # of a loop, in a function that went over the limit of time: then it is stopped
 MOST_NOTES = 20_000  # of a call: then it is not watched further
 MOST_NOTES_ENDLESS = 200_000  # of a call that is stopped at MOST_TURNS
-
-
-class EndlessError(BaseException):
-    """A loop has made MOST_TURNS turns in a function that went over the limit of time."""
-
-
-def noting(method):
-    """Return a function that lets a method of the Watch note something of the call that calls it.
-
-    The function gets the number of the statement and some values, and returns the last value. It
-    raises no error: the values are a student's.
-    """
-
-    @wraps(method)
-    def note(self, number, *values):
-        run = self.run_of(sys._getframe(1))
-        if run:
-            with suppress(Exception):
-                method(self, run, number, *values)
-        return values[-1] if values else None
-
-    return note
 
 
 class Watch:

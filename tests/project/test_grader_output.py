@@ -14,9 +14,9 @@ from students import change, COLUMNS, PYTEST, pytest_in, write
 
 from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
+from grading.layout import Row
 from grading.outcomes import FAILED, FAULT, Outcome, PASSED
 from grading.screen import SCREEN, table
-from grading.trace_table import Row
 
 
 def section(rows, title):
