@@ -7,7 +7,7 @@ from types import FrameType
 
 from support.cradle.player import Player
 from support.page.tabs import LOOK
-from support.start.mistake import is_handout_file, PLAYER_FILE
+from support.start.mistake import is_handout_file, is_player_file
 
 TOO_LONG = 3.0  # s after which a function that has not returned is named
 
@@ -58,7 +58,7 @@ def running(thread: int) -> list[FrameType]:
     """
     frames = []
     frame = sys._current_frames().get(thread)
-    while frame and Path(frame.f_code.co_filename).name != PLAYER_FILE:
+    while frame and not is_player_file(frame.f_code.co_filename):
         if is_handout_file(frame.f_code.co_filename):
             frames.append(frame)
         frame = frame.f_back

@@ -12,7 +12,7 @@ from support.start.checks_command import checks_command, ROOT
 from support.start.output import say
 
 # A frame of this file below one of main: the player works, or waits for the clock.
-PLAYER_FILE = "player.py"
+PLAYER_FILE = ROOT / "support" / "cradle" / "player.py"
 
 
 class MistakeError(Exception):
@@ -32,6 +32,10 @@ def is_handout_file(filename: str) -> bool:
     return path.parent == ROOT / "src" and path.name != "text_cradle_run.py"
 
 
+def is_player_file(filename: str) -> bool:
+    return Path(filename).resolve() == PLAYER_FILE
+
+
 def handout_frames(error: BaseException) -> list[traceback.FrameSummary]:
     """Return the frames of an error that are in the handout's files.
 
@@ -48,8 +52,8 @@ def handout_frames(error: BaseException) -> list[traceback.FrameSummary]:
             found.append(frame)
             callee = ""
         elif not callee:
-            callee = Path(frame.filename).name
-    return [] if callee == PLAYER_FILE else found
+            callee = frame.filename
+    return [] if is_player_file(callee) else found
 
 
 def report_mistake(error: BaseException) -> str:

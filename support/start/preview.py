@@ -119,7 +119,8 @@ def what_there_is(main: Loop, cradle: HasFunctions) -> tuple[Loop, str]:
         loop = preview(cradle.scope)
         sentence = "Then the pendula swing."
     elif for_hits:
-        collides = "handle_" not in for_hits
+        unwritten = unwritten_in("visualize_cradle_run").keys()
+        collides = unwritten.isdisjoint({"handle_collision", "handle_two_bobs"})
         loop = preview(cradle.scope, swings=True, collides=collides)
         if collides:
             sentence = "Here are the first two pendula alone: their bobs collide. If not, type"

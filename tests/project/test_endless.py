@@ -1,9 +1,11 @@
 """A function that does not return is named, and only that one."""
 
 import re
+import threading
 from types import SimpleNamespace
 
 import pytest
+from programs import ROOT
 
 from src import visualize_cradle_run
 from support.cradle.player import run
@@ -43,25 +45,47 @@ def test_nothing_is_named_while_the_loop_ticks(watch, monkeypatch):
         assert watch.look() == ""
 
 
-def test_the_page_names_the_function_that_does_not_return_until_it_does(rig, monkeypatch):
-    """The one with the loop, not one that it calls again and again."""
-    messages = []
-
-    def does_not_return(*arguments):
-        while len(messages) <= LOOKS:
-            messages.append(rig.tabs.endless())
-        rig.tabs.are_gone = True
+@pytest.fixture
+def clocked(rig):
+    """The rig, whose time passes while the viewer rests."""
 
     def sleep(seconds):
         rig.now += seconds
 
     rig.viewer.pace.sleep = sleep
+    return rig
+
+
+def test_the_page_names_the_function_that_does_not_return_until_it_does(clocked, monkeypatch):
+    """The one with the loop, not one that it calls again and again."""
+    messages = []
+
+    def does_not_return(*arguments):
+        while len(messages) <= LOOKS:
+            messages.append(clocked.tabs.endless())
+        clocked.tabs.are_gone = True
+
     monkeypatch.setattr(visualize_cradle_run, "full_swing_update", does_not_return)
-    run(visualize_cradle_run.main, rig.viewer)
+    run(visualize_cradle_run.main, clocked.viewer)
     assert [*map(bool, messages)] == [False] * LOOKS + [True]
     assert re.fullmatch(
         r"newton_cradle_tick in src/visualize_cradle_run\.py, line \d+,"
         r" has been running for 3 s and has not returned\.",
         messages[-1],
     )
-    assert rig.tabs.endless() == ""
+    assert clocked.tabs.endless() == ""
+
+
+def test_a_file_of_yours_may_have_the_name_of_the_players(clocked, monkeypatch):
+    names = {}
+    exec(compile("def stays(look): look()", ROOT / "src" / "player.py", "exec"), names)
+    found = []
+
+    def look():
+        frames = endless.running(threading.get_ident())
+        found.append(frames[0].f_code.co_name)
+        clocked.tabs.are_gone = True
+
+    monkeypatch.setattr(visualize_cradle_run, "full_swing_update", lambda *_: names["stays"](look))
+    run(visualize_cradle_run.main, clocked.viewer)
+    assert set(found) == {"stays"}

@@ -65,7 +65,7 @@ c.rotate(angle=0.3, axis=vector(0, 0, 1)); [c.pos, c.axis]
 t = sphere(radius=2); u = t.clone(pos=w); u.axis = v; [t.pos, t.axis, u.pos, u.axis, u.size]
 sphere(color=v, radius=2).clone().color
 [shape in scene.objects for shape in (s, c)] | s.visible = False; s in scene.objects
-scene.camera.pos
+scene.camera.pos | canvas(background=v).background
 scene.range = 2; scene.forward = v; [scene.range, scene.forward] | scene.mouse.ray
 b = button(bind=print, text="Pause"); b.disabled = True; [b.text, b.disabled, b.bind is print]
 l = label(pos=v, text="a", height=9); l.pos.x = 5; [l.pos, l.text, l.height]

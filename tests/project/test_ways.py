@@ -12,6 +12,7 @@ import pytest
 from programs import ROOT, slow_but_for
 
 from support.cradle.cradle import Cradle
+from support.cradle.functions import is_yours
 from support.cradle.player import Player, run
 from support.files.cradle_csv import Snapshot
 
@@ -196,3 +197,11 @@ def test_whatever_is_right_has_its_hits(way, folder, csv):
         assert hit.before[0]["omega"] > 1
         assert hit.after[0]["omega"] == pytest.approx(0, abs=0.01)
     assert first[0].tick == second[0].tick
+
+
+@pytest.mark.parametrize(
+    ("file", "expected"),
+    [("src/a.py", True), ("src/a/b.py", True), ("a.py", True), ("support/a.py", False)],
+)
+def test_files_in_src_and_beside_it_are_yours(file, expected):
+    assert is_yours(ROOT / file) == expected
