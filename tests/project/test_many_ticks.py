@@ -17,7 +17,7 @@ from grading.cradles import hang, R, row
 from src import swinging, visualize_cradle_run
 from support import pendulum
 from support.cradle import certainty as module
-from support.cradle.many_ticks import many_ticks
+from support.cradle.many_ticks import free_ticks, many_ticks
 from support.pendulum import BUFFER
 
 RUN = visualize_cradle_run
@@ -129,6 +129,11 @@ tests.test_bobs_that_just_touch_after_one_tick_end_in_the_same_bits(5 * count)
 def test_cradles_of_vpython_itself_end_in_the_same_bits(count):
     done = python("-c", ON_VPYTHON, count, **OF_TESTS)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(("gap", "is_free"), [(1e-11, False), (1e-3, True)])
+def test_no_tick_is_free_if_rounding_could_close_the_gap(gap, is_free):
+    assert (free_ticks(gap, 0, 0, 0, 0, R, DT, G) > 0) == is_free
 
 
 # --- the fast path steps back -------------------------------------------------------------------
