@@ -37,8 +37,8 @@ proj(v, w)
 v.proj(w) | diff_angle(v, w) | v.diff_angle(-2 * v) | v.rotate(0.3) | v.rotate(angle=0.3, axis=w)
 rotate(v, 0.3)
 v.mag = 7; v | v.x = 5; v.y += 1; v | u = vector(v); u.z = 9; v
-0 <= random() < 1 and vector.random().mag2 <= 3
-sin(0.3) + cos(0.3) + sqrt(2) + pi | [sign(-2.5), sign(0), combin(5, 2)]
+0 <= random() < 1 and all(vector.random().mag2 <= 3 for _ in range(99))
+sin(0.3) + cos(0.3) + sqrt(2) + pi | [sign(-2.5), sign(0), sign(7), combin(5, 2)]
 [float(x) for x in arange(0, 1, 0.25)]
 [color.gray(0.5), color.rgb_to_hsv(v / 4), color.hsv_to_rgb(v / 4), color.rgb_to_grayscale(v)]
 version[0] < "8"
