@@ -1,6 +1,7 @@
 """Comparing a student's result with the expected one: whether they are equal, and what is wrong."""
 
 import re
+from collections.abc import Iterable
 from math import isclose
 from numbers import Real
 from typing import Any, NamedTuple
@@ -42,7 +43,7 @@ class Part(NamedTuple):
     wanted: Any
 
 
-def fits(found, wanted) -> bool:
+def fits(found: Any, wanted: Any) -> bool:
     """Return whether found is right; wanted is a value, a Wanted, or a test of a value."""
     try:
         return bool(wanted(found)) if callable(wanted) else same(found, wanted)
@@ -50,7 +51,7 @@ def fits(found, wanted) -> bool:
         return False
 
 
-def same(found, wanted) -> bool:
+def same(found: Any, wanted: Any) -> bool:
     """Return whether two values are equal, numbers within rounding errors; 0 equals 0.0."""
     if isinstance(wanted, Wanted):
         return bool(wanted.test(found))
@@ -70,7 +71,7 @@ def same(found, wanted) -> bool:
     return isinstance(found, type(wanted)) and bool(found == wanted)
 
 
-def hint_for_result(found, results) -> str:
+def hint_for_result(found: Any, results: Iterable[tuple[Any, str]]) -> str:
     """Return the hint of the wrong results that fit, or "".
 
     results are pairs of a wrong result, or a test of it, and a hint. If two hints fit, nobody knows
@@ -80,7 +81,7 @@ def hint_for_result(found, results) -> str:
     return hints.pop() if len(hints) == 1 else ""
 
 
-def is_exchanged(found, wanted) -> bool:
+def is_exchanged(found: Any, wanted: Any) -> bool:
     """Return whether a tuple has the expected values in another order."""
     if not isinstance(found, tuple) or not isinstance(wanted, tuple) or len(found) != len(wanted):
         return False
@@ -93,7 +94,7 @@ def is_exchanged(found, wanted) -> bool:
     return True
 
 
-def both(what, found, wanted) -> list[tuple[str, list[str]]]:
+def both(what: str, found: Any, wanted: Any) -> list[tuple[str, list[str]]]:
     """Return both values as (label, lines) of a message.
 
     For long lists, these are the lines of the first wrong element.
@@ -111,31 +112,31 @@ def both(what, found, wanted) -> list[tuple[str, list[str]]]:
     return [("came back", about(what, found, digits)), ("expected", about(what, wanted, digits))]
 
 
-def is_long(value) -> bool:
+def is_long(value: Any) -> bool:
     """Return whether a message has no room for a whole list."""
     return len(text_of(value)) > LONG
 
 
-def first_difference(found, wanted) -> int:
+def first_difference(found: list, wanted: list) -> int:
     """Return the index of the first wrong element of a list."""
     return [same(*pair) for pair in zip(found, wanted, strict=True)].index(False)
 
 
-def are_pendula(value) -> bool:
+def are_pendula(value: Any) -> bool:
     """Return whether a value is a list of dictionaries."""
     if not isinstance(value, list) or not value:
         return False
     return all(isinstance(element, dict) for element in value)
 
 
-def number_of(value) -> str:
+def number_of(value: list) -> str:
     """Return how many elements a list has, as text."""
     if are_pendula(value):
         return f"a list of {plural(len(value), 'pendulum', 'pendula')}"
     return f"a list of {plural(len(value), 'element', 'elements')}"
 
 
-def mistake_in(what, found, wanted, is_result=False) -> Mistake:
+def mistake_in(what: str, found: Any, wanted: Any, is_result: bool = False) -> Mistake:
     """Return the first mistake in found.
 
     what is its name or, with commas, the names of the parts of a tuple; is_result says whether it
@@ -169,12 +170,12 @@ def mistake_in(what, found, wanted, is_result=False) -> Mistake:
     return Mistake(f"{whole} {verb_of(whole)} {difference(found, wanted)}.", subject)
 
 
-def verb_of(whole) -> str:
+def verb_of(whole: str) -> str:
     """Return the verb for the name of a value: ends are, and omega and theta are."""
     return "are" if re.match(r"ends |[^,]* and ", whole) else "is"
 
 
-def parts_in(what, found, wanted) -> list[Part]:
+def parts_in(what: str, found: Any, wanted: Any) -> list[Part]:
     """Return the parts of a value, none if it has none."""
     if isinstance(wanted, dict):
         return [Part(f"{key} of {what}", found[key], wanted[key]) for key in wanted]
@@ -188,12 +189,12 @@ def parts_in(what, found, wanted) -> list[Part]:
     return [Part(*part) for part in zip(names, found, elements, strict=True)]
 
 
-def with_form_of(example) -> Wanted:
+def with_form_of(example: Any) -> Wanted:
     """Return the expectation of a value with the form of an example."""
     return Wanted("", lambda found: form_of(found) == form_of(example), like=example)
 
 
-def difference(found, wanted) -> str:
+def difference(found: Any, wanted: Any) -> str:
     """Return what a value is, and what it must be."""
     digits = digits_of(found, wanted)
     if not isinstance(wanted, Wanted):
@@ -205,7 +206,7 @@ def difference(found, wanted) -> str:
     return f"not {wanted.text}" if wanted.text else "wrong"
 
 
-def names_of_parts(what, count) -> list[str]:
+def names_of_parts(what: str, count: int) -> list[str]:
     """Return the names of the elements: "theta of pend_list[0]" for "theta of each pendulum"."""
     for elements, name in ELEMENTS.items():
         if elements in what:
@@ -222,6 +223,6 @@ def names_of_parts(what, count) -> list[str]:
     return [f"{what}[{i}]" for i in range(count)]
 
 
-def digits_of(found, wanted) -> int:
+def digits_of(found: Any, wanted: Any) -> int:
     """Return how many digits show that both values differ."""
     return 6 if text_of(found) != text_of(wanted) else 15

@@ -17,7 +17,7 @@ MIXED = [
 ]
 
 
-def csv_of(rows) -> str:
+def csv_of(rows: list[dict[str, Any]]) -> str:
     """Return rows as the text of a CSV, without a line break at the end."""
     lines = [rows[0], *(row.values() for row in rows)]
     return "\n".join(",".join(map(str, line)) for line in lines)
@@ -26,7 +26,7 @@ def csv_of(rows) -> str:
 MIXED_CSV = f"{csv_of(MIXED)}\n"
 
 
-def see_each(pend_list, *keys) -> dict[str, Any]:
+def see_each(pend_list: list[dict], *keys: str) -> dict[str, Any]:
     """Return options of expect to compare the values of these keys in each pendulum.
 
     The values are those after the call.
@@ -38,7 +38,13 @@ def see_each(pend_list, *keys) -> dict[str, Any]:
 
 
 def hang(
-    theta=0.0, omega=0.0, mass=1.0, e=1.0, axle=(0.0, 0.0, 0.0), r_param=R, radius=None
+    theta: float = 0.0,
+    omega: float = 0.0,
+    mass: float = 1.0,
+    e: float = 1.0,
+    axle: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    r_param: float = R,
+    radius: float | None = None,
 ) -> dict[str, Any]:
     """Return a pendulum at theta (rad) below axle (x, y, z in m).
 
@@ -57,12 +63,12 @@ def hang(
     }
 
 
-def row(count, **values) -> list[dict]:
+def row(count: int, **values: Any) -> list[dict]:
     """Return count pendula with axles R / 4 apart, and these values for hang."""
     return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]
 
 
-def touching(*omegas, radius=R / 8) -> list[dict]:
+def touching(*omegas: float, radius: float = R / 8) -> list[dict]:
     """Return pendula that hang straight down and touch, with these omegas (rad/s)."""
     pend_list = row(len(omegas), radius=radius)
     for pend, omega in zip(pend_list, omegas, strict=True):
@@ -80,7 +86,7 @@ def shapes() -> set[int]:
 LEFT_OVER = {"wanted": 0, "what": "number of shapes that no pendulum has"}
 
 
-def left_over(old, parts) -> int:
+def left_over(old: set[int], parts: list) -> int:
     """Return how many shapes of the scene look like one of parts, but are none, and not in old.
 
     old is from shapes(), parts are the objects of pendula. Shapes of another thickness are for
@@ -95,6 +101,6 @@ def left_over(old, parts) -> int:
     return count
 
 
-def kind_of(shape) -> tuple:
+def kind_of(shape: Any) -> tuple:
     """Return the kind of a shape, and its thickness."""
     return type(shape), *shape.size.value[1:]

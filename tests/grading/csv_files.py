@@ -43,7 +43,7 @@ FILES = {
 
 
 @contextmanager
-def files(*names) -> Iterator[Path]:
+def files(*names: str) -> Iterator[Path]:
     """Yield a folder with these FILES.
 
     On Windows, it is not deleted if a solution left a file open.

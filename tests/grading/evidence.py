@@ -1,4 +1,4 @@
-"""The choice of the hint for a mistake: from what is seen and proved, in one order.
+"""The evidence for a hint: what an error says of itself, and what is in the line that raised it.
 
 hints.py has the hints. The line of an error is looked at as a syntax tree.
 """
@@ -17,57 +17,15 @@ from difflib import get_close_matches
 from itertools import pairwise
 from pathlib import Path
 from types import FrameType
+from typing import Any
 
 from grading.handout import FUNCTIONS, IMPORTS, is_students
-from grading.hints import BOTH_VERSIONS, CONFLICT, ERRORS, FORMS, MEANING, NEWER, OTHER_FORMS
+from grading.hints import BOTH_VERSIONS, CONFLICT, ERRORS, MEANING, NEWER, OTHER_FORMS
 
 MAPS = "COLOR_MAP", "TEXTURE_MAP"
 
 
-def hint_for(error, result, wrong, code, function) -> str:
-    """Return the hint for a mistake: from the first evidence that there is.
-
-    error is the StoppedError of the function, or None. result is the hint for its exact result, or
-    "", and wrong is the sentence that says what is wrong. code is the function's.
-
-    A file that does not compile and a function that is not written never get here: grader.run
-    answers them.
-    """
-    hints = [
-        of_parameters(code.parameters, function, error),  # the check's own call does not fit
-        error.hint if error else "",  # the type of Python's error, its text, the tree of the line
-        result,  # the exact result of a known mistake
-        error.meaning if error else "",
-        of_sentence(wrong),
-    ]
-    return next(filter(None, hints), "")
-
-
-def of_sentence(wrong) -> str:
-    """Return the hint for the sentence that says what is wrong, or ""."""
-    for pattern, hint in FORMS.values():
-        if re.search(pattern, wrong):
-            return hint
-    return ""
-
-
-def of_parameters(parameters, function, error) -> str:
-    """Return the hint for a line def that has other parameters than the handout, or ""."""
-    found = parameters.split(", ")
-    wanted = FUNCTIONS[function].parameters.split(", ")
-    is_moved = sorted(found) == sorted(wanted) and found != wanted
-    if is_moved or (error and is_refused_call(error, function)):
-        return f"The line def has changed. It must be: def {function}({', '.join(wanted)}):"
-    return ""
-
-
-def is_refused_call(error, function) -> bool:
-    """Return whether Python did not even begin the call of a function."""
-    is_about_call = error.kind == "TypeError" and f"{function}()" in (error.text or "")
-    return is_about_call and not error.places
-
-
-def nearest_name(error) -> str:
+def nearest_name(error: BaseException) -> str:
     """Return which name is nearest to one that does not exist, as Python 3.12 says it, or ""."""
     name = getattr(error, "name", None) or ""
     names = []
@@ -81,7 +39,7 @@ def nearest_name(error) -> str:
     return f". Did you mean: '{by_lower[near[0]]}'?" if near else ""
 
 
-def id_of(node) -> str:
+def id_of(node: Any) -> str:
     """Return the name that a node of the syntax tree is, or ""."""
     return getattr(node, "id", "")
 
@@ -89,15 +47,15 @@ def id_of(node) -> str:
 class Evidence:
     """What an error says of itself, and what is in the student's line that raised it."""
 
-    def __init__(self, error, frame: FrameType | None, line):
+    def __init__(self, error: BaseException, frame: FrameType | None, line: int):
         """frame is the student's, None if no code of the student has run."""
-        self.error = error
-        self.frame = frame
+        self.error: Any = error
         self.text = str(error.msg if isinstance(error, SyntaxError) else error)
         self.name = self.found_name()
         self.file = self.name.replace(".", "/") + ".py"
         self.function = frame.f_code.co_name if frame else ""
         self.globals = frame.f_globals if frame else {}
+        self.locals = frame.f_locals if frame else {}
         self.nearest = nearest_name(error)
         self.nodes = nodes_of(frame, line) if frame else []
         self.subscripts = [node for node in self.nodes if isinstance(node, ast.Subscript)]
@@ -107,10 +65,9 @@ class Evidence:
         name = getattr(self.error, "name", None)
         if name:
             return str(name)
+        key = getattr(self.error, "filename", None)
         if isinstance(self.error, KeyError) and self.error.args:
             key = f"{self.error.args[0]}"
-        else:
-            key = getattr(self.error, "filename", None)
         if key:
             return str(key)
         quoted = re.search(r"(?:name|variable|attribute) '(\w+)'", self.text)
@@ -144,7 +101,7 @@ class Evidence:
     def goes_through_dictionary(self) -> bool:
         """Whether a loop in the line takes its values from a dictionary."""
         loops = [node for node in self.nodes if isinstance(node, ast.For)]
-        values = [self.frame.f_locals.get(id_of(loop.iter)) for loop in loops]
+        values = [self.locals.get(id_of(loop.iter)) for loop in loops]
         return any(isinstance(value, dict) for value in values)
 
     @property
@@ -195,10 +152,8 @@ class Evidence:
     @property
     def takes(self) -> str:
         """Which values the function takes that was called with others, if it is known."""
-        if not self.frame:
-            return ""
         name = self.text.partition("(")[0].rpartition(".")[2]
-        function = {**self.frame.f_globals, **self.frame.f_locals}.get(name)
+        function: Any = {**self.globals, **self.locals}.get(name)
         with suppress(TypeError, ValueError):
             names = [*inspect.signature(function).parameters]
             if len(names) == 1:
@@ -243,7 +198,9 @@ class Evidence:
         return (first, near[0]) if near else ()
 
 
-def of_error(error, frames, function) -> tuple[str, str]:
+def of_error(
+    error: BaseException, frames: list[tuple[FrameType, int]], function: str
+) -> tuple[str, str]:
     """Return the hint for an error of Python in a function, and what the error means.
 
     frames are the student's (frame, line) pairs that it has passed. A called function of the
@@ -270,7 +227,7 @@ def of_error(error, frames, function) -> tuple[str, str]:
     return "", ""
 
 
-def last_of_student(frames, function) -> int:
+def last_of_student(frames: list[tuple[FrameType, int]], function: str) -> int:
     """Return the index of the last frame in a function that the student wrote, -1 without one."""
     found = -1
     for i, (frame, _) in enumerate(frames):
@@ -279,13 +236,13 @@ def last_of_student(frames, function) -> int:
     return found
 
 
-def nodes_of(frame, line) -> list:
+def nodes_of(frame: FrameType, line: int) -> list:
     """Return the nodes of the innermost statement at a frame's line, outer ones first.
 
     Of a block, these are the nodes of its first line.
     """
-    nodes = [*ast.walk(ast.parse("".join(linecache.getlines(frame.f_code.co_filename))))]
-    statements = [node for node in nodes if isinstance(node, ast.stmt)]
+    nodes: list[Any] = [*ast.walk(ast.parse("".join(linecache.getlines(frame.f_code.co_filename))))]
+    statements: list[Any] = [node for node in nodes if isinstance(node, ast.stmt)]
     around = [node for node in statements if node.lineno <= line <= node.end_lineno]
     if not around:
         return []

@@ -5,6 +5,7 @@ import builtins
 from contextlib import suppress
 from itertools import islice
 from types import FrameType
+from typing import Any, TypeGuard
 
 from vpython import vector
 
@@ -31,17 +32,17 @@ SIGNS = {
 }
 
 
-def is_part(node) -> bool:
+def is_part(node: ast.AST) -> TypeGuard[ast.expr]:
     """Return whether the value of a node is noted."""
     return isinstance(node, PARTS) and isinstance(getattr(node, "ctx", ast.Load()), ast.Load)
 
 
-def place_of(node) -> tuple[int, ...]:
+def place_of(node: Any) -> tuple[int, ...]:
     """Return the place of a node in its file."""
     return node.lineno, node.col_offset, node.end_lineno, node.end_col_offset
 
 
-def targets_of(node) -> list[ast.expr]:
+def targets_of(node: ast.AST) -> list[ast.expr]:
     """Return the places that get a value in a statement, each place of a tuple alone."""
     left = [*node.targets] if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
     found = []
@@ -56,12 +57,12 @@ def targets_of(node) -> list[ast.expr]:
     return found
 
 
-def is_inner_statement(node) -> bool:
+def is_inner_statement(node: ast.AST) -> bool:
     """Return whether a node in a statement is a statement of its own."""
     return isinstance(node, (ast.stmt, ast.ExceptHandler))
 
 
-def names_in_head(node) -> set[str]:
+def names_in_head(node: ast.AST) -> set[str]:
     """Return the names that a statement or an expression uses, without its inner statements."""
     names = set()
     left = [node]
@@ -73,7 +74,7 @@ def names_in_head(node) -> set[str]:
     return names
 
 
-def keys_in_head(node) -> set:
+def keys_in_head(node: ast.AST) -> set:
     """Return the constants in [ ] from which a statement or an expression takes a value."""
     keys = set()
     for part in operations_in(node):
@@ -82,7 +83,7 @@ def keys_in_head(node) -> set:
     return keys
 
 
-def operations_in(node) -> list[ast.expr]:
+def operations_in(node: ast.AST) -> list[ast.expr]:
     """Return the parts in a statement, without those of inner statements, in their order."""
     found = []
     for child in ast.iter_child_nodes(node):
@@ -104,7 +105,7 @@ class Values:
         # Whether a method that is called in a condition may have changed something
         self.can_change = False
 
-    def of(self, node):
+    def of(self, node: ast.expr) -> Any:
         """Return the value of a node; raise a LookupError if it is not known."""
         if place_of(node) in self.parts:
             return self.parts[place_of(node)]
@@ -118,7 +119,7 @@ class Values:
             return self.taken(self.of(node.value), node)
         raise LookupError
 
-    def taken(self, whole, node):
+    def taken(self, whole: Any, node: ast.Subscript | ast.Attribute) -> Any:
         """Return an element or an attribute of a whole.
 
         Of a class that the student wrote, this could change it.
@@ -129,7 +130,7 @@ class Values:
             return getattr(whole, node.attr)
         raise LookupError
 
-    def of_name(self, name):
+    def of_name(self, name: str) -> Any:
         """Return the value of a name.
 
         A name of the function has no value before a line gives it one.
@@ -139,7 +140,7 @@ class Values:
             return self.frame.f_locals[name]
         return {**vars(builtins), **self.frame.f_globals}[name]
 
-    def stopped_at(self, statement) -> list[str]:
+    def stopped_at(self, statement: ast.AST) -> list[str]:
         """Return the values of the operation at which a statement was stopped, in words."""
         for node in operations_in(statement):
             try:
@@ -152,11 +153,11 @@ class Values:
                 return []
         return []
 
-    def is_operand(self, node) -> bool:
+    def is_operand(self, node: ast.expr) -> bool:
         """Return whether the value of a part of an operation says something."""
         return not isinstance(node, ast.Constant) and not callable(self.of(node))
 
-    def operand(self, node) -> str:
+    def operand(self, node: ast.expr) -> str:
         """Return the value of a part of an operation, in words; of a dictionary, its keys."""
         code = ast.unparse(node)
         value = self.of(node)
@@ -167,12 +168,12 @@ class Values:
             return f"the keys of {code} are {', '.join(keys) or 'none'}"
         return f"{code} is {in_words(value, self.names_but(node))}"
 
-    def names_but(self, node) -> dict[int, str]:
+    def names_but(self, node: ast.AST) -> dict[int, str]:
         """Return the names of dictionaries and lists, without the one that is this node."""
         code = ast.unparse(node)
         return {key: name for key, name in self.names.items() if name != code}
 
-    def condition(self, node, value) -> str:
+    def condition(self, node: ast.expr, value: Any) -> str:
         """Return a condition that has this value: both sides of each comparison, and its truth."""
         calls = [part for part in operations_in(node) if isinstance(part, ast.Call)]
         self.can_change = any(isinstance(call.func, ast.Attribute) for call in calls)
@@ -185,7 +186,7 @@ class Values:
             return f"{text} {bool(value)}"
         return f"{text}, so {bool(value)}"
 
-    def with_values(self, node) -> str:
+    def with_values(self, node: ast.expr) -> str:
         """Return a condition, or a part of it, with values in place of the code."""
         if isinstance(node, ast.Compare):
             text = self.with_values(node.left)

@@ -36,7 +36,7 @@ class Part(NamedTuple):
     is_title: bool = False  # of the table of a helper
 
 
-def grade(outcomes) -> dict:
+def grade(outcomes: dict[str, Outcome]) -> dict:
     """Return the grade of outcomes (by the names of the checks) for a gradebook.
 
     It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next",
@@ -65,7 +65,7 @@ def grade(outcomes) -> dict:
     return {"tiers": tiers, "grade": highest(points, most), "next": step, "more": "\n".join(more)}
 
 
-def checks_with_outcome(outcomes) -> list[Check]:
+def checks_with_outcome(outcomes: dict[str, Outcome]) -> list[Check]:
     """Return the checks that have an outcome, in the order of the handout."""
     found = []
     for tier in SUITES:
@@ -73,7 +73,7 @@ def checks_with_outcome(outcomes) -> list[Check]:
     return found
 
 
-def failed_checks(outcomes) -> list[Check]:
+def failed_checks(outcomes: dict[str, Outcome]) -> list[Check]:
     """Return the checks that fail, those first whose file cannot be imported."""
     failed = []
     for check in checks_with_outcome(outcomes):
@@ -82,7 +82,7 @@ def failed_checks(outcomes) -> list[Check]:
     return sorted(failed, key=lambda check: not outcomes[check.name].broken_file)
 
 
-def next_step(outcomes) -> tuple[str, list[Part]]:
+def next_step(outcomes: dict[str, Outcome]) -> tuple[str, list[Part]]:
     """Return the next step, and more about it.
 
     It is a file that Python cannot read, else the first function with a mistake, else the first
@@ -113,7 +113,7 @@ def next_step(outcomes) -> tuple[str, list[Part]]:
     return "all functions with a check are right", parts
 
 
-def explanation(check, outcome: Outcome) -> list[Part]:
+def explanation(check: Check, outcome: Outcome) -> list[Part]:
     """Return what a student reads about a check that is not passed, in this order."""
     if outcome.is_unwritten:
         read = f"Read in the handout: {FUNCTIONS[check.function].read}."
@@ -135,7 +135,7 @@ def explanation(check, outcome: Outcome) -> list[Part]:
     return [*parts, *step_parts(check.function)]
 
 
-def step_parts(function) -> list[Part]:
+def step_parts(function: str) -> list[Part]:
     """Return the steps of a function, and lines of Python that show what it needs."""
     steps = STEPS[function]
     parts = [Part(IN_WORDS, [f"The steps: {steps.sentence}"])]

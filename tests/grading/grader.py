@@ -7,7 +7,7 @@ function does not matter.
 """
 
 import importlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NamedTuple
 
 from grading.comparing import (
@@ -41,10 +41,10 @@ class Check(NamedTuple):
 CHECKS: dict[str, Check] = {}  # by name, in the order of the suites
 
 
-def check(function) -> Callable:
+def check(function: str) -> Callable:
     """Return a decorator that makes a check of this function."""
 
-    def add(ask):
+    def add(ask: Any) -> Any:
         ask.is_check = True
         title = " ".join(ask.__doc__.split())
         tier = FUNCTIONS[function].tier
@@ -54,13 +54,13 @@ def check(function) -> Callable:
     return add
 
 
-def checks(*, tier=None, function=None) -> list[Check]:
+def checks(*, tier: str = "", function: str = "") -> list[Check]:
     """Return the checks of a tier, or of a function."""
     tier = tier or FUNCTIONS[function].tier
     importlib.import_module(SUITES[tier])
     found = []
     for check in CHECKS.values():
-        if check.tier == tier and function in (None, check.function):
+        if check.tier == tier and function in ("", check.function):
             found.append(check)
     return found
 
@@ -75,7 +75,7 @@ class Steps(NamedTuple):
 STEPS: dict[str, Steps] = {}  # by the function
 
 
-def steps(function, sentence, *python) -> None:
+def steps(function: str, sentence: str, *python: str) -> None:
     """Give the steps of a function, for students who have not written it, or not correctly."""
     STEPS[function] = Steps(sentence, python)
 
@@ -91,10 +91,10 @@ class WrongError(Exception):
 
     def __init__(
         self,
-        wrong,
+        wrong: str,
         call: Call,
-        lines,
-        hint="",
+        lines: list[tuple[str, Any]],
+        hint: str = "",
         raised: StoppedError | None = None,
         subject: Subject = NOTHING,
     ):
@@ -110,7 +110,7 @@ class WrongError(Exception):
         self.raised = raised
         self.help = ""  # what the check says about this call
         # Pairs of a part of the handout's formula, and its value in this call
-        self.right: tuple = ()
+        self.right: Sequence[tuple[str, Any]] = ()
 
 
 class WaitError(Exception):
@@ -119,7 +119,7 @@ class WaitError(Exception):
     The text says for which function, or for which file that cannot be imported.
     """
 
-    def __init__(self, cause, place="", raised: StoppedError | None = None):
+    def __init__(self, cause: str, place: str = "", raised: StoppedError | None = None):
         """place is that of the check's own function if it is not written.
 
         raised is what stopped the import.
@@ -133,7 +133,13 @@ runner = StudentsCode()
 NOTES: list[str] = []  # sentences for a student whose solution is right
 
 
-def expect(function, *arguments, help="", right=(), **expected) -> Any:
+def expect(
+    function: str,
+    *arguments: Any,
+    help: str = "",
+    right: Sequence[tuple[str, Any]] = (),
+    **expected: Any,
+) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
     help    a sentence about this call, for a student whose result is wrong
@@ -148,7 +154,16 @@ def expect(function, *arguments, help="", right=(), **expected) -> Any:
         raise
 
 
-def compared(function, *arguments, wanted, see=None, what="", results=(), notes=(), times=1) -> Any:
+def compared(
+    function: str,
+    *arguments: Any,
+    wanted: Any,
+    see: Callable | None = None,
+    what: str = "",
+    results: Iterable[tuple[Any, str]] = (),
+    notes: Iterable[tuple[Any, str]] = (),
+    times: int = 1,
+) -> Any:
     """Do what expect does.
 
     wanted  the right value: a Wanted, or a value for same
@@ -174,15 +189,15 @@ def compared(function, *arguments, wanted, see=None, what="", results=(), notes=
         came_back = [*text_of(result).split("\n"), form] if returns else form
         mistake = unreadable(error, what, result)
         hint = hint_for_result(result, results)
-        lines = [("came back", came_back), expected]
+        lines: list[tuple[str, Any]] = [("came back", came_back), expected]
         raise WrongError(mistake.sentence, call, lines, hint, subject=mistake.subject) from None
     if not fits(found, wanted):
         mistake = mistake_in(what or returns, found, wanted, is_result=not what)
         hint = hint_for_result(found, results)
         if not hint and is_exchanged(found, wanted):
             hint = "These are the right values, in another order."
-        lines = both(what, found, wanted)
-        raise WrongError(mistake.sentence, call, lines, hint, subject=mistake.subject)
+        values = both(what, found, wanted)
+        raise WrongError(mistake.sentence, call, values, hint, subject=mistake.subject)
     for test, note in notes:
         if fits(found, test):
             NOTES.append(note)
@@ -191,7 +206,7 @@ def compared(function, *arguments, wanted, see=None, what="", results=(), notes=
 
 def require_same_files(call: Call) -> None:
     """Raise WrongError if a call has written into a file."""
-    files = [value for value in call.arguments if isinstance(value, PlainFile)]
+    files = [value for value in call.arguments or () if isinstance(value, PlainFile)]
     has_changed = any(plain(file.path) != file for file in files)
     # The handout lets main write into NC_FP
     if has_changed or (runner.has_written and call.function != "main"):
@@ -202,9 +217,9 @@ def require_same_files(call: Call) -> None:
         raise WrongError(f"{call.function} writes into a file.", call, lines)
 
 
-def require_pendula(call: Call, arguments) -> None:
+def require_pendula(call: Call, arguments: tuple) -> None:
     """Raise WrongError if a pendulum in the arguments of a call is none any more."""
-    for damaged in damage(call.arguments, FUNCTIONS[call.function].parameters, arguments):
+    for damaged in damage(call.arguments or (), FUNCTIONS[call.function].parameters, arguments):
         lines = [
             ("came back", damaged),
             ("expected", "The same dictionary, with its keys and its objects."),
@@ -212,7 +227,7 @@ def require_pendula(call: Call, arguments) -> None:
         raise WrongError(f"{call.function} has lost a pendulum.", call, lines)
 
 
-def unreadable(error, what, result) -> Mistake:
+def unreadable(error: Exception, what: str, result: Any) -> Mistake:
     """Return what is wrong with a result from which the check cannot read a value."""
     mistake = Mistake(f"{what or RESULT} cannot be read.", Subject(what or RESULT))
     if isinstance(error, KeyError):
@@ -224,7 +239,7 @@ def unreadable(error, what, result) -> Mistake:
     return mistake
 
 
-def result_of(function, *arguments) -> Any:
+def result_of(function: str, *arguments: Any) -> Any:
     """Call a function that has passed its own checks, and return its result.
 
     If it returns nothing usable, this check waits for it.
@@ -236,7 +251,7 @@ def result_of(function, *arguments) -> Any:
     return result
 
 
-def run(call: Call, arguments, expected) -> Any:
+def run(call: Call, arguments: tuple, expected: tuple[str, Any]) -> Any:
     """Return the result of a student's function.
 
     Raise WrongError if it is missing, raises an error or goes over a limit. Raise WaitError if it
@@ -261,7 +276,7 @@ def run(call: Call, arguments, expected) -> Any:
     raise WrongError(sentence, call, [end_of(raised, raised.places), expected], raised=raised)
 
 
-def place_of(raised: StoppedError | None, function) -> Place | None:
+def place_of(raised: StoppedError | None, function: str) -> Place | None:
     """Return the innermost place of an error in what the student wrote for this function.
 
     Return None if it has none.

@@ -7,7 +7,7 @@ HONOR = "Honor roll"
 SUITES = {"D": "test_d", "C": "test_c", "B": "test_b", "A": "test_a", HONOR: "test_honor_roll"}
 
 
-def highest(points, most) -> str | None:
+def highest(points: dict[str, int], most: dict[str, int]) -> str | None:
     """Return the highest complete tier, with all tiers below it complete, or None.
 
     points and most are numbers by tier.
@@ -52,7 +52,7 @@ RUNNING = "Running the Simulation (A Tests)"
 CHALLENGE = "Honor Roll Challenge"
 
 
-def maker(parameters, calls, given=()) -> Function:
+def maker(parameters: str, calls: str, given: tuple[str, ...] = ()) -> Function:
     """Return a function that makes a pend_list from a CSV."""
     return Function(
         "D", SPECIAL, parameters, CREATION, calls=(calls,), returns="pend_list", given=given
@@ -145,7 +145,7 @@ IMPORTS = {
 }
 
 
-def needed(function) -> list[str]:
+def needed(function: str) -> list[str]:
     """Return all functions that this one uses, directly or not, in the order of the handout."""
     found: set[str] = set()
     for called in FUNCTIONS[function].calls:
@@ -153,13 +153,13 @@ def needed(function) -> list[str]:
     return [name for name in FUNCTIONS if name in found]
 
 
-def is_students(name, function) -> bool:
+def is_students(name: str, function: str) -> bool:
     """Return whether this is the name of a function of the handout, or of a helper for it."""
     if name == function:
         return True
     return name not in FUNCTIONS and name not in GIVEN and name != "<lambda>"
 
 
-def module_of(file) -> str:
+def module_of(file: str) -> str:
     """Return the module name of a file of the project."""
     return file.removesuffix(".py").replace("/", ".")

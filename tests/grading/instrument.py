@@ -22,6 +22,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from copy import deepcopy
 from types import CodeType, FunctionType
+from typing import Any
 
 from grading.expressions import AS_THEY_ARE, is_part, place_of
 from grading.handout import FUNCTIONS, is_students, module_of
@@ -34,15 +35,15 @@ STORING = ast.Assign, ast.AugAssign, ast.AnnAssign, ast.Expr
 DEFINITIONS = ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef
 
 
-def hand(method, *arguments) -> ast.Call:
+def hand(method: str, *arguments: Any) -> ast.Call:
     """Return the code that hands these to a method of the Watch: nodes, or plain values."""
-    nodes = []
+    nodes: list[Any] = []
     for argument in arguments:
         nodes.append(argument if isinstance(argument, ast.AST) else ast.Constant(argument))
     return ast.Call(ast.Attribute(ast.Name(WATCH, ast.Load()), method, ast.Load()), nodes, [])
 
 
-def line_with(node, method, number) -> ast.Expr:
+def line_with(node: Any, method: str, number: int) -> ast.Expr:
     """Return a statement that calls a method of the Watch, at the first line of a node."""
     return ast.Expr(
         hand(method, number),
@@ -56,15 +57,15 @@ def line_with(node, method, number) -> ast.Expr:
 class Parts(ast.NodeTransformer):
     """Hands the values of the parts of an expression to the Watch."""
 
-    def __init__(self, number, receiver=None):
+    def __init__(self, number: int, receiver: ast.expr | None = None):
         """number is that of the statement. A method of receiver (a node) is called in it."""
         self.number = number
         self.receiver = receiver
 
-    def visit(self, node) -> ast.AST:
+    def visit(self, node: ast.AST) -> Any:
         if isinstance(node, AS_THEY_ARE):
             return node
-        new = self.generic_visit(node)
+        new: Any = self.generic_visit(node)
         if isinstance(node, ast.Call):
             new.func = hand("function", self.number, new.func)
         if is_part(node):
@@ -83,12 +84,12 @@ class Changer:
         number = self.add(node, len(self.statements), ())
         node.body = [line_with(node, "enter", number), *self.block(node.body, number, ())]
 
-    def add(self, node, owner, loops, is_shown=True) -> int:
+    def add(self, node: ast.AST, owner: int, loops: tuple[int, ...], is_shown: bool = True) -> int:
         """Note a statement; return its number."""
         self.statements.append(Statement(deepcopy(node), owner, loops, is_shown))
         return len(self.statements) - 1
 
-    def block(self, nodes, owner, loops) -> list[ast.stmt]:
+    def block(self, nodes: list[ast.stmt], owner: int, loops: tuple[int, ...]) -> list[ast.stmt]:
         """Return the changed statements of a block.
 
         owner is the number of the function, loops are those around the block.
@@ -104,7 +105,7 @@ class Changer:
                 changed += self.statement(node, owner, loops)
         return changed
 
-    def statement(self, node, owner, loops) -> list[ast.stmt]:
+    def statement(self, node: Any, owner: int, loops: tuple[int, ...]) -> list[ast.stmt]:
         """Return the statements that take the place of this one."""
         number = self.add(node, owner, loops)
         if isinstance(node, LOOPS):
@@ -127,7 +128,7 @@ class Changer:
             return [line_with(node, "ran", number), node]
         return [start, node]
 
-    def expressions(self, node, number) -> None:
+    def expressions(self, node: Any, number: int) -> None:
         """Let the expressions of a statement hand their parts to the Watch."""
         parts = Parts(number, receiver_in(node))
         for name, child in ast.iter_fields(node):
@@ -139,7 +140,7 @@ class Changer:
             for item in node.items:
                 item.context_expr = parts.visit(item.context_expr)
 
-    def blocks(self, node, owner, loops) -> None:
+    def blocks(self, node: Any, owner: int, loops: tuple[int, ...]) -> None:
         """Change the blocks of a statement."""
         for name in ("body", "orelse", "finalbody"):
             nodes = getattr(node, name, None)
@@ -155,7 +156,7 @@ class Changer:
             case.body = self.block(case.body, owner, loops)
 
 
-def receiver_in(node) -> ast.expr | None:
+def receiver_in(node: ast.AST) -> ast.expr | None:
     """Return the node whose method is called in a statement that is nothing but this call."""
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
         function = node.value.func
@@ -163,7 +164,7 @@ def receiver_in(node) -> ast.expr | None:
     return None
 
 
-def is_idle(node) -> bool:
+def is_idle(node: ast.AST) -> bool:
     """Return whether a statement changes nothing: a docstring, or a print."""
     if not isinstance(node, ast.Expr):
         return False
@@ -173,7 +174,7 @@ def is_idle(node) -> bool:
 
 
 @contextmanager
-def watched(function, watch: Watch) -> Iterator[None]:
+def watched(function: str, watch: Watch) -> Iterator[None]:
     """Let a Watch note what the student's functions for this one do, in the with statement."""
     plain_codes = {own_function: own_function.__code__ for own_function in own_functions(function)}
     codes = changed_codes([*plain_codes.values()], watch) if plain_codes else {}
@@ -190,7 +191,7 @@ def watched(function, watch: Watch) -> Iterator[None]:
             own_function.__globals__.pop(WATCH, None)
 
 
-def own_functions(function) -> Iterator[FunctionType]:
+def own_functions(function: str) -> Iterator[FunctionType]:
     """Yield this function of the handout, and the student's own functions in its file."""
     module = sys.modules[module_of(FUNCTIONS[function].file)]
     code = getattr(getattr(module, function, None), "__code__", None)
@@ -207,7 +208,7 @@ def own_functions(function) -> Iterator[FunctionType]:
             yield value
 
 
-def changed_codes(plain_codes, watch: Watch) -> dict[tuple[str, int], CodeType]:
+def changed_codes(plain_codes: list[CodeType], watch: Watch) -> dict[tuple[str, int], CodeType]:
     """Return the changed code of functions in one file, by their names and first lines."""
     file = plain_codes[0].co_filename
     names = {code.co_name for code in plain_codes}

@@ -4,6 +4,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from grading.messages import COLUMNS
+from grading.notes import Value
 
 INDENT = 4  # spaces in front of each row
 CODE = 34  # columns of a short line of code; the values of all short lines stand below each other
@@ -26,7 +27,7 @@ class Remark(NamedTuple):
     below: tuple[str, ...] = ()
 
 
-def laid_out(number, code, remark: Remark) -> list[str]:
+def laid_out(number: str, code: str, remark: Remark) -> list[str]:
     """Return a row as lines of the screen: values beside short code if they fit, else below it."""
     start = f"{' ' * INDENT}{number}  {code}".ljust(INDENT + len(number) + 2 + CODE)
     beside = remark.beside
@@ -44,12 +45,12 @@ def laid_out(number, code, remark: Remark) -> list[str]:
     return lines
 
 
-def has_room(start, beside) -> bool:
+def has_room(start: str, beside: str) -> bool:
     """Return whether both fit into a line."""
     return len(f"{start}  {beside}") <= COLUMNS
 
 
-def indented(text) -> list[str]:
+def indented(text: str) -> list[str]:
     """Return what is said below a line of code, cut after MOST_LINES."""
     space = " " * (INDENT + 8)
     lines = wrap(text, COLUMNS, initial_indent=space, subsequent_indent=space)
@@ -58,14 +59,14 @@ def indented(text) -> list[str]:
     return lines
 
 
-def shortened(line) -> str:
+def shortened(line: str) -> str:
     """Return a line with ... at its end, and without the words that have no room then."""
     while len(line) > COLUMNS - 4:
         line = line.rpartition(" ")[0]
     return f"{line} ..."
 
 
-def cell(values) -> str:
+def cell(values: list[Value]) -> str:
     """Return what a statement gave in one turn."""
     texts = [value.text for value in values]
     if not texts:
@@ -73,7 +74,7 @@ def cell(values) -> str:
     return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
 
 
-def cells(by_turn, turns) -> str:
+def cells(by_turn: dict[int, str], turns: list[int]) -> str:
     """Return the texts of these turns, with ... for those that are left out."""
     texts = []
     last = 0
@@ -85,7 +86,7 @@ def cells(by_turn, turns) -> str:
     return " | ".join(texts)
 
 
-def once(values) -> str:
+def once(values: list[Value]) -> str:
     """Return what a statement gave outside of loops.
 
     A place whose code stands in the line needs no label.
@@ -109,6 +110,6 @@ def together(statements: list[Remark]) -> Remark:
     return Remark(min(remark.rank for remark in statements), "; ".join(texts), tuple(below))
 
 
-def says_only_ran(text) -> bool:
+def says_only_ran(text: str) -> bool:
     """Return whether a text says nothing but in which turns a line ran."""
     return {*text.split(" | ")} <= {"ran", "-", "..."}

@@ -10,8 +10,11 @@ import signal
 import sys
 import threading
 import time
+from collections.abc import Iterator
 from contextlib import contextmanager, ExitStack
 from pathlib import Path
+from types import FrameType
+from typing import Any
 from unittest.mock import patch
 
 from grading.begin import ROOT
@@ -43,7 +46,7 @@ end_process = os._exit
 
 
 @contextmanager
-def limited_memory(megabytes=None):
+def limited_memory(megabytes: int | None = None) -> Iterator[None]:
     """Raise a MemoryError if the body of the with statement takes more than this, on Linux.
 
     The default is MOST_MEMORY.
@@ -69,7 +72,7 @@ def limited_memory(megabytes=None):
 
 
 @contextmanager
-def without_ends():
+def without_ends() -> Iterator[None]:
     """In the body of the with statement, os._exit raises a SystemExit, and input an EOFError.
 
     The output stays open. A process that the body starts can end as it likes. A debugger has its
@@ -78,18 +81,18 @@ def without_ends():
     process = os.getpid()
     answer = input
 
-    def refused_exit(status):
+    def refused_exit(status: int) -> None:
         if os.getpid() != process:
             end_process(status)
         raise SystemExit(f"os._exit({status})")
 
-    def refused_input(*prompt):
+    def refused_input(*prompt: object) -> str:
         if sys._getframe(1).f_globals.get("__name__") == "cmd":  # the prompt of a debugger
             DEBUGGED.set()
             return answer(*prompt)
         raise EOFError("input() waits for somebody, but nobody answers in a check")
 
-    def nothing(*_, **__):
+    def nothing(*_: Any, **__: Any) -> None:
         pass
 
     changed = {
@@ -114,7 +117,7 @@ def is_debugged() -> bool:
     return DEBUGGED.is_set() or has_tool or sys.gettrace() is not None
 
 
-def over_limit(error) -> str:
+def over_limit(error: BaseException) -> str:
     """Return how a call that raised this error went over a limit, or "" if it did not."""
     number = error.errno if isinstance(error, OSError) else None
     if isinstance(error, MemoryError) or number in SHARED:
@@ -134,9 +137,15 @@ def over_limit(error) -> str:
     return ""
 
 
+def main_thread_id() -> int:
+    """Return the number by which Python knows the main thread."""
+    thread: Any = threading.main_thread()  # it runs, so it has a number
+    return thread.ident
+
+
 def end_stubborn() -> None:
     """End the process if a student's code runs: it has caught each interrupt. Name its line."""
-    frame = sys._current_frames()[threading.main_thread().ident]
+    frame: FrameType | None = sys._current_frames()[main_thread_id()]
     while frame is not None and not Path(frame.f_code.co_filename).is_relative_to(ROOT / "src"):
         frame = frame.f_back
     if frame is None:
@@ -149,13 +158,13 @@ def end_stubborn() -> None:
 class Timer(threading.Thread):
     """Interrupts the main thread if something takes too long, until it is over."""
 
-    def __init__(self, seconds):
+    def __init__(self, seconds: float):
         super().__init__(daemon=True)
         self.seconds = seconds  # of processor time: on a busy machine, the clock says nothing
         self.lock = threading.Lock()
         self.over = threading.Event()
 
-    def run(self):
+    def run(self) -> None:
         start = time.process_time()
         start_by_clock = time.monotonic()
         is_late = has_waited = False
@@ -174,14 +183,14 @@ class Timer(threading.Thread):
             if not self.over.wait(AGAIN) and interrupts >= MOST_INTERRUPTS:
                 end_stubborn()
 
-    def interrupt(self, by_clock) -> None:
+    def interrupt(self, by_clock: bool) -> None:
         """Raise a KeyboardInterrupt in the main thread. It also ends a sleep."""
         if by_clock:
             WAITED.set()
             SHARED_WAS_SHORT.set()
         LATE.set()
         if hasattr(signal, "pthread_kill"):
-            signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+            signal.pthread_kill(main_thread_id(), signal.SIGINT)
         else:  # on Windows, any thread can send the signal
             signal.raise_signal(signal.SIGINT)
 
@@ -192,7 +201,7 @@ class Timer(threading.Thread):
 
 
 @contextmanager
-def patience(seconds):
+def patience(seconds: float) -> Iterator[None]:
     """Raise a KeyboardInterrupt in the body of the with statement if it takes longer than seconds.
 
     These are seconds of processor time. Then, set LATE. If the body only waits, set WAITED, too. If
@@ -201,7 +210,7 @@ def patience(seconds):
     it.
     """
 
-    def on_interrupt(*_):
+    def on_interrupt(*_: Any) -> None:
         if not LATE.is_set():
             PRESSED.set()
         raise KeyboardInterrupt

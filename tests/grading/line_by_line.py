@@ -1,6 +1,7 @@
 """A wrong call, line by line: the tables of the student's functions, and facts about the call."""
 
 import ast
+from collections.abc import Sequence
 from math import isclose
 from numbers import Real
 from typing import Any, NamedTuple
@@ -30,7 +31,14 @@ class Explained(NamedTuple):
 class WrongCall:
     """A call of a student's function that gave something wrong, and was watched."""
 
-    def __init__(self, function, subject: Subject, watch: Watch, arguments, right):
+    def __init__(
+        self,
+        function: str,
+        subject: Subject,
+        watch: Watch,
+        arguments: tuple,
+        right: Sequence[tuple[str, Any]],
+    ):
         """subject is what the sentence about the mistake names.
 
         arguments are those of the call. right are pairs of a part of the handout's formula, and its
@@ -38,7 +46,7 @@ class WrongCall:
         """
         self.function = function
         self.watch = watch
-        self.index = subject.index
+        self.index = subject.pend_index
         self.right = right
         self.runs = [*watch.runs.values()]
         self.main = next(run for run in self.runs if self.name_of(run) == function)
@@ -84,7 +92,7 @@ class WrongCall:
         lines = [*self.marks] or self.question.lines or self.ends(self.main)
         return lines[-1] if lines else 0
 
-    def facts(self, runs) -> list[str]:
+    def facts(self, runs: list[Run]) -> list[str]:
         """Return sentences about what was seen in these calls."""
         facts = [*self.question.facts]
         if self.watch.error:
@@ -95,7 +103,7 @@ class WrongCall:
             facts.append(f"Right here: {', '.join(parts)}.")
         return facts
 
-    def table(self, run: Run, needed) -> list[Row]:
+    def table(self, run: Run, needed: dict[int, int]) -> list[Row]:
         return Table(self.watch, run, self.stops.get(run), needed, self.marks, self.index).rows()
 
     def found_stops(self) -> dict[Run, Stop]:
@@ -125,7 +133,7 @@ class WrongCall:
                 found.append(statement)
         return found
 
-    def needed(self, run: Run, starts) -> dict[int, int]:
+    def needed(self, run: Run, starts: list[int]) -> dict[int, int]:
         """Return these lines of a call, and all lines that set what they use.
 
         The loops and conditions around them are needed, too. Each line has the number of steps that
@@ -148,7 +156,7 @@ class WrongCall:
                     left.append((node.lineno, depth + 1))
         return found
 
-    def helper(self, run: Run, needed) -> Run | None:
+    def helper(self, run: Run, needed: dict[int, int]) -> Run | None:
         """Return the call of a helper that stopped in this call, or that a needed line made."""
         stopped = [*self.stops]
         if run in stopped and run is not stopped[-1]:
@@ -157,14 +165,16 @@ class WrongCall:
         for number, notes in run.notes.items():
             by_line[self.watch.statements[number].node.lineno] = notes
         for line in sorted(needed, key=lambda line: (needed[line], -line)):
-            notes = by_line.get(line)
-            if notes:
-                runs = [called.run for called in self.in_question(notes).calls if called.run]
+            notes_of_line = by_line.get(line)
+            if notes_of_line:
+                runs = [
+                    called.run for called in self.in_question(notes_of_line).calls if called.run
+                ]
                 if runs:
                     return runs[-1]
         return None
 
-    def in_question(self, elements) -> Any:
+    def in_question(self, elements: list) -> Any:
         """Return the element for the pendulum in question, else the last one."""
         if self.index is not None and self.index < len(elements):
             return elements[self.index]
@@ -184,14 +194,14 @@ class WrongCall:
 
     def missing_calls(self) -> list[str]:
         """Return a sentence for each function that the handout tells to use, and no line names."""
-        names = set()
+        names: set[str] = set()
         for run in self.runs:
             for node in ast.walk(self.watch.statements[run.definition].node):
                 names.update(getattr(node, field, "") for field in ("id", "attr", "name"))
         missing = [name for name in FUNCTIONS[self.function].uses if name not in names]
         return [f"No line of your function calls {name}." for name in missing]
 
-    def early_returns(self, runs) -> list[str]:
+    def early_returns(self, runs: list[Run]) -> list[str]:
         """Return sentences about the returns that have ended a loop in these calls."""
         found = []
         for run in runs:
@@ -239,7 +249,7 @@ class WrongCall:
         return dict(sorted(found.items())[:1])
 
 
-def sets_what_is_used(statement, node) -> bool:
+def sets_what_is_used(statement: ast.AST, node: ast.AST) -> bool:
     """Return whether a statement gives a value to a name, or to a key, that another one uses."""
     names = set()
     keys = set()
@@ -251,7 +261,7 @@ def sets_what_is_used(statement, node) -> bool:
     return bool(names & names_in_head(node) or keys & keys_in_head(node))
 
 
-def stop_at(line, error) -> Stop:
+def stop_at(line: int, error: BaseException | None) -> Stop:
     """Return how an error has stopped a line."""
     if isinstance(error, EndlessError):
         return Stop(line, "still here after 1000 turns", is_error=False)

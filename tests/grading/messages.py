@@ -1,6 +1,6 @@
 """Calls, values and errors as text for students."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice
@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from vpython import box, cylinder, sphere, vector
 
 from grading.handout import FUNCTIONS
+from grading.raised import Place, StoppedError
 from support.start.output import in_one_line
 
 COLUMNS = 80  # of a terminal
@@ -60,7 +61,7 @@ class Call(NamedTuple):
     arguments: tuple | None = None  # None if the function was not found
     times: int = 1
 
-    def lines(self, index=0) -> list[str]:
+    def lines(self, index: int = 0) -> list[str]:
         """Return the call as text, and below it the values of pendula and files that it reads.
 
         index is that of a pendulum that must be among those of a list.
@@ -87,12 +88,12 @@ class Call(NamedTuple):
         return [*wrap(call, COLUMNS - LABEL), *below]
 
 
-def plural(count, singular, several) -> str:
+def plural(count: int, singular: str, several: str) -> str:
     """Return a number with its noun: "1 bob", "2 bobs"."""
     return f"{count} {singular if count == 1 else several}"
 
 
-def plain(value) -> Any:
+def plain(value: Any) -> Any:
     """Return a plain copy of an argument: a file with its text, pendula without objects."""
     if isinstance(value, list):
         return [plain(element) for element in value]
@@ -110,7 +111,7 @@ def plain(value) -> Any:
     return value
 
 
-def value_lines(name, value, keys, index=0) -> list[str]:
+def value_lines(name: str, value: Any, keys: tuple[str, ...], index: int = 0) -> list[str]:
     """Return lines about a long argument: a file, a pendulum, or a list of pendula.
 
     keys are those of a pendulum that are shown. index is that of a pendulum that must be shown.
@@ -135,7 +136,7 @@ def value_lines(name, value, keys, index=0) -> list[str]:
     return [f"{name}: {', '.join(parts)}"]
 
 
-def damage(before, names, arguments) -> Iterator[str]:
+def damage(before: Sequence, names: str, arguments: Sequence) -> Iterator[str]:
     """Yield a text for each pendulum in the arguments of a call that is none any more.
 
     The text has its name and its value. before has plain copies of the arguments from before the
@@ -156,7 +157,7 @@ def damage(before, names, arguments) -> Iterator[str]:
                 yield f"{name}: with other objects"
 
 
-def text_of(value, digits=6) -> str:
+def text_of(value: Any, digits: int = 6) -> str:
     """Return a value as text, numbers with this number of digits.
 
     Each dictionary of a list has its own line.
@@ -171,7 +172,7 @@ def text_of(value, digits=6) -> str:
         return f"a {type(value).__name__} that has no text"
 
 
-def form_of(value) -> str:
+def form_of(value: Any) -> str:
     """Return the form of a value as text."""
     for kind, form in FORMS.items():
         if isinstance(value, kind):
@@ -179,7 +180,7 @@ def form_of(value) -> str:
     return "a number" if isinstance(value, Real) else f"a {type(value).__name__}"
 
 
-def text_in_parts(value, digits, parts) -> str:
+def text_in_parts(value: Any, digits: int, parts: Iterator[int]) -> str:
     """Do what text_of does, but let errors of the value pass.
 
     parts is an iterator that ends after the greatest number of parts.
@@ -212,7 +213,7 @@ def text_in_parts(value, digits, parts) -> str:
     return text if len(text) <= MOST_CHARACTERS else text[:MOST_CHARACTERS] + "..."
 
 
-def joined(texts, whole, elements) -> str:
+def joined(texts: list[str], whole: Collection, elements: Iterable) -> str:
     """Return the texts of the elements of a list, tuple or dictionary in lines.
 
     If elements are left out, their full number stands at the end.
@@ -229,7 +230,7 @@ def joined(texts, whole, elements) -> str:
     return joined_text
 
 
-def about(what, value, digits=6) -> list[str]:
+def about(what: str, value: Any, digits: int = 6) -> list[str]:
     """Return a value as lines, after its name in what: in one line if it is short."""
     lines = text_of(value, digits).split("\n")
     if len(lines) > MOST_LINES:
@@ -241,7 +242,7 @@ def about(what, value, digits=6) -> list[str]:
     return [f"{what}:", *lines]
 
 
-def message(pairs) -> str:
+def message(pairs: Iterable[tuple[str, Any]]) -> str:
     """Return pairs of a label and a text (a sentence or lines) as one text.
 
     A pair without text is left out.
@@ -258,7 +259,7 @@ def message(pairs) -> str:
     return "\n".join(rows)
 
 
-def place_lines(places) -> list[str]:
+def place_lines(places: Sequence[Place]) -> list[str]:
     """Return places in a student's own files as lines of text."""
     lines = []
     for place in places:
@@ -267,7 +268,7 @@ def place_lines(places) -> list[str]:
     return lines if len(lines) <= 4 else [*lines[:2], "...", *lines[-2:]]
 
 
-def end_of(raised, places) -> tuple[str, list[str]]:
+def end_of(raised: StoppedError, places: Sequence[Place]) -> tuple[str, list[str]]:
     """Return, as (label, lines), how a call was stopped: by an error, or by the grader."""
     if not raised.limit:
         return "it raised", error_lines(raised)
@@ -275,7 +276,7 @@ def end_of(raised, places) -> tuple[str, list[str]]:
     return "came back", [f"{end} here:", *place_lines(places)] if places else [f"{end}."]
 
 
-def error_lines(raised) -> list[str]:
+def error_lines(raised: StoppedError) -> list[str]:
     """Return an error, and its places in the student's own lines, as lines of text."""
     if raised.text is None:
         text = f"{raised.kind}, which has no text"

@@ -3,9 +3,10 @@
 import ast
 import inspect
 from collections import defaultdict
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import FrameType
+from types import FrameType, FunctionType
 from typing import Any, NamedTuple
 
 from grading.begin import ROOT
@@ -76,7 +77,7 @@ class Known(NamedTuple):
 class Run:
     """One call of a function that the student wrote."""
 
-    def __init__(self, definition, frame: FrameType):
+    def __init__(self, definition: int, frame: FrameType):
         """definition is the number of its def."""
         self.definition = definition
         self.frame = frame
@@ -98,6 +99,13 @@ class Run:
         self.has_result = False
         self.is_whole = True  # whether it was watched to its end
 
+    def begin(self, number: int) -> None:
+        """A statement begins: forget its notes from a turn that an error has stopped."""
+        self.begun.add(number)
+        self.turns_now[number] = 0
+        for kept in (self.values, self.parts, self.calls, self.before):
+            kept.pop(number, None)
+
 
 class Change(NamedTuple):
     """A value of a pendulum that a call has changed."""
@@ -112,7 +120,7 @@ def changes_in_words(changes: list[Change]) -> list[str]:
     by_key: dict[str, list[Change]] = {}
     for change in changes:
         by_key.setdefault(change.key, []).append(change)
-    found = []
+    found: list[str] = []
     for key, same_key in by_key.items():
         if len(same_key) > 2:
             whose = "" if found else f" of {len(same_key)} pendula"
@@ -124,7 +132,7 @@ def changes_in_words(changes: list[Change]) -> list[str]:
     return found
 
 
-def gave_in_words(result, changes: list[Change], names) -> str:
+def gave_in_words(result: Any, changes: list[Change], names: dict[int, str]) -> str:
     """Return the result of a call, and what it has changed."""
     texts = changes_in_words(changes)
     if result is not None:
@@ -132,7 +140,7 @@ def gave_in_words(result, changes: list[Change], names) -> str:
     return " and ".join(texts) or "gave None"
 
 
-def got_by(function, arguments, options, frame: FrameType) -> str:
+def got_by(function: Callable, arguments: tuple, options: dict[str, Any], frame: FrameType) -> str:
     """Return what a function gets in a call from a frame, by the names of its parameters.
 
     What it gets under the same name from a parameter of the caller is left out.
@@ -150,18 +158,18 @@ def got_by(function, arguments, options, frame: FrameType) -> str:
     return ", ".join(found)
 
 
-def is_named(function) -> bool:
+def is_named(function: FunctionType) -> bool:
     """Return whether the table names the calls of a function: it is of src/, or makes pendula."""
     file = Path(function.__code__.co_filename)
     return file.is_relative_to(ROOT / "src") or file == ROOT / "support" / "pendulum.py"
 
 
-def changed_keys(value, before) -> list:
+def changed_keys(value: dict, before: dict) -> list:
     """Return the keys of a dictionary that have another value than before, also an equal one."""
     return [key for key in value if value[key] is not before.get(key)]
 
 
-def pendula_in(values) -> list[dict]:
+def pendula_in(values: Iterable) -> list[dict]:
     """Return the dictionaries in these values, and in the lists among them."""
     found = []
     for value in values:

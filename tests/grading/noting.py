@@ -1,8 +1,10 @@
 """How a method of the Watch notes something of a call; and what stops a loop without end."""
 
 import sys
+from collections.abc import Callable
 from contextlib import suppress
 from functools import wraps
+from typing import Any
 
 MOST_TURNS = 1000  # of a loop, in a function that went over the limit of time: then it is stopped
 
@@ -11,7 +13,7 @@ class EndlessError(BaseException):
     """A loop has made MOST_TURNS turns in a function that went over the limit of time."""
 
 
-def noting(method):
+def noting(method: Callable) -> Callable:
     """Return a function that lets a method of the Watch note something of the call that calls it.
 
     The function gets the number of the statement and some values, and returns the last value. It
@@ -19,7 +21,7 @@ def noting(method):
     """
 
     @wraps(method)
-    def note(self, number, *values):
+    def note(self: Any, number: int, *values: Any) -> Any:
         run = self.run_of(sys._getframe(1))
         if run:
             with suppress(Exception):

@@ -9,18 +9,19 @@ from contextlib import redirect_stderr, redirect_stdout, suppress
 from errno import ENOSPC
 from io import StringIO
 from textwrap import wrap
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
 
 from grading import limits
-from grading.evidence import hint_for
+from grading.choosing import hint_for
 from grading.grader import Check, checks, NOTES, place_of, runner, WaitError, WrongError
 from grading.handout import FUNCTIONS, needed
 from grading.layout import Row
 from grading.line_by_line import Explained, WrongCall
 from grading.messages import COLUMNS, end_of, error_lines, message
 from grading.noting import EndlessError
+from grading.raised import StoppedError
 from grading.students_code import Code, code_of, working_in
 from grading.watch import Watch
 from support.start.output import in_one_line
@@ -52,7 +53,7 @@ class Outcome(NamedTuple):
         return {**self._asdict(), "rows": [[*row] for row in self.rows]}
 
     @classmethod
-    def from_plain(cls, fields) -> "Outcome":
+    def from_plain(cls, fields: Any) -> "Outcome":
         return cls(**{**fields, "rows": [Row(*row) for row in fields["rows"]]})
 
     @property
@@ -65,7 +66,7 @@ class Outcome(NamedTuple):
         return self.state in (FAILED, FAULT) and not self.broken_file
 
 
-def waiting(cause, place="") -> Outcome:
+def waiting(cause: str, place: str = "") -> Outcome:
     """Return the outcome of a check that waits for this cause."""
     return Outcome(WAITING, f"waits for {cause}", place=place, waits_for=cause)
 
@@ -73,7 +74,7 @@ def waiting(cause, place="") -> Outcome:
 class Grading:
     """The outcomes of the checks. Each check is made once."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
         self.hung: set[str] = set()  # functions that went over a limit: they are not called again
         # Files that cannot be imported, and the file that is the cause
@@ -101,7 +102,7 @@ class Grading:
                 return outcome
         return waiting(", ".join(causes))
 
-    def is_wrong(self, function) -> bool:
+    def is_wrong(self, function: str) -> bool:
         """Return whether the function is not written, or one of its own checks fails."""
         outcomes = [self.judge(check) for check in checks(function=function)]
         return any(outcome.is_unwritten or outcome.is_wrong for outcome in outcomes)
@@ -118,7 +119,7 @@ class Grading:
             return self.failed(check, error)
         except WaitError as error:
             if error.raised:
-                return self.broken_by(check, error)
+                return self.broken_by(check, f"{error}", error.raised)
             return waiting(str(error), error.place)
         except BaseException as error:
             is_full = getattr(error, "errno", 0) == ENOSPC
@@ -147,13 +148,13 @@ class Grading:
             explained = watch_again(check, error)
         wrong = f"{error}"
         lines = error.lines
-        place = place_of(raised, function)
+        place = f"{place_of(raised, function) or ''}"
         if raised and not raised.limit:
             wrong = error_lines(raised)[0]
         elif raised and explained.line:  # where the clock has stopped it is chance
-            place = None
+            place = ""
             lines = [end_of(raised, ()), *lines[1:]]
-        called = error.call.lines(error.subject.index or 0)
+        called = error.call.lines(error.subject.pend_index or 0)
         read = f"handout, {FUNCTIONS[function].read}: {function}"
         text = message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)])
         if not place:
@@ -161,7 +162,7 @@ class Grading:
         return Outcome(
             FAILED,
             text,
-            place=f"{place}",
+            place=place,
             wrong=wrong,
             hint=in_one_line(hint),
             help="" if raised else error.help,
@@ -169,7 +170,7 @@ class Grading:
             facts=explained.facts,
         )
 
-    def wrong_functions_in(self, code: Code, function) -> list[str]:
+    def wrong_functions_in(self, code: Code, function: str) -> list[str]:
         """Return the wrong functions that a student uses beside those that the handout asks for."""
         functions = [*FUNCTIONS]
         earlier = functions[: functions.index(function)]
@@ -186,13 +187,11 @@ class Grading:
                 return False
         return True
 
-    def broken_by(self, check: Check, error: WaitError) -> Outcome:
+    def broken_by(self, check: Check, file: str, raised: StoppedError) -> Outcome:
         """Return the outcome of a check whose file cannot be imported.
 
         The first one fails, and the others wait.
         """
-        file = f"{error}"
-        raised = error.raised
         is_first = file not in self.broken.values()
         self.broken[FUNCTIONS[check.function].file] = file
         if not is_first:
@@ -228,7 +227,7 @@ def fault_message() -> str:
     return "\n".join(lines)
 
 
-def place_in_file(function, line) -> str:
+def place_in_file(function: str, line: int) -> str:
     """Return a line of a function's file as a place; without a line (0), the file."""
     file = FUNCTIONS[function].file
     return f"{file}, line {line}" if line else file

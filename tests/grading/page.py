@@ -1,8 +1,9 @@
 """The page that the checks of main give to it."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from grading.cradles import MIXED_CSV
 
@@ -15,7 +16,9 @@ CRADLE.write_text(MIXED_CSV)
 class Page:
     """The page for main in a check: it says when to tick, and records the result."""
 
-    def __init__(self, *ticks, change=lambda pend_list: None, csv=str(CRADLE)):
+    def __init__(
+        self, *ticks: int, change: Callable = lambda pend_list: None, csv: str = str(CRADLE)
+    ):
         """ticks has the number of ticks of each cradle.
 
         change(pend_list) is called when main shows a cradle.
@@ -30,7 +33,7 @@ class Page:
         self.parts: list = []  # the objects of their pendula
         self.states: list = []  # (omega, theta) of the first pendulum at each call of is_running
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         wishes = ["1 tick" if number == 1 else f"{number} ticks" for number in self.ticks]
         return f"a page that wants {', then a new cradle and '.join(wishes)}"
 
@@ -41,7 +44,7 @@ class Page:
                 yield True
             yield False
 
-    def show(self, pend_list) -> None:
+    def show(self, pend_list: Any) -> None:
         if self.is_shown:
             raise RuntimeError("page.show was called again. Show the cradle once, before the loop.")
         self.is_shown = True

@@ -9,8 +9,10 @@ import os
 import sys
 import threading
 from argparse import ArgumentTypeError
+from collections.abc import Iterator
 from pathlib import Path
 from shutil import get_terminal_size
+from typing import Any
 from unittest.mock import patch
 
 import grading.begin  # noqa: F401
@@ -19,7 +21,7 @@ import pytest
 
 from grading import limits
 from grading.grade import checks_with_outcome, grade
-from grading.grader import CHECKS
+from grading.grader import Check, CHECKS
 from grading.handout import SUITES
 from grading.outcomes import FAILED, FAULT, Grading, Outcome, PASSED, WAITING
 from grading.screen import Line, report
@@ -29,19 +31,20 @@ from support.files.data_file import whole_file
 from support.files.valid_cradle import require_cradle
 from support.start.checks_command import checks_command
 
+GRADING = pytest.StashKey[Grading]()
 OUTCOME = "outcome of a check"  # the name under which a report of pytest has it
 RAN: dict[str, Outcome] = {}  # the outcomes of this run's checks, by name, as they are reported
 TIERS = {tier.split()[0].upper(): tier for tier in SUITES}  # as --tier takes them
 
 
-def pytest_addoption(parser):
+def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("graded suites")
     text = "run the graded suite of one tier only: D, C, B, A or honor"
     group.addoption("--tier", type=tier_name, metavar="TIER", help=text)
     group.addoption("--grade-json", metavar="FILE", help="write the grade to FILE")
 
 
-def tier_name(text) -> str:
+def tier_name(text: str) -> str:
     """Return the name of a tier as TIERS has it: HONOR for honor, and for "Honor roll"."""
     name = text.upper().partition(" ")[0]
     if name not in TIERS:
@@ -49,7 +52,7 @@ def tier_name(text) -> str:
     return name
 
 
-def pytest_configure(config):
+def pytest_configure(config: pytest.Config) -> None:
     if not __debug__:
         raise pytest.UsageError(
             "Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks."
@@ -58,7 +61,7 @@ def pytest_configure(config):
         # Up to Python 3.12, its value is an empty list
         if option.startswith("-") and option.endswith("=--"):
             raise pytest.UsageError(f"found {option!r}, allowed is no -- after =")
-    config.grading = Grading()
+    config.stash[GRADING] = Grading()
     RAN.clear()
     for path in config.args:
         if not Path(path.partition("::")[0]).exists():
@@ -72,7 +75,7 @@ def pytest_configure(config):
         )
 
 
-def pytest_ignore_collect(collection_path, config):
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
     """Leave out the files of other tiers, without reading them: an import in them may fail."""
     tier = config.option.tier
     if tier and collection_path.is_file() and collection_path.stem != SUITES[TIERS[tier]]:
@@ -80,13 +83,13 @@ def pytest_ignore_collect(collection_path, config):
     return None
 
 
-def pytest_pycollect_makeitem(collector, name, obj):
+def pytest_pycollect_makeitem(collector: pytest.Collector, name: str, obj: object) -> "Item | None":
     if getattr(obj, "is_check", False):
         return Item.from_parent(collector, name=name, check=CHECKS[name])
     return None
 
 
-def pytest_collection_modifyitems(items):
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Put the checks first, in the order of the handout."""
     tiers = [*SUITES, None]
     items.sort(key=lambda item: tiers.index(item.check.tier if isinstance(item, Item) else None))
@@ -95,12 +98,12 @@ def pytest_collection_modifyitems(items):
 class Item(pytest.Item):
     """A check, as pytest runs it."""
 
-    def __init__(self, *, check, **of_pytest):
+    def __init__(self, *, check: Check, **of_pytest: Any) -> None:
         super().__init__(**of_pytest)
         self.check = check
 
-    def runtest(self):
-        outcome = self.config.grading.judge(self.check)
+    def runtest(self) -> None:
+        outcome = self.config.stash[GRADING].judge(self.check)
         self.user_properties.append((OUTCOME, outcome.plain()))
         if outcome.state == WAITING:
             if self.config.option.maxfail == 1:  # -x
@@ -109,24 +112,24 @@ class Item(pytest.Item):
         if outcome.state in (FAILED, FAULT):
             pytest.fail(outcome.message, pytrace=False)
 
-    def reportinfo(self):
+    def reportinfo(self) -> tuple[Path, int, str]:
         return self.path, self.check.ask.__code__.co_firstlineno - 1, self.check.title
 
 
 @pytest.hookimpl(tryfirst=True)  # before the terminal shows the report
-def pytest_runtest_logreport(report):
+def pytest_runtest_logreport(report: pytest.TestReport) -> None:
     """Take the outcome of a check out of its report, which may come from another process."""
     for key, fields in report.user_properties:
         if key == OUTCOME:
             RAN[name_of(report)] = Outcome.from_plain(fields)
 
 
-def name_of(report) -> str:
+def name_of(report: pytest.TestReport) -> str:
     """Return the name of the test that a report is about."""
     return report.nodeid.rpartition("::")[2]
 
 
-def pytest_report_teststatus(report):
+def pytest_report_teststatus(report: pytest.TestReport) -> tuple[str, str, str] | None:
     """Give a check that waits its own letter and word."""
     outcome = RAN.get(name_of(report))
     if report.skipped and outcome and outcome.state == WAITING:
@@ -134,7 +137,7 @@ def pytest_report_teststatus(report):
     return None
 
 
-def pytest_sessionfinish(session):
+def pytest_sessionfinish(session: Any) -> None:
     """Write the grade.
 
     The exit status is 1 also if checks wait, and another one if the file cannot be written.
@@ -158,7 +161,7 @@ def pytest_sessionfinish(session):
             config.not_written = f"--grade-json: {file}: {error.strerror}"
 
 
-def grade_of_run(config) -> dict:
+def grade_of_run(config: pytest.Config) -> dict:
     """Return what --grade-json writes."""
     # Whether nothing has failed for want of what other programs use as well, or by a fault of the
     # grader.
@@ -180,7 +183,7 @@ def grade_of_run(config) -> dict:
     return {**grade(RAN), "checks": results, "text": text, "final": is_final}
 
 
-def report_of_run(config) -> list[Line]:
+def report_of_run(config: pytest.Config) -> list[Line]:
     """Return what a student reads about this run."""
     if not RAN:
         return []
@@ -196,7 +199,7 @@ def report_of_run(config) -> list[Line]:
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
-def pytest_terminal_summary(terminalreporter, config):
+def pytest_terminal_summary(terminalreporter: Any, config: Any) -> Iterator[None]:
     """Show what students read below everything else."""
     failed = terminalreporter.stats.get("failed", [])
     others = [failure for failure in failed if name_of(failure) not in RAN]
@@ -213,7 +216,7 @@ def pytest_terminal_summary(terminalreporter, config):
 
 
 @pytest.hookimpl(trylast=True)
-def pytest_unconfigure(config):
+def pytest_unconfigure(config: Any) -> None:
     """End the process with its exit status if a thread of a student's code still runs.
 
     Python would wait for it. Everything is printed and written by now; with pytest-xdist, this
@@ -225,6 +228,6 @@ def pytest_unconfigure(config):
         os._exit(config.session.exitstatus)
 
 
-def is_left(thread) -> bool:
+def is_left(thread: threading.Thread) -> bool:
     """Return whether Python would wait for the end of a thread."""
     return not thread.daemon and thread is not threading.main_thread()

@@ -4,7 +4,7 @@ The call was watched.
 """
 
 import ast
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from typing import Any
 
 from grading.expressions import AS_THEY_ARE, names_in_head, operations_in, targets_of
@@ -21,7 +21,7 @@ MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parame
 class Question:
     """Finds the lines that have set the value in question. facts are sentences about it."""
 
-    def __init__(self, function, subject: Subject, watch: Watch, main: Run, arguments):
+    def __init__(self, function: str, subject: Subject, watch: Watch, main: Run, arguments: tuple):
         """main is the call of the function.
 
         subject is what the sentence about the mistake names; arguments are those of the call.
@@ -87,7 +87,7 @@ class Question:
             node = self.node(number)
             for call in operations_in(node):
                 if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "make_pendulum":
-                    given = dict(zip(MAKE_PENDULUM, call.args, strict=False))
+                    given: dict = dict(zip(MAKE_PENDULUM, call.args, strict=False))
                     given |= {option.arg: option.value for option in call.keywords}
                     if parameter in given:
                         stores = self.stores_of(names_in_head(given[parameter]), run)
@@ -118,18 +118,18 @@ class Question:
     def pendulum(self) -> dict | None:
         """Return the pendulum in question, if it is there."""
         found = self.values.get(self.subject.owner)
-        index = self.subject.index
+        index = self.subject.pend_index
         if index is not None:
             if not isinstance(found, (list, tuple)) or index >= len(found):
                 return None
             found = found[index]
         return found if isinstance(found, dict) else None
 
-    def wrong_parts(self, names) -> list[int]:
+    def wrong_parts(self, names: list[str]) -> list[int]:
         """Return the indexes of the parts of the result that are in question."""
         return [i for i, name in enumerate(names) if self.subject.is_part(name)]
 
-    def add_fact_about_same(self, name, value, known: Known) -> None:
+    def add_fact_about_same(self, name: str, value: Any, known: Known) -> None:
         """Add a sentence about a value of a pendulum that is the same as before."""
         before = f"as {known.giver} gave it" if known.giver else "as before the call"
         still = f"still {in_words(value)}, {before}"
@@ -151,7 +151,7 @@ class Question:
                     return True
         return False
 
-    def conditions_around(self, line) -> list[int]:
+    def conditions_around(self, line: int) -> list[int]:
         """Return the line of the innermost condition that was not true, and has a line in it."""
         found = []
         for run, number in self.statements_that_ran():
@@ -184,7 +184,7 @@ class Question:
             return lines_in(self.stores_of([node.value.id], self.main))
         return []
 
-    def lines_with_key(self, key, name="") -> list[int]:
+    def lines_with_key(self, key: Any, name: str = "") -> list[int]:
         """Return the lines that store something under a key, also if they never ran.
 
         If there are some for the pendulum with this name, return these only.
@@ -201,13 +201,16 @@ class Question:
                         with_name.append(statement.node.lineno)
         return with_name or found
 
-    def is_set(self, name) -> bool:
+    def is_set(self, name: str) -> bool:
         """Return whether a line of the function can give a name another value."""
         for node in ast.walk(self.node(self.main.definition)):
             if getattr(node, "name", "") == name:
                 return True
-            is_name = isinstance(node, ast.Name) and node.id == name
-            if is_name and not isinstance(node.ctx, ast.Load):
+            if (
+                isinstance(node, ast.Name)
+                and node.id == name
+                and not isinstance(node.ctx, ast.Load)
+            ):
                 return True
         return False
 
@@ -218,7 +221,7 @@ class Question:
                 return [self.node(number).lineno]
         return []
 
-    def node(self, number) -> Any:
+    def node(self, number: int) -> Any:
         return self.watch.statements[number].node
 
     def statements_that_ran(self) -> Iterable[tuple[Run, int]]:
@@ -234,7 +237,7 @@ class Question:
                 return self.node(number)
         return None
 
-    def stores_of(self, names, run: Run) -> list[Store]:
+    def stores_of(self, names: Container[str], run: Run) -> list[Store]:
         """Return what was stored under these names of a call."""
         return [store for store in self.watch.stores if store.place is run and store.key in names]
 

@@ -7,7 +7,7 @@ from contextlib import suppress
 from linecache import getline, getlines
 from pathlib import Path
 from types import FrameType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from grading.begin import ROOT
 
@@ -29,7 +29,7 @@ class Place(NamedTuple):
     function: str  # "" for a line that is no Python
     code: str
 
-    def __str__(self):
+    def __str__(self) -> str:
         return f"{self.file}, line {self.line}"
 
     @property
@@ -41,7 +41,7 @@ class Place(NamedTuple):
 class StoppedError(Exception):
     """An error that stopped a student's function or the import of its file, or a limit that did."""
 
-    def __init__(self, error: BaseException, function):
+    def __init__(self, error: BaseException, function: str):
         """function is "" if the error stopped the import."""
         self.error = error
         self.function = function
@@ -63,7 +63,7 @@ class StoppedError(Exception):
                 self.hint, self.meaning = of_error(error, frames, function)
 
 
-def text_of_error(error) -> str | None:
+def text_of_error(error: BaseException) -> str | None:
     """Return what an error says, None if it says nothing of itself."""
     try:
         if isinstance(error, SyntaxError):
@@ -73,7 +73,7 @@ def text_of_error(error) -> str | None:
         return None
 
 
-def mark_of(error) -> str:
+def mark_of(error: BaseException) -> str:
     """Return a line with a mark below the place in the code that Python cannot read, or ""."""
     if not isinstance(error, SyntaxError) or not error.text or not error.offset:
         return ""
@@ -82,12 +82,13 @@ def mark_of(error) -> str:
     start = error.offset - 1 - indentation
     if not 0 <= start <= len(code):
         return ""
-    is_in_line = error.end_lineno == error.lineno and (error.end_offset or 0) > error.offset
-    width = error.end_offset - error.offset if is_in_line else 1
+    end = error.end_offset or 0
+    is_in_line = error.end_lineno == error.lineno and end > error.offset
+    width = end - error.offset if is_in_line else 1
     return " " * start + "^" * width
 
 
-def own_places(error) -> tuple[tuple[Place, ...], list[tuple[FrameType, int]]]:
+def own_places(error: BaseException) -> tuple[tuple[Place, ...], list[tuple[FrameType, int]]]:
     """Return the places of an error in the student's own files, the last call last.
 
     Beside them, return the frames and the lines of those that have run.
@@ -108,7 +109,7 @@ def own_places(error) -> tuple[tuple[Place, ...], list[tuple[FrameType, int]]]:
     return tuple(places), frames
 
 
-def all_places(error) -> Iterator[tuple[Place, FrameType | None]]:
+def all_places(error: Any) -> Iterator[tuple[Place, FrameType | None]]:
     """Yield the places of an error in all files, with their frames.
 
     A line that is no Python has none.
@@ -117,10 +118,11 @@ def all_places(error) -> Iterator[tuple[Place, FrameType | None]]:
         file = frame.f_code.co_filename
         yield Place(file, line, frame.f_code.co_name, getline(file, line).strip()), frame
     if isinstance(error, SyntaxError) and error.filename:
-        yield Place(error.filename, error.lineno, "", (error.text or "").strip()), None
+        number: Any = error.lineno
+        yield Place(error.filename, number, "", (error.text or "").strip()), None
 
 
-def stub_of(error) -> tuple[str | None, str]:
+def stub_of(error: BaseException) -> tuple[str | None, str]:
     """Return the function that raised this error because it is not written yet, or None.
 
     Beside it, return a hint if it has code.
@@ -141,7 +143,7 @@ def stub_of(error) -> tuple[str | None, str]:
     return name, f"{delete}: it stops your function before its end."
 
 
-def culprit_of(error, text, places) -> str | None:
+def culprit_of(error: BaseException, text: str, places: tuple[Place, ...]) -> str | None:
     """Return the file of src/ that made an import fail, or None.
 
     It lacks a function, or is missing itself, or is the first one of a circle, or has the last line
@@ -150,8 +152,10 @@ def culprit_of(error, text, places) -> str | None:
     missing = re.match(r"cannot import name '(\w+)' from 'src\.", text)
     if missing and missing[1] in FUNCTIONS:
         return FUNCTIONS[missing[1]].file
-    if isinstance(error, ModuleNotFoundError) and (error.name or "").startswith("src."):
-        return error.name.replace(".", "/") + ".py"
+    if isinstance(error, ModuleNotFoundError):
+        name = error.name or ""
+        if name.startswith("src."):
+            return name.replace(".", "/") + ".py"
     files = [place.file for place in places if place.is_outside]
     if "circular import" in text:
         # In the order of the handout, it is the first file that imports from a later one

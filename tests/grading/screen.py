@@ -17,7 +17,7 @@ from grading.grade import (
 )
 from grading.handout import SUITES
 from grading.messages import plural
-from grading.outcomes import PASSED, WAITING
+from grading.outcomes import Outcome, PASSED, WAITING
 from support.start.output import in_one_line
 
 SCREEN = 40  # lines of a screen; the first one has the dots of pytest, and the last one its counts
@@ -32,7 +32,9 @@ class Line(NamedTuple):
     color: str = ""
 
 
-def report(outcomes, printed, columns, note) -> list[Line]:
+def report(
+    outcomes: dict[str, Outcome], printed: dict[str, str], columns: int, note: str
+) -> list[Line]:
     """Return what a student reads about outcomes.
 
     printed has the output of the student's code by the names of the checks that fail; note is about
@@ -55,7 +57,7 @@ def report(outcomes, printed, columns, note) -> list[Line]:
     return [*lines, *table(outcomes, columns, note, SCREEN - 2 - len(lines))]
 
 
-def printed_lines(output) -> list[str]:
+def printed_lines(output: str) -> list[str]:
     """Return the lines that are shown of the output of a student's code."""
     lines = [in_one_line(line) for line in output.splitlines()]
     if len(lines) > PRINTED:
@@ -63,7 +65,7 @@ def printed_lines(output) -> list[str]:
     return lines
 
 
-def unwritten_lines(outcomes, columns) -> list[Line]:
+def unwritten_lines(outcomes: dict[str, Outcome], columns: int) -> list[Line]:
     """Return the functions that are not written yet, with their places."""
     places = {}
     for check in checks_with_outcome(outcomes):
@@ -75,17 +77,19 @@ def unwritten_lines(outcomes, columns) -> list[Line]:
     return [Line(separator("Not written yet", "=", columns)), *lines]
 
 
-def shorten(text, columns) -> str:
+def shorten(text: str, columns: int) -> str:
     """Return a text with at most this number of columns: the end of a longer one is cut off."""
     return text if len(text) <= columns else f"{text[: columns - 3]}..."
 
 
-def separator(title, sign, columns) -> str:
+def separator(title: str, sign: str, columns: int) -> str:
     """Return a title with a line of signs on both sides."""
     return f" {shorten(title, columns - 4)} ".center(columns, sign)
 
 
-def table(outcomes, columns, note="", height=SCREEN) -> list[Line]:
+def table(
+    outcomes: dict[str, Outcome], columns: int, note: str = "", height: int = SCREEN
+) -> list[Line]:
     """Return the points and the grade of outcomes, and the next step, in at most height lines.
 
     Without the first tier, they say which tiers are complete, in place of the grade.
@@ -100,7 +104,7 @@ def table(outcomes, columns, note="", height=SCREEN) -> list[Line]:
     return [*lines, *(Line(sentence, "bold") for sentence in sentences)]
 
 
-def tier_lines(tiers) -> list[Line]:
+def tier_lines(tiers: dict[str, dict]) -> list[Line]:
     """Return a line for each tier, and one with the titles above them."""
     lines = [Line(row("tier", "passed", "waiting", "failed", "points"), "bold")]
     for tier, counts in tiers.items():
@@ -110,26 +114,26 @@ def tier_lines(tiers) -> list[Line]:
     return lines
 
 
-def color_of(counts) -> str:
+def color_of(counts: dict) -> str:
     """Return the color of a tier."""
     if is_complete(counts):
         return "green"
     return "red" if counts["failed"] else "yellow"
 
 
-def row(tier, passed, waiting, failed, points) -> str:
+def row(tier: str, passed: object, waiting: object, failed: object, points: str) -> str:
     """Return a row of the table of tiers."""
     return f"{tier:<12}{passed:>8}{waiting:>9}{failed:>8}{points:>10}"
 
 
-def is_complete(counts) -> bool:
+def is_complete(counts: dict) -> bool:
     """Return whether a tier has all points."""
     return counts["points"] == counts["of"]
 
 
-def waiting_lines(outcomes) -> list[Line]:
+def waiting_lines(outcomes: dict[str, Outcome]) -> list[Line]:
     """Return for what most checks wait."""
-    causes = Counter()
+    causes: Counter[str] = Counter()
     for outcome in outcomes.values():
         if outcome.state == WAITING and not outcome.place:
             causes[outcome.waits_for] += 1
@@ -140,7 +144,7 @@ def waiting_lines(outcomes) -> list[Line]:
     return lines
 
 
-def verdict(graded) -> list[str]:
+def verdict(graded: dict) -> list[str]:
     """Return the grade or, without the first tier, which tiers are complete."""
     if next(iter(SUITES)) in graded["tiers"]:
         return [f"Grade: {graded['grade'] or 'none yet'}."]
@@ -150,7 +154,7 @@ def verdict(graded) -> list[str]:
     return sentences
 
 
-def next_step_rows(outcomes, columns, height) -> list[str]:
+def next_step_rows(outcomes: dict[str, Outcome], columns: int, height: int) -> list[str]:
     """Return the next step, and as much about it as there is room for in this number of rows."""
     step, parts = next_step(outcomes)
     rows = wrap(f"Next:  {step}.", columns, subsequent_indent=MORE)
@@ -166,12 +170,12 @@ def next_step_rows(outcomes, columns, height) -> list[str]:
     return rows
 
 
-def number_of_rows(parts) -> int:
+def number_of_rows(parts: list[Part]) -> int:
     """Return how many of these parts are rows of a trace table."""
     return len([part for part in parts if part.is_row])
 
 
-def wrapped(lines, columns) -> list[str]:
+def wrapped(lines: list[str], columns: int) -> list[str]:
     """Return lines in columns; those that are indented, as in a trace table, stay as they are."""
     found = []
     for line in lines:
@@ -182,7 +186,7 @@ def wrapped(lines, columns) -> list[str]:
     return found
 
 
-def fitting(parts, height) -> list[Part]:
+def fitting(parts: list[Part], height: int) -> list[Part]:
     """Return the parts for which there is room, those of the lowest ranks, in their order."""
     kept = set()
     for i in sorted(range(len(parts)), key=lambda i: parts[i].rank):

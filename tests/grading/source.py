@@ -5,22 +5,23 @@ import linecache
 import tokenize
 from collections.abc import Iterator
 from contextlib import suppress
+from typing import Any
 
 
 class Source:
     """The lines of a file, by their numbers."""
 
-    def __init__(self, file):
+    def __init__(self, file: str):
         self.file = file
 
-    def line(self, number) -> str:
+    def line(self, number: int) -> str:
         return linecache.getline(self.file, number).rstrip().expandtabs(4)
 
-    def indentation(self, number) -> int:
+    def indentation(self, number: int) -> int:
         line = self.line(number)
         return len(line) - len(line.lstrip())
 
-    def head_of(self, node) -> str:
+    def head_of(self, node: Any) -> str:
         """Return the code of a statement in one line, without comments; of a block, its head."""
         texts = [without_comment(self.line(node.lineno))]
         body = getattr(node, "body", None) or getattr(node, "cases", None)
@@ -33,7 +34,7 @@ class Source:
             texts.append(without_comment(self.line(number)).strip())
         return " ".join(text for text in texts if text.strip())
 
-    def lines_with_else(self, node) -> Iterator[int]:
+    def lines_with_else(self, node: Any) -> Iterator[int]:
         """Yield the lines with the else and the finally of a statement.
 
         No statement begins there.
@@ -47,7 +48,7 @@ class Source:
                         break
 
 
-def without_comment(line) -> str:
+def without_comment(line: str) -> str:
     """Return a line of code without its comment."""
     code = line.lstrip()
     indentation = len(line) - len(code)

@@ -46,7 +46,7 @@ class StudentsCode:
     stays as it is.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         # A solution may leave a file open
         self.folder = TemporaryDirectory(ignore_cleanup_errors=True)
         self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
@@ -58,7 +58,7 @@ class StudentsCode:
         self.watched = 0
         self.arguments: tuple = ()  # of the watched call
 
-    def find(self, function) -> Callable:
+    def find(self, function: str) -> Callable:
         """Return a function of the handout; raise a MissingError if its file lacks it.
 
         Errors of its import pass.
@@ -70,7 +70,7 @@ class StudentsCode:
             raise MissingError
         return found
 
-    def run(self, function, arguments, times=1) -> Any:
+    def run(self, function: str, arguments: tuple, times: int = 1) -> Any:
         """Call a function of the handout, and return its result.
 
         Raises a StoppedError if it or its import fails.
@@ -95,7 +95,7 @@ class StudentsCode:
         finally:
             self.put_back()
 
-    def repeated(self, solution, function, arguments, times) -> Any:
+    def repeated(self, solution: Callable, function: str, arguments: tuple, times: int) -> Any:
         """Call a solution this number of times; return the last result.
 
         Each result gives the first arguments of the next call.
@@ -118,7 +118,7 @@ class StudentsCode:
             self.shipped.write_text(SHIPPED_CSV)
 
 
-def code_of(function) -> Code:
+def code_of(function: str) -> Code:
     """Return what is known of a student's function, if it is there."""
     with suppress(Exception):  # it is not imported, or no plain function
         module = sys.modules[module_of(FUNCTIONS[function].file)]
@@ -129,7 +129,7 @@ def code_of(function) -> Code:
 
 
 @contextmanager
-def working_in(folder) -> Iterator[None]:
+def working_in(folder: str) -> Iterator[None]:
     """Make this folder the working directory, in the body of the with statement."""
     before = os.getcwd()
     os.chdir(folder)

@@ -20,7 +20,7 @@ class Subject(NamedTuple):
     name: str = ""  # in the sentence: "theta of pend_list[0]", "position of bob[2]"
     value: str = ""  # of the owner: "theta", "position"; "" if it is the whole owner
     owner: str = ""  # "pend1", "pend_list", "each pendulum", "axle", "bob" or "cord"
-    index: int | None = None  # of the pendulum in pend_list
+    pend_index: int | None = None  # of the pendulum in pend_list
     has_wrong_keys: bool = False  # of a pendulum
 
     @property
@@ -30,19 +30,19 @@ class Subject(NamedTuple):
     @property
     def pend(self) -> str:
         """The name of the pendulum."""
-        return self.owner if self.index is None else f"{self.owner}[{self.index}]"
+        return self.owner if self.pend_index is None else f"{self.owner}[{self.pend_index}]"
 
     @property
     def is_result(self) -> bool:
         """Whether it is the whole result."""
         return self.name == RESULT
 
-    def is_part(self, name) -> bool:
+    def is_part(self, name: str) -> bool:
         """Return whether it is this part of a result, or a value of this part."""
         return self.name == name or (not self.has_wrong_keys and self.name.endswith(f" of {name}"))
 
 
-def subject_of(name, has_wrong_keys=False) -> Subject:
+def subject_of(name: str, has_wrong_keys: bool = False) -> Subject:
     """Return the subject with this name."""
     index = INDEX.search(name)
     value = owner = ""

@@ -4,7 +4,7 @@ layout.py lays the rows out.
 """
 
 import ast
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from grading.instrument import TRIES
 from grading.layout import cell, cells, laid_out, once, Remark, Row, together
@@ -69,11 +69,11 @@ class Table:
         self.first_column = min(map(self.source.indentation, self.by_line), default=0)
         self.stop_start = self.start_of(stop.line) if stop else 0
 
-    def is_stopped_in(self, node) -> bool:
+    def is_stopped_in(self, node: Any) -> bool:
         """Return whether the call was stopped in a statement."""
         return self.stop is not None and node.lineno <= self.stop.line <= node.end_lineno
 
-    def node(self, number) -> ast.AST:
+    def node(self, number: int) -> Any:
         return self.watch.statements[number].node
 
     def rows(self) -> list[Row]:
@@ -97,13 +97,13 @@ class Table:
 
     def lines_with_else(self) -> set[int]:
         """Return the lines with else and finally."""
-        found = set()
+        found: set[int] = set()
         for numbers in self.by_line.values():
             for number in numbers:
                 found.update(self.source.lines_with_else(self.node(number)))
         return found
 
-    def code_of(self, line) -> str:
+    def code_of(self, line: int) -> str:
         """Return the code of the statement at a line, or the line with else."""
         if line in self.by_line:
             code = self.source.head_of(self.node(self.by_line[line][0]))
@@ -113,7 +113,7 @@ class Table:
 
     # --- what is said of a line ---
 
-    def remark(self, line) -> Remark | None:
+    def remark(self, line: int) -> Remark | None:
         """Return what is said of a line with statements.
 
         Return None if it comes after the line that has stopped.
@@ -135,7 +135,7 @@ class Table:
             return remark._replace(rank=min(remark.rank, min(self.needed[line], 9) / 10))
         return remark
 
-    def remark_on_all(self, line, numbers) -> Remark | None:
+    def remark_on_all(self, line: int, numbers: list[int]) -> Remark | None:
         """Return what is said of these statements in a line."""
         found = []
         for number in numbers:
@@ -143,14 +143,14 @@ class Table:
             if remark:
                 found.append(remark)
         if self.stop and line == self.stop_start:
-            return self.stopped(numbers, found)
+            return self.stopped(self.stop, numbers, found)
         if found:
             return together(found)
         if self.stop and self.stop.is_error and line > self.stop.line and self.run.is_whole:
             return None
         return Remark(ABOVE, self.never_ran(line, numbers))
 
-    def remark_on_statement(self, number, line) -> Remark | None:
+    def remark_on_statement(self, number: int, line: int) -> Remark | None:
         """Return what is said of a statement, or None if it did not come to its end."""
         notes = self.run.notes.get(number)
         is_loop = isinstance(self.node(number), LOOPS)
@@ -170,13 +170,13 @@ class Table:
             rank = VALUES
         return Remark(rank, beside, tuple(self.calls(number, notes, count)))
 
-    def count_of(self, number) -> int:
+    def count_of(self, number: int) -> int:
         """Return how many turns the innermost loop has made that is or is around a statement."""
         statement = self.watch.statements[number]
         loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
         return self.run.turns[loops[-1]] if loops else 0
 
-    def stopped(self, numbers, found: list[Remark]) -> Remark:
+    def stopped(self, stop: Stop, numbers: list[int], found: list[Remark]) -> Remark:
         """Return what is said of the line that has stopped.
 
         These are its earlier turns, and the values at which it stopped.
@@ -185,7 +185,7 @@ class Table:
         below = []
         for number in numbers:
             calls = self.run.calls.get(number, [])
-            if self.stop.is_error and not calls:  # what a call got is shown anyway
+            if stop.is_error and not calls:  # what a call got is shown anyway
                 below += self.watch.values_in(self.run, number).stopped_at(self.node(number))
                 if not below and number in self.run.values:  # its value was not taken apart
                     below.append(f"the value is {in_words(self.run.values[number])}")
@@ -194,11 +194,9 @@ class Table:
             for called in calls:
                 if called.got:
                     below.append(f"{turn}{called.name} got {called.got}")
-        return Remark(
-            0, f"{remark.beside}  <- {self.stop.how}".strip(), (*below, *remark.below[-1:])
-        )
+        return Remark(0, f"{remark.beside}  <- {stop.how}".strip(), (*below, *remark.below[-1:]))
 
-    def never_ran(self, line, numbers) -> str:
+    def never_ran(self, line: int, numbers: list[int]) -> str:
         """Return what is said beside a line that did not come to its end in any turn."""
         for stopped, kind in self.run.hidden.items():
             if line == self.start_of(stopped):
@@ -209,7 +207,7 @@ class Table:
             return "(did not come to its end)"
         return "(never ran)"
 
-    def start_of(self, line) -> int:
+    def start_of(self, line: int) -> int:
         """Return the first line of the innermost statement in which a line is, 0 without one."""
         found = 0
         for start, numbers in self.by_line.items():
@@ -220,7 +218,7 @@ class Table:
 
     # --- the turns of a loop ---
 
-    def shown_turns(self, count) -> list[int]:
+    def shown_turns(self, count: int) -> list[int]:
         """Return which turns are shown: the first two, the one in question, and the last one."""
         if count <= FEW:
             return [*range(1, count + 1)]
@@ -229,7 +227,7 @@ class Table:
             turns.add(self.index + 1)
         return sorted(turns)
 
-    def in_turns_of(self, notes: list[Note], count, is_loop) -> str:
+    def in_turns_of(self, notes: list[Note], count: int, is_loop: bool) -> str:
         """Return what a statement gave, in each turn of its loop that is shown."""
         by_turn = {note.turn: cell(note.values) for note in notes}
         turns = count
@@ -255,7 +253,7 @@ class Table:
             return f"{text}  (more than {turns} turns: not watched further)"
         return f"{text}  ({turns} turns)"
 
-    def calls(self, number, notes: list[Note], count) -> list[str]:
+    def calls(self, number: int, notes: list[Note], count: int) -> list[str]:
         """Return what the called functions got and gave, in the turns that are shown."""
         lines = []
         for note in self.notes_with_calls(number, notes):
@@ -273,7 +271,7 @@ class Table:
                     lines.append(f"{label}{called.name} {'; it '.join(parts)}")
         return lines
 
-    def notes_with_calls(self, number, notes: list[Note]) -> list[Note]:
+    def notes_with_calls(self, number: int, notes: list[Note]) -> list[Note]:
         """Return the notes of a statement whose calls are shown."""
         calling = [note for note in notes if note.calls]
         if self.index is not None and len(self.watch.statements[number].loops) == 1:
@@ -284,7 +282,7 @@ class Table:
             return [*calling[: MOST_CALLS - 1], calling[-1]]
         return calling
 
-    def is_value_of_row(self, number, note: Note, called: Called) -> bool:
+    def is_value_of_row(self, number: int, note: Note, called: Called) -> bool:
         """Return whether the result of a call stands in its row already."""
         node = self.node(number)
         is_whole = isinstance(getattr(node, "value", None), ast.Call)

@@ -3,6 +3,7 @@
 import os
 from itertools import islice
 from types import BuiltinFunctionType, FrameType, FunctionType, MethodType, ModuleType
+from typing import Any
 
 from pandas import DataFrame
 from vpython import box, cylinder, sphere, vector
@@ -16,7 +17,7 @@ MOST_NAMED = 50  # elements of a list that have a name
 MOST_KEYS = 3  # shown of a dictionary
 
 
-def kind_of(shape) -> str:
+def kind_of(shape: Any) -> str:
     """Return which part of a pendulum a shape is."""
     return text_of(shape).partition(" ")[2]
 
@@ -42,7 +43,7 @@ def names_in(frame: FrameType) -> dict[int, str]:
     return found
 
 
-def elements_of(value) -> list[tuple]:
+def elements_of(value: Any) -> list[tuple]:
     """Return pairs of the first keys and values of a dictionary, or indexes and elements."""
     if type(value) in (list, tuple):
         return [*enumerate(value[:MOST_NAMED])]
@@ -51,7 +52,7 @@ def elements_of(value) -> list[tuple]:
     return []
 
 
-def in_words(value, names=None) -> str:
+def in_words(value: Any, names: dict[int, str] | None = None) -> str:
     """Return a value in a few words: "a list of 3 pendula". names is from names_in."""
     names = names or {}
     if isinstance(value, dict):
@@ -67,7 +68,7 @@ def in_words(value, names=None) -> str:
     return object_in_words(value) or plain_in_words(value)
 
 
-def tuple_in_words(value, names) -> str:
+def tuple_in_words(value: tuple, names: dict[int, str]) -> str:
     """Return a short tuple; shapes alone are named without their places."""
     if value and all(isinstance(element, SHAPES) for element in value):
         texts = [kind_of(shape) for shape in value]
@@ -76,7 +77,7 @@ def tuple_in_words(value, names) -> str:
     return f"({', '.join(texts)})"
 
 
-def object_in_words(value) -> str:
+def object_in_words(value: Any) -> str:
     """Return a value that has no short text of its own, or ""."""
     if isinstance(value, SHAPES):
         return f"{kind_of(value)} at {in_words(value.pos)}"
@@ -93,7 +94,7 @@ def object_in_words(value) -> str:
     return ""
 
 
-def plain_in_words(value) -> str:
+def plain_in_words(value: Any) -> str:
     """Return a number, a text, or another value: its form, if its text is long."""
     if isinstance(value, str) and (os.path.isabs(value) or os.path.isfile(value)):
         return f"the path of {os.path.basename(value)}"
@@ -102,7 +103,7 @@ def plain_in_words(value) -> str:
     return form_of(value) if is_long else text
 
 
-def dictionary_in_words(value) -> str:
+def dictionary_in_words(value: dict) -> str:
     """Return a dictionary with its first keys."""
     if not value:
         return "{ }, empty"
@@ -115,7 +116,7 @@ def dictionary_in_words(value) -> str:
     return f"{{{', '.join(parts)}}}"
 
 
-def list_in_words(value, names) -> str:
+def list_in_words(value: list, names: dict[int, str]) -> str:
     """Return a short list of plain values whole, and of another one how many elements it has."""
     if not value:
         return "[ ], empty"

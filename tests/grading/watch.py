@@ -6,9 +6,11 @@ Watch. notes.py has what it notes, and trace_table.py writes this down.
 
 import ast
 import sys
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import wraps
 from types import FrameType, FunctionType
+from typing import Any
 
 from grading.expressions import names_in_head, targets_of, Values
 from grading.notes import (
@@ -37,7 +39,7 @@ MOST_NOTES_ENDLESS = 200_000  # of a call that is stopped at MOST_TURNS
 class Watch:
     """What the changed code calls, and what it has noted."""
 
-    def __init__(self, is_endless=False):
+    def __init__(self, is_endless: bool = False):
         """is_endless says that the function went over the limit of time."""
         self.is_endless = is_endless
         self.most_notes = MOST_NOTES_ENDLESS if is_endless else MOST_NOTES
@@ -48,7 +50,7 @@ class Watch:
         self.known: dict[int, Known] = {}  # by the id of the dictionary
         self.error: BaseException | None = None  # what stopped the call
 
-    def begin(self, arguments) -> None:
+    def begin(self, arguments: tuple) -> None:
         """A call with these arguments begins: forget the one before."""
         self.runs.clear()
         self.stores.clear()
@@ -56,7 +58,7 @@ class Watch:
         self.count = 0
         self.know(arguments, "")
 
-    def know(self, values, giver) -> None:
+    def know(self, values: Iterable, giver: str) -> None:
         """Keep copies of the dictionaries in these values.
 
         giver is the function that gives them, "" for the check.
@@ -75,44 +77,41 @@ class Watch:
 
     # --- called by the changed code ---
 
-    def enter(self, number) -> None:
+    def enter(self, number: int) -> None:
         """A call of the function with this number begins."""
         frame = sys._getframe(1)
         self.runs[frame] = Run(number, frame)
 
     @noting
-    def begin_statement(self, run, number):
-        """A statement begins: forget its notes from a turn that an error has stopped."""
-        run.begun.add(number)
-        run.turns_now[number] = 0
-        for kept in (run.values, run.parts, run.calls, run.before):
-            kept.pop(number, None)
+    def begin_statement(self, run: Run, number: int) -> None:
+        """A statement begins."""
+        run.begin(number)
 
     @noting
-    def part(self, run, number, place, value):
+    def part(self, run: Run, number: int, place: tuple[int, ...], value: Any) -> None:
         """A part of a statement's expression has this value."""
         run.parts[number][place] = value
 
     @noting
-    def value(self, run, number, value):
+    def value(self, run: Run, number: int, value: Any) -> None:
         """The expression of a statement has this value."""
         run.values[number] = value
 
     @noting
-    def receiver(self, run, number, value):
+    def receiver(self, run: Run, number: int, value: Any) -> None:
         """A method of this value is called now, and may change it."""
         if type(value) in (dict, list):
             run.before[number] = value, value.copy()
 
     @noting
-    def test(self, run, number, value):
+    def test(self, run: Run, number: int, value: Any) -> None:
         """The condition of an if, a while or an assert has this value."""
         node = self.statements[number].node.test
         text = self.values_in(run, number).condition(node, value)
         self.end(run, number, [Value("", text, is_false=not value)])
 
     @noting
-    def turn(self, run, number):
+    def turn(self, run: Run, number: int) -> None:
         """A turn of a loop begins."""
         run.turns[number] += 1
         node = self.statements[number].node
@@ -125,12 +124,12 @@ class Watch:
             raise EndlessError
 
     @noting
-    def ran(self, run, number):
+    def ran(self, run: Run, number: int) -> None:
         """A statement that gives nothing runs."""
         self.end(run, number, [])
 
     @noting
-    def done(self, run, number):
+    def done(self, run: Run, number: int) -> None:
         """A statement that can store a value has come to its end."""
         values = self.stored(run, number)
         if number in run.before:
@@ -140,7 +139,7 @@ class Watch:
         self.end(run, number, values)
 
     @noting
-    def gives(self, run, number, value):
+    def gives(self, run: Run, number: int, value: Any) -> None:
         """A return gives this value."""
         run.result = value
         run.has_result = True
@@ -155,9 +154,9 @@ class Watch:
         self.end(run, number, [Value("", f"gives {text}")])
 
     @noting
-    def caught(self, run, number):
+    def caught(self, run: Run, number: int) -> None:
         """An except takes an error."""
-        error = sys.exc_info()[1]
+        error: Any = sys.exc_info()[1]
         step = error.__traceback__
         while step.tb_next and step.tb_frame is not run.frame:
             step = step.tb_next
@@ -166,7 +165,7 @@ class Watch:
         text = f"line {step.tb_lineno} stopped with {kind}: {error}; this except takes it"
         self.end(run, number, [Value("", text)])
 
-    def function(self, number, function):
+    def function(self, number: int, function: Any) -> Any:
         """This value is called now: return it, or a function that calls it.
 
         The function notes what it got and gave.
@@ -177,7 +176,7 @@ class Watch:
             return function
 
         @wraps(plain)
-        def noted(*arguments, **options):
+        def noted(*arguments: Any, **options: Any) -> Any:
             got = got_by(function, arguments, options, run.frame)
             called = Called(plain.__name__.strip("<>"), got)
             run.calls[number].append(called)
@@ -198,11 +197,11 @@ class Watch:
 
     # --- what they note ---
 
-    def values_in(self, run: Run, number) -> Values:
+    def values_in(self, run: Run, number: int) -> Values:
         """Return the values in a statement that has not come to its end."""
         return Values(run.frame, run.parts[number])
 
-    def run_after(self, count, function) -> Run | None:
+    def run_after(self, count: int, function: Callable) -> Run | None:
         """Return the call of a function that came after count others, if it was watched."""
         runs = [*self.runs.values()]
         if len(runs) <= count:
@@ -211,7 +210,7 @@ class Watch:
         is_of_function = self.statements[run.definition].node.name == function.__name__
         return run if is_of_function else None
 
-    def end(self, run: Run, number, values: list[Value]) -> None:
+    def end(self, run: Run, number: int, values: list[Value]) -> None:
         """Note what a statement gave, at its end."""
         statement = self.statements[number]
         loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
@@ -223,7 +222,7 @@ class Watch:
         if not isinstance(statement.node, ast.For):
             run.values.pop(number, None)
 
-    def stored(self, run: Run, number) -> list[Value]:
+    def stored(self, run: Run, number: int) -> list[Value]:
         """Return what a statement has stored where, and keep it in stores."""
         node = self.statements[number].node
         values = self.values_in(run, number)
@@ -248,7 +247,7 @@ class Watch:
                     found.append(Value(code, text))
         return found
 
-    def changed_by_method(self, run: Run, number) -> list[Value]:
+    def changed_by_method(self, run: Run, number: int) -> list[Value]:
         """Return what the method that a statement calls has changed, and keep it in stores."""
         node = self.statements[number].node
         code = ast.unparse(node.value.func.value)
@@ -265,7 +264,7 @@ class Watch:
             found.append(Value(code, text))
         return found
 
-    def lost(self, run: Run, number) -> list[Value]:
+    def lost(self, run: Run, number: int) -> list[Value]:
         """Return the value of an expression that no name gets.
 
         None is not lost, and neither is a value that a call in the expression got.
@@ -283,7 +282,9 @@ class Watch:
         text = f"gives {in_words(value, values.names)}, and no name gets it"
         return [Value("", text, is_lost=True)]
 
-    def changes(self, run: Run, number, called: Called, pendula, before) -> list[Change]:
+    def changes(
+        self, run: Run, number: int, called: Called, pendula: list[dict], before: list[dict]
+    ) -> list[Change]:
         """Return which values of pendula a call has changed, and keep them in stores."""
         names = names_in(run.frame)
         line = self.statements[number].node.lineno
