@@ -23,6 +23,7 @@ from grading.comparing import (
 )
 from grading.handout import FUNCTIONS, is_students, SUITES
 from grading.messages import about, Call, damage, end_of, plain, PlainFile, text_of
+from grading.present import present
 from grading.raised import Place, StoppedError
 from grading.students_code import MissingError, StudentsCode
 from grading.subject import RESULT, Subject
@@ -130,7 +131,6 @@ class WaitError(Exception):
 
 
 runner = StudentsCode()
-NOTES: list[str] = []  # sentences for a student whose solution is right
 
 
 def expect(
@@ -200,7 +200,7 @@ def compared(
         raise WrongError(mistake.sentence, call, values, hint, subject=mistake.subject)
     for test, note in notes:
         if fits(found, test):
-            NOTES.append(note)
+            present.notes.append(note)
     return result
 
 

@@ -19,6 +19,8 @@ from unittest.mock import patch
 
 from grading.begin import ROOT
 
+from grading.present import present
+
 PATIENCE = 5.0  # s of processor time; then the grader stops a function
 WAITING = 10  # a function that only waits is stopped after this many times PATIENCE, by the clock
 LOOK = 0.05  # s from one look at these times to the next
@@ -28,14 +30,8 @@ MOST_MEMORY = 1000  # MB
 
 MEMORY_IN_USE = Path("/proc/self/statm")  # Linux has it; its sixth number counts the pages of data
 
-LATE = threading.Event()  # set if the grader stopped a check
-WAITED = threading.Event()  # set, too, if it did so by the clock
-# Set once a call failed for want of something that other programs use as well: time by the clock,
-# memory, the disk.
-SHARED_WAS_SHORT = threading.Event()
-SHARED = errno.EAGAIN, errno.EDQUOT, errno.ENFILE, errno.ENOMEM, errno.ENOSPC  # errors of this kind
-PRESSED = threading.Event()  # set if somebody pressed Ctrl+C
-DEBUGGED = threading.Event()  # set if the present check is in a debugger: no limit of time holds
+# Errors for want of something that other programs use as well
+SHARED = errno.EAGAIN, errno.EDQUOT, errno.ENFILE, errno.ENOMEM, errno.ENOSPC
 # These now: pytest takes the input and the output away later, and a check must not end the process.
 HAS_TERMINAL = sys.stdin is not None and sys.stdin.isatty()
 try:
@@ -88,7 +84,7 @@ def without_ends() -> Iterator[None]:
 
     def refused_input(*prompt: object) -> str:
         if sys._getframe(1).f_globals.get("__name__") == "cmd":  # the prompt of a debugger
-            DEBUGGED.set()
+            present.is_debugged = True
             return answer(*prompt)
         raise EOFError("input() waits for somebody, but nobody answers in a check")
 
@@ -111,20 +107,20 @@ def without_ends() -> Iterator[None]:
 
 
 def is_debugged() -> bool:
-    """Return whether the present check is, or was, in a debugger."""
+    """Return whether a debugger is at work."""
     monitoring = getattr(sys, "monitoring", None)  # from Python 3.12 on
     has_tool = monitoring is not None and monitoring.get_tool(monitoring.DEBUGGER_ID) is not None
-    return DEBUGGED.is_set() or has_tool or sys.gettrace() is not None
+    return has_tool or sys.gettrace() is not None
 
 
 def over_limit(error: BaseException) -> str:
     """Return how a call that raised this error went over a limit, or "" if it did not."""
     number = error.errno if isinstance(error, OSError) else None
     if isinstance(error, MemoryError) or number in SHARED:
-        SHARED_WAS_SHORT.set()
-    if isinstance(error, KeyboardInterrupt) and WAITED.is_set():
+        present.shared_was_short = True
+    if isinstance(error, KeyboardInterrupt) and present.has_waited:
         return f"waited longer than {WAITING * PATIENCE:g} s"
-    if isinstance(error, KeyboardInterrupt) and LATE.is_set():
+    if isinstance(error, KeyboardInterrupt) and present.is_late:
         return f"took longer than {PATIENCE:g} s"
     if isinstance(error, MemoryError):
         return f"took more than {MOST_MEMORY} MB of memory"
@@ -171,7 +167,7 @@ class Timer(threading.Thread):
         while not (is_late or has_waited):
             if self.over.wait(LOOK):
                 return
-            if not DEBUGGED.is_set():
+            if not present.is_debugged:
                 is_late = time.process_time() - start > self.seconds
                 has_waited = time.monotonic() - start_by_clock > WAITING * self.seconds
         interrupts = 0
@@ -186,9 +182,9 @@ class Timer(threading.Thread):
     def interrupt(self, by_clock: bool) -> None:
         """Raise a KeyboardInterrupt in the main thread. It also ends a sleep."""
         if by_clock:
-            WAITED.set()
-            SHARED_WAS_SHORT.set()
-        LATE.set()
+            present.has_waited = True
+            present.shared_was_short = True
+        present.is_late = True
         if hasattr(signal, "pthread_kill"):
             signal.pthread_kill(main_thread_id(), signal.SIGINT)
         else:  # on Windows, any thread can send the signal
@@ -204,21 +200,17 @@ class Timer(threading.Thread):
 def patience(seconds: float) -> Iterator[None]:
     """Raise a KeyboardInterrupt in the body of the with statement if it takes longer than seconds.
 
-    These are seconds of processor time. Then, set LATE. If the body only waits, set WAITED, too. If
-    it catches MOST_INTERRUPTS, the process ends. In a debugger, there is no limit. If somebody
-    presses Ctrl+C, set PRESSED, and raise a KeyboardInterrupt at the end, also if the body catches
-    it.
+    These are seconds of processor time. A body that only waits is stopped, too. If it catches
+    MOST_INTERRUPTS, the process ends. In a debugger, there is no limit. If somebody presses Ctrl+C,
+    raise a KeyboardInterrupt at the end, also if the body catches it.
     """
 
     def on_interrupt(*_: Any) -> None:
-        if not LATE.is_set():
-            PRESSED.set()
+        if not present.is_late:
+            present.is_pressed = True
         raise KeyboardInterrupt
 
-    for event in (LATE, WAITED, PRESSED, DEBUGGED):
-        event.clear()
-    if is_debugged():
-        DEBUGGED.set()
+    present.is_debugged = is_debugged()
     before = signal.signal(signal.SIGINT, on_interrupt)  # a background job ignores interrupts
     timer = Timer(seconds)
     timer.start()
@@ -227,5 +219,5 @@ def patience(seconds: float) -> Iterator[None]:
     finally:
         timer.stop()
         signal.signal(signal.SIGINT, before)
-        if PRESSED.is_set():
+        if present.is_pressed:
             raise KeyboardInterrupt

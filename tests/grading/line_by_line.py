@@ -36,13 +36,11 @@ class WrongCall:
         function: str,
         subject: Subject,
         watch: Watch,
-        arguments: tuple,
         right: Sequence[tuple[str, Any]],
     ):
         """subject is what the sentence about the mistake names.
 
-        arguments are those of the call. right are pairs of a part of the handout's formula, and its
-        right value in this call.
+        right are pairs of a part of the handout's formula, and its right value in this call.
         """
         self.function = function
         self.watch = watch
@@ -51,7 +49,7 @@ class WrongCall:
         self.runs = [*watch.runs.values()]
         self.main = next(run for run in self.runs if self.name_of(run) == function)
         self.stops = self.found_stops()
-        self.question = Question(function, subject, watch, self.main, arguments)
+        self.question = Question(function, subject, watch, self.main)
         self.marks = self.departures()
 
     def name_of(self, run: Run) -> str:

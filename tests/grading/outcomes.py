@@ -15,12 +15,13 @@ import pandas  # noqa: F401  its first import is slow, and would count as time o
 
 from grading import limits
 from grading.choosing import hint_for
-from grading.grader import Check, checks, NOTES, place_of, runner, WaitError, WrongError
+from grading.grader import Check, checks, place_of, runner, WaitError, WrongError
 from grading.handout import FUNCTIONS, needed
 from grading.layout import Row
 from grading.line_by_line import Explained, WrongCall
 from grading.messages import COLUMNS, end_of, error_lines, message
 from grading.noting import EndlessError
+from grading.present import present
 from grading.raised import StoppedError
 from grading.students_code import Code, code_of, working_in
 from grading.watch import Watch
@@ -109,7 +110,6 @@ class Grading:
 
     def make(self, check: Check) -> Outcome:
         """Make a check, and return its outcome."""
-        NOTES.clear()
         file = FUNCTIONS[check.function].file
         if file in self.broken:
             return waiting(self.broken[file])
@@ -123,10 +123,10 @@ class Grading:
             return waiting(str(error), error.place)
         except BaseException as error:
             is_full = getattr(error, "errno", 0) == ENOSPC
-            if limits.PRESSED.is_set() or limits.DEBUGGED.is_set() or is_full:
+            if present.is_pressed or present.is_debugged or is_full:
                 raise
             return Outcome(FAULT, fault_message())
-        return Outcome(PASSED, note=" ".join(NOTES))
+        return Outcome(PASSED, note=" ".join(present.notes))
 
     def failed(self, check: Check, error: WrongError) -> Outcome:
         """Return the outcome of a check that raised this WrongError.
@@ -233,9 +233,9 @@ def place_in_file(function: str, line: int) -> str:
     return f"{file}, line {line}" if line else file
 
 
-def ask(check: Check) -> None:
-    """Let a check call the student's functions, within limits."""
-    runner.count = 0
+def ask(check: Check, watch: Watch | None = None) -> None:
+    """Let a check call the student's functions, within limits. A watch is for one of the calls."""
+    present.begin(watch)
     with limits.patience(limits.PATIENCE), limits.without_ends(), working_in(runner.folder.name):
         check.ask()
 
@@ -247,27 +247,23 @@ def watch_again(check: Check, error: WrongError) -> Explained:
     if something else happens, under a debugger, and if the function took too much memory.
     """
     raised = error.raised
-    if limits.DEBUGGED.is_set() or (raised and isinstance(raised.error, MemoryError)):
+    if present.is_debugged or (raised and isinstance(raised.error, MemoryError)):
         return NOTHING_SEEN
-    watch = Watch(is_endless=bool(raised and raised.limit))
-    runner.watch = watch
-    runner.watched = runner.count
+    watch = Watch(present.calls, is_endless=bool(raised and raised.limit))
     depth = sys.getrecursionlimit()
     sys.setrecursionlimit(DEEPER * depth)  # the changed code needs more calls
     try:
         with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
-            ask(check)
+            ask(check, watch)
     except WrongError as again:
         is_same = f"{again}" == f"{error}" and again.call.lines() == error.call.lines()
         if watch.runs and (is_same or isinstance(watch.error, EndlessError)):
             with suppress(Exception):  # a student's values may say nothing of themselves
-                call = WrongCall(
-                    check.function, error.subject, watch, runner.arguments, error.right
-                )
+                call = WrongCall(check.function, error.subject, watch, error.right)
                 return call.explained()
     except Exception:
         return NOTHING_SEEN  # also a WaitError
     finally:
-        runner.watch = None
+        present.watch = None
         sys.setrecursionlimit(depth)
     return NOTHING_SEEN

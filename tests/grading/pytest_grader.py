@@ -19,11 +19,11 @@ import grading.begin  # noqa: F401
 
 import pytest
 
-from grading import limits
 from grading.grade import checks_with_outcome, grade
 from grading.grader import Check, CHECKS
 from grading.handout import SUITES
 from grading.outcomes import FAILED, FAULT, Grading, Outcome, PASSED, WAITING
+from grading.present import present
 from grading.screen import Line, report
 from support.constants import NC_FP
 from support.files.cradle_csv import Snapshot
@@ -166,7 +166,7 @@ def grade_of_run(config: pytest.Config) -> dict:
     # Whether nothing has failed for want of what other programs use as well, or by a fault of the
     # grader.
     is_fault = any(outcome.state == FAULT for outcome in RAN.values())
-    is_final = not is_fault and not limits.SHARED_WAS_SHORT.is_set()
+    is_final = not is_fault and not present.shared_was_short
     results = {}
     for check in checks_with_outcome(RAN):
         outcome = RAN[check.name]

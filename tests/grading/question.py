@@ -21,16 +21,17 @@ MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parame
 class Question:
     """Finds the lines that have set the value in question. facts are sentences about it."""
 
-    def __init__(self, function: str, subject: Subject, watch: Watch, main: Run, arguments: tuple):
+    def __init__(self, function: str, subject: Subject, watch: Watch, main: Run):
         """main is the call of the function.
 
-        subject is what the sentence about the mistake names; arguments are those of the call.
+        subject is what the sentence about the mistake names.
         """
         self.function = FUNCTIONS[function]
         self.subject = subject
         self.watch = watch
         self.main = main
-        self.values = dict(zip(self.function.parameters.split(", "), arguments, strict=False))
+        names = self.function.parameters.split(", ")
+        self.values = dict(zip(names, watch.arguments, strict=False))
         if main.has_result:
             self.values[self.function.returns] = main.result
         self.facts: list[str] = []

@@ -13,8 +13,8 @@ from unittest.mock import patch
 from grading import limits
 from grading.handout import FUNCTIONS, module_of
 from grading.instrument import watched
+from grading.present import present
 from grading.raised import StoppedError
-from grading.watch import Watch
 
 # The CSV that solutions read instead of the shipped one; each pendulum has another mass.
 SHIPPED_CSV = """\
@@ -53,10 +53,6 @@ class StudentsCode:
         self.shipped.write_text(SHIPPED_CSV)
         # Whether the last call has changed this CSV, which was then put back
         self.has_written = False
-        self.count = 0  # of the calls since the check began
-        self.watch: Watch | None = None  # for the call with the number watched
-        self.watched = 0
-        self.arguments: tuple = ()  # of the watched call
 
     def find(self, function: str) -> Callable:
         """Return a function of the handout; raise a MissingError if its file lacks it.
@@ -76,21 +72,22 @@ class StudentsCode:
         Raises a StoppedError if it or its import fails.
         """
         solution = None
-        self.count += 1
+        present.calls += 1
+        watch = present.watch
         try:
             with limits.limited_memory():
                 solution = self.find(function)
-                if self.watch and self.count == self.watched:
-                    with watched(function, self.watch):
+                if watch and present.calls == watch.call:
+                    with watched(function, watch):
                         return self.repeated(solution, function, arguments, times)
                 return self.repeated(solution, function, arguments, times)
         except MissingError:
             raise
         except BaseException as error:  # also SystemExit
-            if limits.DEBUGGED.is_set() and type(error).__name__ in ("BdbQuit", "Exit"):
+            if present.is_debugged and type(error).__name__ in ("BdbQuit", "Exit"):
                 raise  # somebody has ended the debugger, and with it pytest
-            if self.watch:
-                self.watch.error = error
+            if watch:
+                watch.error = error
             raise StoppedError(error, "" if solution is None else function) from None
         finally:
             self.put_back()
@@ -101,9 +98,8 @@ class StudentsCode:
         Each result gives the first arguments of the next call.
         """
         for _ in range(times):
-            if self.watch:
-                self.watch.begin(arguments)
-                self.arguments = arguments
+            if present.watch:
+                present.watch.begin(arguments)
             result = solution(*arguments)
             if FUNCTIONS[function].returns and isinstance(result, tuple):
                 arguments = (*result, *arguments[len(result) :])

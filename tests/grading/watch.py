@@ -39,8 +39,10 @@ MOST_NOTES_ENDLESS = 200_000  # of a call that is stopped at MOST_TURNS
 class Watch:
     """What the changed code calls, and what it has noted."""
 
-    def __init__(self, is_endless: bool = False):
+    def __init__(self, call: int = 1, is_endless: bool = False):
         """is_endless says that the function went over the limit of time."""
+        self.call = call  # its number in the check
+        self.arguments: tuple = ()
         self.is_endless = is_endless
         self.most_notes = MOST_NOTES_ENDLESS if is_endless else MOST_NOTES
         self.count = 0  # of what the changed code has handed over
@@ -52,6 +54,7 @@ class Watch:
 
     def begin(self, arguments: tuple) -> None:
         """A call with these arguments begins: forget the one before."""
+        self.arguments = arguments
         self.runs.clear()
         self.stores.clear()
         self.known.clear()
@@ -59,10 +62,7 @@ class Watch:
         self.know(arguments, "")
 
     def know(self, values: Iterable, giver: str) -> None:
-        """Keep copies of the dictionaries in these values.
-
-        giver is the function that gives them, "" for the check.
-        """
+        """Keep copies of the dictionaries that giver gives: a function, or "" for the check."""
         for pend in pendula_in(values):
             self.known.setdefault(id(pend), Known(pend, dict(pend), giver))
 

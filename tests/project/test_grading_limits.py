@@ -107,7 +107,6 @@ def test_ctrl_c_ends_the_run_also_if_the_solution_catches_it(solve, catches):
     solve("angle_update", catches.format("__import__('signal').raise_signal(2)"))
     with pytest.raises(KeyboardInterrupt):
         Grading().judge(checks(function="angle_update")[0])
-    limits.PRESSED.clear()  # for the tests that follow
 
 
 def test_a_solution_that_writes_the_shipped_file_fails_and_the_file_is_put_back(solve):

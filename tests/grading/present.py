@@ -1,0 +1,29 @@
+"""What is known of the check that runs now, in one object: the suites call functions without it."""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from grading.watch import Watch
+
+
+class PresentCheck:
+    """The check that runs now, or ran last."""
+
+    def __init__(self) -> None:
+        # Whether a call, of any check, failed for want of something that other programs use as
+        # well: time by the clock, memory, the disk
+        self.shared_was_short = False
+        self.begin()
+
+    def begin(self, watch: "Watch | None" = None) -> None:
+        """A check begins. A watch is for one of its calls."""
+        self.watch = watch
+        self.calls = 0  # of students' functions
+        self.notes: list[str] = []  # sentences for a student whose solution is right
+        self.is_late = False  # the grader stopped it
+        self.has_waited = False  # the grader did so by the clock
+        self.is_pressed = False  # somebody pressed Ctrl+C
+        self.is_debugged = False  # no limit of time holds
+
+
+present = PresentCheck()
