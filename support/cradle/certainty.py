@@ -47,10 +47,13 @@ def texts_of_files() -> list[str]:
     return [(root / file).read_text(encoding="utf-8") for file in FILES]
 
 
-def digest() -> str:
-    """Return the digest of FILES as they are now: of their lines without comments and blanks."""
+def digest_of(texts: list[str]) -> str:
+    """Return the digest of the lines of Python files, without comments and blank lines.
+
+    All from the first # of a line on counts as a comment, in a string, too: FILES have none there.
+    """
     lines = []
-    for text in texts_of_files():
+    for text in texts:
         for line in text.splitlines():
             code = line.partition("#")[0].rstrip()
             if code:
@@ -64,10 +67,11 @@ def shipped_code() -> dict[str, CodeType]:
 
     Return nothing if their digest is not DIGEST.
     """
-    if digest() != DIGEST:
+    texts = texts_of_files()
+    if digest_of(texts) != DIGEST:
         return {}
     codes = {}
-    for text in texts_of_files():
+    for text in texts:
         for constant in compile(text, "", "exec", dont_inherit=True).co_consts:
             if isinstance(constant, CodeType):
                 codes[constant.co_name] = constant

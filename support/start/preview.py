@@ -119,8 +119,8 @@ def what_there_is(main: Loop, cradle: HasFunctions) -> tuple[Loop, str]:
         loop = preview(cradle.scope)
         sentence = "Then the pendula swing."
     elif for_hits:
-        unwritten = unwritten_in("visualize_cradle_run").keys()
-        collides = unwritten.isdisjoint({"handle_collision", "handle_two_bobs"})
+        collision = {"handle_collision", "handle_two_bobs"}
+        collides = not missing_in("visualize_cradle_run", names=collision)
         loop = preview(cradle.scope, swings=True, collides=collides)
         if collides:
             sentence = "Here are the first two pendula alone: their bobs collide. If not, type"

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from vpython import vector
 
 from grading.messages import about, form_of, plural, text_of, Wanted
-from grading.subject import RESULT, Subject, subject_of
+from grading.subject import NOTHING, RESULT, Subject, subject_of
 
 LONG = 60  # characters; of a longer list, a message shows only the first difference
 
@@ -146,7 +146,7 @@ def mistake_in(what: str, found: Any, wanted: Any, is_result: bool = False) -> M
     subject = subject_of(whole)
     like = wanted.like if isinstance(wanted, Wanted) else wanted
     if wanted is True and isinstance(found, bool):
-        return Mistake(f"It is not true {what}.", Subject())
+        return Mistake(f"It is not true {what}.", NOTHING)
     if like is not None and form_of(found) != form_of(like):
         sentence = f"{whole} {verb_of(whole)} {form_of(found)}, not {form_of(like)}."
         return Mistake(sentence, subject)

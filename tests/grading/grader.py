@@ -26,7 +26,7 @@ from grading.messages import about, Call, damage, end_of, plain, PlainFile, text
 from grading.present import present
 from grading.raised import Place, StoppedError
 from grading.students_code import MissingError, StudentsCode
-from grading.subject import RESULT, Subject
+from grading.subject import NOTHING, RESULT, Subject, subject_of
 
 
 class Check(NamedTuple):
@@ -79,9 +79,6 @@ STEPS: dict[str, Steps] = {}  # by the function
 def steps(function: str, sentence: str, *python: str) -> None:
     """Give the steps of a function, for students who have not written it, or not correctly."""
     STEPS[function] = Steps(sentence, python)
-
-
-NOTHING = Subject()  # if a sentence is about no value
 
 
 class WrongError(Exception):
@@ -229,7 +226,8 @@ def require_pendula(call: Call, arguments: tuple) -> None:
 
 def unreadable(error: Exception, what: str, result: Any) -> Mistake:
     """Return what is wrong with a result from which the check cannot read a value."""
-    mistake = Mistake(f"{what or RESULT} cannot be read.", Subject(what or RESULT))
+    name = what or RESULT
+    mistake = Mistake(f"{name} cannot be read.", subject_of(name))
     if isinstance(error, KeyError):
         mistake = Mistake(f"A pendulum has no key {error}.", NOTHING)
     if isinstance(result, list):

@@ -6,9 +6,9 @@ from typing import NamedTuple
 RESULT = "The result"  # the name of a whole result
 
 # The names of values in the suites, for one pendulum or for one object.
-OF_PENDULUM = re.compile(r"(?:(?P<value>\w+) of )?(?P<owner>pend\w*)(?:\[(?P<index>\d+)\])?")
+OF_PENDULUM = re.compile(r"(?:(?P<value>\w+) of )?(?P<owner>pend\w*)(?:\[\d+\])?")
 OF_OBJECT = re.compile(
-    r"(?P<value>\w+).* of (?:the )?(?P<owner>axle|bob|cord)(?: of pend_list)?\[(?P<index>\d+)\]"
+    r"(?P<value>\w+).* of (?:the )?(?P<owner>axle|bob|cord)(?: of pend_list)?\[\d+\]"
 )
 OF_EACH = re.compile(r"the value of (?P<value>\w+) in (?P<owner>each pendulum)")
 INDEX = re.compile(r"\b(?:pend_list|axle|bob)\[(\d+)\]")
@@ -40,6 +40,9 @@ class Subject(NamedTuple):
     def is_part(self, name: str) -> bool:
         """Return whether it is this part of a result, or a value of this part."""
         return self.name == name or (not self.has_wrong_keys and self.name.endswith(f" of {name}"))
+
+
+NOTHING = Subject()  # if a sentence is about no value
 
 
 def subject_of(name: str, has_wrong_keys: bool = False) -> Subject:
