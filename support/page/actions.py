@@ -1,118 +1,92 @@
 """What the controls and commands of the page do."""
 
-from collections.abc import Sequence
-from math import inf
+from typing import TYPE_CHECKING
 
 from vpython import vector
 
 from support.columns import NUMBER_COLUMNS
-from support.cradle.cradle import AS_MADE, Cradle
+from support.cradle.cradle import AS_MADE
 from support.cradle.dragging import bob_at, point_in_plane
-from support.cradle.player import Player
 from support.cradle.real_time import FRAME
-from support.files.cradle_csv import LiveFile
-from support.files.data_file import EVERY
-from support.page.chooser import Chooser, Settings
-from support.page.graph import Graph
-from support.page.questions import Questions
-from support.page.scene.marks import Marks
-from support.page.scene.scenery import Scenery
-from support.page.scene.slow_hits import SlowHits
 from support.pendulum import outwards_to_angle
 
-IMPACTS = 5  # series of hits, a line for each
+if TYPE_CHECKING:
+    from support.page.viewer import Viewer
+
 HIT_LINES = 5  # of text, above the cradle
 
 
-class Actions(Player):
-    """A cradle that you can change while it plays; Viewer shows it."""
+class Actions:
+    """Changes what a viewer plays and shows, while it plays."""
 
-    def __init__(
-        self,
-        cradle: Cradle,
-        file: LiveFile,
-        angles: Sequence[float | None],
-        lifted: int | None,
-    ):
-        """Play the cradle of this file as a Player does."""
-        super().__init__(cradle, file.current, angles, lifted, IMPACTS, EVERY)
-        self.file = file
-        self.running = True
-        self.speed = 1.0  # that you have set, times real time
-        self.next_refresh = -inf  # on the pace's clock: when the page gets all of the state
-        self.rest_end = -inf  # on the pace's clock: until then, the picture rests
-        # The coordinates before One tick, while it is carried out.
-        self.before: dict[str, float] | None = None
-        self.error = ""  # the mistake in your CSV
-
-        settings = Settings(file.current, list(angles), lifted, cradle.collision, cradle.mass)
-        self.chooser = Chooser(settings, cradle)
-        self.questions = Questions()
-        self.scenery = Scenery()
-        self.marks = Marks()
-        self.slow_hits = SlowHits(cradle)
-        self.graph = Graph(cradle.angle_keys, cradle.rate_keys)
+    def __init__(self, viewer: "Viewer"):
+        self.viewer = viewer
+        self.cradle = viewer.cradle
+        self.chooser = viewer.chooser
+        self.questions = viewer.questions
 
     # --- time ----------------------------------------------------------------------------------
 
     def pause(self) -> None:
         """Stop the time, or let it go on; an open question then has no answer."""
-        self.running = not self.running
-        self.rest_end = -inf
+        self.viewer.running = not self.viewer.running
+        self.questions.rest_end = None
         self.questions.is_asking = False
 
     def do_step(self) -> None:
         """Do the ticks of one frame, while paused, or show the next one of slow hits."""
-        if self.running:
+        viewer = self.viewer
+        if viewer.running:
             return
-        if self.slow_hits.shown or self.slow_hits.waiting:
-            self.slow_hits.until = -inf
-            self.slow_hits.go_on(self.pace.clock())
+        if viewer.slow_hits.shown or viewer.slow_hits.waiting:
+            viewer.slow_hits.show_next(viewer.pace.clock())
         else:
             self.questions.is_asking = False
-            self.plan(round(FRAME * self.pace.speed / self.cradle.dt))
+            viewer.plan(round(FRAME * viewer.speed_now() / self.cradle.dt))
 
     def do_one_tick(self) -> None:
         """Do one tick, while paused, and show what it changes, and the collisions in it."""
-        if not self.running:
+        if not self.viewer.running:
             self.questions.is_asking = False
-            self.before = self.cradle.coordinates()
-            self.plan(1, with_calls=True)
+            self.viewer.before = self.cradle.coordinates()
+            self.viewer.plan(1, with_calls=True)
 
     def set_speed(self, speed: float) -> None:
-        """Let the time go on at this speed, times real time."""
-        self.speed = speed
-        self.pace.speed = speed
+        """Let the time go on at this speed, times real time, also if a run is in slow motion."""
+        self.viewer.speed = speed
+        self.questions.slowly = False
 
     # --- what is shown -------------------------------------------------------------------------
 
     def show_arrows(self, is_shown: bool) -> None:
         """Show arrows and bars, or not."""
-        self.marks.has_arrows = is_shown
-        self.marks.place_arrows()
-        self.scenery.below = self.marks.depth
+        marks = self.viewer.marks
+        marks.has_arrows = is_shown
+        marks.place_arrows()
+        self.viewer.scenery.below = marks.depth
 
     def slow_down_hits(self, is_slow: bool) -> None:
         """Show the hits slowly, or not."""
-        self.looks_at_hits = is_slow
-        self.slow_hits.clear()
-        self.scenery.lines = HIT_LINES if is_slow else 0
+        self.viewer.looks_at_hits = is_slow
+        self.viewer.slow_hits.clear()
+        self.viewer.scenery.lines = HIT_LINES if is_slow else 0
 
     def set_span(self, span: str) -> None:
         """Show this time in the graph (a key of SPANS)."""
-        self.graph.span = span
+        self.viewer.graph.span = span
 
     # --- which cradle --------------------------------------------------------------------------
 
     def restart(self) -> None:
         """Let main make the cradle that is chosen."""
+        viewer = self.viewer
         now = self.chooser.now
-        self.snapshot = now.csv
-        self.angles = now.angles
-        self.lifted = now.lifted
+        viewer.snapshot = now.csv
+        viewer.angles = now.angles
+        viewer.lifted = now.lifted
         self.cradle.collision = now.collision
         self.cradle.mass = now.mass
-        self.want_cradle()
+        viewer.want_cradle()
 
     def set_release_angle(self, cord: int, degrees: float) -> None:
         """Release the bobs with this angle of this cord, outwards."""
@@ -124,9 +98,9 @@ class Actions(Player):
 
     def lifted_now(self) -> int:
         """Return the number of lifted bobs."""
-        if self.lifted is None:
+        if self.viewer.lifted is None:
             return self.cradle.made_lifted
-        return min(self.lifted, len(self.cradle.pend_list))
+        return min(self.viewer.lifted, len(self.cradle.pend_list))
 
     def set_lifted(self, lifted: int) -> None:
         """Lift this number of bobs."""
@@ -153,12 +127,12 @@ class Actions(Player):
         collision = dict(zip(self.collision_names(), self.cradle.collisions, strict=True))[name]
         self.leave_experiment()
         self.chooser.set(collision=collision)
-        self.use_collision(collision)
+        self.viewer.use_collision(collision)
 
     def set_separating(self, separating: bool) -> None:
         """Let separating bobs collide, too, or not; only if the functions take this rule."""
         self.leave_experiment()
-        self.separating = separating or not self.cradle.takes_rule
+        self.viewer.separating = separating or not self.cradle.takes_rule
 
     def edit(self, row: int, column: str, text: str) -> None:
         """Let main make the cradle with this number in the table, or show why it is refused."""
@@ -172,15 +146,15 @@ class Actions(Player):
 
         Or show the mistake in it; the old cradle then swings on.
         """
-        self.error = ""
-        self.next_refresh = -inf
+        self.viewer.error = ""
+        self.viewer.next_refresh = 0.0
         try:
-            self.chooser.choose_saved(self.file.current)
+            self.chooser.choose_saved(self.viewer.file.current)
         except ValueError as error:
-            self.error = str(error)
+            self.viewer.error = str(error)
         else:
             if self.questions.is_asking:
-                self.running = True
+                self.viewer.running = True
             self.restart()
 
     # --- experiments ---------------------------------------------------------------------------
@@ -191,7 +165,7 @@ class Actions(Player):
             return  # the menu also has the changed experiment
         self.chooser.choose(name)
         if self.questions.is_asking or self.chooser.experiment:
-            self.running = True
+            self.viewer.running = True
         self.restart()
 
     def choose_next(self) -> None:
@@ -202,20 +176,20 @@ class Actions(Player):
         """Ask the question of an experiment before its release, or not; restart an experiment."""
         self.questions.ask_first = asks
         if self.chooser.poses and not self.chooser.is_changed:
-            self.running = True
+            self.viewer.running = True
             self.restart()
 
     def answer(self, key: str, number: int | None) -> None:
         """Take an answer (its index, or None) to the question with this key; the cradle runs."""
         if self.questions.answer(key, number):
-            self.running = True
+            self.viewer.running = True
 
     def repeat(self, slowly: bool) -> None:
         """Run the experiment again with the same answer, maybe slowly."""
         measurement = self.questions.measurement
         if measurement and measurement.is_over:
             self.questions.repeat(slowly)
-            self.running = True
+            self.viewer.running = True
             self.restart()
 
     def pose(self) -> None:
@@ -225,11 +199,11 @@ class Actions(Player):
         is_posed = poses is not None and len(poses) == len(self.cradle.pend_list)
         if poses and is_posed:
             self.cradle.pose(poses)
-            self.motion.set_start()
+            self.viewer.motion.set_start()
         is_whole = is_posed and not self.chooser.is_changed
-        self.questions.begin(self.chooser.experiment if is_whole else None, self.motion)
+        self.questions.begin(self.chooser.experiment if is_whole else None, self.viewer.motion)
         if self.questions.is_asking:
-            self.running = False
+            self.viewer.running = False
 
     def leave_poses(self) -> None:
         """Lift the bobs as the sliders say, no more as an experiment says."""
@@ -244,10 +218,8 @@ class Actions(Player):
         If it was waiting for an answer, it runs.
         """
         if self.questions.is_asking:
-            self.running = True
-        self.rest_end = -inf
-        self.slow_hits.clear()
-        self.set_speed(self.speed)  # also if an experiment was repeated slowly
+            self.viewer.running = True
+        self.viewer.slow_hits.clear()
         self.chooser.is_changed = self.chooser.experiment is not None
         self.questions.drop()
 
@@ -268,10 +240,11 @@ class Actions(Player):
 
     def let_go(self) -> None:
         """Let the held bob, if there is one, swing on."""
+        viewer = self.viewer
         if self.cradle.held_bob.index is None:
             return
         self.cradle.held_bob.index = None
-        self.motion.set_start()
-        self.note()
-        self.marks.surround(self.cradle, self.scenery.bottom)
-        self.slow_hits.clear()
+        viewer.motion.set_start()
+        viewer.note()
+        viewer.marks.surround(self.cradle, viewer.scenery.bottom)
+        viewer.slow_hits.clear()

@@ -3,7 +3,7 @@
 page.html has a place for each control, by its name; Viewer.state has their values.
 """
 
-from typing import Any
+from typing import Any, TYPE_CHECKING
 
 from support.columns import NUMBER_COLUMNS
 from support.page.actions import Actions
@@ -22,40 +22,43 @@ from support.page.controls import (
 from support.page.graph import SPANS
 from support.pendulum import angle_to_outwards
 
+if TYPE_CHECKING:
+    from support.page.viewer import Viewer
+
 SPEEDS = (0.1, 2.0)  # times real time: the ends of the slider
 
 
-def declare_controls(actions: Actions) -> list[Control]:
+def declare_controls(viewer: "Viewer") -> list[Control]:
     """Return the controls of the page; page.html has a place for each name."""
-    return [*experiment_controls(actions), *cradle_controls(actions), *show_controls(actions)]
+    return [*experiment_controls(viewer), *cradle_controls(viewer), *show_controls(viewer)]
 
 
-def experiment_controls(actions: Actions) -> list[Control]:
+def experiment_controls(viewer: "Viewer") -> list[Control]:
     """Return the controls of the experiments."""
     experiment = Menu(
         name="experiment",
         label="Experiment",
-        get=actions.chooser.name,
-        set=actions.choose,
-        choices=actions.chooser.menu,
+        get=viewer.chooser.name,
+        set=viewer.actions.choose,
+        choices=viewer.chooser.menu,
     )
     ask_first = Switch(
         name="ask first",
         label="Predict first",
-        get=lambda: actions.questions.ask_first,
-        set=actions.set_ask_first,
+        get=lambda: viewer.questions.ask_first,
+        set=viewer.actions.set_ask_first,
     )
     return [experiment, ask_first]
 
 
-def cradle_controls(actions: Actions) -> list[Control]:
+def cradle_controls(viewer: "Viewer") -> list[Control]:
     """Return the controls of how the cradle is released, and how it moves."""
-    cradle = actions.cradle
+    cradle = viewer.cradle
     speed = Slider(
         name="speed",
         label="Speed",
-        get=lambda: round(actions.pace.speed, 2),
-        set=actions.set_speed,
+        get=lambda: round(viewer.speed_now(), 2),
+        set=viewer.actions.set_speed,
         limits=lambda: SPEEDS,
         as_text=lambda speed: f"{speed:.1f}x",
         step=0.1,
@@ -63,26 +66,26 @@ def cradle_controls(actions: Actions) -> list[Control]:
     lifted = Slider(
         name="lifted",
         label="Bobs lifted",
-        get=actions.lifted_now,
-        set=actions.set_lifted,
+        get=viewer.actions.lifted_now,
+        set=viewer.actions.set_lifted,
         limits=lambda: (0, len(cradle.pend_list)),
         as_text=lambda lifted: f"{lifted} of {len(cradle.pend_list)}",
         is_whole=True,
         help="Keys: 1 to 9",
     )
-    angles = [release_angle(actions, cord, name) for cord, name in enumerate(cradle.angle_limits)]
+    angles = [release_angle(viewer, cord, name) for cord, name in enumerate(cradle.angle_limits)]
     collision = Menu(
         name="collision",
         label="Collisions",
-        get=actions.collision_name,
-        set=actions.set_collision,
-        choices=actions.collision_names,
+        get=viewer.actions.collision_name,
+        set=viewer.actions.set_collision,
+        choices=viewer.actions.collision_names,
     )
     separating = Switch(
         name="separating",
         label="Separating bobs collide too",
-        get=lambda: actions.separating,
-        set=actions.set_separating,
+        get=lambda: viewer.separating,
+        set=viewer.actions.set_separating,
         is_enabled=lambda: cradle.takes_rule,
     )
     controls: list[Control] = [speed, lifted, *angles, collision]
@@ -91,50 +94,50 @@ def cradle_controls(actions: Actions) -> list[Control]:
     return controls
 
 
-def show_controls(actions: Actions) -> list[Control]:
+def show_controls(viewer: "Viewer") -> list[Control]:
     """Return the controls of what the page shows beside the cradle."""
     arrows = Switch(
         name="arrows",
         label="Arrows",
-        get=lambda: actions.marks.has_arrows,
-        set=actions.show_arrows,
+        get=lambda: viewer.marks.has_arrows,
+        set=viewer.actions.show_arrows,
     )
     slow_hits = Switch(
         name="slow hits",
         label="Slow hits",
-        get=lambda: actions.looks_at_hits,
-        set=actions.slow_down_hits,
+        get=lambda: viewer.looks_at_hits,
+        set=viewer.actions.slow_down_hits,
         help="Key: H",
     )
     graph = Menu(
         name="graph",
         label="Graph",
-        get=lambda: actions.graph.choice,
-        set=actions.graph.show,
-        choices=lambda: [*actions.graph.choices],
+        get=lambda: viewer.graph.choice,
+        set=viewer.graph.show,
+        choices=lambda: [*viewer.graph.choices],
     )
     span = Menu(
         name="span",
         label="Time of the graph",
-        get=lambda: actions.graph.span,
-        set=actions.set_span,
+        get=lambda: viewer.graph.span,
+        set=viewer.actions.set_span,
         choices=lambda: [*SPANS],
     )
     return [arrows, slow_hits, graph, span]
 
 
-def release_angle(actions: Actions, cord: int, name: str) -> Slider:
+def release_angle(viewer: "Viewer", cord: int, name: str) -> Slider:
     """Return the control of the release angle of this cord (0 upper, 1 lower)."""
 
     def get() -> float:
-        return angle_to_outwards(actions.cradle.release_angles(actions.angles)[cord])
+        return angle_to_outwards(viewer.cradle.release_angles(viewer.angles)[cord])
 
     return Slider(
         name=name,
         label=name.capitalize(),
         get=get,
-        set=lambda degrees: actions.set_release_angle(cord, degrees),
-        limits=lambda: actions.cradle.angle_limits[name],
+        set=lambda degrees: viewer.actions.set_release_angle(cord, degrees),
+        limits=lambda: viewer.cradle.angle_limits[name],
         as_text=lambda degrees: f"{degrees:.4g}°",
     )
 

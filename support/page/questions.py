@@ -10,6 +10,7 @@ from support.cradle.prediction import Measurement
 from support.files.experiments import Experiment
 
 LETTERS = "ABCDE"  # of the answers
+REST = 3.0  # s that the picture rests when an experiment has been measured
 FIGURES = {
     "before": "largest speed before the hits (m/s)",
     "speed": "largest speed after them (m/s)",
@@ -41,6 +42,8 @@ class Questions:
         self.said: int | None = None  # the index of the answer
         self.votes: list[int] = []  # for each answer
         self.slowly = False  # whether this run is in slow motion, until its measurement is over
+        # On the pace's clock: until then, the picture rests after a measurement.
+        self.rest_end: float | None = None
         # Of the experiment whose question is asked, or was answered.
         self.measurement: Measurement | None = None
 
@@ -94,12 +97,27 @@ class Questions:
         """Return whether the present run is measured, and its measurement is not yet over."""
         return self.measurement is not None and not self.measurement.is_over
 
-    def measure(self) -> bool:
-        """Measure this moment; return whether the measurement ends with it."""
+    def measure(self, now: float) -> bool:
+        """Measure this moment, now (s) on the pace's clock.
+
+        Return whether the measurement ends with it; the picture then rests.
+        """
         if self.measurement is None or self.measurement.is_over:
             return False
         self.measurement.measure()
+        if self.measurement.is_over:
+            self.rest_end = now + REST
         return self.measurement.is_over
+
+    def is_resting(self, now: float) -> bool:
+        """Return whether the picture rests now (s), on the pace's clock; slow motion ends after."""
+        if self.rest_end is None:
+            return False
+        if now < self.rest_end:
+            return True
+        self.rest_end = None
+        self.slowly = False
+        return False
 
     def predicted(self, time: float) -> list[float]:
         """Return the angles (rad) that the answer predicts for this time (s).

@@ -1,19 +1,26 @@
 """The viewer: plays a cradle in step with the clock, and carries out the commands of the page."""
 
 from collections.abc import Sequence
-from math import inf
 from queue import SimpleQueue
 from typing import Any
 
 from support.columns import NUMBER_COLUMNS
 from support.cradle.cradle import Cradle
+from support.cradle.player import Player
 from support.cradle.real_time import FRAME
 from support.files.cradle_csv import LiveFile
+from support.files.data_file import EVERY
 from support.page import readout
 from support.page.actions import Actions
+from support.page.chooser import Chooser, Settings
 from support.page.controls import commands_of, is_text, state_of
 from support.page.declarations import declare_commands, declare_controls
 from support.page.endless import Watch
+from support.page.graph import Graph
+from support.page.questions import Questions
+from support.page.scene.marks import Marks
+from support.page.scene.scenery import Scenery
+from support.page.scene.slow_hits import SlowHits
 from support.page.tabs import Tabs
 
 REFRESH = 0.1  # s between two changes of the state
@@ -21,10 +28,10 @@ REFRESH = 0.1  # s between two changes of the state
 QUIET = 0.01
 SLOWLY = 0.1  # times real time: the speed of an experiment that is repeated slowly
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
-REST = 3.0  # s that the picture rests when an experiment has been measured
+IMPACTS = 5  # series of hits, a line for each
 
 
-class Viewer(Actions):
+class Viewer(Player):
     """The page with a cradle, its panel and its graph: the argument page of main."""
 
     def __init__(
@@ -38,17 +45,35 @@ class Viewer(Actions):
         **texts: str,
     ):
         """Play the cradle of this file as a Player does; tabs show it, and texts in the state."""
-        super().__init__(cradle, file, angles, lifted)
+        super().__init__(cradle, file.current, angles, lifted, IMPACTS, EVERY)
+        self.file = file
         self.tabs = tabs
         self.given_remark = remark
         self.texts = texts
+        self.running = True
+        self.speed = 1.0  # that you have set, times real time
+        # On the pace's clock: when the page gets all of the state, at once from 0 on.
+        self.next_refresh = 0.0
+        # The coordinates before One tick, while it is carried out.
+        self.before: dict[str, float] | None = None
+        self.error = ""  # the mistake in your CSV
         # (command, values) of tabs, for the next frame; any thread can put one into it.
         self.commands: SimpleQueue[tuple[Any, Sequence]] = SimpleQueue()
         self.tick_lines: list[str] = []  # what One tick has done
         self.sounds = 0  # the number of pictures with a hit to hear
         self.loudest = 0.0  # m/s: the fastest hit of the last one of them
+
+        settings = Settings(file.current, list(angles), lifted, cradle.collision, cradle.mass)
+        self.chooser = Chooser(settings, cradle)
+        self.questions = Questions()
+        self.scenery = Scenery()
+        self.marks = Marks()
+        self.slow_hits = SlowHits(cradle)
+        self.graph = Graph(cradle.angle_keys, cradle.rate_keys)
+
+        self.actions = Actions(self)
         self.controls = declare_controls(self)
-        self.known_commands = {**commands_of(self.controls), **declare_commands(self)}
+        self.known_commands = {**commands_of(self.controls), **declare_commands(self.actions)}
         tabs.give = lambda command, *values: self.commands.put((command, values))
         tabs.endless = Watch(self).look
 
@@ -61,13 +86,14 @@ class Viewer(Actions):
         while not (self.commands.empty() or self.is_wanted or self.planned):
             self.carry_out(*self.commands.get())
         if not self.is_wanted and self.file.changed():
-            self.reload()
+            self.actions.reload()
         if self.tabs.are_gone:
             self.is_over = True
             self.planned = 0
-        elif self.hold_if_due() or not self.running:
+        elif self.is_holding() or not self.running:
             self.pace.restart()
         elif not (self.is_wanted or self.planned):
+            self.pace.speed = self.speed_now()
             self.keep_time()
 
     def carry_out(self, name: Any, values: Sequence) -> None:
@@ -75,20 +101,16 @@ class Viewer(Actions):
         command = self.known_commands.get(name) if is_text(name) else None
         if command and command.takes(values):
             command.do(*values)
-            self.next_refresh = -inf
+            self.next_refresh = 0.0
 
-    def hold_if_due(self) -> bool:
-        """Go on with slow hits and slow runs; return whether the time holds.
-
-        It also holds after an experiment is measured.
-        """
+    def is_holding(self) -> bool:
+        """Go on with slow hits; return whether the time holds, for them or after a measurement."""
         now = self.pace.clock()
-        if self.questions.slowly and -inf < self.rest_end <= now:
-            self.questions.slowly = False
-            self.pace.speed = self.speed
-        if now < self.rest_end:
-            return True
-        return self.slow_hits.go_on(now if self.running else -inf)
+        return self.questions.is_resting(now) or self.slow_hits.go_on(now, self.running)
+
+    def speed_now(self) -> float:
+        """Return the speed of the present run, times real time."""
+        return SLOWLY if self.questions.slowly else self.speed
 
     def show_frame(self) -> None:
         """Show the result of the last ticks.
@@ -130,20 +152,18 @@ class Viewer(Actions):
     def show_new_cradle(self) -> None:
         """Show a new cradle. The first one starts when a tab has drawn it: you see the release."""
         cradle = self.cradle
-        self.rest_end = -inf
-        self.pose()
+        self.actions.pose()
         self.slow_hits.clear()
-        self.pace.speed = SLOWLY if self.questions.slowly else self.speed
         self.scenery.surround(cradle.axles(), cradle.bobs(), cradle.reach, cradle.values("mass"))
         self.marks.surround(cradle, self.scenery.bottom)
         self.graph.begin(cradle.colors())
         self.note()
         self.tick_lines = []
-        self.next_refresh = -inf
+        self.next_refresh = 0.0
         while not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
             self.show_frame()
             self.tabs.is_seen.wait(FRAME)
-            self.next_refresh = -inf
+            self.next_refresh = 0.0
             self.pace.restart()
 
     def note(self) -> None:
@@ -165,8 +185,7 @@ class Viewer(Actions):
         """Look at the result of a batch: measure an experiment; show One tick, or its hits."""
         super().end_batch()
         hits = self.cradle.hits
-        if self.questions.measure():
-            self.rest_end = self.pace.clock() + REST
+        if self.questions.measure(self.pace.clock()):
             self.planned = 0
         if self.looks_at_hits:
             self.slow_hits.add(hits.noted, self.motion.time(), self.motion.least)

@@ -30,7 +30,7 @@ class SlowHits:
         """Forget waiting hits: for a new cradle, or when Slow hits is switched on."""
         self.waiting: deque[SlowHit] = deque()
         self.shown: SlowHit | None = None
-        self.until = -inf  # the time on the pace's clock at which the next one comes
+        self.until = 0.0  # the time on the pace's clock at which the next one comes
         # Of this series: the number and the time (s) of its last hit.
         self.count = 0
         self.last = -inf
@@ -53,20 +53,20 @@ class SlowHits:
             self.last = time
             self.waiting.append(SlowHit(hit, self.count, list(pend_list)))
 
-    def go_on(self, now: float) -> bool:
-        """Go on to the next hit if it is due at this time (s) on the pace's clock.
+    def go_on(self, now: float, running: bool) -> bool:
+        """Go on to the next hit if it is due now (s), on the pace's clock.
 
-        Return whether a hit is shown.
+        Return whether a hit is shown. While the cradle is paused, it stays.
         """
-        if self.shown and now < self.until:
-            return True
-        if self.waiting:
-            self.shown = self.waiting.popleft()
-            self.until = now + EACH
-        else:
-            self.shown = None
-            self.until = -inf
+        is_due = running and now >= self.until
+        if self.shown is None or is_due:
+            self.show_next(now)
         return self.shown is not None
+
+    def show_next(self, now: float) -> None:
+        """Show the next hit from now (s) on, or none if all were shown."""
+        self.shown = self.waiting.popleft() if self.waiting else None
+        self.until = now + EACH
 
     def state(self) -> dict | None:
         """Return what the page says of the hit: a title, lines and a note; or None."""
