@@ -103,7 +103,7 @@ class Graph:
         state: dict[str, Any] = {
             "x": choice.x,
             "y": choice.y,
-            "curves": [(curve.label, curve.color) for curve in choice.curves],
+            "curves": [curve._asdict() for curve in choice.curves],
             "rows": [],
         }
         if choice.curves and self.rows:

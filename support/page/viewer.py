@@ -130,8 +130,11 @@ class Viewer(Player):
             return
         self.draw()
         state = {
-            "sound": [self.sounds, self.loudest],
-            "view": {**self.scenery.view(), "labels": self.marks.labels},
+            "sound": {"count": self.sounds, "speed": self.loudest},
+            "view": {
+                **self.scenery.view(),
+                "labels": [label._asdict() for label in self.marks.labels],
+            },
         }
         if self.pace.clock() >= self.next_refresh:
             self.next_refresh = self.pace.clock() + REFRESH
@@ -218,7 +221,9 @@ class Viewer(Player):
             "columns": NUMBER_COLUMNS,
             "keys": [*cradle.angle_keys, *cradle.rate_keys],
             "table": {column: cradle.values(column) for column in NUMBER_COLUMNS},
-            "refused": dict(self.chooser.refused),
+            "refused": {
+                place: refusal._asdict() for place, refusal in self.chooser.refused.items()
+            },
             "tick": self.tick_lines,
             "now": {name: f"{number:.6f}" for name, number in cradle.coordinates().items()},
         }

@@ -27,7 +27,8 @@ def test_the_graph_shows_the_energies_of_the_last_seconds(rig, span):
     rig.wait(seconds + 2)
     assert span == f"last {seconds:g} s"
     curves = rig.state["curves"]
-    assert curves["curves"] == [[name, ENERGIES[name]] for name in ENERGIES]
+    drawn = {curve["label"]: curve["color"] for curve in curves["curves"]}
+    assert drawn == ENERGIES
     times = [row[0] for row in curves["rows"]]
     assert curves["to"] - curves["from"] == pytest.approx(seconds)
     assert times[:-1] == pytest.approx([interval * round(t / interval) for t in times[:-1]])
@@ -51,9 +52,9 @@ def test_the_time_axis_is_full_with_any_tick(csv, monkeypatch, dt):
 @pytest.mark.parametrize(
     ("choice", "x", "y", "curves"),
     [
-        (ANGLES, "t (s)", "theta (rad)", [["1", RED], ["2", CYAN]]),
-        ("Velocities omega", "t (s)", "omega (rad/s)", [["1", RED], ["2", CYAN]]),
-        ("Phase 2", "theta (rad)", "omega (rad/s)", [["", CYAN]]),
+        (ANGLES, "t (s)", "theta (rad)", {"1": RED, "2": CYAN}),
+        ("Velocities omega", "t (s)", "omega (rad/s)", {"1": RED, "2": CYAN}),
+        ("Phase 2", "theta (rad)", "omega (rad/s)", {"": CYAN}),
     ],
 )
 def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
@@ -65,7 +66,7 @@ def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
     graph = rig.state["curves"]
     assert graph["x"] == x
     assert graph["y"] == y
-    assert graph["curves"] == curves
+    assert {curve["label"]: curve["color"] for curve in graph["curves"]} == curves
     thetas = rig.thetas()
     omegas = rig.values("omega")
     time = rig.viewer.motion.time()

@@ -56,9 +56,9 @@ def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(c
         assert bar.pos.y == pytest.approx(marks.level + height / 2)
     assert [bar.pos.x for bar in bars[:-1]] == [axle.pos.x for axle in cradle.axles()]
     assert [bar.color for bar in bars[:-1]] == cradle.colors()
-    (left, level, _), (right, _, _) = rig.state["view"]["labels"]
-    assert level == marks.level
-    places = [left, *(bar.pos.x for bar in bars), right]
+    left, right = rig.state["view"]["labels"]
+    assert left["y"] == marks.level
+    places = [left["x"], *(bar.pos.x for bar in bars), right["x"]]
     assert places == sorted(places)
     assert lowest(rig) < marks.level - marks.height
     assert marks.level + marks.height < ground

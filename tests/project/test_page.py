@@ -216,7 +216,7 @@ def test_the_table_shows_theta_and_takes_a_mass(shared):
 
 # Let the page hear of a hit with this speed (m/s); return the largest sample that follows.
 HIT = """async speed => {
-    shows.sound([0, speed]);
+    shows.sound({ speed });
     let most = 0;
     for (let look = 0; look < 20; look++) { // a single look can be too early or too late
         await new Promise(resolve => setTimeout(resolve, 50));

@@ -104,7 +104,8 @@ def test_the_axles_carry_their_numbers_and_masses_that_differ(masses, texts):
     scenery = surround(masses)
     axles, _ = pendula(3)
     places = [axle.pos.x for axle in axles]
-    assert scenery.view()["numbers"] == [*zip(places, texts, strict=True)]
+    numbers = [{"x": x, "text": text} for x, text in zip(places, texts, strict=True)]
+    assert scenery.view()["numbers"] == numbers
     top = scenery.view()["top"]
     assert top > axles[0].pos.y + axles[0].height / 2
     lines = 1 + texts[0].count("\n")

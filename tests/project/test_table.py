@@ -44,10 +44,10 @@ def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(rig):
     rig.give("edit", 3, "mass", "<b>")
     assert rig.time() > 0.2
     rig.give("edit", 0, "e", "0.25")  # another cell does not hide the mistake
-    [(cell, (text, message))] = rig.state["refused"].items()
+    [(cell, refusal)] = rig.state["refused"].items()
     assert cell == "3,mass"
-    assert text == "<b>"
-    assert message.startswith("mass: allowed is a number from ")
+    assert refusal["text"] == "<b>"
+    assert refusal["message"].startswith("mass: allowed is a number from ")
     rig.give("edit", 3, "mass", " 0.5 ")
     assert rig.state["refused"] == {}
     assert rig.values("mass")[3] == 0.5
@@ -66,7 +66,7 @@ def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(rig, csv):
     double.give("pause")  # it then needs no ticks
     double.give("edit", 3, "mass", "9e-7 ")
     message = "mass: allowed is at most 1e6 times the smallest mass, in a double cradle"
-    assert double.state["refused"] == {"3,mass": ["9e-7 ", message]}
+    assert double.state["refused"] == {"3,mass": {"text": "9e-7 ", "message": message}}
     double.save(HEADER + GOOD.replace("1.0", "500000", 1) + GOOD.replace("1.0", ".4", 1))
     assert double.values("mass") == [1] * 5
     assert "line 2, column mass: found '500000', and '.4' in line 3" in double.state["error"]

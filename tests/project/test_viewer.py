@@ -127,14 +127,14 @@ def test_while_no_tab_has_room_nothing_is_shown_and_no_hit_is_lost(rig):
     assert rig.state == before  # it would only wait
     rig.tabs.have_room = lambda: True
     rig.wait()
-    assert rig.state["sound"][0] == 4  # a hit in each half of a period, 0.9 s
+    assert rig.state["sound"]["count"] == 4  # a hit in each half of a period, 0.9 s
 
 
 def test_a_hit_is_heard_with_its_speed_and_bobs_that_rest_on_each_other_are_not(rig):
     """From 30 degrees, a bob comes down at sqrt(2 g R (1 - cos 30 degrees)) = 0.73 m/s."""
-    assert rig.state["sound"] == [0, 0]
+    assert rig.state["sound"] == {"count": 0, "speed": 0}
     rig.wait(0.4)
-    assert rig.state["sound"] == [1, pytest.approx(0.73, abs=0.01)]
+    assert rig.state["sound"] == {"count": 1, "speed": pytest.approx(0.73, abs=0.01)}
     rig.give("collision", INELASTIC)
     rig.wait(5)
     sound = rig.state["sound"]

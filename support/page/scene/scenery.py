@@ -108,7 +108,7 @@ class Scenery:
             points.append((x, top + writing, 0))
         return {
             "points": points,
-            "numbers": self.numbers,
+            "numbers": [number._asdict() for number in self.numbers],
             "top": top + radius / 2,
             "text_height": TEXT,
             "finger": FINGER,

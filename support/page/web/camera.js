@@ -78,19 +78,19 @@ function writeTexts() {
   const { width, height, range } = scene();
   const ofPage = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
   const size = Math.max(SMALLEST * ofPage, text_height * height);
-  const lines = numbers.flatMap(([, text]) => text.split("\n"));
+  const lines = numbers.flatMap(({ text }) => text.split("\n"));
   const longest = Math.max(...lines.map(line => line.length));
   const pixel = 2 * range / Math.min(width, height); // m
   const widest = LETTER * size * (0.4 + longest) * pixel; // m, with a gap
-  const [first, text] = numbers[0];
-  const [last] = numbers.at(-1);
-  const apart = (last - first) / Math.max(1, numbers.length - 1);
+  const first = numbers[0];
+  const apart = (numbers.at(-1).x - first.x) / Math.max(1, numbers.length - 1);
   const step = [1, 5, 10, 50].find(step => step * apart >= widest) ?? Infinity;
-  const above = ([x, text]) => ({ pos: vec(x, top, 0), text, height: size, yoffset: 1 });
-  const beside = ([x, y, text]) =>
+  const above = ({ x, text }) => ({ pos: vec(x, top, 0), text, height: size, yoffset: 1 });
+  const beside = ({ x, y, text }) =>
     ({ pos: vec(x, y, 0), text, height: 0.875 * ofPage, yoffset: 0 });
   const fitting = numbers.filter((_, i) => i === 0 || (i + 1) % step === 0);
-  if (text.includes("\n")) fitting.push([first - Math.max(widest, apart), " \nkg"]);
+  if (first.text.includes("\n"))
+    fitting.push({ x: first.x - Math.max(widest, apart), text: " \nkg" });
   showLabels([...fitting.map(above), ...state.view.labels.map(beside)]);
 }
 

@@ -20,7 +20,7 @@ function drawGraph() {
   one(".y").textContent = y ?? "";
   // flot draws nothing that is hidden.
   if (!curves.length || !rows.length || !place.width() || !place.height()) return;
-  const data = curves.map(([label, color], i) => ({
+  const data = curves.map(({ label, color }, i) => ({
     label,
     color: legible(color),
     data: rows.map(row => [row[0], row[i + 1]]),

@@ -13,7 +13,7 @@ one("#sound").addEventListener("change", ({ target }) => {
   audio[target.checked ? "resume" : "suspend"]();
 });
 
-shows.sound = ([, speed]) => {
+shows.sound = ({ speed }) => {
   if (audio?.state !== "running" || !speed) return;
   const source = new AudioBufferSourceNode(audio, { buffer: click });
   // The root: the ear hears slow hits, too, beside fast ones.

@@ -51,9 +51,10 @@ function makeEditor(row, column) {
 }
 
 function showEditor(place, { row, column, field, message }) {
-  const [text, allowed] = state.refused[place] ?? [String(state.table[column][row]), ""];
+  const refusal = state.refused[place];
+  const text = refusal?.text ?? state.table[column][row];
   const isTyped = field === document.activeElement && field.value !== field.defaultValue;
   if (!isTyped) field.value = field.defaultValue = text;
-  field.ariaInvalid = !!allowed;
-  message.textContent = allowed;
+  field.ariaInvalid = !!refusal;
+  message.textContent = refusal?.message;
 }
