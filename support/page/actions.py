@@ -124,7 +124,7 @@ class Actions:
 
     def set_collision(self, name: str) -> None:
         """Let bobs collide in this way (one of collision_names) from now on."""
-        collision = dict(zip(self.collision_names(), self.cradle.collisions, strict=True))[name]
+        collision = name if name in self.cradle.collisions else AS_MADE
         self.leave_experiment()
         self.chooser.set(collision=collision)
         self.viewer.use_collision(collision)

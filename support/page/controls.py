@@ -66,9 +66,6 @@ class Control:
         """Return whether the value, which comes as JSON, can be set."""
         raise NotImplementedError
 
-    def command(self) -> Command:
-        return Command(self.set, (self.allows,))
-
     def description(self) -> dict[str, Any]:
         """Return what the page needs beside the value, to make and to fill the element."""
         return {"kind": type(self).__name__, "label": self.label, "help": self.help}
@@ -127,7 +124,7 @@ class Menu(Control):
 
 def commands_of(controls: Sequence[Control]) -> dict[str, Command]:
     """Return the command of each control by its name."""
-    return {control.name: control.command() for control in controls}
+    return {control.name: Command(control.set, (control.allows,)) for control in controls}
 
 
 def state_of(controls: Sequence[Control]) -> dict[str, Any]:
