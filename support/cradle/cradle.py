@@ -20,7 +20,6 @@ from support.pendulum import cord_angles, discard, Pendulum
 from support.start.mistake import MistakeError, require_list, require_numbers, require_pendula
 from support.start.preview import unwritten_in
 
-AS_MADE = "as in the CSV"  # how bobs collide: each pendulum keeps its own e
 UNIFORM_E = "uniform_e_newton_cradle"
 UNIFORM_MASS = "uniform_mass_newton_cradle"
 
@@ -30,6 +29,16 @@ class Source(NamedTuple):
 
     make: Callable
     arguments: tuple[float, ...] = ()
+
+
+class Collision(NamedTuple):
+    """A way for bobs to collide: its name, and a source of pendula with its e."""
+
+    name: str
+    source: Source | None = None  # None keeps each pendulum's own e
+
+
+AS_MADE = Collision("as in the CSV")
 
 
 class Cradle:
@@ -72,8 +81,7 @@ class Cradle:
         self.needs = {"extract_and_convert", self.make_name}  # or there is no picture
         if self.mass is not None:
             self.needs.add(UNIFORM_MASS)
-        # How bobs can collide; None keeps each pendulum's own e.
-        self.collisions: dict[str, Source | None] = {AS_MADE: None}
+        self.collisions = [AS_MADE]  # the ways to choose from
         self.collision = AS_MADE
         self.add_collisions(options)
 
@@ -103,15 +111,20 @@ class Cradle:
             ("elastic, e = 1", "elastic_newton_cradle", options.elastic),
             ("perfectly inelastic, e = 0", "inelastic_newton_cradle", options.inelastic),
         ):
+            collision = Collision(name, Source(self.scope[function]))
             if function not in unwritten and UNIFORM_E not in unwritten:
-                self.collisions[name] = Source(self.scope[function])
+                self.collisions.append(collision)
             if is_chosen:
-                self.collision = name
+                self.collision = collision
                 self.needs |= {function, UNIFORM_E}
         if options.e is not None:
-            self.collision = f"e = {options.e:g}"
-            self.collisions[self.collision] = Source(self.scope[UNIFORM_E], (options.e,))
+            self.collision = self.uniform_e(options.e)
+            self.collisions.append(self.collision)
             self.needs.add(UNIFORM_E)
+
+    def uniform_e(self, e: float) -> Collision:
+        """Return the way to collide in which all pendula have this e."""
+        return Collision(f"e = {e:g}", Source(self.scope[UNIFORM_E], (e,)))
 
     # --- a new cradle --------------------------------------------------------------------------
 
@@ -174,12 +187,11 @@ class Cradle:
         for pend, other in zip(self.pend_list, others, strict=False):
             pend[key] = other[key]
 
-    def use_collision(self, collision: str, csv: str) -> None:
-        """Let bobs collide in this way (a key of collisions) from now on; csv is a path."""
+    def use_collision(self, collision: Collision, csv: str) -> None:
+        """Let bobs collide in this way from now on; csv is a path."""
         self.collision = collision
-        source = self.collisions[collision]
-        if source:
-            self.adopt("e", source, csv)
+        if collision.source:
+            self.adopt("e", collision.source, csv)
             return
         for pend, e in zip(self.pend_list, self.made_es, strict=True):
             pend["e"] = e

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from contextlib import ExitStack
 from math import inf
 
-from support.cradle.cradle import Cradle
+from support.cradle.cradle import Collision, Cradle
 from support.cradle.hits import Hit
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime
@@ -116,8 +116,8 @@ class Player(Page):
         """
         self.plan(self.pace.due(most), self.pace.frame_start + BUSY)
 
-    def use_collision(self, collision: str) -> None:
-        """Set how bobs collide from now on (a key of the cradle's collisions)."""
+    def use_collision(self, collision: Collision) -> None:
+        """Let bobs collide in this way from now on."""
         with clean_copy(self.snapshot) as csv:
             self.cradle.use_collision(collision, csv)
 

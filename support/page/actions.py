@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from vpython import vector
 
 from support.columns import NUMBER_COLUMNS
-from support.cradle.cradle import AS_MADE
+from support.cradle.cradle import AS_MADE, Collision
 from support.cradle.dragging import bob_at, point_in_plane
 from support.cradle.real_time import FRAME
 from support.pendulum import outwards_to_angle
@@ -108,23 +108,21 @@ class Actions:
         self.chooser.set(lifted=lifted)
         self.restart()
 
-    def collision_names(self) -> list[str]:
-        """Return the names of the cradle's collisions on the page."""
-        return [self.name_on_page(collision) for collision in self.cradle.collisions]
+    def collisions(self) -> dict[str, Collision]:
+        """Return the ways to collide in the menu by name; the present one is always there."""
+        named = {}
+        for collision in [*self.cradle.collisions, self.cradle.collision]:
+            named[self.name_on_page(collision)] = collision
+        return named
 
-    def collision_name(self) -> str:
-        """Return the name, on the page, of how bobs collide."""
-        return self.name_on_page(self.cradle.collision)
-
-    def name_on_page(self, collision: str) -> str:
-        """Return the name, on the page, of a key of the cradle's collisions."""
+    def name_on_page(self, collision: Collision) -> str:
+        """Return the name of a way to collide on the page."""
         if collision == AS_MADE and self.chooser.experiment:
             return "as in the experiment"
-        return collision
+        return collision.name
 
-    def set_collision(self, name: str) -> None:
-        """Let bobs collide in this way (one of collision_names) from now on."""
-        collision = name if name in self.cradle.collisions else AS_MADE
+    def set_collision(self, collision: Collision) -> None:
+        """Let bobs collide in this way from now on."""
         self.leave_experiment()
         self.chooser.set(collision=collision)
         self.viewer.use_collision(collision)

@@ -5,7 +5,7 @@ import io
 from typing import Any, NamedTuple
 
 from support.columns import REQUIRED, to_number
-from support.cradle.cradle import AS_MADE, Cradle
+from support.cradle.cradle import AS_MADE, Collision, Cradle
 from support.files.cradle_csv import Snapshot
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
 from support.files.valid_cradle import are_in_range, IN_RANGE, require_cradle
@@ -19,7 +19,7 @@ class Settings(NamedTuple):
     csv: Snapshot
     angles: list[float | None]  # rad
     lifted: int | None
-    collision: str  # a key of the cradle's collisions
+    collision: Collision
     mass: float | None  # kg
 
 

@@ -61,6 +61,7 @@ class Control:
     get: Callable[[], Any]
     set: Callable[[Any], None]
     help: str = field(default="", kw_only=True)  # appears under a mouse that rests on it
+    is_enabled: Callable[[], bool] = field(default=always, kw_only=True)
 
     def allows(self, value: Any) -> bool:
         """Return whether the value, which comes as JSON, can be set."""
@@ -68,20 +69,20 @@ class Control:
 
     def description(self) -> dict[str, Any]:
         """Return what the page needs beside the value, to make and to fill the element."""
-        return {"kind": type(self).__name__, "label": self.label, "help": self.help}
+        return {
+            "kind": type(self).__name__,
+            "label": self.label,
+            "help": self.help,
+            "enabled": self.is_enabled(),
+        }
 
 
 @dataclass
 class Switch(Control):
     """A value that is true or false."""
 
-    is_enabled: Callable[[], bool] = always
-
     def allows(self, value: Any) -> bool:
         return is_switch(value)
-
-    def description(self) -> dict[str, Any]:
-        return {**super().description(), "enabled": self.is_enabled()}
 
 
 @dataclass

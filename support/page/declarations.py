@@ -77,9 +77,9 @@ def cradle_controls(viewer: "Viewer") -> list[Control]:
     collision = Menu(
         name="collision",
         label="Collisions",
-        get=viewer.actions.collision_name,
-        set=viewer.actions.set_collision,
-        choices=viewer.actions.collision_names,
+        get=lambda: viewer.actions.name_on_page(cradle.collision),
+        set=lambda name: viewer.actions.set_collision(viewer.actions.collisions()[name]),
+        choices=lambda: list(viewer.actions.collisions()),
     )
     separating = Switch(
         name="separating",

@@ -111,9 +111,9 @@ def readout(page, name):
     return float(re.search(rf"^{name}\s+([-+0-9.]+)", text, re.MULTILINE)[1])
 
 
-def slider_texts(page):
-    """Return the texts behind the sliders: speed, lifted bobs, release angle."""
-    return page.locator("output").all_inner_texts()
+def slider_texts(page, *names):
+    """Return the texts behind the sliders with these names."""
+    return [page.locator(f"output[for={name}]").inner_text() for name in names]
 
 
 def axle(bob):

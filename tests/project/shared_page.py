@@ -28,7 +28,7 @@ PUT_BACK = """() => {
 }"""
 IS_BACK = """() => !state.running && parseFloat(state.motion.t) === 0
     && !state.arrows && !state.question && bobs().length === 5
-    && find("output").map(e => e.value).join() === "1.0x,1 of 5,45°" """
+    && state.speed === 1 && state.lifted === 1 && state["release angle"] === 45"""
 
 # Ask the question of the first experiment.
 ASK = """async () => {

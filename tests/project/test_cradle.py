@@ -12,7 +12,7 @@ from grading.cradles import MIXED_CSV
 from src import special_cradles, visualize_cradle_run
 from support import pendulum
 from support.constants import DOUBLE_DT, G, R_PARAM
-from support.cradle.cradle import Cradle
+from support.cradle.cradle import AS_MADE, Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.pendulum import BUFFER, outwards_to_angle
 from support.start.mistake import MistakeError
@@ -40,7 +40,7 @@ def test_collisions_can_be_changed_in_full_swing_and_survive_a_reload(swing, kin
     assert values(player, "theta") == angles
     player.read(FIVE_CSV)
     assert values(player, "e") == [0.25] * 5
-    player.use_collision("as in the CSV")
+    player.use_collision(AS_MADE)
     assert values(player, "e") == [1.0] * 5
 
 

@@ -146,7 +146,8 @@ def test_three_tabs_show_one_cradle_with_the_settings_of_all(tabs):
         tab.wait_for_function(
             "() => glowObjs.some(o => o?.constructor.name === 'arrow' && o.visible)"
         )
-        wait_until(lambda tab=tab: pages.slider_texts(tab) == ["2.0x", "2 of 5", "70°"])
+        sliders = tab, "speed", "lifted", "release-angle"
+        wait_until(lambda names=sliders: pages.slider_texts(*names) == ["2.0x", "2 of 5", "70°"])
         wait_for_moves(tab)
     pause(first)
     wait_until(lambda: bob_angles(first) == bob_angles(second) == bob_angles(third))

@@ -66,6 +66,18 @@ def test_the_box_of_a_fixed_rule_is_fixed(rig, csv, monkeypatch):
     assert fixed.state["separating"]
 
 
+def test_the_menu_of_collisions_has_the_present_one(rig):
+    names = rig.control("collision")["choices"]
+    rig.viewer.actions.set_collision(rig.cradle.uniform_e(0.3))
+    rig.wait()
+    assert rig.state["collision"] == "e = 0.3"
+    assert rig.values("e") == [0.3] * 5
+    assert rig.control("collision")["choices"] == [*names, "e = 0.3"]
+    rig.give("collision", names[0])
+    assert rig.control("collision")["choices"] == names
+    assert rig.values("e") == [1.0] * 5
+
+
 def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
     csv.write_text(HEADER + GOOD * 2)
     rig = Rig(csv, 30, 10, kind=DoubleCradle)

@@ -19,9 +19,8 @@ const makers = {
 };
 
 const fillers = {
-  Switch(box, { enabled }, value) {
+  Switch(box, control, value) {
     box.checked = value;
-    box.disabled = !enabled;
   },
   Slider(slider, { min, max, text }, value) {
     Object.assign(slider, { min, max });
@@ -53,6 +52,7 @@ function showControl(name) {
   if (!control) return;
   for (const element of find(`[name="${name}"]`)) {
     element.title = control.help;
+    element.disabled = !control.enabled;
     fillers[control.kind](element, control, state[name]);
   }
 }
