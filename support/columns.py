@@ -24,11 +24,13 @@ class Column(NamedTuple):
     """A column, with the values that its cells may have."""
 
     name: str
-    example: str
+    default: str = ""  # of an experiment that does not say it; "" leaves the column out
+    example: str = ""  # of its numbers, in a message
     unit: str = ""  # of its numbers
     # The least and the greatest number, as a message shows them
     limits: tuple[str, str] | None = None
     choices: Collection[str] = ()  # names
+    is_required: bool = True  # if it has limits or choices
 
     def allows(self, text: str) -> bool:
         """Return whether a cell may have this text."""
@@ -49,16 +51,19 @@ class Column(NamedTuple):
 # theta and omega have no limits: the start of a cradle does not depend on them.
 COLUMNS = (
     # Floats below 1e-308 have few digits: hits would change the energy.
-    Column("mass", example="1.5", unit="kg", limits=("1e-300", "1e6")),
-    Column("e", example="0.9", limits=("0", "1")),
-    Column("theta", example="0.0", unit="rad"),
-    Column("omega", example="0.0", unit="rad/s"),
-    Column("color", example="red", choices=COLOR_MAP),
-    Column("texture", example="metal", choices=TEXTURE_MAP),
+    Column("mass", default="1", example="1.5", unit="kg", limits=("1e-300", "1e6")),
+    Column("e", default="1", example="0.9", limits=("0", "1")),
+    Column("theta", default="0.0", unit="rad"),
+    Column("omega", default="0.0", unit="rad/s"),
+    Column("color", default="red", choices=COLOR_MAP),
+    Column("texture", default="metal", choices=TEXTURE_MAP),
 )
 
-COLUMN_NAMES = [column.name for column in COLUMNS]
-# The names of the numbers that you can set for each pendulum.
-NUMBER_COLUMNS = [column.name for column in COLUMNS if column.limits]
-# The columns without which there is no cradle, by name.
-REQUIRED = {column.name: column for column in COLUMNS if column.limits or column.choices}
+# The names of the columns of the CSVs that the programs write.
+COLUMN_NAMES = [column.name for column in COLUMNS if column.default]
+# The columns whose cells are checked, if a CSV has them, by name.
+CHECKED = {column.name: column for column in COLUMNS if column.limits or column.choices}
+# The names of those without which a CSV is no cradle.
+REQUIRED = [name for name, column in CHECKED.items() if column.is_required]
+# The names of the numbers of each pendulum that you can set.
+SETTABLE = [name for name in REQUIRED if CHECKED[name].limits]

@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 
 from vpython import box, cylinder, mag, sphere, vector
 
-from support.columns import NUMBER_COLUMNS
 from support.pendulum import BUFFER, contact_distance, Pendulum
 
 FARTHEST = 1e5  # cord lengths from the origin: farther away, a place has too large rounding errors
@@ -127,7 +126,7 @@ def are_plain(pend_list: list[Pendulum], constants: Constants) -> bool:
             return False
         if any(abs(place) > FARTHEST * abs(constants.r_param) for place in axle.pos.value):
             return False
-        numbers += [pend[key] for key in (*NUMBER_COLUMNS, "theta", "omega")]
+        numbers += [pend[key] for key in ("mass", "e", "theta", "omega")]
         if not isfinite(bob.radius):
             return False
         moving += [id(bob), id(cord)]

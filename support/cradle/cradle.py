@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from vpython import vector
 
-from support.columns import NUMBER_COLUMNS
+from support.columns import SETTABLE
 from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import HeldBob, move, push_others
 from support.cradle.functions import scope_of, takes_rule
@@ -141,7 +141,7 @@ class Cradle:
         It is the list of main, which the ticks change. Raises a MistakeError if it is no list of
         complete pendula.
         """
-        keys = (*NUMBER_COLUMNS, *self.angle_keys, *self.rate_keys)
+        keys = (*SETTABLE, *self.angle_keys, *self.rate_keys)
         require_pendula(self.scope[self.make_name], pend_list, keys, 1 + 2 * self.cord_count)
         self.pend_list = pend_list
         self.places = {tuple(axle.pos.value): index for index, axle in enumerate(self.axles())}

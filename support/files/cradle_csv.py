@@ -20,7 +20,7 @@ from stat import S_ISREG
 from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
-from support.columns import NUMBER_COLUMNS, to_number
+from support.columns import CHECKED, to_number
 
 LARGEST = 10_000_000  # bytes of a file
 POLL = 0.2  # s between two looks at a file while you edit it
@@ -205,6 +205,7 @@ def for_pandas(column: str, text: str) -> str:
 
     pandas 2 reads 17 digits, and counts zeros before them.
     """
-    if column in NUMBER_COLUMNS and len(text) > 15 and isfinite(to_number(text)):
+    is_number = column in CHECKED and isfinite(to_number(text))
+    if is_number and len(text) > 15:
         return f"{Decimal(repr(to_number(text))):e}"
     return text

@@ -8,14 +8,14 @@ from math import inf, radians
 from pathlib import Path
 from typing import NamedTuple
 
-from support.columns import COLUMNS, NUMBER_COLUMNS, REQUIRED, to_number
+from support.columns import CHECKED, COLUMNS, SETTABLE, to_number
 from support.files.cradle_csv import Snapshot
 from support.files.valid_cradle import are_in_range, IN_RANGE, in_short, MOST_PENDULA
 
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
 # The names of lines; the other lines are answers.
-NAMES = ["name", "theta", "phi", *NUMBER_COLUMNS, "question", "why"]
+NAMES = ["name", "theta", "phi", *SETTABLE, "question", "why"]
 ANGLE = "an angle from -180 to 180 (degrees)"
 COLORS = "red", "yellow", "cyan", "blue", "purple"  # of the pendula, in turn
 MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
@@ -71,7 +71,7 @@ def read_experiment(file: Path, cords: int) -> Experiment:
     if cords == 1 and "phi" in lines.texts:
         raise ValueError(f"{file}, phi: is allowed only for the double cradle")
     poses = lines.start_poses(cords)
-    columns = {name: lines.column(name) for name in NUMBER_COLUMNS}
+    columns = {name: lines.column(name) for name in SETTABLE}
     if cords == 2 and not are_in_range(columns["mass"]):
         raise ValueError(f"{file}, mass: found {lines.text('mass')!r}, allowed is {IN_RANGE}")
     answers = lines.answers()
@@ -90,9 +90,12 @@ def read_experiment(file: Path, cords: int) -> Experiment:
 
 
 def csv_of(columns: dict[str, list[float]]) -> bytes:
-    """Return the CSV of a cradle with these numbers, a list for each of NUMBER_COLUMNS."""
+    """Return the CSV of a cradle with these numbers, a list for each of SETTABLE."""
     count = len(columns["mass"])
-    table: dict[str, list] = {column.name: [column.example] * count for column in COLUMNS}
+    table: dict[str, list] = {}
+    for column in COLUMNS:
+        if column.default:
+            table[column.name] = [column.default] * count
     table |= columns
     table["color"] = list(islice(cycle(COLORS), count))
     rows = [tuple(table), *zip(*table.values(), strict=True)]
@@ -164,10 +167,10 @@ class ExperimentText:
         return [list(accumulate(map(radians, row))) for row in rows]
 
     def column(self, name: str) -> list[float]:
-        """Return the numbers of a column of the CSV; without a line with its name, they are 1."""
+        """Return the numbers of a column of the CSV; without such a line, they are its default."""
+        column = CHECKED[name]
         if name not in self.texts:
-            return [1.0] * self.count
-        column = REQUIRED[name]
+            return [float(column.default)] * self.count
         return self.numbers(name, column.allows, column.allowed())
 
     def answers(self) -> dict[str, Answer]:

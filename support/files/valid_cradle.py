@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from support.columns import REQUIRED, to_number
+from support.columns import CHECKED, REQUIRED, to_number
 from support.files.cradle_csv import Row, Snapshot
 
 MOST_PENDULA = 1000  # of a cradle
@@ -60,18 +60,19 @@ def require_columns_and_count(snapshot: Snapshot) -> None:
 
 
 def require_columns(place: str, names: list[str]) -> None:
-    """Raise a ValueError if the names at this place do not have each column of a cradle once."""
+    """Raise a ValueError if the names at this place lack a column of a cradle, or repeat one."""
     found_names = in_short(", ".join(repr(name) for name in names if name))
     allowed = f"a cradle needs one column of each of {', '.join(REQUIRED)}{comma_hint(found_names)}"
-    if not REQUIRED.keys() & set(names):
+    if not set(REQUIRED) & set(names):
         for separator, hint in HINTS.items():
             parts = {part.strip(' "').lower() for part in names[0].split(separator)}
-            if len(REQUIRED.keys() & parts) > 1:
+            if len(set(REQUIRED) & parts) > 1:
                 allowed += f"; {hint}"
         raise ValueError(f"{place} must name the columns: found {found_names}; {allowed}")
-    for column in REQUIRED:
+    for column in CHECKED:
         count = names.count(column)
-        if count != 1:
+        is_missing = count == 0 and column in REQUIRED
+        if count > 1 or is_missing:
             found = f"{count} columns" if count else "no column"
             raise ValueError(f"{place}: found {found} {column} in {found_names}; {allowed}")
 
@@ -80,9 +81,9 @@ def require_allowed_cells(snapshot: Snapshot, header: Row, row: Row) -> None:
     """Raise a ValueError if a cell of this row has a value that its column does not allow."""
     # A short row lacks its last cells.
     pendulum = dict(zip(header.cells, row.cells, strict=False))
-    for name, column in REQUIRED.items():
+    for name, column in CHECKED.items():
         text = pendulum.get(name, "")
-        if not column.allows(text):
+        if name in header.cells and not column.allows(text):
             message = f"found {in_short(repr(text))}" if text else "found nothing"
             message += f", allowed is {column.allowed()}"
             if len(row.cells) < len(header.cells):

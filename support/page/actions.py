@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from vpython import vector
 
-from support.columns import NUMBER_COLUMNS
+from support.columns import SETTABLE
 from support.cradle.cradle import AS_MADE, Collision
 from support.cradle.dragging import bob_at, point_in_plane
 from support.cradle.real_time import FRAME
@@ -134,7 +134,7 @@ class Actions:
 
     def edit(self, row: int, column: str, text: str) -> None:
         """Let main make the cradle with this number in the table, or show why it is refused."""
-        numbers = {name: self.cradle.values(name) for name in NUMBER_COLUMNS}
+        numbers = {name: self.cradle.values(name) for name in SETTABLE}
         if self.chooser.edit(row, column, text, numbers):
             self.leave_experiment()
             self.restart()

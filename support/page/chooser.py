@@ -4,7 +4,7 @@ import csv
 import io
 from typing import Any, NamedTuple
 
-from support.columns import REQUIRED, to_number
+from support.columns import CHECKED, to_number
 from support.cradle.cradle import AS_MADE, Collision, Cradle
 from support.files.cradle_csv import Snapshot
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
@@ -109,8 +109,8 @@ class Chooser:
         self.refused.pop(place, None)
         if row >= len(numbers[column]):  # you may type faster than the page shows a new table
             return False
-        allowed = REQUIRED[column].allowed()
-        fits = REQUIRED[column].allows(text.strip())
+        allowed = CHECKED[column].allowed()
+        fits = CHECKED[column].allows(text.strip())
         if fits:
             numbers[column][row] = float(text)
             if column == "mass" and self.cords == 2:

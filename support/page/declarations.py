@@ -5,7 +5,7 @@ page.html has a place for each control, by its name; Viewer.state has their valu
 
 from typing import Any, TYPE_CHECKING
 
-from support.columns import NUMBER_COLUMNS
+from support.columns import SETTABLE
 from support.page.actions import Actions
 from support.page.controls import (
     Command,
@@ -165,4 +165,4 @@ def is_answer(value: Any) -> bool:
 
 
 def is_in_table(value: Any) -> bool:
-    return value in NUMBER_COLUMNS
+    return value in SETTABLE

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from queue import SimpleQueue
 from typing import Any
 
-from support.columns import NUMBER_COLUMNS
+from support.columns import SETTABLE
 from support.cradle.cradle import Cradle
 from support.cradle.player import Player
 from support.cradle.real_time import FRAME
@@ -218,9 +218,9 @@ class Viewer(Player):
             "motion": readout.readout(self.motion, self.pace),
             "impacts": self.motion.impacts.lines(),
             "curves": self.graph.state(self.motion.start_energy),
-            "columns": NUMBER_COLUMNS,
+            "columns": SETTABLE,
             "keys": [*cradle.angle_keys, *cradle.rate_keys],
-            "table": {column: cradle.values(column) for column in NUMBER_COLUMNS},
+            "table": {column: cradle.values(column) for column in SETTABLE},
             "refused": {
                 place: refusal._asdict() for place, refusal in self.chooser.refused.items()
             },

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from support import constants
-from support.columns import REQUIRED, to_number
+from support.columns import CHECKED, to_number
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import EVERY
@@ -77,7 +77,7 @@ def type_of(
 
 def number_of(column: str) -> Callable[[str], Any]:
     """Return a type for argparse: a number that this column of the CSV may have."""
-    return type_of(float, REQUIRED[column].allows, REQUIRED[column].allowed())
+    return type_of(float, CHECKED[column].allows, CHECKED[column].allowed())
 
 
 def angle_from(least: float) -> Callable[[str], Any]:
