@@ -1,6 +1,5 @@
 """Comparing a student's result with the expected one: whether they are equal, and what is wrong."""
 
-import re
 from collections.abc import Iterable
 from math import isclose
 from numbers import Real
@@ -9,7 +8,7 @@ from typing import Any, NamedTuple
 from vpython import vector
 
 from grading.messages import about, form_of, plural, text_of, Wanted
-from grading.subject import NOTHING, RESULT, Subject, subject_of
+from grading.subject import list_of, NOTHING, parts_of, Subject, subject_of, verb_of, whole_of
 
 LONG = 60  # characters; of a longer list, a message shows only the first difference
 
@@ -23,9 +22,6 @@ OTHER_FORM = (
     ArithmeticError,
     RecursionError,
 )
-
-# The names of elements in a sentence, and the name of the list that has them.
-ELEMENTS = {"each pendulum": "pend_list", "each axle": "axle", "each bob": "bob"}
 
 
 class Mistake(NamedTuple):
@@ -142,7 +138,7 @@ def mistake_in(what: str, found: Any, wanted: Any, is_result: bool = False) -> M
     what is its name or, with commas, the names of the parts of a tuple; is_result says whether it
     is the whole result.
     """
-    whole = RESULT if is_result or ", " in what else what
+    whole = whole_of(what, is_result)
     subject = subject_of(whole)
     like = wanted.like if isinstance(wanted, Wanted) else wanted
     if wanted is True and isinstance(found, bool):
@@ -151,8 +147,7 @@ def mistake_in(what: str, found: Any, wanted: Any, is_result: bool = False) -> M
         sentence = f"{whole} {verb_of(whole)} {form_of(found)}, not {form_of(like)}."
         return Mistake(sentence, subject)
     if isinstance(like, (list, tuple)) and len(found) != len(like):
-        if what.endswith(" of each pendulum"):
-            whole = "pend_list"
+        whole = list_of(what, is_result)
         has = "have" if verb_of(whole) == "are" else "has"
         elements = plural(len(found), "element", "elements")
         return Mistake(f"{whole} {has} {elements}, not {len(like)}.", subject_of(whole))
@@ -170,11 +165,6 @@ def mistake_in(what: str, found: Any, wanted: Any, is_result: bool = False) -> M
     return Mistake(f"{whole} {verb_of(whole)} {difference(found, wanted)}.", subject)
 
 
-def verb_of(whole: str) -> str:
-    """Return the verb for the name of a value: ends are, and omega and theta are."""
-    return "are" if re.match(r"ends |[^,]* and ", whole) else "is"
-
-
 def parts_in(what: str, found: Any, wanted: Any) -> list[Part]:
     """Return the parts of a value, none if it has none."""
     if isinstance(wanted, dict):
@@ -185,7 +175,7 @@ def parts_in(what: str, found: Any, wanted: Any) -> list[Part]:
         elements = [*wanted]
     else:
         return []
-    names = names_of_parts(what, len(elements))
+    names = parts_of(what, len(elements))
     return [Part(*part) for part in zip(names, found, elements, strict=True)]
 
 
@@ -204,23 +194,6 @@ def difference(found: Any, wanted: Any) -> str:
     if isinstance(found, Real) and not isinstance(found, bool):
         return f"{text_of(found, digits)}, not {wanted.text}"
     return f"not {wanted.text}" if wanted.text else "wrong"
-
-
-def names_of_parts(what: str, count: int) -> list[str]:
-    """Return the names of the elements: "theta of pend_list[0]" for "theta of each pendulum"."""
-    for elements, name in ELEMENTS.items():
-        if elements in what:
-            return [what.replace(elements, f"{name}[{i}]") for i in range(count)]
-    names = what.split(", ")
-    if len(names) == count > 1:
-        return names
-    first, of, whole = what.partition(" of ")
-    names = first.split(" and ")
-    if len(names) == count > 1:
-        return [name + of + whole for name in names]
-    if " " in what:
-        return [what] * count
-    return [f"{what}[{i}]" for i in range(count)]
 
 
 def digits_of(found: Any, wanted: Any) -> int:
