@@ -204,13 +204,14 @@ def do_one_by_one(
     return hits
 
 
-def hits_in(pend_list, seconds) -> list[tuple]:
-    """Advance the cradle by the programs' rule; return its hits."""
-    return do_one_by_one(pend_list, R_PARAM, DT, G, round(seconds / DT), approaching_only=True)
+def hits_in(pend_list, seconds, dt=DT) -> list[tuple]:
+    """Advance the cradle as the programs do, in ticks of dt (s); return its hits."""
+    motion = pend_list, R_PARAM, dt, G, round(seconds / dt), True
+    hits = do_at_once(*motion)
+    return do_one_by_one(*motion) if hits is None else hits
 
 
 def advance(pend_list, seconds, dt=DT) -> list[float]:
-    """Advance the cradle in the same way, in ticks of dt (s); return its thetas (rad)."""
-    for _ in range(round(seconds / dt)):
-        visualize_cradle_run.newton_cradle_tick(pend_list, R_PARAM, dt, G, approaching_only=True)
+    """Advance the cradle in the same way; return its thetas (rad)."""
+    hits_in(pend_list, seconds, dt)
     return [pend["theta"] for pend in pend_list]
