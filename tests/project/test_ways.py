@@ -90,6 +90,19 @@ WAYS = {  # the changes: (old text, new text) in the file with main
         (MAKE, "import src.special_cradles as sc\n"),
         (MADE, f"sc.{MADE}"),
     ],
+    "the tick by another name in main": [
+        ("    page.show", "    tick = newton_cradle_tick\n    page.show"),
+        (TICKS, "tick(pend_list, R_PARAM, DT, G)"),
+    ],
+    "all names of a module": [(MAKE, "from src.special_cradles import *\n")],
+    "an import in main": [
+        (MAKE, ""),
+        (f"    pend_list = {MADE}", f"    {MAKE}    pend_list = {MADE}"),
+    ],
+    "the swings as a module": [
+        ("from src.swinging import full_swing_update", "import src.swinging as s"),
+        ("    full_s", "    s.full_s"),
+    ],
     "the constants as a module": [
         (CONSTANTS, "import support.constants as c\n"),
         (MADE, "make_newton_cradle(page.csv, c.R_PARAM, c.THETA_INIT)"),
@@ -109,6 +122,12 @@ WAYS = {  # the changes: (old text, new text) in the file with main
     ],
     "keywords": [(COLLIDE, "        handle_two_bobs(pend2=pend2, r_param=r_param, pend1=pend1)\n")],
     "an inner function": [(PAIRS, INNER)],
+    "a collision that returns both": [(AFTER, f"{AFTER}    return pend1, pend2\n")],
+    "other names of parameters": [
+        (DEF, DEF.replace("pend_list", "row")),
+        (SWING, SWING.replace("pend_list", "row")),
+        (PAIRS, PAIRS.replace("pend_list", "row")),
+    ],
     "new dictionaries in each tick": [
         (SWING, "    pend_list[:] = [dict(pend) for pend in pend_list]\n" + SWING)
     ],
@@ -118,6 +137,21 @@ WAYS = {  # the changes: (old text, new text) in the file with main
     "copies that collide": [(PAIRS, COPIES)],
     "a tick without the other function": [(PAIRS, ALONE)],
     "a main in a class": [("def main(page", f"{CLASS}@Counted\ndef main(page")],
+    "a loop in a function": [
+        (
+            "    while page.is_running():",
+            "    run(page, pend_list)\n\n\ndef run(page, pend_list):\n    while page.is_running():",
+        )
+    ],
+    "is_running by another name": [
+        ("    while page.is_running():", "    goes_on = page.is_running\n    while goes_on():")
+    ],
+    "an endless while with break": [
+        (
+            "    while page.is_running():",
+            "    while True:\n        if not page.is_running():\n            break",
+        )
+    ],
 }
 
 
