@@ -1,4 +1,4 @@
-"""Single pendula by newton_cradle_tick, at the shipped constants, beside theory."""
+"""Single pendula, moved as the programs do at the shipped constants, beside theory."""
 
 from functools import partial
 from itertools import pairwise
@@ -54,6 +54,22 @@ def test_only_approaching_bobs_collide(theta, omega1, omega2, collide):
     handle_two_bobs(*pair, R_PARAM, approaching_only=True)
     expected = [omega2, omega1] if collide else [omega1, omega2]
     assert [pend["omega"] for pend in pair] == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("e", slow_but_for([0.9], [0.99, 0.9, 0.5, 0.1]))
+def test_two_equal_bobs_keep_part_of_the_energy(e):
+    """A hit keeps the half of the energy in the common motion.
+
+    It multiplies the relative speed by e.
+    """
+    pend_list = make_row(2, THETA_INIT, e=e)
+    at_start = energy(pend_list)
+    hits = 0
+    for _ in range(round(3 * exact_period(THETA_INIT) / 1e-3)):  # with two hits in a period
+        hits += len(hits_in(pend_list, 1e-3))
+        part = 1 / 2 + e ** (2 * hits) / 2
+        assert energy(pend_list) / at_start == pytest.approx(part, rel=0.005)
+    assert hits >= 5
 
 
 @pytest.mark.parametrize(
