@@ -4,6 +4,8 @@ import signal
 import socket
 import threading
 from contextlib import ExitStack, suppress
+from importlib.machinery import PathFinder
+from pathlib import Path
 from urllib.parse import urlsplit
 
 import programs
@@ -22,6 +24,7 @@ connections = pytest.importorskip("support.page.connection")
 pytestmark = programs.needs_vpython
 
 WEB = ROOT / "support" / "page" / "web"
+BELOW = "/user/ann/proxy/8000/"  # of a proxy
 
 
 @pytest.fixture(scope="module")
@@ -77,26 +80,46 @@ def test_a_file_that_is_not_of_the_page_is_not_there(site, folder, name):
     assert content == b""
 
 
+def test_files_that_everybody_can_download_come_whole_without_the_key(site):
+    """vpython.js is a part of VPython's page, without its websocket, which goes to localhost."""
+    vpython = Path(PathFinder.find_spec("vpython").origin).parent
+    libraries = vpython / "vpython_libraries"
+    picture = vpython / "vpython_data/wood_texture.jpg"
+    for file in (WEB / "page.js", libraries / "glow.min.js", picture):
+        assert get(site, BELOW + file.name, "")[::2] == (200, file.read_bytes())
+    script = get(site, "/vpython.js", "")[2]
+    assert b"function decode(" in script
+    assert script in (libraries / "glowcomm.html").read_bytes()
+    assert b"WebSocket" not in script
+
+
 @pytest.mark.parametrize("query", ["", "key=", "key=wrong", "{key}0", "key=%ff%00"])
-def test_without_the_key_the_page_is_a_sentence_and_the_websocket_is_refused(site, query):
+@pytest.mark.parametrize("below", ["/", BELOW])
+def test_without_the_key_the_page_is_a_sentence_and_the_websocket_is_refused(site, below, query):
     """A request can have all headers of a browser: another program on this machine can send it."""
-    for path in ("/", "/alive"):
+    for name in ("", "alive"):
         status, headers, content = get(
-            site, path, query, Origin="http://a", Sec_Fetch_Site="same-origin"
+            site, below + name, query, Origin="http://a", Sec_Fetch_Site="same-origin"
         )
         assert status == 403
         assert content.decode() == connections.NO_KEY
         assert site.query.removeprefix("key=") not in str(headers)
-    with Tab(site, query) as tab:
+    with Tab(site, query, folder=below) as tab:
         assert tab.answer.status in (400, 403)
 
 
-def test_with_the_key_a_browser_gets_the_page_which_sends_its_address_to_no_other_site(site):
-    for path, expected in (("/", (WEB / "page.html").read_bytes()), ("/alive", b"alive")):
-        status, headers, content = get(site, path)
+@pytest.mark.parametrize("query", ["{key}", "{key}&redirect=http://evil.example"])
+@pytest.mark.parametrize("below", ["/", BELOW])
+def test_with_the_key_a_browser_gets_all_below_any_path(site, below, query):
+    """The page sends its address to no other site, and leads to none."""
+    for name, expected in (("", (WEB / "page.html").read_bytes()), ("alive", b"alive")):
+        status, headers, content = get(site, below + name, query)
         assert status == 200
         assert content == expected
         assert headers["Referrer-Policy"] == "no-referrer"
+        assert headers["Location"] is None
+    with Tab(site, query, folder=below) as tab:
+        assert tab.answer.status == 101
 
 
 @pytest.mark.parametrize(

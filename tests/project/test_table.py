@@ -67,8 +67,10 @@ def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(rig, csv):
     double.give("edit", 3, "mass", "9e-7 ")
     message = "mass: allowed is at most 1e6 times the smallest mass, in a double cradle"
     assert double.state["refused"] == {"3,mass": {"text": "9e-7 ", "message": message}}
+    double.give("edit", 3, "mass", "1e-6")
+    assert double.values("mass") == [1, 1, 1, 1e-6, 1]
     double.save(HEADER + GOOD.replace("1.0", "500000", 1) + GOOD.replace("1.0", ".4", 1))
-    assert double.values("mass") == [1] * 5
+    assert double.values("mass") == [1, 1, 1, 1e-6, 1]
     assert "line 2, column mass: found '500000', and '.4' in line 3" in double.state["error"]
 
 
@@ -108,6 +110,7 @@ REFUSED = [
     ("release angle", -0.5),
     ("angle phi", 30),
     ("arrows", 1),
+    ("drag", RAY[0], [0, 0, 0]),
     ("drag", RAY[0], [1e-9] * 3),
     ("edit", 0, "color", ""),
     ("edit", 0, ["e"], "0"),
@@ -120,6 +123,7 @@ REFUSED = [
     (None,),
     (nan,),
     (["pause"],),
+    ({"pause": 1},),
 ]
 
 

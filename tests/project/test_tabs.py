@@ -18,6 +18,8 @@ WOOD = {"idx": 1, "texture": {"file": "wood_texture.jpg"}}
 @pytest.mark.parametrize(
     ("deliveries", "merged"),
     [
+        # Objects are made in their order.
+        ([[CANVAS], [SPHERE]], [CANVAS, SPHERE]),
         # A shape is made with its last texture: glow.min.js mixes up two that it loads.
         ([[SPHERE, CANVAS], [WOOD]], [{**SPHERE, **WOOD}, CANVAS]),
         # The last value of each attribute: object 12 is not object 1, and a1... is not b1...

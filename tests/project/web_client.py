@@ -32,7 +32,7 @@ TEXT, GOODBYE, PING, PONG = 0x81, 0x88, 0x89, 0x8A
 class Tab(ExitStack):
     """A tab without a browser: a websocket, if the status of the answer is 101."""
 
-    def __init__(self, page, query="{key}", origin="http://127.0.0.1"):
+    def __init__(self, page, query="{key}", origin="http://127.0.0.1", folder="/"):
         super().__init__()
         headers = {
             "Upgrade": "websocket",
@@ -41,7 +41,7 @@ class Tab(ExitStack):
             "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==",
             "Origin": origin,
         }
-        self.connection, self.answer = ask(page, "/ws", query, **headers)
+        self.connection, self.answer = ask(page, f"{folder}ws", query, **headers)
         self.callback(self.connection.close)
         self.callback(self.answer.close)
         if self.answer.status == 101:
