@@ -148,6 +148,7 @@ def test_only_a_file_that_may_be_written_is_replaced_and_the_message_has_the_giv
     monkeypatch.setattr("os.access", lambda path, mode: False)
     with pytest.raises(PermissionError, match=protected):
         write_to_csv(MIXED[:1], csv)
+    assert contents(csv.parent) == {"cradle.csv": FIVE_CSV}
 
 
 class Watched(LiveFile):
