@@ -29,6 +29,7 @@ from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
     slide(shared, "Speed", 1.1)
+    wait_until(lambda: button(shared, "Step").is_disabled())
     shared.keyboard.press("Space")
     button(shared, "Run").wait_for()
     shared.keyboard.press("r")
@@ -98,6 +99,8 @@ def test_the_graph_has_even_ticks_and_a_choice(shared):
     menu(shared, "Graph").select_option("Phase 5")
     shared.locator(".y").get_by_text("omega (rad/s)").wait_for()
     shared.locator(".x").get_by_text("theta (rad)").wait_for()
+    menu(shared, "Graph").select_option("no graph")
+    plot.wait_for(state="hidden")
 
 
 HAS_CURSOR = """cursor =>
@@ -189,6 +192,7 @@ def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
     wait_until(lambda: shared.evaluate(SHAPES)[0] == 2)
     shared.keyboard.press("Escape")
     menu(shared, "Collisions").wait_for()
+    assert violations(shared) == {}
 
 
 def test_the_table_shows_theta_and_takes_a_mass(shared):
