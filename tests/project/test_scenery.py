@@ -83,6 +83,7 @@ def test_the_frame_carries_the_axles():
         assert rail.pos.y == axles[0].pos.y
     assert len(posts) == 4
     for post in posts:
+        assert post.pos.y == base.pos.y
         assert abs(post.pos.x - base.pos.x) < base.length / 2
         assert (post.pos + post.axis).y == pytest.approx(rails[0].pos.y)
     assert base.pos.y + base.height / 2 < bobs[0].pos.y - bobs[0].radius
