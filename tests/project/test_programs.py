@@ -5,11 +5,13 @@ import re
 import sys
 import textwrap
 from functools import partial
+from math import dist
 from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pytest
+from pages import axle
 from programs import call, copy_project, on_posix, python, ROOT, with_vpython
 from students import put_files
 from whole_cradles import FIVE_CSV, go_on
@@ -17,6 +19,7 @@ from whole_cradles import FIVE_CSV, go_on
 import pds_tester
 from grading.cradles import MIXED, MIXED_CSV
 from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
+from support.constants import R_PARAM
 from support.page.page import show_cradle, show_double_cradle
 from support.pendulum import outwards_to_angle
 from support.start.checks_command import checks_command
@@ -80,9 +83,14 @@ def test_the_example_of_the_readme_has_thrown_the_last_bob_out():
     example = r"(?ms)^    import support.*?(?=\n\n#)"
     [lines] = re.findall(example, (ROOT / "README.md").read_text())
     done = python("-c", textwrap.dedent(lines))
-    places = re.findall(r"x = (.*) m, y = .* m\n", done.stdout)
+    places = re.findall(r"x = (.*) m, y = (.*) m\n", done.stdout)
     assert len(places) == 5
-    assert float(places[-1]) > 0.2
+    *hanging, last = [(float(x), float(y)) for x, y in places]
+    for bob, place in enumerate(hanging):
+        x, y = axle(bob)
+        assert place == pytest.approx((x, y - R_PARAM), abs=0.002)
+    assert last[0] > 0.2
+    assert dist(last, axle(4)) == pytest.approx(R_PARAM, abs=0.002)
 
 
 # It has no pairwise, for one
@@ -163,23 +171,24 @@ def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
     pds_tester.main()
     df, bad_rep, pend_list = [block.splitlines() for block in capsys.readouterr().out.split("\n\n")]
     assert df[0].startswith("df: ")
+    assert len(df[1:]) == 1 + 3  # a header, three pendula
     assert bad_rep[1:] == [f"  {row}: {pend}" for row, pend in enumerate(MIXED)]
     assert pend_list[1:] == [f"  {pend}" for pend in MIXED]
 
 
 @pytest.mark.parametrize(
-    ("error", "words"),
+    ("error", "status", "words"),
     [
-        (KeyboardInterrupt, "does a loop in extract_and_convert never end?"),
-        (KeyError("mas"), "\nKeyError: 'mas'\n" + MORE),
+        (KeyboardInterrupt, None, "does a loop in extract_and_convert never end?\n"),
+        (KeyError("mas"), 1, "\nKeyError: 'mas'\n" + MORE),
     ],
 )
-def test_pds_tester_names_a_mistake(monkeypatch, capsys, error, words):
+def test_pds_tester_names_a_mistake(monkeypatch, capsys, error, status, words):
     monkeypatch.setattr(pds_tester, "stop_on_signals", lambda: None)
     monkeypatch.setattr("src.pds_helper.pd", Mock(**{"read_csv.side_effect": error}))
-    status, _, stderr = call(pds_tester.main, capsys)
-    assert status != 0
-    assert words in stderr
+    ended, _, stderr = call(pds_tester.main, capsys)
+    assert ended == status
+    assert stderr.endswith(words)
 
 
 REMARK = "Write next: <main>."
@@ -226,6 +235,11 @@ def test_a_program_does_as_the_options_say(start):
     assert state["remark"] == ""
     assert page.viewer.cradle.values("theta") == [outwards_to_angle(25)] * 2 + [0]
     assert page.viewer.cradle.values("phi") == [outwards_to_angle(-12.5)] * 2 + [0]
+
+
+def test_a_program_of_single_pendula_has_one_angle(start):
+    page = start(show_cradle, visualize_cradle_run, "--angle 20")
+    assert page.viewer.cradle.values("theta") == [outwards_to_angle(20), 0, 0]
 
 
 def test_a_program_refuses_in_one_line_before_a_page_opens(start, capsys):
