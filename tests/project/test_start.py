@@ -118,6 +118,7 @@ def handlers(monkeypatch):
 def test_each_signal_ends_a_program_once_with_its_status(handlers, number, status):
     """128 + its number, as in a shell; Ctrl+C is the usual end, with 0."""
     stop_on_signals()
+    assert handlers[1] == "ignored"
     handle = handlers[number]
     with pytest.raises(KeyboardInterrupt, match=f"^{status}$"):
         handle(number, None)
