@@ -70,7 +70,9 @@ def test_a_line_has_the_latest_series_that_is_not_slow_and_at_most_80_columns(sw
     assert players.summary(motion).endswith(" left, hits: 5-4")
     for number in range(9):
         motion.impacts.add(0.7, number % 4, number % 4 + 1, True)
-    assert len(players.summary(motion)) == 80
+    line = players.summary(motion)
+    assert len(line) == 80
+    assert line.endswith("...")
     motion.cradle.pend_list[1]["theta"] = radians(360 * 3 + 50)  # it has gone round three times
     assert "bob 2 at 50 degrees right" in players.summary(motion)
 
