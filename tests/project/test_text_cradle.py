@@ -139,6 +139,7 @@ def test_only_a_terminal_that_can_move_its_cursor_shows_pictures(monkeypatch, te
         (DT, "0.025", 3, 0.02, 0.01),
         (DT, "0.3 --every 0.1", 4, 0.3, 0.1),
         (DT, "0.02 --every 0.0007", 29, 0.0196, 0.0007),
+        (DT, "0.001 --every 0.0001", 11, 0.001, 0.0001),
         (3e-4, "1.4", 142, 1.3959, 0.0099),  # nearer to 0.01 than 0.0102
     ],
 )
@@ -176,6 +177,7 @@ def test_a_recording_that_is_ended_early_leaves_the_old_file(main, csv, monkeypa
     monkeypatch.setattr(players.Recorder, "note", Mock(side_effect=KeyboardInterrupt(143)))
     line = f"The recording ended too early. {data} is not written.\n"
     assert main(csv, "--record", data, "--seconds", "1") == (1, "", line)
+    assert sorted(path.name for path in csv.parent.iterdir()) == ["cradle.csv", "data.csv"]
     assert data.read_text() == "t,theta_1,momentum\n"
 
 
