@@ -57,6 +57,7 @@ def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(c
     assert [bar.pos.x for bar in bars[:-1]] == [axle.pos.x for axle in cradle.axles()]
     assert [bar.color for bar in bars[:-1]] == cradle.colors()
     left, right = rig.state["view"]["labels"]
+    assert left["text"] == "momentum\n(up = right)"
     assert left["y"] == marks.level
     places = [left["x"], *(bar.pos.x for bar in bars), right["x"]]
     assert places == sorted(places)

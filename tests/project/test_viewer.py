@@ -57,6 +57,7 @@ def test_speed_and_slow_motion(rig, speed):
 
 def test_the_box_of_a_fixed_rule_is_fixed(rig, csv, monkeypatch):
     assert rig.control("separating")["enabled"]
+    assert not rig.state["separating"]
     monkeypatch.setattr(
         visualize_cradle_run, "newton_cradle_tick", lambda pend_list, r_param, dt, g: None
     )
@@ -90,6 +91,7 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
         rig.give(name, angle)
         assert rig.state[name] == angle
         assert rig.values(key)[0] == pytest.approx(outwards_to_angle(angle))
+    assert rig.state["angle theta"] == 75
     assert rig.state["keys"] == ["theta", "phi", "omega", "phi_omega"]
     assert rig.control("graph")["choices"] == [
         ENERGY,
@@ -105,6 +107,8 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
     ]
     rig.give("graph", "Angles phi")
     assert rig.state["curves"]["y"] == "phi (rad)"
+    phi = outwards_to_angle(-12.5)
+    assert rig.state["curves"]["rows"][0] == pytest.approx([0, phi, 0], abs=1e-6)
 
 
 def test_settings_stay_after_a_restart_and_for_a_saved_csv(rig):
@@ -128,6 +132,7 @@ def test_numbers_change_ten_times_a_second_and_what_is_in_step_with_the_bobs_in_
     for _ in range(60):
         rig.now += FRAME
         rig.do_frame()
+    assert len(states) == 60
     assert all({"sound", "view"} <= state.keys() for state in states)
     assert 8 <= sum("motion" in state for state in states) <= 10
 
