@@ -138,6 +138,8 @@ def test_an_odd_entry_of_a_zip_is_named_and_the_rest_is_taken(tmp_path):
     link.external_attr = (stat.S_IFLNK | 0o777) << 16
     bzip2 = zipfile.ZipInfo("src/bzip2.py")
     bzip2.compress_type = zipfile.ZIP_BZIP2
+    lzma = zipfile.ZipInfo("src/lzma.py")
+    lzma.compress_type = zipfile.ZIP_LZMA
     odd = {
         "C:/src/swinging.py": "x",
         "/src/swinging.py": "x",
@@ -146,6 +148,7 @@ def test_an_odd_entry_of_a_zip_is_named_and_the_rest_is_taken(tmp_path):
         "src/large.py": "x" * 20_000_001,
         link: "x",
         bzip2: "x",
+        lzma: "x",
     }
     files, problems = read_zip(tmp_path, zip_of({**SOLUTION, **odd}))
     assert files == READ
