@@ -5,12 +5,12 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import accumulate, takewhile
 from math import pi, sqrt
 from types import ModuleType
-from typing import NamedTuple
 
 from vpython import vector
 
 from support.columns import SETTABLE
 from support.constants import DT, G, R_PARAM
+from support.cradle.collision import AS_MADE, Collision, Source
 from support.cradle.dragging import HeldBob, move, push_others
 from support.cradle.functions import scope_of, takes_rule
 from support.cradle.hits import Hits
@@ -22,23 +22,6 @@ from support.start.preview import unwritten_in
 
 UNIFORM_E = "uniform_e_newton_cradle"
 UNIFORM_MASS = "uniform_mass_newton_cradle"
-
-
-class Source(NamedTuple):
-    """A function that returns pendula, and its arguments behind the path of the CSV."""
-
-    make: Callable
-    arguments: tuple[float, ...] = ()
-
-
-class Collision(NamedTuple):
-    """A way for bobs to collide: its name, and a source of pendula with its e."""
-
-    name: str
-    source: Source | None = None  # None keeps each pendulum's own e
-
-
-AS_MADE = Collision("as in the CSV")
 
 
 class Cradle:

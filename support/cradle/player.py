@@ -13,7 +13,8 @@ from collections.abc import Sequence
 from contextlib import ExitStack
 from math import inf
 
-from support.cradle.cradle import Collision, Cradle
+from support.cradle.collision import Collision
+from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from vpython import vector
 
 from support.columns import SETTABLE
-from support.cradle.cradle import AS_MADE, Collision
+from support.cradle.collision import AS_MADE, Collision
 from support.cradle.dragging import bob_at, point_in_plane
 from support.cradle.real_time import FRAME
 from support.pendulum import outwards_to_angle

@@ -5,7 +5,8 @@ import io
 from typing import Any, NamedTuple
 
 from support.columns import CHECKED, to_number
-from support.cradle.cradle import AS_MADE, Collision, Cradle
+from support.cradle.collision import AS_MADE, Collision
+from support.cradle.cradle import Cradle
 from support.files.cradle_csv import Snapshot
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
 from support.files.valid_cradle import are_in_range, IN_RANGE, require_cradle

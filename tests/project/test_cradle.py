@@ -12,7 +12,8 @@ from grading.cradles import MIXED_CSV
 from src import special_cradles, visualize_cradle_run
 from support import pendulum
 from support.constants import DOUBLE_DT, G, R_PARAM
-from support.cradle.cradle import AS_MADE, Cradle
+from support.cradle.collision import AS_MADE
+from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.pendulum import BUFFER, outwards_to_angle
 from support.start.mistake import MistakeError
