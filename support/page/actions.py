@@ -29,27 +29,32 @@ class Actions:
 
     def pause(self) -> None:
         """Stop the time, or let it go on; an open question then has no answer."""
-        self.viewer.running = not self.viewer.running
+        self.viewer.is_paused = self.viewer.is_time_running()
         self.questions.rest_end = None
         self.questions.is_asking = False
 
     def do_step(self) -> None:
         """Do the ticks of one frame, while paused, or show the next one of slow hits."""
         viewer = self.viewer
-        if viewer.running:
+        if viewer.is_time_running():
             return
         if viewer.slow_hits.shown or viewer.slow_hits.waiting:
             viewer.slow_hits.show_next(viewer.pace.clock())
         else:
-            self.questions.is_asking = False
+            self.pause_unanswered()
             viewer.plan(round(FRAME * viewer.speed_now() / self.cradle.dt))
 
     def do_one_tick(self) -> None:
         """Do one tick, while paused, and show what it changes, and the collisions in it."""
-        if not self.viewer.running:
-            self.questions.is_asking = False
+        if not self.viewer.is_time_running():
+            self.pause_unanswered()
             self.viewer.before = self.cradle.coordinates()
             self.viewer.plan(1, with_calls=True)
+
+    def pause_unanswered(self) -> None:
+        """Stay paused; an open question then has no answer."""
+        self.viewer.is_paused = True
+        self.questions.is_asking = False
 
     def set_speed(self, speed: float) -> None:
         """Let the time go on at this speed, times real time, also if a run is in slow motion."""
@@ -151,8 +156,6 @@ class Actions:
         except ValueError as error:
             self.viewer.error = str(error)
         else:
-            if self.questions.is_asking:
-                self.viewer.running = True
             self.restart()
 
     # --- experiments ---------------------------------------------------------------------------
@@ -162,8 +165,8 @@ class Actions:
         if name not in self.chooser.names():
             return  # the menu also has the changed experiment
         self.chooser.choose(name)
-        if self.questions.is_asking or self.chooser.experiment:
-            self.viewer.running = True
+        if self.chooser.experiment:
+            self.viewer.is_paused = False
         self.restart()
 
     def choose_next(self) -> None:
@@ -173,35 +176,34 @@ class Actions:
     def set_ask_first(self, asks: bool) -> None:
         """Ask the question of an experiment before its release, or not; restart an experiment."""
         self.questions.ask_first = asks
-        if self.chooser.poses and not self.chooser.is_changed:
-            self.viewer.running = True
+        if self.chooser.whole_experiment():
+            self.viewer.is_paused = False
             self.restart()
 
     def answer(self, key: str, number: int | None) -> None:
         """Take an answer (its index, or None) to the question with this key; the cradle runs."""
-        if self.questions.answer(key, number):
-            self.viewer.running = True
+        self.questions.answer(key, number)
 
     def repeat(self, slowly: bool) -> None:
         """Run the experiment again with the same answer, maybe slowly."""
         measurement = self.questions.measurement
         if measurement and measurement.is_over:
             self.questions.repeat(slowly)
-            self.viewer.running = True
+            self.viewer.is_paused = False
             self.restart()
 
     def pose(self) -> None:
         """Lift the bobs as the present experiment says, and ask its question if you want it."""
-        poses = self.chooser.poses
-        # main may read another file.
-        is_posed = poses is not None and len(poses) == len(self.cradle.pend_list)
-        if poses and is_posed:
+        experiment = self.chooser.whole_experiment()
+        poses = self.chooser.poses or []
+        if len(poses) == len(self.cradle.pend_list):
             self.cradle.pose(poses)
             self.viewer.motion.set_start()
-        is_whole = is_posed and not self.chooser.is_changed
-        self.questions.begin(self.chooser.experiment if is_whole else None, self.viewer.motion)
+        else:
+            experiment = None  # main may read another file
+        self.questions.begin(experiment, self.viewer.motion)
         if self.questions.is_asking:
-            self.viewer.running = False
+            self.viewer.is_paused = False  # so the cradle runs when the question is over
 
     def leave_poses(self) -> None:
         """Lift the bobs as the sliders say, no more as an experiment says."""
@@ -211,12 +213,7 @@ class Actions:
         self.leave_experiment()
 
     def leave_experiment(self) -> None:
-        """Measure nothing any more: the cradle is no longer that of the experiment.
-
-        If it was waiting for an answer, it runs.
-        """
-        if self.questions.is_asking:
-            self.viewer.running = True
+        """Ask and measure nothing any more: the cradle is no longer that of the experiment."""
         self.viewer.slow_hits.clear()
         self.chooser.is_changed = self.chooser.experiment is not None
         self.questions.drop()

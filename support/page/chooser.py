@@ -66,6 +66,10 @@ class Chooser:
         chosen = self.experiment.name if self.experiment else YOUR_CSV
         return f"{chosen}, changed" if self.is_changed else chosen
 
+    def whole_experiment(self) -> Experiment | None:
+        """Return the experiment that is chosen; None once it was changed, and for your CSV."""
+        return None if self.is_changed else self.experiment
+
     def next_name(self) -> str:
         """Return the name of the next experiment, after the last one the first."""
         names = [*self.experiments] or [YOUR_CSV]

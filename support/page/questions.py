@@ -80,13 +80,11 @@ class Questions:
         experiment = self.measurement.experiment
         return experiment.key == key and number in range(len(experiment.answers))
 
-    def answer(self, key: str, number: int | None) -> bool:
-        """Take an answer (its index, or None) to this question; return False if it is over."""
-        if not self.is_asked(key, number or 0):
-            return False
-        self.is_asking = False
-        self.said = number
-        return True
+    def answer(self, key: str, number: int | None) -> None:
+        """Take an answer (its index, or None) to this question, unless it is over."""
+        if self.is_asked(key, number or 0):
+            self.is_asking = False
+            self.said = number
 
     def vote(self, key: str, number: int) -> None:
         """Count one more hand for this answer (its index) to this question."""
@@ -109,15 +107,11 @@ class Questions:
             self.rest_end = now + REST
         return self.measurement.is_over
 
-    def is_resting(self, now: float) -> bool:
-        """Return whether the picture rests now (s), on the pace's clock; slow motion ends after."""
-        if self.rest_end is None:
-            return False
-        if now < self.rest_end:
-            return True
-        self.rest_end = None
-        self.slowly = False
-        return False
+    def end_rest(self, now: float) -> None:
+        """End the rest, and slow motion, if it is time (s, on the pace's clock)."""
+        if self.rest_end is not None and now >= self.rest_end:
+            self.rest_end = None
+            self.slowly = False
 
     def predicted(self, time: float) -> list[float]:
         """Return the angles (rad) that the answer predicts for this time (s).

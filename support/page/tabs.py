@@ -72,9 +72,10 @@ class Changes:
         """Return all that is later than the delivery with the number `has` as one message."""
         drawing = later(self.drawing, has)
         for key in [*drawing]:
-            maker = (key[0], "cmd")
+            maker = (key[0], "cmd")  # what makes the object of a cmd
             # A shape is made with its last texture: glow.min.js mixes up two that it loads.
-            if key[1] == "texture" and maker in drawing:
+            is_texture = isinstance(key, tuple) and key[1] == "texture"
+            if is_texture and maker in drawing:
                 drawing[maker] = drawing[maker] | drawing.pop(key)
         message = {
             "number": self.number,
@@ -150,7 +151,8 @@ class Tab:
 class Tabs:
     """All tabs.
 
-    The viewer calls have_room and show, the server the other methods, in its own thread.
+    The program calls have_room and show, and looks at is_seen and are_gone; the server calls the
+    other methods, in its own thread.
     """
 
     def __init__(self) -> None:
@@ -229,13 +231,9 @@ class Tabs:
             command, *values = json.loads(data)
         except (ValueError, TypeError, RecursionError):
             return
-        if command not in ("grab", "drag", "let go") or self.can_use_mouse(socket, command):
-            self.give(command, *values)
-
-    def can_use_mouse(self, socket: Any, command: str) -> bool:
-        """Return whether a tab can give a command of the mouse: one tab alone has it down."""
-        is_free = self.holder is None and command == "grab"
-        if self.holder is not socket and not is_free:
-            return False
-        self.holder = None if command == "let go" else socket
-        return True
+        if command in ("grab", "drag", "let go"):
+            is_free = self.holder is None and command == "grab"
+            if self.holder is not socket and not is_free:
+                return  # one tab alone has the mouse down
+            self.holder = None if command == "let go" else socket
+        self.give(command, *values)

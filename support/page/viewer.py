@@ -50,7 +50,7 @@ class Viewer(Player):
         self.tabs = tabs
         self.given_remark = remark
         self.texts = texts
-        self.running = True
+        self.is_paused = False
         self.speed = 1.0  # that you have set, times real time
         # On the pace's clock: when the page gets all of the state, at once from 0 on.
         self.next_refresh = 0.0
@@ -87,10 +87,11 @@ class Viewer(Player):
             self.carry_out(*self.commands.get())
         if not self.is_wanted and self.file.changed():
             self.actions.reload()
+        self.look_longer()
         if self.tabs.are_gone:
             self.is_over = True
             self.planned = 0
-        elif self.is_holding() or not self.running:
+        elif self.is_resting() or not self.is_time_running():
             self.pace.restart()
         elif not (self.is_wanted or self.planned):
             self.pace.speed = self.speed_now()
@@ -103,10 +104,20 @@ class Viewer(Player):
             command.do(*values)
             self.next_refresh = 0.0
 
-    def is_holding(self) -> bool:
-        """Go on with slow hits; return whether the time holds, for them or after a measurement."""
+    def is_time_running(self) -> bool:
+        """Return whether the cradle is not paused, and waits for no answer."""
+        return not (self.is_paused or self.questions.is_asking)
+
+    def look_longer(self) -> None:
+        """Go on with what the time rests for: a measured experiment, then one slow hit by one."""
         now = self.pace.clock()
-        return self.questions.is_resting(now) or self.slow_hits.go_on(now, self.running)
+        self.questions.end_rest(now)
+        if self.questions.rest_end is None:
+            self.slow_hits.go_on(now, self.is_time_running())
+
+    def is_resting(self) -> bool:
+        """Return whether the time rests, so that you can look at something longer."""
+        return self.questions.rest_end is not None or self.slow_hits.shown is not None
 
     def speed_now(self) -> float:
         """Return the speed of the present run, times real time."""
@@ -119,7 +130,7 @@ class Viewer(Player):
         """
         if self.cradle.held_bob.index is not None:
             self.motion.set_start()
-            if not self.running:
+            if not self.is_time_running():
                 self.note()  # one scale: the graph ends at the 100 % of this moment, too
         self.scenery.keep_in_view(self.cradle.bobs())
         if self.motion.loudest > QUIET:
@@ -212,7 +223,7 @@ class Viewer(Player):
             "error": self.error,
             "mistakes": self.chooser.mistakes,
             "ended": None,
-            "running": self.running,
+            "running": self.is_time_running(),
             "question": self.questions.state(),
             "hit": self.slow_hits.state(),
             "motion": readout.readout(self.motion, self.pace),

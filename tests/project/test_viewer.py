@@ -30,7 +30,7 @@ def test_pause_and_run(rig):
     rig.wait(1)
     assert rig.state == paused  # so nothing is sent
     rig.tabs.give("pause")
-    assert not rig.viewer.running
+    assert not rig.viewer.is_time_running()
     rig.wait(1)
     assert rig.state["running"]
     # The simulation does not catch up after the pause

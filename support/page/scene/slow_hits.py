@@ -53,15 +53,14 @@ class SlowHits:
             self.last = time
             self.waiting.append(SlowHit(hit, self.count, list(pend_list)))
 
-    def go_on(self, now: float, running: bool) -> bool:
+    def go_on(self, now: float, is_running: bool) -> None:
         """Go on to the next hit if it is due now (s), on the pace's clock.
 
-        Return whether a hit is shown. While the cradle is paused, it stays.
+        While the cradle is paused, a hit stays.
         """
-        is_due = running and now >= self.until
+        is_due = is_running and now >= self.until
         if self.shown is None or is_due:
             self.show_next(now)
-        return self.shown is not None
 
     def show_next(self, now: float) -> None:
         """Show the next hit from now (s) on, or none if all were shown."""
