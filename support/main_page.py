@@ -12,13 +12,13 @@ class Page(Protocol):
 
     @property
     def csv(self) -> str:
-        """The path of the cradle's file: a copy of newton_cradle_pends.csv, or of the file in the
-        command.
+        """The path of a CSV of the cradle: a copy of your file, of an experiment, or of a changed
+        table.
         """
 
     @property
     def rule(self) -> dict[str, bool]:
-        """The last argument of newton_cradle_tick: {"approaching_only": True}, or nothing."""
+        """The last argument of newton_cradle_tick: approaching_only by its name, or nothing."""
 
     def show(self, pend_list: list) -> None:
         """Show a new cradle."""

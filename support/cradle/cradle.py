@@ -78,14 +78,14 @@ class Cradle:
         self.period = 2 * pi * sqrt(R_PARAM / G)  # s: of a small swing
         # s: the longest time between two hits of one series. A tick can let a hit go on by only
         # one bob.
-        self.gap = max(self.period / 180, 3 * self.dt)
+        self.series_pause = max(self.period / 180, 3 * self.dt)
         self.held_bob = HeldBob(self)
         self.hits = Hits(self)
-        self.tick = self.scope[self.tick_name]
+        self.tick_function = self.scope[self.tick_name]
         present = [name for name in self.collide_names if name in self.scope]
         self.collide_name = (present or self.collide_names)[0]
-        collide = self.scope.get(self.collide_name, self.tick)
-        self.takes_rule = takes_rule(self.tick, collide)
+        collide = self.scope.get(self.collide_name, self.tick_function)
+        self.takes_rule = takes_rule(self.tick_function, collide)
 
     def add_collisions(self, options: Namespace) -> None:
         """Add the ways to collide that the written functions allow, and choose that of options."""
@@ -145,8 +145,9 @@ class Cradle:
         now = len(self.pend_list)
         if now != self.count:
             message = f"made {now} pendula from {self.count}; it must keep their number."
-            raise MistakeError(self.tick, message)
-        require_numbers(self.tick, self.pend_list, (*self.angle_keys, *self.rate_keys))
+            raise MistakeError(self.tick_function, message)
+        keys = (*self.angle_keys, *self.rate_keys)
+        require_numbers(self.tick_function, self.pend_list, keys)
 
     def remark(self) -> str:
         """Return a sentence that names a key which the handout does not have, or nothing."""

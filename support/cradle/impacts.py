@@ -78,10 +78,10 @@ class Series:
 class Impacts:
     """The last series, without hits of bobs that hardly move."""
 
-    def __init__(self, count: int, gap: float):
-        """Keep the last `count` series; gap (s) is the longest time between two hits of one."""
+    def __init__(self, count: int, pause: float):
+        """Keep the last `count` series; pause (s) is the longest time between two hits of one."""
         self.series: deque[Series] = deque(maxlen=count)
-        self.gap = gap
+        self.pause = pause
         self.clear()
 
     def clear(self) -> None:
@@ -93,7 +93,7 @@ class Impacts:
         self, time: float, left: int, right: int, rightwards: bool, is_fast: bool = True
     ) -> None:
         """Add the hit, at time (s), of these pendula (indices), which moved rightwards, or not."""
-        if not self.latest or time - self.latest.end > self.gap:
+        if not self.latest or time - self.latest.end > self.pause:
             self.latest = Series(time)
         self.latest.add(time, (left + 1, right + 1), rightwards, is_fast)
         if self.latest.is_written() and self.latest not in self.series:

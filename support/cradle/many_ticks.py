@@ -26,8 +26,8 @@ def many_ticks(
     """Do the same as `ticks` calls of newton_cradle_tick; return the hits, in their order.
 
     scope has the functions and constants of the handout by name (Cradle.scope). rule has the
-    keywords of newton_cradle_tick: none, or approaching_only. Hit.tick counts from 1. Hit.speed is
-    negative if the two bobs moved apart.
+    keywords of newton_cradle_tick: none, or approaching_only. Here, Hit.tick counts from 1 on.
+    Hit.speed is negative if the two bobs moved apart.
 
     Return None, and change nothing, if the same result is not certain; the caller must then do
     single ticks. This includes overflows and divisions by 0: single ticks then raise the error in

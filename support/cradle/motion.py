@@ -18,7 +18,7 @@ class Motion:
     def __init__(self, cradle: Cradle, impacts: int):
         """Begin at time 0; keep the last `impacts` series of hits."""
         self.cradle = cradle
-        self.impacts = Impacts(impacts, cradle.gap)
+        self.impacts = Impacts(impacts, cradle.series_pause)
         self.restart()
 
     def restart(self) -> None:

@@ -195,8 +195,6 @@ class Player(Page):
         """Note the hits of the last tick, and look at the deadline."""
         if self.is_in_batch:
             self.cradle.hits.end_tick()
-        else:
-            self.cradle.hits.stop()
         if self.due and self.pace.clock() >= self.deadline:
             self.planned += self.due
             self.due = 0
@@ -235,7 +233,8 @@ class Player(Page):
         if hits is None:
             return False
         if cradle.held_bob.index is None:
-            self.note_hits(hits, self.motion.ticks)
+            before = self.motion.ticks
+            self.note_hits([hit._replace(tick=before + hit.tick) for hit in hits])
         self.motion.ticks += ticks
         return True
 
@@ -250,10 +249,10 @@ class Player(Page):
         if self.motion.ticks % self.step == 0:
             self.note()
 
-    def note_hits(self, hits: list[Hit], ticks: int = 0) -> None:
-        """Add these hits to the motion; ticks is added to the number of their tick."""
+    def note_hits(self, hits: list[Hit]) -> None:
+        """Add these hits to the motion."""
         for hit in hits:
-            self.motion.note_hit(hit._replace(tick=ticks + hit.tick))
+            self.motion.note_hit(hit)
 
 
 def run(loop: Loop, player: Player) -> None:

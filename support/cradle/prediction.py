@@ -72,7 +72,7 @@ class Measurement:
         tops = self.cradle.top_speeds()
         fast = LEAST * max(tops)
         fast_one_falls = any(fall and top >= fast for fall, top in zip(falls, tops, strict=True))
-        is_quiet = self.end - self.motion.last_fast > self.cradle.gap
+        is_quiet = self.end - self.motion.last_fast > self.cradle.series_pause
         if is_quiet and not fast_one_falls:
             self.left_time = self.end
 

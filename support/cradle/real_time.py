@@ -11,7 +11,7 @@ if sys.platform == "win32" and sys.version_info < (3, 11):
 
     ctypes.windll.winmm.timeBeginPeriod(1)  # ms
 
-FRAME = 1 / 60  # s: the page asks for new positions about sixty times a second
+FRAME = 1 / 60  # s: a browser draws about sixty pictures a second
 # s of a frame, after which no tick begins: the threads that serve the page need the rest.
 BUSY = 0.75 * FRAME
 # s of a delay that it makes up for; it drops the rest (of a slow machine, a laptop that slept).

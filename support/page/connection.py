@@ -175,4 +175,4 @@ class Protocol(WebSocketServerProtocol):
         if self.has_said_goodbye or code == self.CLOSE_STATUS_CODE_GOING_AWAY:
             site.expect(RETURN)
         else:
-            site.expect(LOST, self.page)
+            site.lose(self.page)

@@ -112,7 +112,7 @@ def show_controls(viewer: "Viewer") -> list[Control]:
     graph = Menu(
         name="graph",
         label="Graph",
-        get=lambda: viewer.graph.choice,
+        get=lambda: viewer.graph.chosen,
         set=viewer.graph.show,
         choices=lambda: [*viewer.graph.choices],
     )

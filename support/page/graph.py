@@ -54,7 +54,8 @@ class Graph:
         self.angle_keys = angle_keys
         self.rate_keys = rate_keys
         self.rows: deque[array] = deque(maxlen=MOST_ROWS)
-        self.choice = ENERGY  # a key of choices
+        self.chosen = ENERGY  # a key of choices
+        self.names: list[str] = []  # of the numbers in a row
         self.span = next(iter(SPANS))  # a key of SPANS
         self.begin([])
 
@@ -76,22 +77,22 @@ class Graph:
                     name += f", {angle}"
                 self.choices[name] = phase_picture(angle, rate, number, hue)
         self.choices[NOTHING] = Choice("", "", "t", [])
-        self.show(self.choice)
+        self.show(self.chosen)
 
     def add(self, sample: dict[str, float]) -> None:
         """Add a sample, in place of one of the same time.
 
         All samples of a cradle have the same names.
         """
-        self.names = list(sample)  # of the numbers in a row
+        self.names = list(sample)
         if self.rows and self.rows[-1][0] == sample["t"]:
             self.rows.pop()
         # An array takes a twentieth of a dictionary's memory.
         self.rows.append(array("d", sample.values()))
 
-    def show(self, choice: str) -> None:
+    def show(self, name: str) -> None:
         """Show this one of the choices, or the energies if the present cradle does not have it."""
-        self.choice = choice if choice in self.choices else ENERGY
+        self.chosen = name if name in self.choices else ENERGY
 
     def state(self, start_energy: float) -> dict[str, Any]:
         """Return the axes, the curves, and the rows; start_energy (J) is 100 %.
@@ -99,7 +100,7 @@ class Graph:
         A row has the number along x, and one for each curve. The x axis goes from "from" to "to",
         the y axis from "bottom" to "top"; where these are missing, graph.js lets flot choose them.
         """
-        choice = self.choices[self.choice]
+        choice = self.choices[self.chosen]
         state: dict[str, Any] = {
             "x": choice.x,
             "y": choice.y,
@@ -108,7 +109,7 @@ class Graph:
         }
         if choice.curves and self.rows:
             unit = 1.0
-            if self.choice == ENERGY:
+            if self.chosen == ENERGY:
                 unit = (start_energy or 1) / 100
             state["rows"] = self.numbers(choice, unit)
             state |= self.limits(choice, state["rows"])
@@ -137,7 +138,7 @@ class Graph:
         seconds = self.span_of(choice).seconds
         end = max(seconds, self.rows[-1][0])
         limits = {"from": end - seconds, "to": end}
-        if self.choice == ENERGY:
+        if self.chosen == ENERGY:
             limits |= {"bottom": 0.0, "top": most(rows, len(choice.curves))}  # of the total
         return limits
 

@@ -93,17 +93,17 @@ def show_page(
 
     folder = Path.cwd()
     texts = {
-        "remark": remark,
         "command": command_line(program, folder, sys.argv[1:]),
         "terminal": command_line("src/text_cradle_run.py", folder),
     }
-    viewer = Viewer(cradle, file, angles, options.lift, server.tabs, **texts)
+    viewer = Viewer(cradle, file, angles, options.lift, server.tabs, remark, **texts)
     try:
         run(loop, viewer)
     except KeyboardInterrupt as stopped:  # in a session; else Ctrl+C has ended the process
         report_endless_loop(stopped)
     except BaseException as error:
-        server.tabs.show({**texts, "ended": report_mistake(error)})
+        ended = {**texts, "remark": remark, "ended": report_mistake(error)}
+        server.tabs.show(ended)
         server.tabs.is_seen.wait(GOODBYE)  # the browser may be on its way
         server.close(GOODBYE)
         sys.exit(1)

@@ -69,8 +69,9 @@ class Server:
         self.key = secrets.token_hex(12)
         # The connections that are no websocket, the oldest one first.
         self.waiting: dict[Protocol, None] = {}
-        # s for which a page is expected yet, by the name of a lost page; "" is any page.
-        self.expected = {"": inf}
+        # s for which a page is expected yet: any page, below 0 none, and lost ones by their names
+        self.rest_of_any = inf
+        self.rest_of_lost: dict[str, float] = {}
         self.is_missed = False  # whether the terminal says that a page does not answer
         self.files = keyless_files()
         self.page_file = WEB / "page.html"
@@ -136,14 +137,18 @@ class Server:
 
     # --- which pages are there, and which will come --------------------------------------------
 
-    def expect(self, seconds: float, page: str = "") -> None:
-        """Expect the page with this name, or any page, for so long from now on, at least."""
-        self.expected[page] = max(self.expected.get(page, 0.0), seconds)
+    def expect(self, seconds: float) -> None:
+        """Expect any page for so long from now on, at least."""
+        self.rest_of_any = max(self.rest_of_any, seconds)
+
+    def lose(self, page: str) -> None:
+        """Hear that the page with this name is lost, without a goodbye; expect it back."""
+        self.rest_of_lost[page] = LOST
 
     def welcome(self, page: str) -> None:
         """Hear that the page with this name has its websocket."""
-        self.expected.pop("", None)
-        was_lost = self.expected.pop(page, None) is not None
+        self.rest_of_any = -1.0
+        was_lost = self.rest_of_lost.pop(page, None) is not None
         if self.is_missed and was_lost:
             say("The page is back.")
         self.is_missed = False
@@ -154,24 +159,25 @@ class Server:
         for tab in self.tabs.tabs:
             if tab.page == page:
                 tab.has_said_goodbye = True
-        if self.expected.pop(page, None) is not None:
+        if self.rest_of_lost.pop(page, None) is not None:
             self.expect(RETURN)
 
     def look(self) -> None:
         """Look at each tab; end the program when none is there, and none is expected any more."""
         self.loop.call_later(LOOK, self.look)
-        rests = {page: rest - LOOK for page, rest in self.expected.items()}
-        self.expected = {page: rest for page, rest in rests.items() if rest >= 0}
+        self.rest_of_any -= LOOK
+        rests = {page: rest - LOOK for page, rest in self.rest_of_lost.items()}
+        self.rest_of_lost = {page: rest for page, rest in rests.items() if rest >= 0}
         self.tabs.look()
         for tab in [*self.tabs.tabs]:
             tab.look()
         if self.tabs.tabs or self.tabs.are_gone:
             return
-        if not self.expected:
+        if self.rest_of_any < 0 and not self.rest_of_lost:
             self.tabs.are_gone = True
             self.loop.call_later(LEAVE, interrupt_main)
-        lost = max((rest for page, rest in self.expected.items() if page), default=inf)
-        if lost <= LOST - FLICKER and not self.is_missed:
+        rest = max(self.rest_of_lost.values(), default=inf)
+        if rest <= LOST - FLICKER and not self.is_missed:
             self.is_missed = True
             cause = "its line is cut, its machine sleeps, or its browser has ended"
-            say(f"A page does not answer: {cause}. The program waits {lost:.0f} s for it.")
+            say(f"A page does not answer: {cause}. The program waits {rest:.0f} s for it.")

@@ -72,9 +72,9 @@ class Changes:
         """Return all that is later than the delivery with the number `has` as one message."""
         drawing = later(self.drawing, has)
         for key in [*drawing]:
-            maker = (key[0], "cmd")  # what makes the object of a cmd
             # A shape is made with its last texture: glow.min.js mixes up two that it loads.
             is_texture = isinstance(key, tuple) and key[1] == "texture"
+            maker = (key[0], "cmd")
             if is_texture and maker in drawing:
                 drawing[maker] = drawing[maker] | drawing.pop(key)
         message = {

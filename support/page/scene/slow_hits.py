@@ -47,7 +47,7 @@ class SlowHits:
             pend_list[hit.left], pend_list[hit.right] = hit.after
             if hit.speed < least:
                 continue
-            if time - self.last > 2 * self.cradle.gap:  # a new series
+            if time - self.last > 2 * self.cradle.series_pause:  # a new series
                 self.count = 0
             self.count += 1
             self.last = time

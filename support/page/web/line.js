@@ -17,7 +17,7 @@ let delay = 0; // ms until it
 let silence = 0; // looks without a sign of life
 let isHeard = true;
 let isDone = false; // whether the page wants no line any more
-let unseen = 0; // messages that no picture has shown yet
+let unreported = 0; // messages that the program does not know to be drawn
 let seen = 0; // messages whose picture the program does not know of
 let nextWord = 0; // ms: the time of the next word to the program
 const wanted = new Map(); // the last command of each slider that you move
@@ -96,7 +96,7 @@ function hear() {
 function receive(data) {
   hear();
   if (!data) return; // only a sign of life
-  unseen++;
+  unreported++;
   const { number, state: changes, ...drawing } = JSON.parse(data);
   has = number;
   if (canDraw) handler(decode(drawing)); // VPython's
@@ -107,14 +107,14 @@ function receive(data) {
 // For each picture that the browser has drawn, the program may send one message more. Few words are
 // quicker than many.
 function countPictures(now) {
-  if (unseen > seen) seen++;
+  if (unreported > seen) seen++;
   const isDue = seen > 2 || ((seen || wanted.size) && now > nextWord);
   if (isOpen() && isDue) {
     socket.send("seen ".repeat(seen));
     // Only the last value of a slider: most of them restart the cradle.
     for (const command of wanted.values()) send(...command);
     wanted.clear();
-    unseen -= seen;
+    unreported -= seen;
     seen = 0;
     nextWord = now + 45;
   }
