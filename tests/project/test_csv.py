@@ -144,20 +144,20 @@ def test_the_smallest_and_the_largest_cradle_are_allowed(save):
     ("names", "cells", "refused"),
     [
         ("", "", ""),
-        ("radius,", "0.02,", ""),
+        ("size,", "0.02,", ""),
         (
-            "radius,",
+            "size,",
             "9,",
-            ", line 2, column radius: found '9', allowed is a number from 0.01 to 0.1",
+            ", line 2, column size: found '9', allowed is a number from 0.01 to 0.1",
         ),
-        ("radius,radius,", "0.02,0.02,", ", line 1: found 2 columns radius"),
+        ("size,size,", "0.02,0.02,", ", line 1: found 2 columns size"),
     ],
 )
 def test_a_column_that_is_not_required_is_checked_where_it_is(
     names, cells, refused, save, monkeypatch
 ):
-    radius = Column("radius", limits=("0.01", "0.1"), is_required=False)
-    monkeypatch.setitem(CHECKED, "radius", radius)
+    size = Column("size", limits=("0.01", "0.1"), is_required=False)
+    monkeypatch.setitem(CHECKED, "size", size)
     file = save(names + HEADER + cells + GOOD)
     if refused:
         assert refusal(file).startswith(refused)

@@ -156,7 +156,7 @@ def test_the_readme_shows_a_real_screen(starter, function):
     _, rows = pytest_in(starter)
     begin = 1 if function == "handle_collision" else [row[:5] for row in rows].index("Next:")
     screen = "\n".join(f"    {row}".rstrip() for row in rows[begin:-1])
-    assert f"\n{screen}\n" in README, screen
+    assert f"\n{screen}\n" in README, f"tests/README.md shows another screen. Now it is:\n{screen}"
 
 
 @pytest.mark.slow
