@@ -60,7 +60,7 @@ class Cradle:
         """
         self.scope = scope_of(main, special_cradles)
         self.many_ticks = many_ticks
-        self.mass: float | None = options.mass
+        self.mass: float | None = options.mass  # kg, at the start
         self.needs = {"extract_and_convert", self.make_name}  # or there is no picture
         if self.mass is not None:
             self.needs.add(UNIFORM_MASS)
@@ -131,10 +131,7 @@ class Cradle:
         self.count = len(pend_list)
         header = Snapshot(csv).rows[0].cells
         self.known_keys = {*header, *keys, "objects"}
-        if self.mass is not None:
-            self.adopt("mass", Source(self.scope[UNIFORM_MASS], (self.mass,)), csv)
         self.made_es = self.values("e")
-        self.use_collision(self.collision, csv)
         self.note_made_angles()
 
     def require_same_pendula(self) -> None:
@@ -170,6 +167,11 @@ class Cradle:
         # main may have read a different file.
         for pend, other in zip(self.pend_list, others, strict=False):
             pend[key] = other[key]
+
+    def use_mass(self, mass: float | None, csv: str) -> None:
+        """Set the mass (kg) of all pendula, unless it is None; csv is a path."""
+        if mass is not None:
+            self.adopt("mass", Source(self.scope[UNIFORM_MASS], (mass,)), csv)
 
     def use_collision(self, collision: Collision, csv: str) -> None:
         """Let bobs collide in this way from now on; csv is a path."""

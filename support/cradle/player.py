@@ -12,12 +12,14 @@ ends, and begins again.
 from collections.abc import Sequence
 from contextlib import ExitStack
 from math import inf
+from typing import Any
 
 from support.cradle.collision import Collision
 from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime
+from support.cradle.settings import Settings
 from support.files.cradle_csv import clean_copy, Snapshot
 from support.main_page import Loop, Page
 from support.start.early import import_now
@@ -56,9 +58,8 @@ class Player(Page):
         whole number of ticks.
         """
         self.cradle = cradle
-        self.snapshot = csv
-        self.angles = list(angles)
-        self.lifted = lifted
+        # Of the next cradle that the loop makes
+        self.settings = Settings(csv, list(angles), lifted, cradle.collision, cradle.mass)
         self.motion = Motion(cradle, impacts)
         self.pace = RealTime(cradle.dt)
         self.separating = not cradle.takes_rule  # whether separating bobs collide, too
@@ -117,9 +118,14 @@ class Player(Page):
         """
         self.plan(self.pace.due(most), self.pace.frame_start + BUSY)
 
+    def change(self, **settings: Any) -> None:
+        """Change some of the settings of the next cradle."""
+        self.settings = self.settings._replace(**settings)
+
     def use_collision(self, collision: Collision) -> None:
         """Let bobs collide in this way from now on."""
-        with clean_copy(self.snapshot) as csv:
+        self.change(collision=collision)
+        with clean_copy(self.settings.csv) as csv:
             self.cradle.use_collision(collision, csv)
 
     # --- for the loop --------------------------------------------------------------------------
@@ -127,7 +133,7 @@ class Player(Page):
     def begin(self) -> None:
         """Get ready for the loop to make and show a cradle."""
         self.cradle.give_back()
-        self.path = self.copy.enter_context(clean_copy(self.snapshot))
+        self.path = self.copy.enter_context(clean_copy(self.settings.csv))
         self.is_wanted = False
         self.is_shown = False
         self.refused = 0
@@ -160,8 +166,10 @@ class Player(Page):
             raise MistakeError(self.loop, message)
         with self.copy:
             self.cradle.accept(pend_list, self.path)
+            self.cradle.use_mass(self.settings.mass, self.path)
+            self.cradle.use_collision(self.settings.collision, self.path)
         self.is_shown = True
-        self.cradle.release(self.angles, self.lifted)
+        self.cradle.release(self.settings.angles, self.settings.lifted)
         self.motion.restart()
         self.show_new_cradle()
 

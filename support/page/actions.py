@@ -84,33 +84,27 @@ class Actions:
 
     def restart(self) -> None:
         """Let main make the cradle that is chosen."""
-        viewer = self.viewer
-        now = self.chooser.now
-        viewer.snapshot = now.csv
-        viewer.angles = now.angles
-        viewer.lifted = now.lifted
-        self.cradle.collision = now.collision
-        self.cradle.mass = now.mass
-        viewer.want_cradle()
+        self.viewer.want_cradle()
 
     def set_release_angle(self, cord: int, degrees: float) -> None:
         """Release the bobs with this angle of this cord, outwards."""
         self.leave_poses()
-        angles = list(self.chooser.now.angles)
+        angles = list(self.viewer.settings.angles)
         angles[cord] = outwards_to_angle(degrees)
-        self.chooser.set(angles=angles)
+        self.viewer.change(angles=angles)
         self.restart()
 
     def lifted_now(self) -> int:
         """Return the number of lifted bobs."""
-        if self.viewer.lifted is None:
+        lifted = self.viewer.settings.lifted
+        if lifted is None:
             return self.cradle.made_lifted
-        return min(self.viewer.lifted, len(self.cradle.pend_list))
+        return min(lifted, len(self.cradle.pend_list))
 
     def set_lifted(self, lifted: int) -> None:
         """Lift this number of bobs."""
         self.leave_poses()
-        self.chooser.set(lifted=lifted)
+        self.viewer.change(lifted=lifted)
         self.restart()
 
     def collisions(self) -> dict[str, Collision]:
@@ -129,7 +123,6 @@ class Actions:
     def set_collision(self, collision: Collision) -> None:
         """Let bobs collide in this way from now on."""
         self.leave_experiment()
-        self.chooser.set(collision=collision)
         self.viewer.use_collision(collision)
 
     def set_separating(self, separating: bool) -> None:
@@ -209,7 +202,7 @@ class Actions:
         """Lift the bobs as the sliders say, no more as an experiment says."""
         if self.chooser.poses:
             self.chooser.poses = None
-            self.chooser.set(angles=list(self.cradle.made_angles), lifted=self.cradle.made_lifted)
+            self.viewer.change(angles=list(self.cradle.made_angles), lifted=self.cradle.made_lifted)
         self.leave_experiment()
 
     def leave_experiment(self) -> None:

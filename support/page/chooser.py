@@ -2,26 +2,17 @@
 
 import csv
 import io
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from support.columns import CHECKED, to_number
-from support.cradle.collision import AS_MADE, Collision
-from support.cradle.cradle import Cradle
+from support.cradle.collision import AS_MADE
+from support.cradle.player import Player
+from support.cradle.settings import Settings
 from support.files.cradle_csv import Snapshot
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
 from support.files.valid_cradle import are_in_range, IN_RANGE, require_cradle
 
 Numbers = dict[str, list[float]]  # the numbers of all pendula, by their column
-
-
-class Settings(NamedTuple):
-    """The CSV of a cradle, and the settings that replace parts of it. None is as main makes it."""
-
-    csv: Snapshot
-    angles: list[float | None]  # rad
-    lifted: int | None
-    collision: Collision
-    mass: float | None  # kg
 
 
 class Refusal(NamedTuple):
@@ -32,17 +23,18 @@ class Refusal(NamedTuple):
 
 
 class Chooser:
-    """Keeps the settings of the present cradle, and those of your CSV during an experiment.
+    """Changes the settings of a player, and keeps those of your CSV during an experiment.
 
     It writes no file.
     """
 
-    def __init__(self, settings: Settings, cradle: Cradle):
-        """Begin with your CSV, in these settings of the cradle."""
-        self.now = settings
-        self.yours = settings  # of your CSV
-        self.cords = cradle.cord_count
-        experiments, self.mistakes = read_experiments(EXPERIMENTS / cradle.kind, self.cords)
+    def __init__(self, player: Player):
+        """Begin with your CSV, in the settings of this player."""
+        self.player = player
+        self.yours = player.settings  # of your CSV
+        self.cords = player.cradle.cord_count
+        folder = EXPERIMENTS / player.cradle.kind
+        experiments, self.mistakes = read_experiments(folder, self.cords)
         self.experiments = {experiment.name: experiment for experiment in experiments}
         self.experiment: Experiment | None = None  # None stands for your CSV
         self.is_changed = False  # whether the cradle is no longer that of the experiment
@@ -77,23 +69,19 @@ class Chooser:
             return names[0]
         return names[(names.index(self.experiment.name) + 1) % len(names)]
 
-    def set(self, **values: Any) -> None:
-        """Change some of the settings."""
-        self.now = self.now._replace(**values)
-
     def choose(self, name: str) -> None:
         """Choose what has this name in the menu."""
         if not self.experiment:
-            self.yours = self.now
+            self.yours = self.player.settings
         self.experiment = self.experiments.get(name)
         self.is_changed = False
         self.refused.clear()
         if self.experiment:
             angles: list[float | None] = [None] * self.cords
-            self.now = Settings(self.experiment.csv, angles, None, AS_MADE, None)
+            self.player.settings = Settings(self.experiment.csv, angles, None, AS_MADE, None)
             self.poses = self.experiment.poses
         else:
-            self.now = self.yours
+            self.player.settings = self.yours
             self.poses = None
 
     def choose_saved(self, snapshot: Snapshot) -> None:
@@ -103,7 +91,7 @@ class Chooser:
         """
         require_cradle(snapshot, self.cords)
         self.choose(YOUR_CSV)
-        self.set(csv=snapshot)
+        self.player.change(csv=snapshot)
 
     def edit(self, row: int, column: str, text: str, numbers: Numbers) -> bool:
         """Take this number (a text) for a row of the table; return False if it is refused.
@@ -124,7 +112,8 @@ class Chooser:
         if not fits:
             self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}")
             return False
-        self.set(csv=with_numbers(self.now.csv, numbers), mass=None, collision=AS_MADE)
+        edited = with_numbers(self.player.settings.csv, numbers)
+        self.player.change(csv=edited, mass=None, collision=AS_MADE)
         return True
 
 

@@ -130,7 +130,7 @@ def release_angle(viewer: "Viewer", cord: int, name: str) -> Slider:
     """Return the control of the release angle of this cord (0 upper, 1 lower)."""
 
     def get() -> float:
-        return angle_to_outwards(viewer.cradle.release_angles(viewer.angles)[cord])
+        return angle_to_outwards(viewer.cradle.release_angles(viewer.settings.angles)[cord])
 
     return Slider(
         name=name,

@@ -12,7 +12,7 @@ from support.files.cradle_csv import LiveFile
 from support.files.data_file import EVERY
 from support.page import readout
 from support.page.actions import Actions
-from support.page.chooser import Chooser, Settings
+from support.page.chooser import Chooser
 from support.page.controls import commands_of, is_text, state_of
 from support.page.declarations import declare_commands, declare_controls
 from support.page.endless import Watch
@@ -63,8 +63,7 @@ class Viewer(Player):
         self.sounds = 0  # the number of pictures with a hit to hear
         self.loudest = 0.0  # m/s: the fastest hit of the last one of them
 
-        settings = Settings(file.current, list(angles), lifted, cradle.collision, cradle.mass)
-        self.chooser = Chooser(settings, cradle)
+        self.chooser = Chooser(self)
         self.questions = Questions()
         self.scenery = Scenery()
         self.marks = Marks()

@@ -24,7 +24,7 @@ def test_the_table_shows_pend_list_as_it_is_now(rig):
 
 def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_shown(rig, csv):
     """They came from --mass and from the menu: nothing else may change with the edit."""
-    rig.viewer.chooser.set(mass=3.0)
+    rig.viewer.change(mass=3.0)
     rig.give("restart")
     rig.give("collision", "perfectly inelastic, e = 0")
     rig.wait(0.3)

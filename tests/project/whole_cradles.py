@@ -146,8 +146,9 @@ class Swing(Player):
 
     def read(self, text):
         """Make the cradle of this text, the new content of the CSV."""
-        self.snapshot.filepath.write_text(text)
-        self.snapshot = Snapshot(self.snapshot.filepath)
+        filepath = self.settings.csv.filepath
+        filepath.write_text(text)
+        self.change(csv=Snapshot(filepath))
         self.want_cradle()
         go_on(self)
 
