@@ -35,42 +35,45 @@ class HeldBob:
     def __init__(self, cradle: "Cradle"):
         self.cradle = cradle
         self.index: int | None = None  # of the held bob in cradle.bobs()
-        # Of the held pendulum, while the cradle ticks.
-        self.kept_mass: float | None = None  # kg
+        # The held pendulum while the cradle ticks, and its mass (kg) and angles (rad) without this.
+        self.heavy_pend: Pendulum | None = None
+        self.kept_mass = 0.0
         self.kept_angles: list[float] = []
 
-    @property
-    def pend_index(self) -> int:
-        """The index of the held pendulum."""
-        return (self.index or 0) // self.cradle.cord_count
-
-    @property
-    def pend(self) -> Pendulum:
-        return self.cradle.pend_list[self.pend_index]
+    def pend_of(self, index: int) -> Pendulum:
+        """Return the pendulum of the bob with this index."""
+        return self.cradle.pend_list[index // self.cradle.cord_count]
 
     def hold(self, index: int) -> None:
         """Hold this bob and its pendulum in their place, at rest, until index is None."""
         self.index = index
-        move(self.pend, cord_angles(self.pend), R_PARAM)
+        pend = self.pend_of(index)
+        move(pend, cord_angles(pend), R_PARAM)
 
     def drag(self, x: float, y: float) -> None:
-        """Bring the held bob as near as possible to (x, y), in m, in the plane of swing."""
-        bob = (self.index or 0) % self.cradle.cord_count
-        drag_bob(self.cradle.pend_list, self.pend_index, bob, x, y, R_PARAM)
+        """Bring the held bob, if there is one, as near as possible to (x, y), in m.
+
+        It stays in the plane of swing.
+        """
+        if self.index is not None:
+            pend_index, bob = divmod(self.index, self.cradle.cord_count)
+            drag_bob(self.cradle.pend_list, pend_index, bob, x, y, R_PARAM)
 
     def make_heavy(self) -> None:
         """Make the held pendulum heavy, before a few ticks."""
         if self.index is not None:
-            self.kept_mass = self.pend["mass"]
-            self.kept_angles = cord_angles(self.pend)
-            self.pend["mass"] = HEAVY
+            pend = self.pend_of(self.index)
+            self.heavy_pend = pend
+            self.kept_mass = pend["mass"]
+            self.kept_angles = cord_angles(pend)
+            pend["mass"] = HEAVY
 
     def put_back(self) -> None:
         """Put the held pendulum back into its place, at rest, after these ticks."""
-        if self.kept_mass is not None:
-            self.pend["mass"] = self.kept_mass
-            move(self.pend, self.kept_angles, R_PARAM)
-            self.kept_mass = None
+        if self.heavy_pend is not None:
+            self.heavy_pend["mass"] = self.kept_mass
+            move(self.heavy_pend, self.kept_angles, R_PARAM)
+            self.heavy_pend = None
 
 
 # --- one pendulum follows the mouse, the others give way -----------------------------------------

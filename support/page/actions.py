@@ -223,7 +223,7 @@ class Actions:
     def drag(self, place: list[float], direction: list[float]) -> None:
         """Drag the held bob, if there is one, to the mouse's ray."""
         point = point_in_plane(vector(*place), vector(*direction))
-        if self.cradle.held_bob.index is not None and point is not None:
+        if point is not None:
             self.cradle.held_bob.drag(point.x, point.y)
 
     def let_go(self) -> None:

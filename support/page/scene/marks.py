@@ -42,7 +42,12 @@ class Marks:
     def __init__(self) -> None:
         self.has_arrows = False
         self.labels: list[Label] = []
-        self.shapes: dict[str, list] = {}
+        self.depth = 0.0  # m: so far the bars reach below the base
+        self.shapes: dict[str, list] = {}  # all that were made, by their name
+        # The visible ones of these, and the places (m) of the bars.
+        self.arrows: list = []
+        self.bars: list = []
+        self.xs: list[float] = []
 
     def surround(self, cradle: Cradle, bottom: float) -> None:
         """Take a new cradle; its base is at the height bottom (m)."""
@@ -83,7 +88,7 @@ class Marks:
                 Label(first - reach / 2, self.level, "momentum\n(up = right)"),
                 Label(last + 0.6 * reach, self.level, "sum"),
             ]
-            self.depth = (BELOW + 2 * BAR) * reach  # m: so far the bars reach below the base
+            self.depth = (BELOW + 2 * BAR) * reach
         else:
             arrow_count = bar_count = 0
             self.labels = []
