@@ -125,6 +125,7 @@ def test_the_question_comes_before_each_release_and_the_explanation_after_it(
         asking.wait(0.5)
         assert asking.time() == 0
         assert asking.bob_angles() == [45, 45, 0, 0, 0]
+        assert not asking.state["running"]
         assert asked(asking) == ASKING
         question = asking.state["question"]
         assert question["name"] == TWO
