@@ -155,13 +155,23 @@ WAYS = {  # the changes: (old text, new text) in the file with main
 }
 
 
-def moved_to_helpers(text) -> tuple[str, str]:
+# Functions in a file of the student's own: the first one that stays, and how the file is imported
+OWN_FILES = {
+    "a file of one's own": (
+        "def newton_cradle_tick",
+        "from src.helpers import handle_collision, handle_two_bobs\n",
+    ),
+    "a file of one's own, as a module": ("def main", "import src.helpers as helpers\n"),
+}
+
+
+def moved_to_helpers(text, first, imported) -> tuple[str, str]:
     """Return the text of the file with main, and of a file of the student's with the collisions."""
     head, _, rest = text.partition("def handle_collision")
-    collisions, _, tick = rest.partition("def newton_cradle_tick")
-    head += "from src.helpers import handle_collision, handle_two_bobs\n\n\n"
-    helpers = f"from vpython import mag\n\n\ndef handle_collision{collisions}"
-    return f"{head}def newton_cradle_tick{tick}", helpers
+    moved, _, rest = rest.partition(first)
+    if "as helpers" in imported:
+        rest = rest.replace("newton_cradle_tick", "helpers.newton_cradle_tick")
+    return f"{head}{imported}\n\n{first}{rest}", f"{head}\n\ndef handle_collision{moved}"
 
 
 @pytest.fixture
@@ -177,7 +187,7 @@ def folder(tmp_path, monkeypatch):
 
 OFTEN = [
     "a module by a short name",
-    "a file of one's own",
+    *OWN_FILES,
     "the constants as a module",
     "a collision as a default",
     "new dictionaries in each tick",
@@ -204,11 +214,11 @@ class Listener(Player):
         else:
             self.is_over = True
 
-    def note_hits(self, hits, ticks=0):
+    def note_hits(self, hits):
         self.cradles[-1] += hits
 
 
-@pytest.mark.parametrize("way", slow_but_for(OFTEN, [*WAYS, "a file of one's own"]))
+@pytest.mark.parametrize("way", slow_but_for(OFTEN, [*WAYS, *OWN_FILES]))
 def test_whatever_is_right_has_its_hits(way, folder, csv):
     text = (folder / RUN).read_text()
     before, _, behind = text.partition("def handle_two_bobs")
@@ -216,8 +226,8 @@ def test_whatever_is_right_has_its_hits(way, folder, csv):
     for old, new in WAYS.get(way, []):
         assert old in text
         text = text.replace(old, new, 1)
-    if way not in WAYS:
-        text, helpers = moved_to_helpers(text)
+    if way in OWN_FILES:
+        text, helpers = moved_to_helpers(text, *OWN_FILES[way])
         (folder / "helpers.py").write_text(helpers)
     (folder / RUN).write_text(text)
     main = import_module("src.visualize_cradle_run").main
