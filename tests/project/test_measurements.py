@@ -93,9 +93,9 @@ def check_this_world(keys=""):
             assert found.outcome() == experiment.explained, (experiment.key, found.swings)
             assert "{" not in found.explanation()
             for answer, other in combinations(experiment.answers, 2):
-                assert answer.swings != pytest.approx(other.swings, abs=5)
+                assert answer.swings != pytest.approx(other.swings, abs=5), experiment.key
             right = experiment.answers[experiment.explained]
-            assert found.swings == pytest.approx(right.swings, abs=3)
+            assert found.swings == pytest.approx(right.swings, abs=3), experiment.key
             if kind is Cradle:
                 check_theory(found, experiment)
 
