@@ -185,10 +185,10 @@ class Player(Page):
         while not self.due:
             if self.is_in_batch:
                 self.end_batch()
-            elif self.is_over or self.is_wanted:
+            if self.is_over or self.is_wanted:
                 self.refuse()
                 return False
-            elif self.planned and self.pace.clock() < self.deadline:
+            if self.planned and self.pace.clock() < self.deadline:
                 self.begin_batch()
             else:
                 self.pace.give_back(self.planned)
