@@ -81,7 +81,7 @@ class Call(NamedTuple):
             arguments.append(name)
             if isinstance(value, PlainFile) and self.function != "extract_and_convert":
                 # The pendula say what is in it
-                below = [f"{name} is the path of {Path(value.path).name}"]
+                below.append(f"{name} is the path of {Path(value.path).name}")
             else:
                 below += value_lines(name, value, function.reads, index)
         call = f"{self.function}({', '.join(arguments)})"

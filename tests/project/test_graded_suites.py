@@ -15,6 +15,7 @@ from wrong_solutions import HINTED, WRONG
 
 from grading import comparing, grader, hints
 from grading.handout import FUNCTIONS
+from grading.messages import Call, PlainFile
 from grading.outcomes import Grading, PASSED, WAITING
 from grading.raised import own_places
 
@@ -189,6 +190,15 @@ def test_a_message_shows_the_part_of_pendula_and_files_that_matters(solve):
     file = " ".join(import_module("test_d").FILES["seven.csv"].split())
     assert f" is the path of seven.csv: {file} came back" in message
     assert " expected at index 0: {'mass': 12.625, 'e': 1," in message
+
+
+def test_a_call_with_a_file_says_how_often_it_was_made():
+    arguments = PlainFile("bobs/seven.csv", "mass\n"), 0.4, 0.5
+    assert Call("make_newton_cradle", arguments, times=2).lines() == [
+        "make_newton_cradle(relative_filepath, r_param=0.4, theta_init=0.5)",
+        "2 times in a row",
+        "relative_filepath is the path of seven.csv",
+    ]
 
 
 # What a body returns or raises, and how a message shows it
