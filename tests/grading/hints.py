@@ -1,8 +1,12 @@
-"""All hints for mistakes, as rows with names. evidence.py chooses among them.
+"""Hints for errors of Python and for values of a wrong form, as rows with names.
 
 ERRORS  a Hint for each known error of Python; of those that fit, the first one counts
 MEANING what an error means, if no row fits
 FORMS   a pattern of the sentence that says what is wrong, and the hint
+
+evidence.py chooses from ERRORS and MEANING, and choosing.py from FORMS. Other hints stand where
+their mistake is found: those for exact results in the suites, the rest in choosing.py, grader.py,
+outcomes.py and raised.py.
 """
 
 import re

@@ -1,14 +1,15 @@
 """Other code for a student's functions, which does the same, and hands its values to a Watch.
 
-watch.py has the Watch. All lines keep their numbers. Of these lines in a function,
+watch.py has the Watch. All lines keep their numbers. Of a function with these lines,
 
     while i < 3:
         a = b[i]
 
-this becomes (with the place of b[i] in the file in place of PLACE):
+the body becomes this (with the place of i < 3 or of b[i] in the file in place of PLACE):
 
+    __watch__.enter(0)
     __watch__.begin_statement(1)
-    while __watch__.test(1, i < 3):
+    while __watch__.test(1, __watch__.part(1, PLACE, i < 3)):
         __watch__.turn(1)
         __watch__.begin_statement(2)
         a = __watch__.value(2, __watch__.part(2, PLACE, b[i]))
