@@ -44,7 +44,7 @@ class WrongCall:
         """
         self.function = function
         self.watch = watch
-        self.index = subject.pend_index
+        self.index = subject.list_index
         self.right = right
         self.runs = [*watch.runs.values()]
         self.main = next(run for run in self.runs if self.name_of(run) == function)

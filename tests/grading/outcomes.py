@@ -154,7 +154,7 @@ class Grading:
         elif raised and explained.line:  # where the clock has stopped it is chance
             place = ""
             lines = [end_of(raised, ()), *lines[1:]]
-        called = error.call.lines(error.subject.pend_index or 0)
+        called = error.call.lines(error.subject.list_index or 0)
         read = f"handout, {FUNCTIONS[function].read}: {function}"
         text = message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)])
         if not place:

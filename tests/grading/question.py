@@ -119,7 +119,7 @@ class Question:
     def pendulum(self) -> dict | None:
         """Return the pendulum in question, if it is there."""
         found = self.values.get(self.subject.owner)
-        index = self.subject.pend_index
+        index = self.subject.list_index
         if index is not None:
             if not isinstance(found, (list, tuple)) or index >= len(found):
                 return None

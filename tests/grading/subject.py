@@ -5,6 +5,8 @@ The suites name what they compare. Only this module takes such a name apart:
     theta of pend1                  a value of a pendulum
     omega of each pendulum          a list, with a value of each pendulum of pend_list
     color and texture of each bob   a list of pairs
+    the value of objects in each pendulum
+                                    the values of a key, judged together
     new_omega, new_theta            the parts of a tuple
     masses of the first cradle      anything else is one value with these words
 """
@@ -31,7 +33,7 @@ class Subject(NamedTuple):
     name: str = ""  # in the sentence: "theta of pend_list[0]", "position of bob[2]"
     value: str = ""  # of the owner: "theta", "position"; "" if it is the whole owner
     owner: str = ""  # "pend1", "pend_list", "each pendulum", "axle", "bob" or "cord"
-    pend_index: int | None = None  # of the pendulum in pend_list
+    list_index: int | None = None  # 2 of pend_list[2], axle[2] or bob[2]
     has_wrong_keys: bool = False  # of a pendulum
 
     @property
@@ -41,7 +43,7 @@ class Subject(NamedTuple):
     @property
     def pend(self) -> str:
         """The name of the pendulum."""
-        return self.owner if self.pend_index is None else f"{self.owner}[{self.pend_index}]"
+        return self.owner if self.list_index is None else f"{self.owner}[{self.list_index}]"
 
     @property
     def is_result(self) -> bool:
