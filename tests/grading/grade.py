@@ -9,6 +9,7 @@ from typing import NamedTuple
 from grading.grader import Check, checks, STEPS
 from grading.handout import FUNCTIONS, highest, SUITES
 from grading.outcomes import FAILED, FAULT, Outcome, PASSED, WAITING
+from grading.ranks import ALWAYS, FACTS, IN_PYTHON, IN_WORDS, NEVER
 from support.start.checks_command import checks_command
 from support.start.preview import missing_in
 
@@ -16,12 +17,6 @@ MOST_ROWS = 16  # of the trace table
 MORE = " " * 7  # in front of the lines of the next step
 LINE_BY_LINE = "Your code, line by line:"
 BOOKS = "In Python, with books:"
-# Ranks of what is said, among those of the rows of a trace table.
-ALWAYS = -1
-FACTS = 0.15
-IN_WORDS = 5
-IN_PYTHON = 6
-NEVER = 100
 
 
 class Part(NamedTuple):
@@ -30,7 +25,7 @@ class Part(NamedTuple):
     If there is no room for all parts, those of the highest rank are left out.
     """
 
-    rank: float
+    rank: int
     lines: list[str]
     is_row: bool = False  # of a trace table
     is_title: bool = False  # of the table of a helper

@@ -14,7 +14,7 @@ MOST_LINES = 3  # of the values of a row
 class Row(NamedTuple):
     """A line of code, and what it gave, as lines of the screen."""
 
-    rank: float
+    rank: int
     lines: list[str]
     is_title: bool = False  # of the table of a helper
 
@@ -22,7 +22,7 @@ class Row(NamedTuple):
 class Remark(NamedTuple):
     """What is said of a line of code. If there is no room, a high rank is left out."""
 
-    rank: float
+    rank: int
     beside: str = ""
     below: tuple[str, ...] = ()
 

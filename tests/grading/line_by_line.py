@@ -13,6 +13,7 @@ from grading.messages import text_of
 from grading.notes import Run, Statement
 from grading.noting import EndlessError
 from grading.question import lines_in, Question
+from grading.ranks import IN_QUESTION
 from grading.subject import Subject
 from grading.trace_table import Stop, Table
 from grading.watch import Watch
@@ -64,7 +65,7 @@ class WrongCall:
             needed = self.needed(run, self.starts_in(run))
             table = self.table(run, needed)
             if runs:
-                rank = min((row.rank for row in table), default=0)
+                rank = min((row.rank for row in table), default=IN_QUESTION)
                 title = f"{' ' * INDENT}Your function {self.name_of(run)}, called there:"
                 rows.append(Row(rank, [title], is_title=True))
             rows += table

@@ -5,19 +5,18 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from grading.grade import (
-    ALWAYS,
     checks_with_outcome,
     failed_checks,
     grade,
     LINE_BY_LINE,
     MORE,
-    NEVER,
     next_step,
     Part,
 )
 from grading.handout import SUITES
 from grading.messages import plural
 from grading.outcomes import Outcome, PASSED, WAITING
+from grading.ranks import ALWAYS, NEVER
 from support.start.output import in_one_line
 
 SCREEN = 40  # lines of a screen; the first one has the dots of pytest, and the last one its counts

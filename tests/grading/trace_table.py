@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from grading.instrument import TRIES
 from grading.layout import cell, cells, laid_out, once, Remark, Row, together
 from grading.notes import Called, LOOPS, Note, Run
+from grading.ranks import CALLS, IDLE, IN_QUESTION, NO_END, rank_after, VALUES
 from grading.source import Source, without_comment
 from grading.values import in_words
 from grading.watch import Watch
@@ -19,13 +20,6 @@ SHORT = 12  # characters of a value that is shown again if all turns give the sa
 LONG = 140  # characters of the values of all turns; if they are longer, only one turn is shown
 # By the handout
 PROVIDED = "df = pd.read_csv(relative_filepath)", 'bad_rep = df.to_dict(orient="index")'
-
-# Ranks of rows: if there is no room for all, the highest ones are left out. Needed lines have ranks
-# from 0 to 1.
-CALLS = 1
-VALUES = 2
-ABOVE = 3
-IDLE = 4
 
 
 class Stop(NamedTuple):
@@ -123,7 +117,7 @@ class Table:
             if not isinstance(self.node(number), TRIES):
                 numbers.append(number)
         if not numbers:
-            return Remark(ABOVE)
+            return Remark(NO_END)
         remark = self.remark_on_all(line, numbers)
         if remark is None:
             return None
@@ -132,7 +126,7 @@ class Table:
         if self.source.line(line).strip().rstrip(";") in PROVIDED and not self.stop:
             return remark._replace(rank=IDLE)
         if line in self.needed:
-            return remark._replace(rank=min(remark.rank, min(self.needed[line], 9) / 10))
+            return remark._replace(rank=min(remark.rank, rank_after(self.needed[line])))
         return remark
 
     def remark_on_all(self, line: int, numbers: list[int]) -> Remark | None:
@@ -148,7 +142,7 @@ class Table:
             return together(found)
         if self.stop and self.stop.is_error and line > self.stop.line and self.run.is_whole:
             return None
-        return Remark(ABOVE, self.never_ran(line, numbers))
+        return Remark(NO_END, self.never_ran(line, numbers))
 
     def remark_on_statement(self, number: int, line: int) -> Remark | None:
         """Return what is said of a statement, or None if it did not come to its end."""
@@ -181,7 +175,7 @@ class Table:
 
         These are its earlier turns, and the values at which it stopped.
         """
-        remark = together([Remark(0), *found])
+        remark = together([Remark(IN_QUESTION), *found])
         below = []
         for number in numbers:
             calls = self.run.calls.get(number, [])
@@ -194,7 +188,8 @@ class Table:
             for called in calls:
                 if called.got:
                     below.append(f"{turn}{called.name} got {called.got}")
-        return Remark(0, f"{remark.beside}  <- {stop.how}".strip(), (*below, *remark.below[-1:]))
+        beside = f"{remark.beside}  <- {stop.how}".strip()
+        return Remark(IN_QUESTION, beside, (*below, *remark.below[-1:]))
 
     def never_ran(self, line: int, numbers: list[int]) -> str:
         """Return what is said beside a line that did not come to its end in any turn."""
