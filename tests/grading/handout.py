@@ -1,4 +1,4 @@
-"""The functions of the handout: their files, their places in it, and what they use."""
+"""The functions of the handout: their files, their places in it, and those that they need."""
 
 from typing import NamedTuple
 
@@ -27,15 +27,12 @@ class Function(NamedTuple):
     file: str
     parameters: str
     read: str  # place in the handout
-    calls: tuple[str, ...] = ()  # the other functions here that it uses
+    waits_for: tuple[str, ...] = ()  # functions here that must be right first
+    # Functions, here or provided, that a line of it must name. If none does, a student reads: No
+    # line of your function calls ...
+    must_name: tuple[str, ...] = ()
     reads: tuple[str, ...] = ()  # keys of a pendulum that messages show
     returns: str = ""  # names of what it returns; "" if it returns nothing
-    given: tuple[str, ...] = ()  # functions that it uses, and that are there
-
-    @property
-    def uses(self) -> tuple[str, ...]:
-        """The functions that its own lines call."""
-        return self.given or self.calls
 
 
 SPECIAL = "src/special_cradles.py"
@@ -52,10 +49,16 @@ RUNNING = "Running the Simulation (A Tests)"
 CHALLENGE = "Honor Roll Challenge"
 
 
-def maker(parameters: str, calls: str, given: tuple[str, ...] = ()) -> Function:
+def maker(parameters: str, *, waits_for: str, must_name: str) -> Function:
     """Return a function that makes a pend_list from a CSV."""
     return Function(
-        "D", SPECIAL, parameters, CREATION, calls=(calls,), returns="pend_list", given=given
+        "D",
+        SPECIAL,
+        parameters,
+        CREATION,
+        waits_for=(waits_for,),
+        must_name=(must_name,),
+        returns="pend_list",
     )
 
 
@@ -64,12 +67,26 @@ FUNCTIONS = {
     "extract_and_convert": Function(
         "D", "src/pds_helper.py", "relative_filepath", CONVERTER, returns="pend_list"
     ),
-    "uniform_mass_newton_cradle": maker("relative_filepath, mass", "extract_and_convert"),
-    "uniform_e_newton_cradle": maker("relative_filepath, e_val", "extract_and_convert"),
-    "elastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
-    "inelastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
+    "uniform_mass_newton_cradle": maker(
+        "relative_filepath, mass", waits_for="extract_and_convert", must_name="extract_and_convert"
+    ),
+    "uniform_e_newton_cradle": maker(
+        "relative_filepath, e_val", waits_for="extract_and_convert", must_name="extract_and_convert"
+    ),
+    "elastic_newton_cradle": maker(
+        "relative_filepath",
+        waits_for="uniform_e_newton_cradle",
+        must_name="uniform_e_newton_cradle",
+    ),
+    "inelastic_newton_cradle": maker(
+        "relative_filepath",
+        waits_for="uniform_e_newton_cradle",
+        must_name="uniform_e_newton_cradle",
+    ),
     "make_newton_cradle": maker(
-        "relative_filepath, r_param, theta_init", "extract_and_convert", given=("make_pendulum",)
+        "relative_filepath, r_param, theta_init",
+        waits_for="extract_and_convert",
+        must_name="make_pendulum",
     ),
     "angle_update": Function(
         "C", SWINGING, "omega, theta, r_param, dt, g", SWING, returns="omega_new, theta_new"
@@ -79,9 +96,9 @@ FUNCTIONS = {
         SWINGING,
         "pend_list, r_param, dt, g",
         SWING,
-        calls=("angle_update",),
+        waits_for=("angle_update",),
+        must_name=("swing_update",),
         reads=("theta", "omega"),
-        given=("swing_update",),
     ),
     "handle_collision": Function(
         "B",
@@ -95,7 +112,8 @@ FUNCTIONS = {
         RUN,
         "pend1, pend2, r_param",
         COLLISIONS,
-        calls=("handle_collision",),
+        waits_for=("handle_collision",),
+        must_name=("handle_collision",),
         reads=("mass", "e", "omega", "bob", "radius"),
     ),
     "newton_cradle_tick": Function(
@@ -103,25 +121,33 @@ FUNCTIONS = {
         RUN,
         "pend_list, r_param, dt, g",
         RUNNING,
-        calls=("full_swing_update", "handle_two_bobs"),
+        waits_for=("full_swing_update", "handle_two_bobs"),
+        must_name=("full_swing_update", "handle_two_bobs"),
         reads=("mass", "e", "theta", "omega", "bob"),
     ),
-    "main": Function("A", RUN, "page", RUNNING, calls=("make_newton_cradle", "newton_cradle_tick")),
+    "main": Function(
+        "A",
+        RUN,
+        "page",
+        RUNNING,
+        waits_for=("make_newton_cradle", "newton_cradle_tick"),
+        must_name=("make_newton_cradle", "newton_cradle_tick"),
+    ),
     "make_double_pendulum": Function(
         HONOR,
         DOUBLE,
         "axle_pos, r_param, theta, phi, color, texture",
         CHALLENGE,
+        must_name=("make_pendulum",),
         returns="axle, bob1, cord1, bob2, cord2",
-        given=("make_pendulum",),
     ),
     "double_angle_update": Function(
         HONOR,
         DOUBLE,
         "omega_theta, omega_phi, theta, phi, r_param, dt, g, m1, m2",
         CHALLENGE,
+        must_name=("double_accelerations",),
         returns="omega_theta, omega_phi, theta, phi",
-        given=("double_accelerations",),
     ),
 }
 
@@ -146,10 +172,13 @@ IMPORTS = {
 
 
 def needed(function: str) -> list[str]:
-    """Return all functions that this one uses, directly or not, in the order of the handout."""
+    """Return all functions that must be right first, also for those that this one waits for.
+
+    They are in the order of the handout.
+    """
     found: set[str] = set()
-    for called in FUNCTIONS[function].calls:
-        found |= {called, *needed(called)}
+    for name in FUNCTIONS[function].waits_for:
+        found |= {name, *needed(name)}
     return [name for name in FUNCTIONS if name in found]
 
 

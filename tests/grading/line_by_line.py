@@ -197,7 +197,7 @@ class WrongCall:
         for run in self.runs:
             for node in ast.walk(self.watch.statements[run.definition].node):
                 names.update(getattr(node, field, "") for field in ("id", "attr", "name"))
-        missing = [name for name in FUNCTIONS[self.function].uses if name not in names]
+        missing = [name for name in FUNCTIONS[self.function].must_name if name not in names]
         return [f"No line of your function calls {name}." for name in missing]
 
     def early_returns(self, runs: list[Run]) -> list[str]:
