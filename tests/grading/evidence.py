@@ -51,8 +51,7 @@ class Evidence:
         """frame is the student's, None if no code of the student has run."""
         self.error: Any = error
         self.text = str(error.msg if isinstance(error, SyntaxError) else error)
-        self.name = self.found_name()
-        self.file = self.name.replace(".", "/") + ".py"
+        self.subject_name = self.found_subject_name()
         self.function = frame.f_code.co_name if frame else ""
         self.globals = frame.f_globals if frame else {}
         self.locals = frame.f_locals if frame else {}
@@ -60,7 +59,7 @@ class Evidence:
         self.nodes = nodes_of(frame, line) if frame else []
         self.subscripts = [node for node in self.nodes if isinstance(node, ast.Subscript)]
 
-    def found_name(self) -> str:
+    def found_subject_name(self) -> str:
         """Return the name, key or file that the error is about, or ""."""
         name = getattr(self.error, "name", None)
         if name:
@@ -74,9 +73,14 @@ class Evidence:
         return quoted[1] if quoted else ""
 
     @property
+    def module_file(self) -> str:
+        """The file of the module that Python cannot find."""
+        return self.subject_name.replace(".", "/") + ".py"
+
+    @property
     def in_brackets(self) -> bool:
         """Whether the name stands in [ ]."""
-        return any(id_of(node.slice) == self.name for node in self.subscripts)
+        return any(id_of(node.slice) == self.subject_name for node in self.subscripts)
 
     @property
     def has_map(self) -> bool:
@@ -84,7 +88,7 @@ class Evidence:
         return any(id_of(node.value) in MAPS for node in self.subscripts)
 
     @property
-    def adds(self) -> bool:
+    def adds_in_brackets(self) -> bool:
         """Whether the line adds something in [ ]."""
         operations = [getattr(node.slice, "op", None) for node in self.subscripts]
         return any(isinstance(operation, ast.Add) for operation in operations)
@@ -93,7 +97,7 @@ class Evidence:
     def behind_dot(self) -> str:
         """What stands behind the name and a dot, or ""."""
         for node in self.nodes:
-            if isinstance(node, ast.Attribute) and id_of(node.value) == self.name:
+            if isinstance(node, ast.Attribute) and id_of(node.value) == self.subject_name:
                 return node.attr
         return ""
 
@@ -105,25 +109,25 @@ class Evidence:
         return any(isinstance(value, dict) for value in values)
 
     @property
-    def texts(self) -> list:
+    def constants(self) -> list:
         """The constants in the line."""
         return [node.value for node in self.nodes if isinstance(node, ast.Constant)]
 
     @property
-    def is_taken(self) -> bool:
+    def is_name_of_function(self) -> bool:
         """Whether the name is that of a function outside of this one."""
-        return callable(self.globals.get(self.name))
+        return callable(self.globals.get(self.subject_name))
 
     @property
-    def is_given(self) -> bool:
+    def is_imported_by_handout(self) -> bool:
         """Whether the handout's file of this function imports the name."""
         if self.function not in FUNCTIONS:
             return False
-        return self.name in IMPORTS[FUNCTIONS[self.function].file].split()
+        return self.subject_name in IMPORTS[FUNCTIONS[self.function].file].split()
 
     @property
-    def other_form(self) -> str:
-        """What the file is that Python cannot read, if it is no Python."""
+    def other_form_in_words(self) -> str:
+        """What the file is that Python cannot read, if it is no Python, and what to do, or ""."""
         with suppress(OSError, TypeError):
             source = Path(self.error.filename).read_text(encoding="utf-8", errors="replace")
             text = source.lstrip("\ufeff \n\t")
@@ -141,8 +145,8 @@ class Evidence:
         return (self.error.text or "").strip()
 
     @property
-    def newer(self) -> str:
-        """What in the line only a newer Python reads."""
+    def newer_python_in_words(self) -> str:
+        """A sentence that says what in the line only a newer Python reads, or ""."""
         for version, pattern, form in NEWER:
             if sys.version_info < version and re.search(pattern, self.code):
                 newer = f"Python {version[0]}.{version[1]} and later ones read {form}."
@@ -150,8 +154,11 @@ class Evidence:
         return ""
 
     @property
-    def takes(self) -> str:
-        """Which values the function takes that was called with others, if it is known."""
+    def signature_in_words(self) -> str:
+        """A sentence that says which values the function takes that was called with others.
+
+        It is "" if this is not known.
+        """
         name = self.text.partition("(")[0].rpartition(".")[2]
         function: Any = {**self.globals, **self.locals}.get(name)
         with suppress(TypeError, ValueError):
@@ -218,12 +225,12 @@ def of_error(
         if not isinstance(error, row.kinds) or not re.search(row.pattern, evidence.text):
             continue
         if row.fits is None or row.fits(evidence):
-            return row.hint.format(name=evidence.name, evidence=evidence), ""
+            return row.hint.format(name=evidence.subject_name, evidence=evidence), ""
     if isinstance(error, SyntaxError) and evidence.text != "invalid syntax":
         return "", ""  # Python says it better
     for kind, meaning in MEANING.items():
         if isinstance(error, kind):
-            return "", meaning.format(name=evidence.name)
+            return "", meaning.format(name=evidence.subject_name)
     return "", ""
 
 

@@ -141,7 +141,13 @@ def expect(
 
     help    a sentence about this call, for a student whose result is wrong
     right   pairs of a part of the handout's formula, and its value in this call
-    The other options are those of compared.
+    The other options go to compared:
+    wanted  the right value: a Wanted, or a value for same
+    see     returns the value to compare, from the result or the arguments; by default, the result
+    what    the name of this value
+    results pairs of a wrong result, or a test of it, and a hint
+    notes   pairs of a test of a right result, and a sentence
+    times   the number of calls; a result gives the first arguments of the next one
     """
     try:
         return compared(function, *arguments, **expected)
@@ -161,14 +167,9 @@ def compared(
     notes: Iterable[tuple[Any, str]] = (),
     times: int = 1,
 ) -> Any:
-    """Do what expect does.
+    """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
-    wanted  the right value: a Wanted, or a value for same
-    see     returns the value to compare, from the result or the arguments; by default, the result
-    what    the name of this value
-    results pairs of a wrong result, or a test of it, and a hint
-    notes   pairs of a test of a right result, and a sentence
-    times   the number of calls; a result gives the first arguments of the next one
+    expect explains the options.
     """
     returns = FUNCTIONS[function].returns
     call = Call(function, tuple(map(plain, arguments)), times)

@@ -58,7 +58,7 @@ class Hint(NamedTuple):
     """A hint, and the errors of Python that it is for."""
 
     kinds: type[BaseException] | tuple[type[BaseException], ...]
-    # {name} is the name or key of the error, {evidence} what evidence.Evidence has found
+    # {name} is the subject_name of the evidence, {evidence} the evidence.Evidence
     hint: str
     pattern: str = ""  # of Python's own text
     fits: Callable[[Any], Any] | None = None  # a test of the evidence.Evidence
@@ -72,8 +72,8 @@ class Hint(NamedTuple):
 ERRORS = {
     "look-alike": Hint(SyntaxError, pattern=r"invalid (?:non-printable )?character", hint="This character only looks like the right one. Delete it, and type it on your keyboard."),
     "encoding": Hint((SyntaxError, ValueError), pattern="null bytes|codec can't decode", hint="This file is not saved in UTF-8. Save it with the encoding UTF-8."),
-    "no Python": Hint(SyntaxError, fits=lambda evidence: evidence.other_form, hint="This file is no Python: it is {evidence.other_form}."),
-    "newer": Hint(SyntaxError, fits=lambda evidence: evidence.newer, hint="{evidence.newer}"),
+    "no Python": Hint(SyntaxError, fits=lambda evidence: evidence.other_form_in_words, hint="This file is no Python: it is {evidence.other_form_in_words}."),
+    "newer": Hint(SyntaxError, fits=lambda evidence: evidence.newer_python_in_words, hint="{evidence.newer_python_in_words}"),
     "plus plus": Hint(SyntaxError, fits=lambda evidence: re.search(r"\+ \+( |$)", " ".join(evidence.tokens)), hint="Python has no ++: i += 1 adds 1."),
     "no brackets": Hint(SyntaxError, fits=lambda evidence: evidence.side_by_side and evidence.side_by_side[0] in CALLED, hint="A function needs ( ) around its values: {evidence.side_by_side[0]}({evidence.side_by_side[1]})."),
     "misspelled": Hint(SyntaxError, fits=lambda evidence: evidence.misspelled, hint="Python has no word {evidence.misspelled[0]}. Is it {evidence.misspelled[1]}?"),
@@ -84,22 +84,22 @@ ERRORS = {
     "equation": Hint(SyntaxError, pattern=r"cannot assign to (?:expression|function call|literal)|cannot contain assignment", hint="Only a name, or a key in [ ], can get a value: on the left of = , or between for and in."),
     "outside": Hint(NameError, fits=lambda evidence: evidence.function == "<module>", hint="This line stands outside of all functions. Delete it, or indent it if it belongs to one."),
     "in front": Hint(NameError, fits=lambda evidence: evidence.behind_dot in evidence.globals, hint="{evidence.behind_dot} is there without {name}. in front of it: write {evidence.behind_dot}( )."),
-    "import": Hint(NameError, fits=lambda evidence: evidence.is_given and evidence.name not in evidence.globals, hint="The name {name} comes from another file, or from a package. Put its import back, at the top of the file."),
-    "key is a name": Hint(NameError, fits=lambda evidence: evidence.name in KEYS and evidence.in_brackets, hint="A key is text. Write it in quotes: ['{name}']."),
-    "end": Hint(NameError, fits=lambda evidence: evidence.name == "end", hint="Python has no end: delete this line. A block ends where its indentation ends."),
+    "import": Hint(NameError, fits=lambda evidence: evidence.is_imported_by_handout and evidence.subject_name not in evidence.globals, hint="The name {name} comes from another file, or from a package. Put its import back, at the top of the file."),
+    "key is a name": Hint(NameError, fits=lambda evidence: evidence.subject_name in KEYS and evidence.in_brackets, hint="A key is text. Write it in quotes: ['{name}']."),
+    "end": Hint(NameError, fits=lambda evidence: evidence.subject_name == "end", hint="Python has no end: delete this line. A block ends where its indentation ends."),
     "power": Hint(TypeError, pattern=r"for \^", hint="In Python, ** is a power, and ^ is something else."),
-    "R": Hint(NameError, fits=lambda evidence: evidence.name == "R", hint="The R of the handout is r_param."),
-    "csv": Hint(NameError, fits=lambda evidence: evidence.name == "NC_FP", hint="page.csv has the path of the file."),
+    "R": Hint(NameError, fits=lambda evidence: evidence.subject_name == "R", hint="The R of the handout is r_param."),
+    "csv": Hint(NameError, fits=lambda evidence: evidence.subject_name == "NC_FP", hint="page.csv has the path of the file."),
     "near": Hint(NameError, fits=lambda evidence: evidence.nearest, hint="No line that ran has given {name} a value."),
-    "name taken": Hint(UnboundLocalError, fits=lambda evidence: evidence.is_taken, hint="The name of a function is taken: {name}. Give your own value another name."),
-    "bob": Hint(KeyError, fits=lambda evidence: evidence.name in ("axle", "bob", "cord", "pos", "radius", "bob1", "bob2"), hint=TUPLE),
-    "word": Hint(KeyError, fits=lambda evidence: evidence.has_map and evidence.name in ("color", "texture"), hint="You looked for the word {name}. Between [ ] belongs the pendulum's own {name}."),
+    "name taken": Hint(UnboundLocalError, fits=lambda evidence: evidence.is_name_of_function, hint="The name of a function is taken: {name}. Give your own value another name."),
+    "bob": Hint(KeyError, fits=lambda evidence: evidence.subject_name in ("axle", "bob", "cord", "pos", "radius", "bob1", "bob2"), hint=TUPLE),
+    "word": Hint(KeyError, fits=lambda evidence: evidence.has_map and evidence.subject_name in ("color", "texture"), hint="You looked for the word {name}. Between [ ] belongs the pendulum's own {name}."),
     "map": Hint(KeyError, fits=lambda evidence: evidence.has_map, hint="The key of COLOR_MAP is the color of the pendulum, and that of TEXTURE_MAP its texture."),
-    "last": Hint(IndexError, fits=lambda evidence: evidence.adds, hint="The last pendulum has none after it. The loop goes one step too far."),
+    "last": Hint(IndexError, fits=lambda evidence: evidence.adds_in_brackets, hint="The last pendulum has none after it. The loop goes one step too far."),
     "append": Hint(IndexError, pattern="list assignment", hint="A list has no place for a new element. Add it with append."),
-    "too many": Hint(AttributeError, pattern="'list' object has no", fits=lambda evidence: evidence.name in (*KEYS, "values", "items", "keys"), hint="This is the whole list. Take one pendulum first, for example in a for loop."),
-    "add": Hint(AttributeError, pattern="'list' object has no", fits=lambda evidence: evidence.name in ("add", "push", "put", "plus", "Append", "insertLast"), hint="A list has append: it puts one more element at the end."),
-    "no dot": Hint(AttributeError, pattern="'dict' object has no", fits=lambda evidence: evidence.name in KEYS, hint="A dictionary needs brackets and quotes, not a dot: ['{name}']."),
+    "too many": Hint(AttributeError, pattern="'list' object has no", fits=lambda evidence: evidence.subject_name in (*KEYS, "values", "items", "keys"), hint="This is the whole list. Take one pendulum first, for example in a for loop."),
+    "add": Hint(AttributeError, pattern="'list' object has no", fits=lambda evidence: evidence.subject_name in ("add", "push", "put", "plus", "Append", "insertLast"), hint="A list has append: it puts one more element at the end."),
+    "no dot": Hint(AttributeError, pattern="'dict' object has no", fits=lambda evidence: evidence.subject_name in KEYS, hint="A dictionary needs brackets and quotes, not a dot: ['{name}']."),
     "no bob": Hint((AttributeError, TypeError), pattern="'(?:dict|tuple)' object has no attribute '(?:pos|radius|axis)'|tuple indices .* not str", hint=TUPLE),
     "nothing": Hint((AttributeError, TypeError), pattern="NoneType", hint="One value in this line is None. A function without return gives None, and append gives None, too: do not store its result."),
     "color": Hint(AttributeError, pattern="color must be a vector", hint="COLOR_MAP has the vector of a color. make_pendulum takes axle_pos, r_param, theta, color, texture, in this order."),
@@ -121,13 +121,13 @@ ERRORS = {
     "several": Hint(TypeError, pattern="operand.*'(?:tuple|list)'|number, not '?(?:tuple|list)|between.*'(?:tuple|list)'|concatenate", hint="You calculate with a list or a tuple. [ ] make a list, also in a formula: its brackets are ( ). Commas make a tuple. Take its numbers one by one."),
     "next": Hint(TypeError, pattern=r"\+: 'dict' and 'int'", hint="A pendulum plus 1 is not the next pendulum: + 1 needs an index. A loop over range(...) gives i, and pend_list[i] is a pendulum."),
     "whole pendulum": Hint(TypeError, pattern="operand.*'dict'|number, not '?dict|between.*'dict'", hint="You calculate with a whole pendulum. A key gives one of its values; range(len(...)) counts pendula."),
-    "arguments": Hint(TypeError, pattern=r"(\w+)\(\) (?:missing|takes|got)", fits=lambda evidence: evidence.takes, hint="{evidence.takes}"),
-    "three parts": Hint(ValueError, pattern="unpack", fits=lambda evidence: "objects" in evidence.texts, hint="objects has three parts: axle, bob, cord = pend['objects']."),
+    "arguments": Hint(TypeError, pattern=r"(\w+)\(\) (?:missing|takes|got)", fits=lambda evidence: evidence.signature_in_words, hint="{evidence.signature_in_words}"),
+    "three parts": Hint(ValueError, pattern="unpack", fits=lambda evidence: "objects" in evidence.constants, hint="objects has three parts: axle, bob, cord = pend['objects']."),
     "path": Hint((ValueError, TypeError), pattern=r"file path|os\.PathLike", hint="The path of a file belongs here: relative_filepath."),
-    "path in quotes": Hint(FileNotFoundError, fits=lambda evidence: evidence.name in ("relative_filepath", "page.csv", "NC_FP"), hint="Write {name} without quotes: it is a name, not text."),
+    "path in quotes": Hint(FileNotFoundError, fits=lambda evidence: evidence.subject_name in ("relative_filepath", "page.csv", "NC_FP"), hint="Write {name} without quotes: it is a name, not text."),
     "circle": Hint(ImportError, pattern="circular import", hint="Your files import each other in a circle. Remove the import in this file."),
-    "file gone": Hint(ModuleNotFoundError, fits=lambda evidence: evidence.name.startswith("src."), hint="There is no file {evidence.file}. Put it back."),
-    "src": Hint(ModuleNotFoundError, fits=lambda evidence: evidence.name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"), hint="Write src. in front of the file in the import: src.{name}."),
+    "file gone": Hint(ModuleNotFoundError, fits=lambda evidence: evidence.subject_name.startswith("src."), hint="There is no file {evidence.module_file}. Put it back."),
+    "src": Hint(ModuleNotFoundError, fits=lambda evidence: evidence.subject_name in ("pds_helper", "special_cradles", "swinging", "visualize_cradle_run", "double_cradle"), hint="Write src. in front of the file in the import: src.{name}."),
     "itself": Hint(RecursionError, hint="Your function calls itself, without end. Delete this call, or call the function that you need in its place."),
 }
 MEANING = {
