@@ -2,6 +2,7 @@
 
 import ast
 from collections.abc import Sequence
+from functools import cached_property
 from math import isclose
 from numbers import Real
 from typing import Any, NamedTuple
@@ -12,7 +13,7 @@ from grading.layout import INDENT, Row
 from grading.messages import text_of
 from grading.notes import Run, Statement
 from grading.noting import EndlessError
-from grading.question import lines_in, Question
+from grading.question import Answer, lines_in, Question
 from grading.ranks import IN_QUESTION
 from grading.subject import Subject
 from grading.trace_table import Stop, Table
@@ -49,12 +50,15 @@ class WrongCall:
         self.right = right
         self.runs = [*watch.runs.values()]
         self.main = next(run for run in self.runs if self.name_of(run) == function)
-        self.stops = self.found_stops()
         self.question = Question(function, subject, watch, self.main)
-        self.marks = self.departures()
 
     def name_of(self, run: Run) -> str:
         return self.watch.statements[run.definition].node.name
+
+    @cached_property
+    def answer(self) -> Answer:
+        """Where the value in question comes from."""
+        return self.question.answer()
 
     def explained(self) -> Explained:
         """Return what was seen."""
@@ -79,7 +83,7 @@ class WrongCall:
     def starts_in(self, run: Run) -> list[int]:
         """Return the lines that matter, from which needed finds the lines that lead to them."""
         stops = [stop.line for stop in self.stops.values()]
-        starts = [*self.question.lines, *self.marks, *stops]
+        starts = [*self.answer.lines, *self.marks, *stops]
         if run is not self.main:
             return [*starts, *self.ends(run)]
         return starts if self.needed(run, starts) else self.ends(run)
@@ -88,12 +92,12 @@ class WrongCall:
         """Return the line where to look, 0 if it is not known."""
         if self.stops:
             return [*self.stops.values()][-1].line
-        lines = [*self.marks] or self.question.lines or self.ends(self.main)
+        lines = [*self.marks] or self.answer.lines or self.ends(self.main)
         return lines[-1] if lines else 0
 
     def facts(self, runs: list[Run]) -> list[str]:
         """Return sentences about what was seen in these calls."""
-        facts = [*self.question.facts]
+        facts = [*self.answer.facts]
         if self.watch.error:
             return facts
         facts += [*self.early_returns(runs), *self.nothing_returned(), *self.missing_calls()]
@@ -105,8 +109,9 @@ class WrongCall:
     def table(self, run: Run, needed: dict[int, int]) -> list[Row]:
         return Table(self.watch, run, self.stops.get(run), needed, self.marks, self.index).rows()
 
-    def found_stops(self) -> dict[Run, Stop]:
-        """Return where the watched calls were stopped, the outer one first."""
+    @cached_property
+    def stops(self) -> dict[Run, Stop]:
+        """Where the watched calls were stopped, the outer one first."""
         found: dict[Run, Stop] = {}
         error = self.watch.error
         step = error.__traceback__ if error else None
@@ -224,11 +229,12 @@ class WrongCall:
             return ["No return with a value has run."]
         return ["Your function has no return with a value."]
 
-    def departures(self) -> dict[int, str]:
-        """Return the first line that gives a returned name another value than the formula.
+    @cached_property
+    def marks(self) -> dict[int, str]:
+        """The first line that gives a returned name another value than the formula.
 
-        It is certain only if the returned name has this value, and says which result it is: omega,
-        or theta.
+        It stands with what is right there. It is certain only if the returned name has this value,
+        and says which result it is: omega, or theta.
         """
         node = self.question.returned()
         if not node or not isinstance(node.value, ast.Tuple):

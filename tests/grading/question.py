@@ -5,7 +5,7 @@ The call was watched.
 
 import ast
 from collections.abc import Container, Iterable
-from typing import Any
+from typing import Any, NamedTuple
 
 from grading.expressions import AS_THEY_ARE, names_in_head, operations_in, targets_of
 from grading.handout import FUNCTIONS
@@ -18,8 +18,15 @@ UNSEEN = {"update", "setdefault", "pop", "clear", "map", "setattr", "exec", "var
 MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parameters
 
 
+class Answer(NamedTuple):
+    """Where the value in question comes from."""
+
+    lines: list[int] = []  # that have set it; the last one is where to look
+    facts: list[str] = []  # sentences about it
+
+
 class Question:
-    """Finds the lines that have set the value in question. facts are sentences about it."""
+    """Finds the lines that have set the value in question."""
 
     def __init__(self, function: str, subject: Subject, watch: Watch, main: Run):
         """main is the call of the function.
@@ -34,42 +41,52 @@ class Question:
         self.values = dict(zip(names, watch.arguments, strict=False))
         if main.has_result:
             self.values[self.function.returns] = main.result
-        self.facts: list[str] = []
-        self.lines: list[int] = self.found() or self.of_result()  # the last one is where to look
 
-    def found(self) -> list[int]:
-        """Return the lines that have set the value, none if they are those that give the result."""
+    def answer(self) -> Answer:
+        """Return the lines that have set the value, else those that give the result."""
+        answer = self.of_subject()
+        if answer.lines:
+            return answer
+        result = self.of_result()
+        return Answer(result.lines, [*answer.facts, *result.facts])
+
+    def of_subject(self) -> Answer:
+        """Return the answer by the kind of the subject; of a result, it is empty."""
         subject = self.subject
         if subject.has_wrong_keys:
-            return self.of_keys() if subject.is_of_pendulum and not subject.value else []
+            is_whole_pendulum = subject.is_of_pendulum and not subject.value
+            return Answer(self.of_keys()) if is_whole_pendulum else Answer()
         if subject.owner == "each pendulum":
-            return self.lines_with_key(subject.value)
+            return Answer(self.lines_with_key(subject.value))
         if subject.is_of_pendulum:
-            return self.of_value() if subject.value else []
-        return self.of_object() if subject.owner else []
+            return self.of_value() if subject.value else Answer()
+        return Answer(self.of_object()) if subject.owner else Answer()
 
     # --- by the subject ---
 
-    def of_value(self) -> list[int]:
-        """Return the lines for a value of a pendulum: "theta of pend_list[0]"."""
+    def of_value(self) -> Answer:
+        """Return the answer for a value of a pendulum: "theta of pend_list[0]"."""
         pend = self.pendulum()
         key = self.subject.value
         name = self.subject.pend
         if pend is None:
-            return []
+            return Answer()
         setting = self.lines_with_key(key, name)
         lines = [*self.lines_of_list(), *setting]
         stores = [store for store in self.watch.stores if store.place is pend and store.key == key]
         if stores and stores[-1].value is pend.get(key):
             steps = [f"to {store.text} in line {store.line}" for store in stores[-3:]]
-            self.facts.append(f"{key} of {name} was set {', then '.join(steps)}.")
-            return [*lines, *lines_in(stores), first_with_last_value(stores)]
+            fact = f"{key} of {name} was set {', then '.join(steps)}."
+            return Answer([*lines, *lines_in(stores), first_with_last_value(stores)], [fact])
+        facts = []
         known = self.watch.known.get(id(pend))
         if known and key in known.copy and known.copy[key] is pend.get(key):
-            self.add_fact_about_same(f"{key} of {name}", pend[key], known)
+            facts.append(self.fact_about_same(f"{key} of {name}", pend[key], known))
         if setting:
-            return [*lines, *self.conditions_around(setting[-1])]
-        return [*lines, *(self.lines_without_effect() or self.lines_of_loops())]
+            lines += self.conditions_around(setting[-1])
+        else:
+            lines += self.lines_without_effect() or self.lines_of_loops()
+        return Answer(lines, facts)
 
     def of_keys(self) -> list[int]:
         """Return the lines for a pendulum with other keys: those that store something in it."""
@@ -95,11 +112,11 @@ class Question:
                         return lines_in(stores) or [node.lineno]
         return []
 
-    def of_result(self) -> list[int]:
-        """Return the lines for a result: those that set the wrong part of it, and that give it."""
+    def of_result(self) -> Answer:
+        """Return the answer for a result: the lines that set its wrong part, and that give it."""
         node = self.returned()
         if not node or not node.value:
-            return self.lines_with_calls()
+            return Answer(self.lines_with_calls())
         names = self.function.returns.split(", ")
         wrong = self.wrong_parts(names)
         part = node.value
@@ -108,11 +125,12 @@ class Question:
         stores = self.stores_of(names_in_head(part), self.main)
         lines = [*lines_in(stores), first_with_last_value(stores)] if stores else []
         if not isinstance(part, ast.Name) or self.subject.is_result:
-            return [*lines, node.lineno]
+            return Answer([*lines, node.lineno])
+        facts = []
         if wrong and part.id in self.values and not self.is_set(part.id):
             name = names[wrong[0]]
-            self.facts.append(f"{name} is your {part.id}, and no line of your function has set it.")
-        return lines or [node.lineno]
+            facts.append(f"{name} is your {part.id}, and no line of your function has set it.")
+        return Answer(lines or [node.lineno], facts)
 
     # --- what they need ---
 
@@ -130,14 +148,13 @@ class Question:
         """Return the indexes of the parts of the result that are in question."""
         return [i for i, name in enumerate(names) if self.subject.is_part(name)]
 
-    def add_fact_about_same(self, name: str, value: Any, known: Known) -> None:
-        """Add a sentence about a value of a pendulum that is the same as before."""
+    def fact_about_same(self, name: str, value: Any, known: Known) -> str:
+        """Return a sentence about a value of a pendulum that is the same as before."""
         before = f"as {known.giver} gave it" if known.giver else "as before the call"
         still = f"still {in_words(value)}, {before}"
         if self.can_set_unseen():
-            self.facts.append(f"{name} is {still}.")
-        else:
-            self.facts.append(f"No line of your function has set {name}: it is {still}.")
+            return f"{name} is {still}."
+        return f"No line of your function has set {name}: it is {still}."
 
     def can_set_unseen(self) -> bool:
         """Return whether a line can set a value in a way that is not watched.

@@ -4,6 +4,7 @@ import re
 import traceback
 from collections.abc import Iterator
 from contextlib import suppress
+from dataclasses import dataclass
 from linecache import getline, getlines
 from pathlib import Path
 from types import FrameType
@@ -38,29 +39,79 @@ class Place(NamedTuple):
         return self.function in ("", "<module>")
 
 
+@dataclass(eq=False)
 class StoppedError(Exception):
-    """An error that stopped a student's function or the import of its file, or a limit that did."""
+    """An error that stopped a student's function or the import of its file, or a limit that did.
 
-    def __init__(self, error: BaseException, function: str):
-        """function is "" if the error stopped the import."""
-        self.error = error
-        self.function = function
-        self.kind = type(error).__name__
-        self.text = text_of_error(error)  # None if it has none
-        # In the student's own files; the last call comes last
-        self.places, frames = own_places(error)
-        self.limit = limits.over_limit(error)
-        # The file of src/ that made an import fail
-        self.culprit = culprit_of(error, f"{self.text}", self.places)
-        # The function that is not written yet, and the hint, if one is known
-        self.stub, self.hint = stub_of(error)
-        self.mark = mark_of(error)  # a line below the code that Python cannot read
-        self.meaning = ""  # what an error of this kind means
-        if isinstance(error, (SystemExit, KeyboardInterrupt)):  # it ends the whole program
-            self.hint = ENDLESS if self.limit else ENDING
-        elif not self.limit and not self.stub:
-            with suppress(Exception):  # an error of the student's own, which says nothing of itself
-                self.hint, self.meaning = of_error(error, frames, function)
+    stopped_error makes it.
+    """
+
+    error: BaseException
+    function: str  # "" if the error stopped the import
+    text: str | None  # what the error says, None if it says nothing of itself
+    places: tuple[Place, ...]  # in the student's own files; the last call comes last
+    limit: str  # how the call went over a limit, or ""
+    culprit: str | None  # the file of src/ that made an import fail
+    stub: str | None  # the function that is not written yet
+    hint: str  # if one is known
+    meaning: str  # what an error of this kind means, if there is no hint
+
+    @property
+    def kind(self) -> str:
+        return type(self.error).__name__
+
+    @property
+    def mark(self) -> str:
+        """A line with a mark below the place in the code that Python cannot read, or ""."""
+        error = self.error
+        if not isinstance(error, SyntaxError) or not error.text or not error.offset:
+            return ""
+        code = error.text.rstrip()
+        indentation = len(code) - len(code.lstrip())
+        start = error.offset - 1 - indentation
+        if not 0 <= start <= len(code):
+            return ""
+        end = error.end_offset or 0
+        is_in_line = error.end_lineno == error.lineno and end > error.offset
+        width = end - error.offset if is_in_line else 1
+        return " " * start + "^" * width
+
+
+class Stub(NamedTuple):
+    """A function that is not written yet."""
+
+    function: str
+    hint: str  # if it has code, else ""
+
+
+def stopped_error(error: BaseException, function: str) -> StoppedError:
+    """Return what is known of an error that stopped a function.
+
+    function is "" if the error stopped the import of its file.
+    """
+    text = text_of_error(error)
+    places, frames = own_places(error)
+    limit = limits.over_limit(error)
+    stub = stub_of(error)
+    hint = meaning = ""
+    if stub:
+        hint = stub.hint
+    elif isinstance(error, (SystemExit, KeyboardInterrupt)):  # it ends the whole program
+        hint = ENDLESS if limit else ENDING
+    elif not limit:
+        with suppress(Exception):  # an error of the student's own, which says nothing of itself
+            hint, meaning = of_error(error, frames, function)
+    return StoppedError(
+        error=error,
+        function=function,
+        text=text,
+        places=places,
+        limit=limit,
+        culprit=culprit_of(error, f"{text}", places),
+        stub=stub.function if stub else None,
+        hint=hint,
+        meaning=meaning,
+    )
 
 
 def text_of_error(error: BaseException) -> str | None:
@@ -71,21 +122,6 @@ def text_of_error(error: BaseException) -> str | None:
         return f"{error}{nearest_name(error)}"
     except Exception:
         return None
-
-
-def mark_of(error: BaseException) -> str:
-    """Return a line with a mark below the place in the code that Python cannot read, or ""."""
-    if not isinstance(error, SyntaxError) or not error.text or not error.offset:
-        return ""
-    code = error.text.rstrip()
-    indentation = len(code) - len(code.lstrip())
-    start = error.offset - 1 - indentation
-    if not 0 <= start <= len(code):
-        return ""
-    end = error.end_offset or 0
-    is_in_line = error.end_lineno == error.lineno and end > error.offset
-    width = end - error.offset if is_in_line else 1
-    return " " * start + "^" * width
 
 
 def own_places(error: BaseException) -> tuple[tuple[Place, ...], list[tuple[FrameType, int]]]:
@@ -122,25 +158,22 @@ def all_places(error: Any) -> Iterator[tuple[Place, FrameType | None]]:
         yield Place(error.filename, number, "", (error.text or "").strip()), None
 
 
-def stub_of(error: BaseException) -> tuple[str | None, str]:
-    """Return the function that raised this error because it is not written yet, or None.
-
-    Beside it, return a hint if it has code.
-    """
+def stub_of(error: BaseException) -> Stub | None:
+    """Return the function that raised this error because it is not written yet, or None."""
     frames = traceback.extract_tb(error.__traceback__)
     if not frames or not isinstance(error, NotImplementedError):
-        return None, ""
+        return None
     name = frames[-1].name
     if name not in FUNCTIONS:
-        return None, ""
+        return None
     stubs = stubs_in("".join(getlines(frames[-1].filename)))
     if name not in stubs:
-        return None, ""
+        return None
     line, has_code = stubs[name]
     if not has_code:
-        return name, ""
+        return Stub(name, "")
     delete = f"Delete line {line}, raise NotImplementedError"
-    return name, f"{delete}: it stops your function before its end."
+    return Stub(name, f"{delete}: it stops your function before its end.")
 
 
 def culprit_of(error: BaseException, text: str, places: tuple[Place, ...]) -> str | None:

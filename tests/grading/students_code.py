@@ -14,7 +14,7 @@ from grading import limits
 from grading.handout import FUNCTIONS, module_of
 from grading.instrument import watched
 from grading.present import present
-from grading.raised import StoppedError
+from grading.raised import stopped_error
 
 # The CSV that solutions read instead of the shipped one; each pendulum has another mass.
 SHIPPED_CSV = """\
@@ -88,7 +88,7 @@ class StudentsCode:
                 raise  # somebody has ended the debugger, and with it pytest
             if watch:
                 watch.error = error
-            raise StoppedError(error, "" if solution is None else function) from None
+            raise stopped_error(error, "" if solution is None else function) from None
         finally:
             self.put_back()
 
