@@ -106,6 +106,7 @@ class WrongError(Exception):
         self.lines = lines
         self.hint = hint
         self.raised = raised
+        self.call_number = present.calls  # of this call in the check
         self.help = ""  # what the check says about this call
         # Pairs of a part of the handout's formula, and its value in this call
         self.right: Sequence[tuple[str, Any]] = ()

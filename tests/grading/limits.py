@@ -30,6 +30,8 @@ MOST_MEMORY = 1000  # MB
 
 MEMORY_IN_USE = Path("/proc/self/statm")  # Linux has it; its sixth number counts the pages of data
 
+CLOCK, PROCESSOR = "clock", "processor"  # the time by which the grader stops a function
+
 # Errors for want of something that other programs use as well
 SHARED = errno.EAGAIN, errno.EDQUOT, errno.ENFILE, errno.ENOMEM, errno.ENOSPC
 # These now: pytest takes the input and the output away later, and a check must not end the process.
@@ -113,18 +115,21 @@ def is_debugged() -> bool:
     return has_tool or sys.gettrace() is not None
 
 
+def is_for_want_of_shared(error: BaseException) -> bool:
+    """Return whether an error is for want of something that other programs use as well."""
+    number = error.errno if isinstance(error, OSError) else None
+    return isinstance(error, MemoryError) or number in SHARED
+
+
 def over_limit(error: BaseException) -> str:
     """Return how a call that raised this error went over a limit, or "" if it did not."""
-    number = error.errno if isinstance(error, OSError) else None
-    if isinstance(error, MemoryError) or number in SHARED:
-        present.shared_was_short = True
-    if isinstance(error, KeyboardInterrupt) and present.has_waited:
+    if isinstance(error, KeyboardInterrupt) and present.stopped_by == CLOCK:
         return f"waited longer than {WAITING * PATIENCE:g} s"
-    if isinstance(error, KeyboardInterrupt) and present.is_late:
+    if isinstance(error, KeyboardInterrupt) and present.stopped_by == PROCESSOR:
         return f"took longer than {PATIENCE:g} s"
     if isinstance(error, MemoryError):
         return f"took more than {MOST_MEMORY} MB of memory"
-    if number == errno.EFBIG:
+    if isinstance(error, OSError) and error.errno == errno.EFBIG:
         import resource  # Windows has none, and no such limit
 
         # Pytest keeps in a file what a function prints
@@ -163,28 +168,30 @@ class Timer(threading.Thread):
     def run(self) -> None:
         start = time.process_time()
         start_by_clock = time.monotonic()
-        is_late = has_waited = False
-        while not (is_late or has_waited):
+        stop_by = ""
+        while not stop_by:
             if self.over.wait(LOOK):
                 return
-            if not present.is_debugged:
-                is_late = time.process_time() - start > self.seconds
-                has_waited = time.monotonic() - start_by_clock > WAITING * self.seconds
+            if present.is_debugged:
+                continue
+            if time.process_time() - start > self.seconds:
+                stop_by = PROCESSOR
+            elif time.monotonic() - start_by_clock > WAITING * self.seconds:
+                stop_by = CLOCK
         interrupts = 0
         while not self.over.is_set():
             with self.lock:
                 if not self.over.is_set():
-                    self.interrupt(by_clock=not is_late)
+                    self.interrupt(stop_by)
             interrupts += 1
             if not self.over.wait(AGAIN) and interrupts >= MOST_INTERRUPTS:
                 end_stubborn()
 
-    def interrupt(self, by_clock: bool) -> None:
+    def interrupt(self, stop_by: str) -> None:
         """Raise a KeyboardInterrupt in the main thread. It also ends a sleep."""
-        if by_clock:
-            present.has_waited = True
-            present.shared_was_short = True
-        present.is_late = True
+        present.stopped_by = stop_by
+        if stop_by == CLOCK:
+            present.shared_was_short = True  # a function may catch the interrupt
         if hasattr(signal, "pthread_kill"):
             signal.pthread_kill(main_thread_id(), signal.SIGINT)
         else:  # on Windows, any thread can send the signal
@@ -206,7 +213,7 @@ def patience(seconds: float) -> Iterator[None]:
     """
 
     def on_interrupt(*_: Any) -> None:
-        if not present.is_late:
+        if not present.stopped_by:
             present.is_pressed = True
         raise KeyboardInterrupt
 

@@ -249,7 +249,7 @@ def watch_again(check: Check, error: WrongError) -> Explained:
     raised = error.raised
     if present.is_debugged or (raised and isinstance(raised.error, MemoryError)):
         return NOTHING_SEEN
-    watch = Watch(present.calls, is_endless=bool(raised and raised.limit))
+    watch = Watch(error.call_number, is_endless=bool(raised and raised.limit))
     depth = sys.getrecursionlimit()
     sys.setrecursionlimit(DEEPER * depth)  # the changed code needs more calls
     try:

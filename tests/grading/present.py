@@ -20,8 +20,7 @@ class PresentCheck:
         self.watch = watch
         self.calls = 0  # of students' functions
         self.notes: list[str] = []  # sentences for a student whose solution is right
-        self.is_late = False  # the grader stopped it
-        self.has_waited = False  # the grader did so by the clock
+        self.stopped_by = ""  # the grader: by the CLOCK or the PROCESSOR of limits.py
         self.is_pressed = False  # somebody pressed Ctrl+C
         self.is_debugged = False  # no limit of time holds
 

@@ -86,6 +86,8 @@ class StudentsCode:
         except BaseException as error:  # also SystemExit
             if present.is_debugged and type(error).__name__ in ("BdbQuit", "Exit"):
                 raise  # somebody has ended the debugger, and with it pytest
+            if limits.is_for_want_of_shared(error):
+                present.shared_was_short = True
             if watch:
                 watch.error = error
             raise stopped_error(error, "" if solution is None else function) from None

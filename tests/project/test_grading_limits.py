@@ -151,3 +151,9 @@ def test_a_function_waits_for_one_that_it_need_not_use(solve):
     solve("uniform_e_newton_cradle", "return uniform_mass_newton_cradle(relative_filepath, e_val)")
     outcome = Grading().judge(checks(function="uniform_e_newton_cradle")[0])
     assert outcome[:2] == (WAITING, "waits for uniform_mass_newton_cradle")
+
+
+def test_a_mistake_has_its_table_also_if_other_checks_run_first(solve):
+    solve("uniform_e_newton_cradle", "return uniform_mass_newton_cradle(relative_filepath, e_val)")
+    outcome = Grading().judge(checks(function="uniform_e_newton_cradle")[0])
+    assert [row.is_title for row in outcome.rows] == [False]
