@@ -12,11 +12,11 @@ from grading.handout import FUNCTIONS
 from grading.layout import INDENT, Row
 from grading.messages import text_of
 from grading.notes import Run, Statement
-from grading.noting import EndlessError
 from grading.question import Answer, lines_in, Question
 from grading.ranks import IN_QUESTION
+from grading.stops import stops_in
 from grading.subject import Subject
-from grading.trace_table import Stop, Table
+from grading.trace_table import Table
 from grading.watch import Watch
 
 MOST_FUNCTIONS = 3  # that have a table
@@ -50,6 +50,7 @@ class WrongCall:
         self.right = right
         self.runs = [*watch.runs.values()]
         self.main = next(run for run in self.runs if self.name_of(run) == function)
+        self.stops = stops_in(watch)
         self.question = Question(function, subject, watch, self.main)
 
     def name_of(self, run: Run) -> str:
@@ -108,21 +109,6 @@ class WrongCall:
 
     def table(self, run: Run, needed: dict[int, int]) -> list[Row]:
         return Table(self.watch, run, self.stops.get(run), needed, self.marks, self.index).rows()
-
-    @cached_property
-    def stops(self) -> dict[Run, Stop]:
-        """Where the watched calls were stopped, the outer one first."""
-        found: dict[Run, Stop] = {}
-        error = self.watch.error
-        step = error.__traceback__ if error else None
-        while step:
-            run = self.watch.runs.get(step.tb_frame)
-            if run:
-                found[run] = stop_at(step.tb_lineno, error)
-                if isinstance(error, RecursionError):
-                    break  # of these, the outer call is enough
-            step = step.tb_next
-        return found
 
     def ends(self, run: Run) -> list[int]:
         """Return the lines with a return at which a call has come to its end."""
@@ -264,12 +250,3 @@ def sets_what_is_used(statement: ast.AST, node: ast.AST) -> bool:
         elif isinstance(target, ast.Subscript) and isinstance(target.slice, ast.Constant):
             keys.add(target.slice.value)
     return bool(names & names_in_head(node) or keys & keys_in_head(node))
-
-
-def stop_at(line: int, error: BaseException | None) -> Stop:
-    """Return how an error has stopped a line."""
-    if isinstance(error, EndlessError):
-        return Stop(line, "still here after 1000 turns", is_error=False)
-    if isinstance(error, KeyboardInterrupt):
-        return Stop(line, "stopped here", is_error=False)
-    return Stop(line, f"stops here: {type(error).__name__}", is_error=True)

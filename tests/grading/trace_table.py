@@ -11,6 +11,7 @@ from grading.layout import cell, cells, laid_out, once, Remark, Row, together
 from grading.notes import Called, LOOPS, Note, Run
 from grading.ranks import CALLS, IDLE, IN_QUESTION, NO_END, rank_after, VALUES
 from grading.source import Source, without_comment
+from grading.stops import Stop
 from grading.values import in_words
 from grading.watch import Watch
 
@@ -22,12 +23,11 @@ LONG = 140  # characters of the values of all turns; if they are longer, only on
 PROVIDED = "df = pd.read_csv(relative_filepath)", 'bad_rep = df.to_dict(orient="index")'
 
 
-class Stop(NamedTuple):
-    """Where a call was stopped."""
+class Turns(NamedTuple):
+    """How many turns a statement in a loop has made; 0 without a loop."""
 
-    line: int
-    how: str  # "stops here: TypeError"
-    is_error: bool  # and not a limit
+    finished: int  # turns of the innermost loop in which it came to its end
+    shown: int  # the same, but the condition of a while comes once more at each end of the loop
 
 
 class Table:
@@ -81,7 +81,7 @@ class Table:
         for line in reversed(lines):
             remark = None
             if line in self.by_line:
-                remark = self.remark(line)
+                remark = self.remark_on_line(line)
             elif rows:
                 remark = Remark(rows[0].rank)
             if remark:
@@ -107,7 +107,7 @@ class Table:
 
     # --- what is said of a line ---
 
-    def remark(self, line: int) -> Remark | None:
+    def remark_on_line(self, line: int) -> Remark | None:
         """Return what is said of a line with statements.
 
         Return None if it comes after the line that has stopped.
@@ -118,7 +118,7 @@ class Table:
                 numbers.append(number)
         if not numbers:
             return Remark(NO_END)
-        remark = self.remark_on_all(line, numbers)
+        remark = self.remark_on_statements(line, numbers)
         if remark is None:
             return None
         if line in self.marks:
@@ -129,48 +129,38 @@ class Table:
             return remark._replace(rank=min(remark.rank, rank_after(self.needed[line])))
         return remark
 
-    def remark_on_all(self, line: int, numbers: list[int]) -> Remark | None:
+    def remark_on_statements(self, line: int, numbers: list[int]) -> Remark | None:
         """Return what is said of these statements in a line."""
         found = []
         for number in numbers:
-            remark = self.remark_on_statement(number, line)
+            remark = self.remark_on_statement(number)
             if remark:
                 found.append(remark)
         if self.stop and line == self.stop_start:
-            return self.stopped(self.stop, numbers, found)
+            return self.remark_on_stop(self.stop, numbers, found)
         if found:
             return together(found)
         if self.stop and self.stop.is_error and line > self.stop.line and self.run.is_whole:
             return None
-        return Remark(NO_END, self.never_ran(line, numbers))
+        return Remark(NO_END, self.why_it_has_no_end(line, numbers))
 
-    def remark_on_statement(self, number: int, line: int) -> Remark | None:
+    def remark_on_statement(self, number: int) -> Remark | None:
         """Return what is said of a statement, or None if it did not come to its end."""
         notes = self.run.notes.get(number)
         is_loop = isinstance(self.node(number), LOOPS)
         if not notes:
             is_empty = is_loop and number in self.run.values and not self.stop
             return Remark(VALUES, "no turn") if is_empty else None
-        count = self.count_of(number)
-        if not self.run.is_whole:
-            count = max(0, count - 1)  # the last turn was not watched to its end
-        if self.stop and line == self.stop_start and count > 1 and not is_loop:
-            count -= 1  # the last turn has stopped here
-        beside = self.in_turns_of(notes, count, is_loop) if count else once(notes[-1].values)
+        turns = self.turns_of(number, notes)
         rank = IDLE
         if any(note.calls for note in notes):
             rank = CALLS
         elif any(note.values for note in notes):
             rank = VALUES
-        return Remark(rank, beside, tuple(self.calls(number, notes, count)))
+        beside = self.in_turns(notes, turns, is_loop)
+        return Remark(rank, beside, tuple(self.calls(number, notes, turns)))
 
-    def count_of(self, number: int) -> int:
-        """Return how many turns the innermost loop has made that is or is around a statement."""
-        statement = self.watch.statements[number]
-        loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
-        return self.run.turns[loops[-1]] if loops else 0
-
-    def stopped(self, stop: Stop, numbers: list[int], found: list[Remark]) -> Remark:
+    def remark_on_stop(self, stop: Stop, numbers: list[int], found: list[Remark]) -> Remark:
         """Return what is said of the line that has stopped.
 
         These are its earlier turns, and the values at which it stopped.
@@ -183,15 +173,15 @@ class Table:
                 below += self.watch.values_in(self.run, number).stopped_at(self.node(number))
                 if not below and number in self.run.values:  # its value was not taken apart
                     below.append(f"the value is {in_words(self.run.values[number])}")
-            count = self.count_of(number)
-            turn = f"turn {count}: " if count > 1 else ""
+            turn = self.begun_turns(number)
+            label = f"turn {turn}: " if turn > 1 else ""
             for called in calls:
                 if called.got:
-                    below.append(f"{turn}{called.name} got {called.got}")
+                    below.append(f"{label}{called.name} got {called.got}")
         beside = f"{remark.beside}  <- {stop.how}".strip()
         return Remark(IN_QUESTION, beside, (*below, *remark.below[-1:]))
 
-    def never_ran(self, line: int, numbers: list[int]) -> str:
+    def why_it_has_no_end(self, line: int, numbers: list[int]) -> str:
         """Return what is said beside a line that did not come to its end in any turn."""
         for stopped, kind in self.run.hidden.items():
             if line == self.start_of(stopped):
@@ -213,49 +203,73 @@ class Table:
 
     # --- the turns of a loop ---
 
-    def shown_turns(self, count: int) -> list[int]:
+    def begun_turns(self, number: int) -> int:
+        """Return how many turns the innermost loop has begun that is or is around a statement."""
+        statement = self.watch.statements[number]
+        loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
+        return self.run.turns[loops[-1]] if loops else 0
+
+    def turns_of(self, number: int, notes: list[Note]) -> Turns:
+        """Return the turns of a statement that has these notes."""
+        finished = self.begun_turns(number)
+        if not self.run.is_whole:
+            finished = max(0, finished - 1)  # the last turn was not watched to its end
+        node = self.node(number)
+        has_stopped = self.stop is not None and node.lineno == self.stop_start
+        if has_stopped and finished > 1 and not isinstance(node, LOOPS):
+            finished -= 1  # the last turn has stopped here
+        return Turns(finished, len(notes) if notes[0].is_condition_of_loop else finished)
+
+    def numbers_of_turns(self, shown: int) -> list[int]:
         """Return which turns are shown: the first two, the one in question, and the last one."""
-        if count <= FEW:
-            return [*range(1, count + 1)]
-        turns = {1, 2, count}
-        if self.index is not None and self.index < count:
+        if shown <= FEW:
+            return [*range(1, shown + 1)]
+        turns = {1, 2, shown}
+        if self.index is not None and self.index < shown:
             turns.add(self.index + 1)
         return sorted(turns)
 
-    def in_turns_of(self, notes: list[Note], count: int, is_loop: bool) -> str:
+    def in_turns(self, notes: list[Note], turns: Turns, is_loop: bool) -> str:
         """Return what a statement gave, in each turn of its loop that is shown."""
-        by_turn = {note.turn: cell(note.values) for note in notes}
-        turns = count
-        if notes[0].is_condition_of_loop:  # it comes once more at each end
+        if not turns.finished:
+            return once(notes[-1].values)
+        if notes[0].is_condition_of_loop:
             by_turn = {i: cell(note.values) for i, note in enumerate(notes, start=1)}
-            count = len(notes)
-            if self.stop and not self.stop.is_error:
-                turns = count
-        is_in_each = len(by_turn) == count
+        else:
+            by_turn = {note.turn: cell(note.values) for note in notes}
+        is_in_each = len(by_turn) == turns.shown
         if is_in_each and not any(note.values for note in notes):
             return ""
-        is_same = is_in_each and len({*by_turn.values()}) == 1 and count > 2
-        if is_same and (count > FEW or len(by_turn[1]) > SHORT):
+        is_same = is_in_each and len({*by_turn.values()}) == 1 and turns.shown > 2
+        if is_same and (turns.shown > FEW or len(by_turn[1]) > SHORT):
             text = f"{by_turn[1]}, in each turn"
         else:
-            text = cells(by_turn, self.shown_turns(count))
-        if len(text) > LONG and self.index is not None and self.index < count:
+            text = cells(by_turn, self.numbers_of_turns(turns.shown))
+        if len(text) > LONG and self.index is not None and self.index < turns.shown:
             turn = self.index + 1
             return f"turn {turn}: {by_turn.get(turn, '-')}"
-        if not is_loop or count <= FEW:
+        if not is_loop or turns.shown <= FEW:
             return text
-        if not self.run.is_whole:
-            return f"{text}  (more than {turns} turns: not watched further)"
-        return f"{text}  ({turns} turns)"
+        return f"{text}  ({self.number_of_turns(notes, turns)})"
 
-    def calls(self, number: int, notes: list[Note], count: int) -> list[str]:
+    def number_of_turns(self, notes: list[Note], turns: Turns) -> str:
+        """Return how many turns a loop has made, with the one that a limit has stopped."""
+        number = turns.finished
+        is_over_limit = self.stop is not None and not self.stop.is_error
+        if is_over_limit and notes[0].is_condition_of_loop:
+            number = turns.shown  # the condition has come in this turn, too
+        if not self.run.is_whole:
+            return f"more than {number} turns: not watched further"
+        return f"{number} turns"
+
+    def calls(self, number: int, notes: list[Note], turns: Turns) -> list[str]:
         """Return what the called functions got and gave, in the turns that are shown."""
         lines = []
         for note in self.notes_with_calls(number, notes):
             turn = note.turn
             if note.is_condition_of_loop:
                 turn += 1  # it comes before its turn
-            label = f"turn {turn}: " if count > 1 else ""
+            label = f"turn {turn}: " if turns.finished > 1 else ""
             for called in note.calls:
                 parts = []
                 if called.got:
