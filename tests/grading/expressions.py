@@ -17,6 +17,7 @@ PARTS = ast.Call, ast.Subscript, ast.Attribute, ast.BinOp, ast.UnaryOp, ast.Comp
 # Nobody looks into these: they may run later, or many times.
 AS_THEY_ARE = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.JoinedStr
 
+Span = tuple[int, int, int, int]  # of code: its first line and column, and its last ones
 MOST_KEYS = 8  # that are shown of a dictionary
 SIGNS = {
     ast.Lt: "<",
@@ -37,13 +38,13 @@ def is_part(node: ast.AST) -> TypeGuard[ast.expr]:
     return isinstance(node, PARTS) and isinstance(getattr(node, "ctx", ast.Load()), ast.Load)
 
 
-def place_of(node: Any) -> tuple[int, ...]:
-    """Return the place of a node in its file."""
+def span_of(node: Any) -> Span:
+    """Return where a node begins and ends in its file."""
     return node.lineno, node.col_offset, node.end_lineno, node.end_col_offset
 
 
 def targets_of(node: ast.AST) -> list[ast.expr]:
-    """Return the places that get a value in a statement, each place of a tuple alone."""
+    """Return the targets that get a value in a statement, each one of a tuple alone."""
     left = [*node.targets] if isinstance(node, ast.Assign) else [getattr(node, "target", None)]
     found = []
     while left:
@@ -98,7 +99,7 @@ class Values:
     """The values in a statement: of its parts that were noted, and of the names in its frame."""
 
     def __init__(self, frame: FrameType, parts: dict):
-        """parts has the noted values, by their places."""
+        """parts has the noted values, by their spans."""
         self.frame = frame
         self.parts = parts
         self.names = names_in(frame)
@@ -107,8 +108,8 @@ class Values:
 
     def of(self, node: ast.expr) -> Any:
         """Return the value of a node; raise a LookupError if it is not known."""
-        if place_of(node) in self.parts:
-            return self.parts[place_of(node)]
+        if span_of(node) in self.parts:
+            return self.parts[span_of(node)]
         if isinstance(node, ast.Constant):
             return node.value
         if isinstance(node, ast.Name):

@@ -1,4 +1,4 @@
-"""The checks, and the calls of the students' functions. outcomes.py makes the checks.
+"""The checks, and the calls of the students' functions. outcomes.py performs the checks.
 
 A check is a function in a suite, such as test_d.py, with @check above it, which names the function
 of the handout. Its docstring, in words of the handout, is its title. It calls the function through

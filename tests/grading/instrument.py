@@ -5,14 +5,14 @@ watch.py has the Watch. All lines keep their numbers. Of a function with these l
     while i < 3:
         a = b[i]
 
-the body becomes this (with the place of i < 3 or of b[i] in the file in place of PLACE):
+the body becomes this (with the lines and columns of i < 3 or of b[i] in place of SPAN):
 
     __watch__.enter(0)
     __watch__.begin_statement(1)
-    while __watch__.test(1, __watch__.part(1, PLACE, i < 3)):
+    while __watch__.test(1, __watch__.part(1, SPAN, i < 3)):
         __watch__.turn(1)
         __watch__.begin_statement(2)
-        a = __watch__.value(2, __watch__.part(2, PLACE, b[i]))
+        a = __watch__.value(2, __watch__.part(2, SPAN, b[i]))
         __watch__.done(2)
 """
 
@@ -25,7 +25,7 @@ from copy import deepcopy
 from types import CodeType, FunctionType
 from typing import Any
 
-from grading.expressions import AS_THEY_ARE, is_part, place_of
+from grading.expressions import AS_THEY_ARE, is_part, span_of
 from grading.handout import FUNCTIONS, is_students, module_of
 from grading.notes import LOOPS, Statement
 from grading.watch import Watch
@@ -70,7 +70,7 @@ class Parts(ast.NodeTransformer):
         if isinstance(node, ast.Call):
             new.func = hand("function", self.number, new.func)
         if is_part(node):
-            new = hand("part", self.number, place_of(node), new)
+            new = hand("part", self.number, span_of(node), new)
         return hand("receiver", self.number, new) if node is self.receiver else new
 
 

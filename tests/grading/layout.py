@@ -4,7 +4,7 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from grading.messages import COLUMNS
-from grading.notes import Value
+from grading.notes import ValueInWords
 
 INDENT = 4  # spaces in front of each row
 CODE = 34  # columns of a short line of code; the values of all short lines stand below each other
@@ -66,7 +66,7 @@ def shortened(line: str) -> str:
     return f"{line} ..."
 
 
-def cell(values: list[Value]) -> str:
+def cell(values: list[ValueInWords]) -> str:
     """Return what a statement gave in one turn."""
     texts = [value.text for value in values]
     if not texts:
@@ -86,10 +86,10 @@ def cells(by_turn: dict[int, str], turns: list[int]) -> str:
     return " | ".join(texts)
 
 
-def once(values: list[Value]) -> str:
+def once(values: list[ValueInWords]) -> str:
     """Return what a statement gave outside of loops.
 
-    A place whose code stands in the line needs no label.
+    A target whose code stands in the line needs no label.
     """
     if len(values) == 1 and not values[0].code.isidentifier():
         return values[0].text

@@ -103,8 +103,8 @@ def without_ends() -> Iterator[None]:
         changed["sys.breakpointhook"] = nothing
         changed["pdb.set_trace"] = nothing
     with ExitStack() as stack:
-        for place, function in changed.items():
-            stack.enter_context(patch(place, function))
+        for name, function in changed.items():
+            stack.enter_context(patch(name, function))
         yield
 
 

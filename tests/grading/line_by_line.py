@@ -11,7 +11,7 @@ from grading.expressions import keys_in_head, names_in_head, targets_of
 from grading.handout import FUNCTIONS
 from grading.layout import INDENT, Row
 from grading.messages import text_of
-from grading.notes import Run, Statement
+from grading.notes import Statement, WatchedCall
 from grading.question import Answer, lines_in, Question
 from grading.ranks import IN_QUESTION
 from grading.stops import stops_in
@@ -48,13 +48,13 @@ class WrongCall:
         self.watch = watch
         self.index = subject.list_index
         self.right = right
-        self.runs = [*watch.runs.values()]
-        self.main = next(run for run in self.runs if self.name_of(run) == function)
+        self.calls = [*watch.calls.values()]
+        self.main = next(call for call in self.calls if self.name_of(call) == function)
         self.stops = stops_in(watch)
         self.question = Question(function, subject, watch, self.main)
 
-    def name_of(self, run: Run) -> str:
-        return self.watch.statements[run.definition].node.name
+    def name_of(self, call: WatchedCall) -> str:
+        return self.watch.statements[call.definition].node.name
 
     @cached_property
     def answer(self) -> Answer:
@@ -64,30 +64,30 @@ class WrongCall:
     def explained(self) -> Explained:
         """Return what was seen."""
         rows = []
-        runs: list[Run] = []
-        run: Run | None = self.main
-        while run and run not in runs and len(runs) < MOST_FUNCTIONS:
-            needed = self.needed(run, self.starts_in(run))
-            table = self.table(run, needed)
-            if runs:
+        calls: list[WatchedCall] = []
+        call: WatchedCall | None = self.main
+        while call and call not in calls and len(calls) < MOST_FUNCTIONS:
+            needed = self.needed(call, self.starts_in(call))
+            table = self.table(call, needed)
+            if calls:
                 rank = min((row.rank for row in table), default=IN_QUESTION)
-                title = f"{' ' * INDENT}Your function {self.name_of(run)}, called there:"
+                title = f"{' ' * INDENT}Your function {self.name_of(call)}, called there:"
                 rows.append(Row(rank, [title], is_title=True))
             rows += table
-            runs.append(run)
-            helper = self.helper(run, needed)
-            if run is self.main and not helper:
+            calls.append(call)
+            helper = self.helper(call, needed)
+            if call is self.main and not helper:
                 helper = self.other_helper()
-            run = helper
-        return Explained(self.line(), rows, self.facts(runs))
+            call = helper
+        return Explained(self.line(), rows, self.facts(calls))
 
-    def starts_in(self, run: Run) -> list[int]:
+    def starts_in(self, call: WatchedCall) -> list[int]:
         """Return the lines that matter, from which needed finds the lines that lead to them."""
         stops = [stop.line for stop in self.stops.values()]
         starts = [*self.answer.lines, *self.marks, *stops]
-        if run is not self.main:
-            return [*starts, *self.ends(run)]
-        return starts if self.needed(run, starts) else self.ends(run)
+        if call is not self.main:
+            return [*starts, *self.ends(call)]
+        return starts if self.needed(call, starts) else self.ends(call)
 
     def line(self) -> int:
         """Return the line where to look, 0 if it is not known."""
@@ -96,40 +96,40 @@ class WrongCall:
         lines = [*self.marks] or self.answer.lines or self.ends(self.main)
         return lines[-1] if lines else 0
 
-    def facts(self, runs: list[Run]) -> list[str]:
+    def facts(self, calls: list[WatchedCall]) -> list[str]:
         """Return sentences about what was seen in these calls."""
         facts = [*self.answer.facts]
         if self.watch.error:
             return facts
-        facts += [*self.early_returns(runs), *self.nothing_returned(), *self.missing_calls()]
+        facts += [*self.early_returns(calls), *self.nothing_returned(), *self.missing_calls()]
         if self.right:
             parts = [f"{name} = {text_of(value)}" for name, value in self.right]
             facts.append(f"Right here: {', '.join(parts)}.")
         return facts
 
-    def table(self, run: Run, needed: dict[int, int]) -> list[Row]:
-        return Table(self.watch, run, self.stops.get(run), needed, self.marks, self.index).rows()
+    def table(self, call: WatchedCall, needed: dict[int, int]) -> list[Row]:
+        return Table(self.watch, call, self.stops.get(call), needed, self.marks, self.index).rows()
 
-    def ends(self, run: Run) -> list[int]:
+    def ends(self, call: WatchedCall) -> list[int]:
         """Return the lines with a return at which a call has come to its end."""
-        nodes = [self.watch.statements[number].node for number in run.notes]
+        nodes = [self.watch.statements[number].node for number in call.notes]
         return [node.lineno for node in nodes if isinstance(node, ast.Return)]
 
-    def statements_of(self, run: Run) -> list[Statement]:
+    def statements_of(self, call: WatchedCall) -> list[Statement]:
         """Return the statements in the function of a call."""
         found = []
         for number, statement in enumerate(self.watch.statements):
-            if statement.owner == run.definition != number:
+            if statement.owner == call.definition != number:
                 found.append(statement)
         return found
 
-    def needed(self, run: Run, starts: list[int]) -> dict[int, int]:
+    def needed(self, call: WatchedCall, starts: list[int]) -> dict[int, int]:
         """Return these lines of a call, and all lines that set what they use.
 
         The loops and conditions around them are needed, too. Each line has the number of steps that
         lead to it.
         """
-        nodes = [statement.node for statement in self.statements_of(run)]
+        nodes = [statement.node for statement in self.statements_of(call)]
         found: dict[int, int] = {}
         left = [(line, 0) for line in starts]
         while left:
@@ -139,29 +139,28 @@ class WrongCall:
             for node in nodes:
                 if node.lineno == line:
                     found[line] = depth
-                    lines = lines_in(self.question.stores_of(names_in_head(node), run))
+                    lines = lines_in(self.question.stores_of(names_in_head(node), call))
                     lines += [other.lineno for other in nodes if sets_what_is_used(other, node)]
                     left += [(other, depth + 1) for other in lines]
                 elif hasattr(node, "body") and node.lineno < line <= node.end_lineno:
                     left.append((node.lineno, depth + 1))
         return found
 
-    def helper(self, run: Run, needed: dict[int, int]) -> Run | None:
+    def helper(self, call: WatchedCall, needed: dict[int, int]) -> WatchedCall | None:
         """Return the call of a helper that stopped in this call, or that a needed line made."""
         stopped = [*self.stops]
-        if run in stopped and run is not stopped[-1]:
-            return stopped[stopped.index(run) + 1]
+        if call in stopped and call is not stopped[-1]:
+            return stopped[stopped.index(call) + 1]
         by_line = {}
-        for number, notes in run.notes.items():
+        for number, notes in call.notes.items():
             by_line[self.watch.statements[number].node.lineno] = notes
         for line in sorted(needed, key=lambda line: (needed[line], -line)):
             notes_of_line = by_line.get(line)
             if notes_of_line:
-                runs = [
-                    called.run for called in self.in_question(notes_of_line).calls if called.run
-                ]
-                if runs:
-                    return runs[-1]
+                called = self.in_question(notes_of_line).calls
+                helpers = [call.watched_call for call in called if call.watched_call]
+                if helpers:
+                    return helpers[-1]
         return None
 
     def in_question(self, elements: list) -> Any:
@@ -170,32 +169,32 @@ class WrongCall:
             return elements[self.index]
         return elements[-1]
 
-    def other_helper(self) -> Run | None:
+    def other_helper(self) -> WatchedCall | None:
         """Return the call of another function of the student's for the pendulum in question.
 
         Without one, return the last call.
         """
         others = []
-        for run in self.runs:
-            name = self.name_of(run)
+        for call in self.calls:
+            name = self.name_of(call)
             if name != self.function and "__" not in name:
-                others.append(run)
+                others.append(call)
         return self.in_question(others) if others and not self.stops else None
 
     def missing_calls(self) -> list[str]:
         """Return a sentence for each function that the handout tells to use, and no line names."""
         names: set[str] = set()
-        for run in self.runs:
-            for node in ast.walk(self.watch.statements[run.definition].node):
+        for call in self.calls:
+            for node in ast.walk(self.watch.statements[call.definition].node):
                 names.update(getattr(node, field, "") for field in ("id", "attr", "name"))
         missing = [name for name in FUNCTIONS[self.function].must_name if name not in names]
         return [f"No line of your function calls {name}." for name in missing]
 
-    def early_returns(self, runs: list[Run]) -> list[str]:
+    def early_returns(self, calls: list[WatchedCall]) -> list[str]:
         """Return sentences about the returns that have ended a loop in these calls."""
         found = []
-        for run in runs:
-            for number, notes in run.notes.items():
+        for call in calls:
+            for number, notes in call.notes.items():
                 statement = self.watch.statements[number]
                 if isinstance(statement.node, ast.Return) and statement.loops:
                     line = statement.node.lineno

@@ -26,10 +26,10 @@ class Statement:
     is_shown: bool  # in a table, if no error stops it: a print and an inner function are not
 
 
-class Value(NamedTuple):
+class ValueInWords(NamedTuple):
     """A value that a statement gave, as text."""
 
-    code: str  # of its place, or ""
+    code: str  # of its target, or ""
     text: str
     is_false: bool = False  # of a condition
     is_lost: bool = False  # no name gets it
@@ -43,7 +43,7 @@ class Called:
     got: str  # its parameters and their values
     gave: str = ""  # its result and what it has changed; "" if it did not come to its end
     says_result: bool = False  # whether `gave` has its result
-    run: Any = None  # its Run, if the student wrote it
+    watched_call: Any = None  # its WatchedCall, if the student wrote it
 
 
 @dataclass
@@ -51,15 +51,15 @@ class Note:
     """What a statement gave once."""
 
     turn: int  # of the innermost loop around it; for a loop, its own one; 0 without a loop
-    values: list[Value]
+    values: list[ValueInWords]
     calls: list[Called] = field(default_factory=list)
     is_condition_of_loop: bool = False  # of a while
 
 
 class Store(NamedTuple):
-    """A value that a line has stored in a place: a dictionary with a key, or a call with a name."""
+    """A value that a line has stored: in a dictionary under a key, or in a call under a name."""
 
-    place: Any  # the dictionary, or the Run
+    holder: Any  # the dictionary, or the WatchedCall
     key: Any  # the key, or the name
     line: int
     value: Any
@@ -74,7 +74,7 @@ class Known(NamedTuple):
     giver: str  # the function that gave it, "" for the check
 
 
-class Run:
+class WatchedCall:
     """One call of a function that the student wrote."""
 
     def __init__(self, definition: int, frame: FrameType):
@@ -88,10 +88,10 @@ class Run:
         self.notes: defaultdict[int, list[Note]] = defaultdict(list)
         # Of the statements that have begun, and not come to their ends, by their numbers:
         self.begun: set[int] = set()
-        self.values: dict[int, Any] = {}  # the value of the expression
-        # The values of its parts, by their places
+        self.whole_values: dict[int, Any] = {}  # the value of the whole expression
+        # The values of its parts, by their spans
         self.parts: defaultdict[int, dict] = defaultdict(dict)
-        self.calls: defaultdict[int, list[Called]] = defaultdict(list)
+        self.called: defaultdict[int, list[Called]] = defaultdict(list)
         self.before: dict[int, tuple] = {}  # what a method may change, and a copy from before
         # The errors that an except has taken, by the line that has stopped
         self.hidden: dict[int, str] = {}
@@ -103,7 +103,7 @@ class Run:
         """A statement begins: forget its notes from a turn that an error has stopped."""
         self.begun.add(number)
         self.turns_now[number] = 0
-        for kept in (self.values, self.parts, self.calls, self.before):
+        for kept in (self.whole_values, self.parts, self.called, self.before):
             kept.pop(number, None)
 
 

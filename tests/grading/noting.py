@@ -22,10 +22,10 @@ def noting(method: Callable) -> Callable:
 
     @wraps(method)
     def note(self: Any, number: int, *values: Any) -> Any:
-        run = self.run_of(sys._getframe(1))
-        if run:
+        call = self.call_of(sys._getframe(1))
+        if call:
             with suppress(Exception):
-                method(self, run, number, *values)
+                method(self, call, number, *values)
         return values[-1] if values else None
 
     return note

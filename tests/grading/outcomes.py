@@ -1,4 +1,4 @@
-"""The outcomes of the checks: each check is made once, in the order in which functions need others.
+"""The outcomes of the checks, performed once each, in the order in which functions need others.
 
 pytest_grader.py asks for them in pytest, and grade.py makes a grade of them.
 """
@@ -73,7 +73,7 @@ def waiting(cause: str, place: str = "") -> Outcome:
 
 
 class Grading:
-    """The outcomes of the checks. Each check is made once."""
+    """The outcomes of the checks. Each check is performed once."""
 
     def __init__(self) -> None:
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
@@ -92,24 +92,24 @@ class Grading:
         return self.outcomes[check.name]
 
     def outcome_of(self, check: Check) -> Outcome:
-        """Return the outcome of a check that was not made yet."""
-        causes = [name for name in needed(check.function) if self.is_wrong(name)]
+        """Return the outcome of a check that was not performed yet."""
+        causes = [name for name in needed(check.function) if self.is_not_right(name)]
         if not causes:
-            return waiting(check.function) if check.function in self.hung else self.make(check)
+            return waiting(check.function) if check.function in self.hung else self.perform(check)
         if not self.hung:  # find out whether the function is written
-            outcome = self.make(checks(function=check.function)[0])
+            outcome = self.perform(checks(function=check.function)[0])
             waits_for_file = outcome.waits_for in self.broken.values()
             if outcome.is_unwritten or outcome.broken_file or waits_for_file:
                 return outcome
         return waiting(", ".join(causes))
 
-    def is_wrong(self, function: str) -> bool:
+    def is_not_right(self, function: str) -> bool:
         """Return whether the function is not written, or one of its own checks fails."""
         outcomes = [self.judge(check) for check in checks(function=function)]
         return any(outcome.is_unwritten or outcome.is_wrong for outcome in outcomes)
 
-    def make(self, check: Check) -> Outcome:
-        """Make a check, and return its outcome."""
+    def perform(self, check: Check) -> Outcome:
+        """Perform a check, and return its outcome."""
         file = FUNCTIONS[check.function].file
         if file in self.broken:
             return waiting(self.broken[file])
@@ -176,7 +176,7 @@ class Grading:
         earlier = functions[: functions.index(function)]
         wrong = []
         for name in code.names:
-            if name in earlier and not self.hung and self.is_wrong(name):
+            if name in earlier and not self.hung and self.is_not_right(name):
                 wrong.append(name)
         return wrong
 
@@ -241,7 +241,7 @@ def ask(check: Check, watch: Watch | None = None) -> None:
 
 
 def watch_again(check: Check, error: WrongError) -> Explained:
-    """Make a check that fails once more, watch the call that is wrong, and return what was seen.
+    """Perform a failed check again, watch the call that is wrong, and return what was seen.
 
     error is the WrongError of the check. The student's code prints nothing now. Return NOTHING_SEEN
     if something else happens, under a debugger, and if the function took too much memory.
@@ -257,7 +257,7 @@ def watch_again(check: Check, error: WrongError) -> Explained:
             ask(check, watch)
     except WrongError as again:
         is_same = f"{again}" == f"{error}" and again.call.lines() == error.call.lines()
-        if watch.runs and (is_same or isinstance(watch.error, EndlessError)):
+        if watch.calls and (is_same or isinstance(watch.error, EndlessError)):
             with suppress(Exception):  # a student's values may say nothing of themselves
                 call = WrongCall(check.function, error.subject, watch, error.right)
                 return call.explained()

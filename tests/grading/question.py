@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from grading.expressions import AS_THEY_ARE, names_in_head, operations_in, targets_of
 from grading.handout import FUNCTIONS
-from grading.notes import Known, LOOPS, Run, Store
+from grading.notes import Known, LOOPS, Store, WatchedCall
 from grading.subject import Subject
 from grading.values import in_words
 from grading.watch import Watch
@@ -28,7 +28,7 @@ class Answer(NamedTuple):
 class Question:
     """Finds the lines that have set the value in question."""
 
-    def __init__(self, function: str, subject: Subject, watch: Watch, main: Run):
+    def __init__(self, function: str, subject: Subject, watch: Watch, main: WatchedCall):
         """main is the call of the function.
 
         subject is what the sentence about the mistake names.
@@ -38,9 +38,9 @@ class Question:
         self.watch = watch
         self.main = main
         names = self.function.parameters.split(", ")
-        self.values = dict(zip(names, watch.arguments, strict=False))
+        self.values_by_name = dict(zip(names, watch.arguments, strict=False))
         if main.has_result:
-            self.values[self.function.returns] = main.result
+            self.values_by_name[self.function.returns] = main.result
 
     def answer(self) -> Answer:
         """Return the lines that have set the value, else those that give the result."""
@@ -73,7 +73,7 @@ class Question:
             return Answer()
         setting = self.lines_with_key(key, name)
         lines = [*self.lines_of_list(), *setting]
-        stores = [store for store in self.watch.stores if store.place is pend and store.key == key]
+        stores = [store for store in self.watch.stores if store.holder is pend and store.key == key]
         if stores and stores[-1].value is pend.get(key):
             steps = [f"to {store.text} in line {store.line}" for store in stores[-3:]]
             fact = f"{key} of {name} was set {', then '.join(steps)}."
@@ -91,7 +91,7 @@ class Question:
     def of_keys(self) -> list[int]:
         """Return the lines for a pendulum with other keys: those that store something in it."""
         pend = self.pendulum()
-        return lines_in(store for store in self.watch.stores if store.place is pend)
+        return lines_in(store for store in self.watch.stores if store.holder is pend)
 
     def of_object(self) -> list[int]:
         """Return the lines for the place or the looks of an object.
@@ -101,14 +101,14 @@ class Question:
         parameter = self.subject.value if self.subject.value in MAKE_PENDULUM else "theta"
         if self.subject.owner == "axle":
             parameter = "axle_pos"
-        for run, number in self.statements_that_ran():
+        for call, number in self.statements_that_ran():
             node = self.node(number)
-            for call in operations_in(node):
-                if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "make_pendulum":
-                    given: dict = dict(zip(MAKE_PENDULUM, call.args, strict=False))
-                    given |= {option.arg: option.value for option in call.keywords}
+            for part in operations_in(node):
+                if isinstance(part, ast.Call) and getattr(part.func, "id", "") == "make_pendulum":
+                    given: dict = dict(zip(MAKE_PENDULUM, part.args, strict=False))
+                    given |= {option.arg: option.value for option in part.keywords}
                     if parameter in given:
-                        stores = self.stores_of(names_in_head(given[parameter]), run)
+                        stores = self.stores_of(names_in_head(given[parameter]), call)
                         return lines_in(stores) or [node.lineno]
         return []
 
@@ -127,7 +127,7 @@ class Question:
         if not isinstance(part, ast.Name) or self.subject.is_result:
             return Answer([*lines, node.lineno])
         facts = []
-        if wrong and part.id in self.values and not self.is_set(part.id):
+        if wrong and part.id in self.values_by_name and not self.is_set(part.id):
             name = names[wrong[0]]
             facts.append(f"{name} is your {part.id}, and no line of your function has set it.")
         return Answer(lines or [node.lineno], facts)
@@ -136,7 +136,7 @@ class Question:
 
     def pendulum(self) -> dict | None:
         """Return the pendulum in question, if it is there."""
-        found = self.values.get(self.subject.owner)
+        found = self.values_by_name.get(self.subject.owner)
         index = self.subject.list_index
         if index is not None:
             if not isinstance(found, (list, tuple)) or index >= len(found):
@@ -161,8 +161,8 @@ class Question:
 
         An example is p.update(e=0) in a comprehension.
         """
-        for run in self.watch.runs.values():
-            for node in ast.walk(self.node(run.definition)):
+        for call in self.watch.calls.values():
+            for node in ast.walk(self.node(call.definition)):
                 is_union = isinstance(node, ast.AugAssign) and isinstance(node.op, ast.BitOr)
                 names = {getattr(node, "id", ""), getattr(node, "attr", "")}
                 if is_union or names & UNSEEN or isinstance(node, AS_THEY_ARE):
@@ -172,21 +172,21 @@ class Question:
     def conditions_around(self, line: int) -> list[int]:
         """Return the line of the innermost condition that was not true, and has a line in it."""
         found = []
-        for run, number in self.statements_that_ran():
+        for call, number in self.statements_that_ran():
             node = self.node(number)
             is_condition = isinstance(node, (ast.If, ast.While))
             if not is_condition or not node.lineno < line <= node.end_lineno:
                 continue
-            if run.notes[number][-1].values[0].is_false:
+            if call.notes[number][-1].values[0].is_false:
                 found.append(node.lineno)
         return found[-1:]
 
     def lines_without_effect(self) -> list[int]:
         """Return the lines with a value that no name got."""
         found = []
-        for run, number in self.statements_that_ran():
+        for call, number in self.statements_that_ran():
             node = self.node(number)
-            if any(value.is_lost for value in run.notes[number][-1].values):
+            if any(value.is_lost for value in call.notes[number][-1].values):
                 found.append(node.lineno)
         return found
 
@@ -242,11 +242,11 @@ class Question:
     def node(self, number: int) -> Any:
         return self.watch.statements[number].node
 
-    def statements_that_ran(self) -> Iterable[tuple[Run, int]]:
+    def statements_that_ran(self) -> Iterable[tuple[WatchedCall, int]]:
         """Yield each call that was watched, with the number of each of its statements that ran."""
-        for run in self.watch.runs.values():
-            for number in run.notes:
-                yield run, number
+        for call in self.watch.calls.values():
+            for number in call.notes:
+                yield call, number
 
     def returned(self) -> ast.Return | None:
         """Return the statement that gave the result of the function."""
@@ -255,9 +255,9 @@ class Question:
                 return self.node(number)
         return None
 
-    def stores_of(self, names: Container[str], run: Run) -> list[Store]:
+    def stores_of(self, names: Container[str], call: WatchedCall) -> list[Store]:
         """Return what was stored under these names of a call."""
-        return [store for store in self.watch.stores if store.place is run and store.key in names]
+        return [store for store in self.watch.stores if store.holder is call and store.key in names]
 
 
 def first_with_last_value(stores: list[Store]) -> int:

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from grading.notes import Run
+from grading.notes import WatchedCall
 from grading.noting import EndlessError
 from grading.watch import Watch
 
@@ -15,17 +15,17 @@ class Stop(NamedTuple):
     is_error: bool  # and not a limit
 
 
-def stops_in(watch: Watch) -> dict[Run, Stop]:
+def stops_in(watch: Watch) -> dict[WatchedCall, Stop]:
     """Return where the watched calls were stopped, the outer one first."""
     error = watch.error
     if error is None:
         return {}
-    found: dict[Run, Stop] = {}
+    found: dict[WatchedCall, Stop] = {}
     step = error.__traceback__
     while step:
-        run = watch.runs.get(step.tb_frame)
-        if run:
-            found[run] = stop_at(step.tb_lineno, error)
+        call = watch.calls.get(step.tb_frame)
+        if call:
+            found[call] = stop_at(step.tb_lineno, error)
             if isinstance(error, RecursionError):
                 break  # of these, the outer call is enough
         step = step.tb_next

@@ -77,7 +77,7 @@ class StudentsCode:
         try:
             with limits.limited_memory():
                 solution = self.find(function)
-                if watch and present.calls == watch.call:
+                if watch and present.calls == watch.call_number:
                     with watched(function, watch):
                         return self.repeated(solution, function, arguments, times)
                 return self.repeated(solution, function, arguments, times)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from grading.instrument import TRIES
 from grading.layout import cell, cells, laid_out, once, Remark, Row, together
-from grading.notes import Called, LOOPS, Note, Run
+from grading.notes import Called, LOOPS, Note, WatchedCall
 from grading.ranks import CALLS, IDLE, IN_QUESTION, NO_END, rank_after, VALUES
 from grading.source import Source, without_comment
 from grading.stops import Stop
@@ -36,7 +36,7 @@ class Table:
     def __init__(
         self,
         watch: Watch,
-        run: Run,
+        call: WatchedCall,
         stop: Stop | None,
         needed: dict[int, int],
         marks: dict[int, str],
@@ -48,16 +48,16 @@ class Table:
         question, or None.
         """
         self.watch = watch
-        self.run = run
+        self.call = call
         self.stop = stop
         self.needed = needed
         self.marks = marks
         self.index = index
-        self.source = Source(run.frame.f_code.co_filename)
+        self.source = Source(call.frame.f_code.co_filename)
         # The numbers of the statements that begin in a line
         self.by_line: dict[int, list[int]] = {}
         for number, statement in enumerate(watch.statements):
-            is_own = statement.owner == run.definition != number
+            is_own = statement.owner == call.definition != number
             if is_own and (statement.is_shown or self.is_stopped_in(statement.node)):
                 self.by_line.setdefault(statement.node.lineno, []).append(number)
         self.first_column = min(map(self.source.indentation, self.by_line), default=0)
@@ -140,16 +140,16 @@ class Table:
             return self.remark_on_stop(self.stop, numbers, found)
         if found:
             return together(found)
-        if self.stop and self.stop.is_error and line > self.stop.line and self.run.is_whole:
+        if self.stop and self.stop.is_error and line > self.stop.line and self.call.is_whole:
             return None
         return Remark(NO_END, self.why_it_has_no_end(line, numbers))
 
     def remark_on_statement(self, number: int) -> Remark | None:
         """Return what is said of a statement, or None if it did not come to its end."""
-        notes = self.run.notes.get(number)
+        notes = self.call.notes.get(number)
         is_loop = isinstance(self.node(number), LOOPS)
         if not notes:
-            is_empty = is_loop and number in self.run.values and not self.stop
+            is_empty = is_loop and number in self.call.whole_values and not self.stop
             return Remark(VALUES, "no turn") if is_empty else None
         turns = self.turns_of(number, notes)
         rank = IDLE
@@ -158,7 +158,7 @@ class Table:
         elif any(note.values for note in notes):
             rank = VALUES
         beside = self.in_turns(notes, turns, is_loop)
-        return Remark(rank, beside, tuple(self.calls(number, notes, turns)))
+        return Remark(rank, beside, tuple(self.calls_in_words(number, notes, turns)))
 
     def remark_on_stop(self, stop: Stop, numbers: list[int], found: list[Remark]) -> Remark:
         """Return what is said of the line that has stopped.
@@ -168,11 +168,11 @@ class Table:
         remark = together([Remark(IN_QUESTION), *found])
         below = []
         for number in numbers:
-            calls = self.run.calls.get(number, [])
+            calls = self.call.called.get(number, [])
             if stop.is_error and not calls:  # what a call got is shown anyway
-                below += self.watch.values_in(self.run, number).stopped_at(self.node(number))
-                if not below and number in self.run.values:  # its value was not taken apart
-                    below.append(f"the value is {in_words(self.run.values[number])}")
+                below += self.watch.values_in(self.call, number).stopped_at(self.node(number))
+                if not below and number in self.call.whole_values:  # its value was not taken apart
+                    below.append(f"the value is {in_words(self.call.whole_values[number])}")
             turn = self.begun_turns(number)
             label = f"turn {turn}: " if turn > 1 else ""
             for called in calls:
@@ -183,12 +183,12 @@ class Table:
 
     def why_it_has_no_end(self, line: int, numbers: list[int]) -> str:
         """Return what is said beside a line that did not come to its end in any turn."""
-        for stopped, kind in self.run.hidden.items():
+        for stopped, kind in self.call.hidden.items():
             if line == self.start_of(stopped):
                 return f"stopped: {kind}"
-        if not self.run.is_whole:
+        if not self.call.is_whole:
             return "(not watched further)"
-        if self.run.begun.intersection(numbers):
+        if self.call.begun.intersection(numbers):
             return "(did not come to its end)"
         return "(never ran)"
 
@@ -207,12 +207,12 @@ class Table:
         """Return how many turns the innermost loop has begun that is or is around a statement."""
         statement = self.watch.statements[number]
         loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
-        return self.run.turns[loops[-1]] if loops else 0
+        return self.call.turns[loops[-1]] if loops else 0
 
     def turns_of(self, number: int, notes: list[Note]) -> Turns:
         """Return the turns of a statement that has these notes."""
         finished = self.begun_turns(number)
-        if not self.run.is_whole:
+        if not self.call.is_whole:
             finished = max(0, finished - 1)  # the last turn was not watched to its end
         node = self.node(number)
         has_stopped = self.stop is not None and node.lineno == self.stop_start
@@ -258,11 +258,11 @@ class Table:
         is_over_limit = self.stop is not None and not self.stop.is_error
         if is_over_limit and notes[0].is_condition_of_loop:
             number = turns.shown  # the condition has come in this turn, too
-        if not self.run.is_whole:
+        if not self.call.is_whole:
             return f"more than {number} turns: not watched further"
         return f"{number} turns"
 
-    def calls(self, number: int, notes: list[Note], turns: Turns) -> list[str]:
+    def calls_in_words(self, number: int, notes: list[Note], turns: Turns) -> list[str]:
         """Return what the called functions got and gave, in the turns that are shown."""
         lines = []
         for note in self.notes_with_calls(number, notes):

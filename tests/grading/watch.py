@@ -12,7 +12,7 @@ from functools import wraps
 from types import FrameType, FunctionType
 from typing import Any
 
-from grading.expressions import names_in_head, targets_of, Values
+from grading.expressions import names_in_head, Span, targets_of, Values
 from grading.notes import (
     Called,
     Change,
@@ -24,10 +24,10 @@ from grading.notes import (
     LOOPS,
     Note,
     pendula_in,
-    Run,
     Statement,
     Store,
-    Value,
+    ValueInWords,
+    WatchedCall,
 )
 from grading.noting import EndlessError, MOST_TURNS, noting
 from grading.values import in_words, names_in
@@ -39,15 +39,15 @@ MOST_NOTES_ENDLESS = 200_000  # of a call that is stopped at MOST_TURNS
 class Watch:
     """What the changed code calls, and what it has noted."""
 
-    def __init__(self, call: int = 1, is_endless: bool = False):
+    def __init__(self, call_number: int = 1, is_endless: bool = False):
         """is_endless says that the function went over the limit of time."""
-        self.call = call  # its number in the check
+        self.call_number = call_number  # its number in the check
         self.arguments: tuple = ()
         self.is_endless = is_endless
         self.most_notes = MOST_NOTES_ENDLESS if is_endless else MOST_NOTES
         self.count = 0  # of what the changed code has handed over
         self.statements: list[Statement] = []
-        self.runs: dict[FrameType, Run] = {}  # in the order of the calls
+        self.calls: dict[FrameType, WatchedCall] = {}  # in the order of the calls
         self.stores: list[Store] = []
         self.known: dict[int, Known] = {}  # by the id of the dictionary
         self.error: BaseException | None = None  # what stopped the call
@@ -55,7 +55,7 @@ class Watch:
     def begin(self, arguments: tuple) -> None:
         """A call with these arguments begins: forget the one before."""
         self.arguments = arguments
-        self.runs.clear()
+        self.calls.clear()
         self.stores.clear()
         self.known.clear()
         self.count = 0
@@ -66,129 +66,130 @@ class Watch:
         for pend in pendula_in(values):
             self.known.setdefault(id(pend), Known(pend, dict(pend), giver))
 
-    def run_of(self, frame: FrameType) -> Run | None:
+    def call_of(self, frame: FrameType) -> WatchedCall | None:
         """Return the call that has this frame, or None if it is not watched further."""
         self.count += 1
-        run = self.runs.get(frame)
-        if run and self.count > self.most_notes:
-            run.is_whole = False
+        call = self.calls.get(frame)
+        if call and self.count > self.most_notes:
+            call.is_whole = False
             return None
-        return run
+        return call
 
     # --- called by the changed code ---
 
     def enter(self, number: int) -> None:
         """A call of the function with this number begins."""
         frame = sys._getframe(1)
-        self.runs[frame] = Run(number, frame)
+        self.calls[frame] = WatchedCall(number, frame)
 
     @noting
-    def begin_statement(self, run: Run, number: int) -> None:
+    def begin_statement(self, call: WatchedCall, number: int) -> None:
         """A statement begins."""
-        run.begin(number)
+        call.begin(number)
 
     @noting
-    def part(self, run: Run, number: int, place: tuple[int, ...], value: Any) -> None:
+    def part(self, call: WatchedCall, number: int, span: Span, value: Any) -> None:
         """A part of a statement's expression has this value."""
-        run.parts[number][place] = value
+        call.parts[number][span] = value
 
     @noting
-    def value(self, run: Run, number: int, value: Any) -> None:
+    def value(self, call: WatchedCall, number: int, value: Any) -> None:
         """The expression of a statement has this value."""
-        run.values[number] = value
+        call.whole_values[number] = value
 
     @noting
-    def receiver(self, run: Run, number: int, value: Any) -> None:
+    def receiver(self, call: WatchedCall, number: int, value: Any) -> None:
         """A method of this value is called now, and may change it."""
         if type(value) in (dict, list):
-            run.before[number] = value, value.copy()
+            call.before[number] = value, value.copy()
 
     @noting
-    def test(self, run: Run, number: int, value: Any) -> None:
+    def test(self, call: WatchedCall, number: int, value: Any) -> None:
         """The condition of an if, a while or an assert has this value."""
         node = self.statements[number].node.test
-        text = self.values_in(run, number).condition(node, value)
-        self.end(run, number, [Value("", text, is_false=not value)])
+        text = self.values_in(call, number).condition(node, value)
+        self.end(call, number, [ValueInWords("", text, is_false=not value)])
 
     @noting
-    def turn(self, run: Run, number: int) -> None:
+    def turn(self, call: WatchedCall, number: int) -> None:
         """A turn of a loop begins."""
-        run.turns[number] += 1
+        call.turns[number] += 1
         node = self.statements[number].node
         if isinstance(node, ast.For):
-            self.end(run, number, self.stored(run, number))
-        run.turns_now[number] += 1
-        can_be_endless = isinstance(node, ast.While) or type(run.values.get(number)) is list
-        if self.is_endless and can_be_endless and run.turns_now[number] >= MOST_TURNS:
-            run.turns[number] -= 1  # the others are whole
+            self.end(call, number, self.stored(call, number))
+        call.turns_now[number] += 1
+        can_be_endless = isinstance(node, ast.While) or type(call.whole_values.get(number)) is list
+        if self.is_endless and can_be_endless and call.turns_now[number] >= MOST_TURNS:
+            call.turns[number] -= 1  # the others are whole
             raise EndlessError
 
     @noting
-    def ran(self, run: Run, number: int) -> None:
+    def ran(self, call: WatchedCall, number: int) -> None:
         """A statement that gives nothing runs."""
-        self.end(run, number, [])
+        self.end(call, number, [])
 
     @noting
-    def done(self, run: Run, number: int) -> None:
+    def done(self, call: WatchedCall, number: int) -> None:
         """A statement that can store a value has come to its end."""
-        values = self.stored(run, number)
-        if number in run.before:
-            values += self.changed_by_method(run, number)
+        values = self.stored(call, number)
+        if number in call.before:
+            values += self.changed_by_method(call, number)
         else:
-            values += self.lost(run, number)
-        self.end(run, number, values)
+            values += self.lost(call, number)
+        self.end(call, number, values)
 
     @noting
-    def gives(self, run: Run, number: int, value: Any) -> None:
+    def gives(self, call: WatchedCall, number: int, value: Any) -> None:
         """A return gives this value."""
-        run.result = value
-        run.has_result = True
+        call.result = value
+        call.has_result = True
         node = self.statements[number].node.value
-        values = self.values_in(run, number)
+        values = self.values_in(call, number)
         if isinstance(node, (ast.Compare, ast.BoolOp)) and isinstance(value, bool):
             text = values.condition(node, value)
         elif isinstance(value, list):
             text = in_words(value)
         else:
             text = in_words(value, values.names_but(node))
-        self.end(run, number, [Value("", f"gives {text}")])
+        self.end(call, number, [ValueInWords("", f"gives {text}")])
 
     @noting
-    def caught(self, run: Run, number: int) -> None:
+    def caught(self, call: WatchedCall, number: int) -> None:
         """An except takes an error."""
         error: Any = sys.exc_info()[1]
         step = error.__traceback__
-        while step.tb_next and step.tb_frame is not run.frame:
+        while step.tb_next and step.tb_frame is not call.frame:
             step = step.tb_next
         kind = type(error).__name__
-        run.hidden[step.tb_lineno] = kind
+        call.hidden[step.tb_lineno] = kind
         text = f"line {step.tb_lineno} stopped with {kind}: {error}; this except takes it"
-        self.end(run, number, [Value("", text)])
+        self.end(call, number, [ValueInWords("", text)])
 
     def function(self, number: int, function: Any) -> Any:
         """This value is called now: return it, or a function that calls it.
 
         The function notes what it got and gave.
         """
-        run = self.run_of(sys._getframe(1))
+        call = self.call_of(sys._getframe(1))
         plain = getattr(function, "__func__", function)  # of a method
-        if not run or not isinstance(plain, FunctionType) or not is_named(plain):
+        if not call or not isinstance(plain, FunctionType) or not is_named(plain):
             return function
 
         @wraps(plain)
         def noted(*arguments: Any, **options: Any) -> Any:
-            got = got_by(function, arguments, options, run.frame)
+            got = got_by(function, arguments, options, call.frame)
             called = Called(plain.__name__.strip("<>"), got)
-            run.calls[number].append(called)
+            call.called[number].append(called)
             pendula = pendula_in([*arguments, *options.values()])
             before = [dict(pend) for pend in pendula]
-            count = len(self.runs)
+            count = len(self.calls)
             try:
                 result = function(*arguments, **options)
             finally:
-                called.run = self.run_after(count, function)
-            changes = self.changes(run, number, called, pendula, before)
-            called.gave = gave_in_words(result, changes, names_in(run.frame))
+                called.watched_call = self.call_after(count, function)
+            line = self.statements[number].node.lineno
+            changes = self.changes(call, line, called, pendula, before)
+            called.gave = gave_in_words(result, changes, names_in(call.frame))
             called.says_result = result is not None or not changes
             self.know([result], function.__name__)
             return result
@@ -197,35 +198,35 @@ class Watch:
 
     # --- what they note ---
 
-    def values_in(self, run: Run, number: int) -> Values:
+    def values_in(self, call: WatchedCall, number: int) -> Values:
         """Return the values in a statement that has not come to its end."""
-        return Values(run.frame, run.parts[number])
+        return Values(call.frame, call.parts[number])
 
-    def run_after(self, count: int, function: Callable) -> Run | None:
+    def call_after(self, count: int, function: Callable) -> WatchedCall | None:
         """Return the call of a function that came after count others, if it was watched."""
-        runs = [*self.runs.values()]
-        if len(runs) <= count:
+        calls = [*self.calls.values()]
+        if len(calls) <= count:
             return None
-        run = runs[count]
-        is_of_function = self.statements[run.definition].node.name == function.__name__
-        return run if is_of_function else None
+        call = calls[count]
+        is_of_function = self.statements[call.definition].node.name == function.__name__
+        return call if is_of_function else None
 
-    def end(self, run: Run, number: int, values: list[Value]) -> None:
+    def end(self, call: WatchedCall, number: int, values: list[ValueInWords]) -> None:
         """Note what a statement gave, at its end."""
         statement = self.statements[number]
         loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
-        turn = run.turns[loops[-1]] if loops else 0
+        turn = call.turns[loops[-1]] if loops else 0
         is_condition = isinstance(statement.node, ast.While)
-        run.notes[number].append(Note(turn, values, run.calls.pop(number, []), is_condition))
-        run.begun.discard(number)
-        run.parts.pop(number, None)
+        call.notes[number].append(Note(turn, values, call.called.pop(number, []), is_condition))
+        call.begun.discard(number)
+        call.parts.pop(number, None)
         if not isinstance(statement.node, ast.For):
-            run.values.pop(number, None)
+            call.whole_values.pop(number, None)
 
-    def stored(self, run: Run, number: int) -> list[Value]:
+    def stored(self, call: WatchedCall, number: int) -> list[ValueInWords]:
         """Return what a statement has stored where, and keep it in stores."""
         node = self.statements[number].node
-        values = self.values_in(run, number)
+        values = self.values_in(call, number)
         targets = targets_of(node)
         new_names = {target.id for target in targets if isinstance(target, ast.Name)}
         found = []
@@ -237,62 +238,61 @@ class Watch:
                 value = values.of(target)
                 text = in_words(value, values.names_but(target))
                 if isinstance(target, ast.Subscript):
-                    place = values.of(target.value)
+                    holder = values.of(target.value)
                     key = values.of(target.slice)
                 else:
-                    place = run
+                    holder = call
                     key = code
-                self.stores.append(Store(place, key, node.lineno, value, text))
+                self.stores.append(Store(holder, key, node.lineno, value, text))
                 if code != "_":
-                    found.append(Value(code, text))
+                    found.append(ValueInWords(code, text))
         return found
 
-    def changed_by_method(self, run: Run, number: int) -> list[Value]:
+    def changed_by_method(self, call: WatchedCall, number: int) -> list[ValueInWords]:
         """Return what the method that a statement calls has changed, and keep it in stores."""
         node = self.statements[number].node
         code = ast.unparse(node.value.func.value)
-        value, before = run.before.pop(number)
+        value, before = call.before.pop(number)
         found = []
         if isinstance(value, dict):
             for key in changed_keys(value, before):
-                text = in_words(value[key], names_in(run.frame))
+                text = in_words(value[key], names_in(call.frame))
                 self.stores.append(Store(value, key, node.lineno, value[key], text))
-                found.append(Value(f"{code}[{key!r}]", text))
+                found.append(ValueInWords(f"{code}[{key!r}]", text))
         elif len(value) != len(before):
             text = in_words(value)
-            self.stores.append(Store(run, code, node.lineno, value, text))
-            found.append(Value(code, text))
+            self.stores.append(Store(call, code, node.lineno, value, text))
+            found.append(ValueInWords(code, text))
         return found
 
-    def lost(self, run: Run, number: int) -> list[Value]:
+    def lost(self, call: WatchedCall, number: int) -> list[ValueInWords]:
         """Return the value of an expression that no name gets.
 
         None is not lost, and neither is a value that a call in the expression got.
         """
         node = self.statements[number].node
-        value = run.values.get(number)
+        value = call.whole_values.get(number)
         if not isinstance(node, ast.Expr) or isinstance(node.value, ast.NamedExpr) or value is None:
             return []
-        values = self.values_in(run, number)
+        values = self.values_in(call, number)
         options = [option.value for option in getattr(node.value, "keywords", [])]
         for argument in [*getattr(node.value, "args", []), *options]:
             with suppress(LookupError):
                 if values.of(argument) is value:
                     return []
         text = f"gives {in_words(value, values.names)}, and no name gets it"
-        return [Value("", text, is_lost=True)]
+        return [ValueInWords("", text, is_lost=True)]
 
     def changes(
-        self, run: Run, number: int, called: Called, pendula: list[dict], before: list[dict]
+        self, call: WatchedCall, line: int, called: Called, pendula: list[dict], before: list[dict]
     ) -> list[Change]:
         """Return which values of pendula a call has changed, and keep them in stores."""
-        names = names_in(run.frame)
-        line = self.statements[number].node.lineno
+        names = names_in(call.frame)
         found = []
         for pend, old in zip(pendula, before, strict=True):
             for key in changed_keys(pend, old):
                 text = in_words(pend[key])
                 found.append(Change(key, names.get(id(pend), "a pendulum"), text))
-                if not called.run:  # else its own lines have stored it
+                if not called.watched_call:  # else its own lines have stored it
                     self.stores.append(Store(pend, key, line, pend[key], text))
         return found

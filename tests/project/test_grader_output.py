@@ -186,7 +186,7 @@ def test_a_debugger_has_its_prompt_in_a_terminal(starter, debug):
 
 @pytest.mark.slow
 def test_side_by_side_the_suites_say_the_same(starter):
-    """With pytest-xdist, one of two processes makes all checks.
+    """With pytest-xdist, one of two processes performs all checks.
 
     The first process writes the grade.
     """

@@ -54,7 +54,7 @@ def test_a_watched_function_does_what_it_does_unwatched(solve, function, way):
     with watched(function, watch):
         outcomes = outcomes_of(function, users=False)
     assert {outcome.state for outcome in outcomes.values()} == {PASSED}
-    assert watch.runs
+    assert watch.calls
 
 
 HARMLESS = f"""\
