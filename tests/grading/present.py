@@ -20,7 +20,8 @@ class PresentCheck:
         self.watch = watch
         self.calls = 0  # of students' functions
         self.notes: list[str] = []  # sentences for a student whose solution is right
-        self.stopped_by = ""  # the grader: by the CLOCK or the PROCESSOR of limits.py
+        # By which time the grader stopped it: CLOCK or PROCESSOR of limits.py, "" if it did not
+        self.stopped_by = ""
         self.is_pressed = False  # somebody pressed Ctrl+C
         self.is_debugged = False  # no limit of time holds
 
