@@ -198,6 +198,14 @@ class Cradle:
             for angle, made in zip(angles, self.made_angles, strict=True)
         ]
 
+    def lifted_count(self, angles: Sequence[float | None], lifted: int | None) -> int:
+        """Return how many pendula release lifts."""
+        if lifted is not None:
+            return min(lifted, len(self.pend_list))
+        if all(angle is None for angle in angles):
+            return self.made_lifted
+        return max(1, self.made_lifted)
+
     def release(self, angles: Sequence[float | None], lifted: int | None) -> None:
         """Lift the first `lifted` pendula to these angles (rad); the others hang, all are at rest.
 
@@ -207,14 +215,14 @@ class Cradle:
         """
         if lifted is None and all(angle is None for angle in angles):
             return
+        count = self.lifted_count(angles, lifted)
         lifted_angles = list(accumulate(self.release_angles(angles)))
-        count = max(1, self.made_lifted) if lifted is None else lifted
         for pend in self.pend_list[:count]:
             move(pend, lifted_angles, R_PARAM)
         for pend in self.pend_list[count:]:
             move(pend, [0.0] * len(angles), R_PARAM)
         if len(angles) == 2:  # a lower cord that is bent inwards reaches far
-            for index in reversed(range(min(count, len(self.pend_list)))):
+            for index in reversed(range(count)):
                 push_others(self.pend_list, index, R_PARAM)
 
     def pose(self, poses: list[list[float]]) -> None:
@@ -288,10 +296,3 @@ class Cradle:
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""
         return momentum(self.pend_list, R_PARAM)
-
-    def constants(self) -> str:
-        """Return the constants with which the energy and all speeds are computed, in words."""
-        cord = f"R_PARAM = {R_PARAM} m"
-        tick = f"{self.dt_name} = {self.dt} s"
-        gravity = f"G = {G} m/s^2"
-        return f"support/constants.py has {cord} (cord), {tick} (tick) and {gravity} (gravity)."

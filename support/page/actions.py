@@ -29,6 +29,7 @@ class Actions:
 
     def pause(self) -> None:
         """Stop the time, or let it go on; an open question then has no answer."""
+        # An open question also stops the time.
         self.viewer.is_paused = self.viewer.is_time_running()
         self.questions.rest_end = None
         self.questions.is_asking = False
@@ -96,10 +97,8 @@ class Actions:
 
     def lifted_now(self) -> int:
         """Return the number of lifted bobs."""
-        lifted = self.viewer.settings.lifted
-        if lifted is None:
-            return self.cradle.made_lifted
-        return min(lifted, len(self.cradle.pend_list))
+        settings = self.viewer.settings
+        return self.cradle.lifted_count(settings.angles, settings.lifted)
 
     def set_lifted(self, lifted: int) -> None:
         """Lift this number of bobs."""
@@ -116,6 +115,8 @@ class Actions:
 
     def name_on_page(self, collision: Collision) -> str:
         """Return the name of a way to collide on the page."""
+        if collision == AS_MADE and self.chooser.is_edited():
+            return "as in the table"
         if collision == AS_MADE and self.chooser.experiment:
             return "as in the experiment"
         return collision.name

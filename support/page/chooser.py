@@ -31,6 +31,7 @@ class Chooser:
     def __init__(self, player: Player):
         """Begin with your CSV, in the settings of this player."""
         self.player = player
+        self.saved = player.settings.csv  # your CSV, as it is in the file
         self.yours = player.settings  # of your CSV
         self.cords = player.cradle.cord_count
         folder = EXPERIMENTS / player.cradle.kind
@@ -91,7 +92,13 @@ class Chooser:
         """
         require_cradle(snapshot, self.cords)
         self.choose(YOUR_CSV)
+        self.saved = snapshot
         self.player.change(csv=snapshot)
+
+    def is_edited(self) -> bool:
+        """Return whether the present cradle has numbers that you have typed into the table."""
+        original = self.experiment.csv if self.experiment else self.saved
+        return self.player.settings.csv != original
 
     def edit(self, row: int, column: str, text: str, numbers: Numbers) -> bool:
         """Take this number (a text) for a row of the table; return False if it is refused.

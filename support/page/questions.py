@@ -82,7 +82,8 @@ class Questions:
 
     def answer(self, key: str, number: int | None) -> None:
         """Take an answer (its index, or None) to this question, unless it is over."""
-        if self.is_asked(key, number or 0):
+        is_known = self.is_asked(key, 0 if number is None else number)  # None is always allowed
+        if is_known:
             self.is_asking = False
             self.said = number
 

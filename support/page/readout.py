@@ -1,5 +1,6 @@
 """What the page says of the motion."""
 
+from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.motion import Motion, percent_as_text
 from support.cradle.real_time import RealTime
@@ -34,3 +35,11 @@ def changes(cradle: Cradle, before: dict[str, float]) -> list[str]:
             texts.append(f"{key} {before[name]:.6g} -> {after[name]:.6g}".ljust(29))
         lines.append(f"[{i}] {' '.join(texts)}".rstrip())
     return lines
+
+
+def constants(cradle: Cradle) -> str:
+    """Return the constants with which the energy and all speeds are computed, in words."""
+    cord = f"R_PARAM = {R_PARAM} m"
+    tick = f"{cradle.dt_name} = {cradle.dt} s"
+    gravity = f"G = {G} m/s^2"
+    return f"support/constants.py has {cord} (cord), {tick} (tick) and {gravity} (gravity)."

@@ -171,6 +171,7 @@ class Viewer(Player):
         self.marks.surround(cradle, self.scenery.bottom)
         self.graph.begin(cradle.colors())
         self.note()
+        self.before = None
         self.tick_lines = []
         self.next_refresh = 0.0
         while not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
@@ -217,7 +218,7 @@ class Viewer(Player):
             **self.texts,
             **state_of(self.controls),
             "title": cradle.title,
-            "constants": cradle.constants(),
+            "constants": readout.constants(cradle),
             "remark": " ".join(remarks),
             "error": self.error,
             "mistakes": self.chooser.mistakes,

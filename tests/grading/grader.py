@@ -220,10 +220,10 @@ def require_pendula(call: Call, arguments: tuple) -> None:
     """Raise WrongError if a pendulum in the arguments of a call is none any more."""
     for damaged in damage(call.arguments or (), FUNCTIONS[call.function].parameters, arguments):
         lines = [
-            ("came back", damaged),
+            ("came back", damaged.text),
             ("expected", "The same dictionary, with its keys and its objects."),
         ]
-        raise WrongError(f"{call.function} has lost a pendulum.", call, lines)
+        raise WrongError(f"{call.function} {damaged.verb}.", call, lines)
 
 
 def unreadable(error: Exception, what: str, result: Any) -> Mistake:
@@ -235,7 +235,7 @@ def unreadable(error: Exception, what: str, result: Any) -> Mistake:
     if isinstance(result, list):
         for i, element in enumerate(result):
             if not isinstance(element, dict):
-                mistake = mistake_in(f"pend_list[{i}]", element, {})
+                return mistake_in(f"pend_list[{i}]", element, {})
     return mistake
 
 

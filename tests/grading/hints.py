@@ -150,7 +150,7 @@ FORMS = {
     "not a tuple": ("is (?:a number|text|a dictionary|a list|a set), not a tuple", "Return all values, with commas between them: no list, no dictionary."),
     "one": ("The result is a [^,]*, not a list", "The result must be the list of all pendula."),
     "other keys": (r"pend_list\[\d+\] (?:misses|must not have) the key", "The keys must be those of the file, letter by letter: all of them, and no others."),
-    "no key": ("has no key", "Keep all keys of each pendulum, and add the new ones. Compare them with the handout, letter by letter."),
+    "no key": ("has no key|has taken a key", "Keep all keys of each pendulum, and add the new ones. Compare them with the handout, letter by letter."),
     "text": ("is text, not a number", "This is text: a name in quotes, for example, or a key of a dictionary. A number belongs in its place."),
     "lost": ("has lost a pendulum", "A pendulum became something else. A function that returns nothing gives None: do not store its result."),
     "no pendulum": (r"pend_list\[\d+\] is [^,]*, not a dictionary", "Each element must be a whole pendulum: a dictionary with all of its keys."),

@@ -136,8 +136,15 @@ def value_lines(name: str, value: Any, keys: tuple[str, ...], index: int = 0) ->
     return [f"{name}: {', '.join(parts)}"]
 
 
-def damage(before: Sequence, names: str, arguments: Sequence) -> Iterator[str]:
-    """Yield a text for each pendulum in the arguments of a call that is none any more.
+class Damage(NamedTuple):
+    """What a call has done to a pendulum among its arguments: a verb, and how it is now."""
+
+    verb: str
+    text: str
+
+
+def damage(before: Sequence, names: str, arguments: Sequence) -> Iterator[Damage]:
+    """Yield the damage of each pendulum in the arguments of a call that is none any more.
 
     The text has its name and its value. before has plain copies of the arguments from before the
     call, names are their names with commas.
@@ -148,13 +155,13 @@ def damage(before: Sequence, names: str, arguments: Sequence) -> Iterator[str]:
         elif isinstance(old, dict):
             now = plain(value)
             if not isinstance(now, dict):
-                yield f"{name}: {text_of(now)}"
+                yield Damage("has lost a pendulum", f"{name}: {text_of(now)}")
                 continue
             lost = sorted(old.keys() - now.keys() - PLACES)
             if lost:
-                yield f"{name}: without {lost[0]}"
+                yield Damage("has taken a key from a pendulum", f"{name}: without {lost[0]}")
             elif "objects" in now or "bob" not in now:
-                yield f"{name}: with other objects"
+                yield Damage("has changed the objects of a pendulum", f"{name}: with other objects")
 
 
 def text_of(value: Any, digits: int = 6) -> str:

@@ -78,7 +78,7 @@ def whole_of(name: str, is_result: bool) -> str:
 
 def list_of(name: str, is_result: bool) -> str:
     """Return the name of what has as many elements as the value with this name."""
-    return "pend_list" if name.endswith(" of each pendulum") else whole_of(name, is_result)
+    return "pend_list" if name.endswith("each pendulum") else whole_of(name, is_result)
 
 
 def verb_of(name: str) -> str:

@@ -160,6 +160,29 @@ def test_two_mistakes_with_the_same_result_have_no_hint():
     assert comparing.hint_for_result(2.0, [first, second]) == ""
 
 
+MANY = "return pend_list", "return pend_list + pend_list[:1]"
+SPOILT = "return pend_list", "return [pend.get('no') for pend in pend_list]"
+FIRST = "if mag", "del pend1['e']\n        if mag"
+OTHERS = "pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2; pend2['objects'] = 5"
+
+
+@pytest.mark.parametrize(
+    ("function", "version", "sentence", "hint"),
+    [
+        ("make_newton_cradle", MANY, "pend_list has 4 elements, not 3.", ""),
+        ("make_newton_cradle", SPOILT, "pend_list[0] is None, not a dictionary.", "Each element"),
+        ("handle_two_bobs", FIRST, "handle_two_bobs has taken a key from a", "Keep all keys"),
+        ("handle_two_bobs", OTHERS, "handle_two_bobs has changed the objects of a pendulum.", ""),
+    ],
+)
+def test_what_is_wrong_and_its_hint_are_said_as_they_are(solve, function, version, sentence, hint):
+    solve(function, version)
+    first = failures(function)[0]
+    assert first.wrong.startswith(sentence)
+    assert first.hint.startswith(hint)
+    assert bool(first.hint) == bool(hint)
+
+
 # --- messages ------------------------------------------------------------------------------------
 
 

@@ -13,6 +13,7 @@ from src import visualize_cradle_run
 from support.constants import DT, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
+from support.files.cradle_csv import POLL
 
 
 def test_the_table_shows_pend_list_as_it_is_now(rig):
@@ -31,7 +32,7 @@ def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_
     rig.give("edit", 1, "mass", "2.50")
     assert rig.time() == 0
     assert rig.bob_angles() == [30, 0, 0, 0, 0]
-    assert rig.state["collision"] == "as in the CSV"
+    assert rig.state["collision"] == "as in the table"
     rig.give("edit", 4, "e", "0.5")
     rig.give("restart")
     assert rig.state["table"]["mass"] == rig.values("mass") == [3, 2.5, 3, 3, 3]
@@ -52,10 +53,15 @@ def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(rig):
     assert rig.state["refused"] == {}
     assert rig.values("mass")[3] == 0.5
     rig.give("edit", 1, "e", "2")
+    rig.save("no cradle")
+    assert rig.state["collision"] == "as in the table"
     rig.save(HEADER + GOOD * 3)  # a saved file replaces it all
     rig.give("edit", 3, "mass", "2")  # of a row that is no longer there
     assert rig.state["refused"] == {}
     assert rig.values("mass") == rig.values("e") == [1] * 3
+    assert rig.state["collision"] == "as in the CSV"
+    rig.save("no cradle")
+    assert rig.state["collision"] == "as in the CSV"  # the old one still swings
 
 
 def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(rig, csv):
@@ -190,6 +196,20 @@ def test_one_tick_shows_each_pendulum_before_and_after_while_paused(rig, monkeyp
     monkeypatch.delattr(visualize_cradle_run, "handle_collision")
     rig.give("tick")
     assert rig.state["tick"][-1] == last
+
+
+def test_one_tick_of_a_cradle_that_a_saved_file_replaces_is_forgotten(rig, csv):
+    """The click and the file come in the same frame."""
+    rig.give("pause")
+    csv.write_text(HEADER + GOOD * 7)
+    rig.now += POLL
+    rig.viewer.file.changed()  # the first look
+    rig.now += POLL
+    rig.give("tick")
+    rig.give("pause")
+    rig.wait(0.1)
+    assert len(rig.cradle.pend_list) == 7
+    assert rig.state["tick"] == []
 
 
 @pytest.mark.parametrize("kind", CALLS)

@@ -79,6 +79,15 @@ def test_the_menu_of_collisions_has_the_present_one(rig):
     assert rig.values("e") == [1.0] * 5
 
 
+def test_a_cradle_of_which_main_lifts_no_bob_says_how_many_the_slider_lifts(csv, monkeypatch):
+    monkeypatch.setattr("whole_cradles.THETA_INIT", 0.0)
+    rig = Rig(csv, None, lifted=None)
+    assert rig.state["lifted"] == 0
+    rig.give("release angle", 30)
+    assert rig.bob_angles() == [30, 0, 0, 0, 0]
+    assert rig.state["lifted"] == 1
+
+
 def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
     csv.write_text(HEADER + GOOD * 2)
     rig = Rig(csv, 30, 10, kind=DoubleCradle)
