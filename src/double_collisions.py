@@ -163,7 +163,7 @@ def keep_apart(pend1: DoublePendulumEntry, pend2: DoublePendulumEntry, r_param: 
     Bobs with e below 1 can come to rest on each other. Then each tick presses them a little further
     into each other: after some time, they would pass through each other. e is pend1's; with e = 1,
     nothing moves. The cords turn in the ratio in which an impulse between the two bobs turns them.
-    This adds at most 1e-5 of the energy at DOUBLE_DT, with few exceptions, and up to 1e-3 with
+    Each call adds at most 1e-5 of the energy at DOUBLE_DT, with few exceptions, and up to 1e-3 with
     ticks of 1 ms. Return whether any bobs were moved.
     """
     if pend1["e"] >= 1:

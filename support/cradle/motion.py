@@ -9,7 +9,7 @@ from support.cradle.impacts import Impacts
 Sample = dict[str, float]  # the data of a moment, by the names of the columns of a data file
 
 # Of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang.
-LEAST = 0.1
+FAST_PART = 0.1
 
 
 class Motion:
@@ -33,7 +33,7 @@ class Motion:
     def set_start(self) -> None:
         """Take the energy of this moment as 100 %, and find out which hits are fast."""
         self.start_energy = sum(self.cradle.energies())
-        self.least = LEAST * max(self.cradle.top_speeds(), default=0.0)  # m/s
+        self.fast_speed = FAST_PART * max(self.cradle.top_speeds(), default=0.0)  # m/s
 
     def time(self) -> float:
         """Return the simulated time since the start (s)."""
@@ -42,7 +42,7 @@ class Motion:
     def note_hit(self, hit: Hit) -> None:
         """Add a hit to the impacts."""
         time = hit.tick * self.cradle.dt
-        is_fast = hit.speed >= self.least
+        is_fast = hit.speed >= self.fast_speed
         self.hit_count += 1
         if is_fast:
             self.last_fast = time

@@ -150,7 +150,7 @@ class Player(Page):
     def rule(self) -> dict[str, bool]:
         """The keyword for the tick, if it takes one: whether only approaching bobs collide.
 
-        It stands here alone: the handout's functions have no other rule than the handout's.
+        Only this place knows it: called without it, the handout's functions follow the handout.
         """
         if not self.cradle.takes_rule:
             return {}

@@ -3,7 +3,7 @@
 from math import degrees, inf
 
 from support.constants import R_PARAM
-from support.cradle.motion import LEAST, Motion
+from support.cradle.motion import FAST_PART, Motion
 from support.files.experiments import Experiment
 
 NEAR = 10.0  # degrees: an answer is right if no bob swings farther from what it predicts
@@ -70,7 +70,7 @@ class Measurement:
             self.speeds = largest(self.speeds, speeds)
         self.hit_count = self.motion.hit_count
         tops = self.cradle.top_speeds()
-        fast = LEAST * max(tops)
+        fast = FAST_PART * max(tops)
         fast_one_falls = any(fall and top >= fast for fall, top in zip(falls, tops, strict=True))
         is_quiet = self.end - self.motion.last_fast > self.cradle.series_pause
         if is_quiet and not fast_one_falls:

@@ -1,7 +1,7 @@
 """The controls of the page, and the commands of its tabs.
 
-A control is declared once, in declarations.py. What follows from it: its value in the
-state, the values that its command takes, and its element, for which page.html has a place. page.js
+A control is declared once, in declarations.py. What follows from it: its value in the state, the
+values that its command takes, and its element. Where page.html has a place for it, controls.js
 makes a checkbox of a Switch, a slider of a Slider, and a menu of a Menu.
 """
 

@@ -202,7 +202,7 @@ class Viewer(Player):
         if self.questions.measure(self.pace.clock()):
             self.planned = 0
         if self.looks_at_hits:
-            self.slow_hits.add(hits.noted, self.motion.time(), self.motion.least)
+            self.slow_hits.add(hits.noted, self.motion.time(), self.motion.fast_speed)
             if self.slow_hits.waiting:
                 self.planned = 0
         if self.before is not None:

@@ -2,8 +2,8 @@
 
 A check is a function in a suite, such as test_d.py, with @check above it, which names the function
 of the handout. Its docstring, in words of the handout, is its title. It calls the function through
-expect, which compares the result, or the changed arguments, with the expected ones. The code of the
-function does not matter.
+expect, which compares the result, or the changed arguments, with the expected ones. How the
+function is written does not matter.
 """
 
 import importlib

@@ -16,16 +16,17 @@ class EndlessError(BaseException):
 def noting(method: Callable) -> Callable:
     """Return a function that lets a method of the Watch note something of the call that calls it.
 
-    The function gets the number of the statement and some values, and returns the last value. It
-    raises no error: the values are a student's.
+    The changed code passes what comes behind call: the number of the statement, and some values.
+    The function puts call in, and returns the last value. Of all errors it raises only an
+    EndlessError: the values are a student's.
     """
 
     @wraps(method)
-    def note(self: Any, number: int, *values: Any) -> Any:
+    def note(self: Any, statement_number: int, *values: Any) -> Any:
         call = self.call_of(sys._getframe(1))
         if call:
             with suppress(Exception):
-                method(self, call, number, *values)
+                method(self, call, statement_number, *values)
         return values[-1] if values else None
 
     return note

@@ -1,4 +1,4 @@
-"""The outcomes of the checks, performed once each, in the order in which functions need others.
+"""The outcomes of the checks, judged once each, in the order in which functions need others.
 
 pytest_grader.py asks for them in pytest, and grade.py makes a grade of them.
 """
@@ -73,10 +73,11 @@ def waiting(cause: str, place: str = "") -> Outcome:
 
 
 class Grading:
-    """The outcomes of the checks. Each check is performed once."""
+    """The outcomes of the checks. Each check is judged once."""
 
     def __init__(self) -> None:
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
+        self.missing: dict[str, Outcome | None] = {}  # see missing_outcome, by the function
         self.hung: set[str] = set()  # functions that went over a limit: they are not called again
         # Files that cannot be imported, and the file that is the cause
         self.broken: dict[str, str] = {}
@@ -96,12 +97,21 @@ class Grading:
         causes = [name for name in needed(check.function) if self.is_not_right(name)]
         if not causes:
             return waiting(check.function) if check.function in self.hung else self.perform(check)
-        if not self.hung:  # find out whether the function is written
-            outcome = self.perform(checks(function=check.function)[0])
+        return self.missing_outcome(check.function) or waiting(", ".join(causes))
+
+    def missing_outcome(self, function: str) -> Outcome | None:
+        """Return the outcome if a function is not written, or its file cannot be imported.
+
+        Its first check finds this out, once; but not after a function went over a limit.
+        """
+        if self.hung:
+            return None
+        if function not in self.missing:
+            outcome = self.perform(checks(function=function)[0])
             waits_for_file = outcome.waits_for in self.broken.values()
-            if outcome.is_unwritten or outcome.broken_file or waits_for_file:
-                return outcome
-        return waiting(", ".join(causes))
+            is_missing = outcome.is_unwritten or outcome.broken_file or waits_for_file
+            self.missing[function] = outcome if is_missing else None
+        return self.missing[function]
 
     def is_not_right(self, function: str) -> bool:
         """Return whether the function is not written, or one of its own checks fails."""

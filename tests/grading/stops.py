@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from grading.notes import WatchedCall
-from grading.noting import EndlessError
+from grading.noting import EndlessError, MOST_TURNS
 from grading.watch import Watch
 
 
@@ -35,7 +35,7 @@ def stops_in(watch: Watch) -> dict[WatchedCall, Stop]:
 def stop_at(line: int, error: BaseException) -> Stop:
     """Return how an error has stopped a line."""
     if isinstance(error, EndlessError):
-        return Stop(line, "still here after 1000 turns", is_error=False)
+        return Stop(line, f"still here after {MOST_TURNS} turns", is_error=False)
     if isinstance(error, KeyboardInterrupt):
         return Stop(line, "stopped here", is_error=False)
     return Stop(line, f"stops here: {type(error).__name__}", is_error=True)

@@ -19,7 +19,7 @@ MOST_OF_CELL = 2000  # letters of a cell
 
 
 def read_grade(empty, output) -> dict | None:
-    """Return what pytest --grade-json has written, without what may be forged or too long.
+    """Return what pytest --grade-json has written, without texts that may be forged or too long.
 
     It has grade, points by tier, next, text, checks, and whether it is final. Return None if it has
     not the form of empty, the grade of the starter.

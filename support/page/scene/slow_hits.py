@@ -35,8 +35,8 @@ class SlowHits:
         self.count = 0
         self.last = -inf
 
-    def add(self, hits: Sequence[Hit], time: float, least: float) -> None:
-        """Take the hits of the last few ticks that are not slower than least (m/s).
+    def add(self, hits: Sequence[Hit], time: float, fast_speed: float) -> None:
+        """Take the hits of the last few ticks that are not slower than fast_speed (m/s).
 
         time (s) is the simulated time.
         """
@@ -45,7 +45,7 @@ class SlowHits:
             pend_list[hit.left], pend_list[hit.right] = hit.before
         for hit in hits:
             pend_list[hit.left], pend_list[hit.right] = hit.after
-            if hit.speed < least:
+            if hit.speed < fast_speed:
                 continue
             if time - self.last > 2 * self.cradle.series_pause:  # a new series
                 self.count = 0
