@@ -20,6 +20,8 @@ import pytest
 from pages import new_page, open_cradle, wait_for_moves
 from programs import end, first_lines, needs_vpython, QUIETLY, running
 
+from support.page.port import REFUSED
+
 pytestmark = [pytest.mark.browser, *needs_vpython]
 
 BELOW = "/user/ann/proxy/8000/"
@@ -237,3 +239,17 @@ def test_a_page_does_not_say_that_a_killed_program_has_ended_until_a_new_one_ans
     with running(None, str(csv), "--port", str(urlsplit(page.url).port)) as process:
         first_lines(process)
         page.get_by_text(ENDED).wait_for()
+
+
+def test_chromium_refuses_the_ports_that_the_program_refuses(chromium):
+    """It allows two ports that the standard forbids: 4190 and 6679."""
+    error = pytest.importorskip("playwright.sync_api").Error
+    refused = set()
+    with new_page(chromium) as page:
+        for port in REFUSED:
+            try:
+                page.goto(f"http://127.0.0.1:{port}/")
+            except error as answer:
+                if "UNSAFE_PORT" in f"{answer}":
+                    refused.add(port)
+    assert REFUSED - refused <= {4190, 6679}
