@@ -83,17 +83,13 @@ class Actions:
 
     # --- which cradle --------------------------------------------------------------------------
 
-    def restart(self) -> None:
-        """Let main make the cradle that is chosen."""
-        self.viewer.want_cradle()
-
     def set_release_angle(self, cord: int, degrees: float) -> None:
         """Release the bobs with this angle of this cord, outwards."""
         self.leave_poses()
         angles = list(self.viewer.settings.angles)
         angles[cord] = outwards_to_angle(degrees)
         self.viewer.change(angles=angles)
-        self.restart()
+        self.viewer.want_cradle()
 
     def lifted_now(self) -> int:
         """Return the number of lifted bobs."""
@@ -104,7 +100,7 @@ class Actions:
         """Lift this number of bobs."""
         self.leave_poses()
         self.viewer.change(lifted=lifted)
-        self.restart()
+        self.viewer.want_cradle()
 
     def collisions(self) -> dict[str, Collision]:
         """Return the ways to collide in the menu by name; the present one is always there."""
@@ -136,7 +132,7 @@ class Actions:
         numbers = {name: self.cradle.values(name) for name in SETTABLE}
         if self.chooser.edit(row, column, text, numbers):
             self.leave_experiment()
-            self.restart()
+            self.viewer.want_cradle()
 
     def reload(self) -> None:
         """Let main make the cradle of the saved CSV.
@@ -150,7 +146,7 @@ class Actions:
         except ValueError as error:
             self.viewer.error = str(error)
         else:
-            self.restart()
+            self.viewer.want_cradle()
 
     # --- experiments ---------------------------------------------------------------------------
 
@@ -161,7 +157,7 @@ class Actions:
         self.chooser.choose(name)
         if self.chooser.experiment:
             self.viewer.is_paused = False
-        self.restart()
+        self.viewer.want_cradle()
 
     def choose_next(self) -> None:
         """Choose the next experiment."""
@@ -172,7 +168,7 @@ class Actions:
         self.questions.ask_first = asks
         if self.chooser.whole_experiment():
             self.viewer.is_paused = False
-            self.restart()
+            self.viewer.want_cradle()
 
     def answer(self, key: str, number: int | None) -> None:
         """Take an answer (its index, or None) to the question with this key; the cradle runs."""
@@ -184,7 +180,7 @@ class Actions:
         if measurement and measurement.is_over:
             self.questions.repeat(slowly)
             self.viewer.is_paused = False
-            self.restart()
+            self.viewer.want_cradle()
 
     def pose(self) -> None:
         """Lift the bobs as the present experiment says, and ask its question if you want it."""

@@ -148,7 +148,7 @@ def declare_commands(actions: Actions) -> dict[str, Command]:
         "pause": Command(actions.pause),
         "step": Command(actions.do_step),
         "tick": Command(actions.do_one_tick),
-        "restart": Command(actions.restart),
+        "restart": Command(actions.viewer.want_cradle),
         "next": Command(actions.choose_next),
         "again": Command(actions.repeat, (is_switch,)),
         "answer": Command(actions.answer, (is_text, is_answer)),

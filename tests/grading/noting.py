@@ -16,9 +16,9 @@ class EndlessError(BaseException):
 def noting(method: Callable) -> Callable:
     """Return a function that lets a method of the Watch note something of the call that calls it.
 
-    The changed code passes what comes behind call: the number of the statement, and some values.
-    The function puts call in, and returns the last value. Of all errors it raises only an
-    EndlessError: the values are a student's.
+    The changed code gives it the number of a statement and some values. It calls the method with
+    the watched call in front of these, and returns the last value. It raises an EndlessError, but
+    no other error: the values are a student's.
     """
 
     @wraps(method)

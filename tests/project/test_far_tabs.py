@@ -19,12 +19,12 @@ import programs
 import pytest
 from pages import new_page, open_cradle, wait_for_moves
 from programs import end, first_lines, needs_vpython, QUIETLY, running
+from web_client import BELOW
 
 from support.page.port import REFUSED
 
 pytestmark = [pytest.mark.browser, *needs_vpython]
 
-BELOW = "/user/ann/proxy/8000/"
 ENDED = "The program has ended."
 NO_ANSWER = "The program does not answer."
 

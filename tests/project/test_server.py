@@ -13,7 +13,7 @@ import pytest
 from hypothesis import example, given, settings, strategies
 from programs import copy_project, end, first_lines, QUIETLY, ROOT, running, SECONDS
 from students import put_files
-from web_client import get, Tab
+from web_client import BELOW, get, Tab
 from whole_cradles import FIVE_CSV
 
 from support.page.port import listen
@@ -24,7 +24,6 @@ connections = pytest.importorskip("support.page.connection")
 pytestmark = programs.needs_vpython
 
 WEB = ROOT / "support" / "page" / "web"
-BELOW = "/user/ann/proxy/8000/"  # of a proxy
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,8 @@ from http.client import HTTPConnection
 
 from programs import SECONDS
 
+BELOW = "/user/ann/proxy/8000/"  # a path at which a proxy shows the page
+
 
 def ask(page, path, query="{key}", host="127.0.0.1", **headers):
     """Send a GET with exactly this path and query; return the connection and the answer.
