@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from support.page.viewer import Viewer
 
 HIT_LINES = 5  # of text, above the cradle
+SLOWLY = 0.1  # times real time: the speed of slow motion
 
 
 class Actions:
@@ -57,6 +58,10 @@ class Actions:
         self.viewer.is_paused = True
         self.questions.is_asking = False
 
+    def slow_down(self, is_slow: bool) -> None:
+        """Let the time go on slowly, or at its usual speed."""
+        self.set_speed(SLOWLY if is_slow else 1.0)
+
     def set_speed(self, speed: float) -> None:
         """Let the time go on at this speed, times real time, also if a run is in slow motion."""
         self.viewer.speed = speed
@@ -65,11 +70,13 @@ class Actions:
     # --- what is shown -------------------------------------------------------------------------
 
     def show_arrows(self, is_shown: bool) -> None:
-        """Show arrows and bars, or not."""
-        marks = self.viewer.marks
-        marks.has_arrows = is_shown
-        marks.place_arrows()
-        self.viewer.scenery.below = marks.depth
+        """Show arrows and momenta, or not."""
+        self.viewer.marks.has_arrows = is_shown
+
+    def measure(self, is_shown: bool) -> None:
+        """Show the dial, angles, speeds and the half swings, or not."""
+        self.viewer.marks.measures = is_shown
+        self.viewer.marks.place_dial()
 
     def slow_down_hits(self, is_slow: bool) -> None:
         """Show the hits slowly, or not."""
@@ -152,8 +159,6 @@ class Actions:
 
     def choose(self, name: str) -> None:
         """Let main make the cradle with this name: an experiment, or your CSV with its settings."""
-        if name not in self.chooser.names():
-            return  # the menu also has the changed experiment
         self.chooser.choose(name)
         if self.chooser.experiment:
             self.viewer.is_paused = False
@@ -230,6 +235,7 @@ class Actions:
             return
         self.cradle.held_bob.index = None
         viewer.motion.set_start()
+        viewer.stopwatch.restart(viewer.motion.time())
         viewer.note()
-        viewer.marks.surround(self.cradle, viewer.scenery.bottom)
+        viewer.marks.surround(self.cradle)
         viewer.slow_hits.clear()

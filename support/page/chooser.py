@@ -11,6 +11,7 @@ from support.cradle.settings import Settings
 from support.files.cradle_csv import Snapshot
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
 from support.files.valid_cradle import are_in_range, IN_RANGE, require_cradle
+from support.page.pictures import at_rest, picture
 
 Numbers = dict[str, list[float]]  # the numbers of all pendula, by their column
 
@@ -41,23 +42,18 @@ class Chooser:
         self.is_changed = False  # whether the cradle is no longer that of the experiment
         # The angles of each pendulum at the release (rad), if an experiment sets them.
         self.poses: list[list[float]] | None = None
+        self.pictures = {YOUR_CSV: at_rest(self.saved, self.cords)}
+        for name, experiment in self.experiments.items():
+            self.pictures[name] = picture(experiment.csv, experiment.poses)
         self.refused: dict[str, Refusal] = {}  # by "row,column" of the table
 
     def names(self) -> list[str]:
         """Return the names that you can choose."""
         return [YOUR_CSV, *self.experiments]
 
-    def menu(self) -> list[str]:
-        """Return the names in the menu.
-
-        A changed experiment has one more, so that you can choose its own one again.
-        """
-        return [*self.names(), self.name()] if self.is_changed else self.names()
-
     def name(self) -> str:
         """Return the name of what is chosen."""
-        chosen = self.experiment.name if self.experiment else YOUR_CSV
-        return f"{chosen}, changed" if self.is_changed else chosen
+        return self.experiment.name if self.experiment else YOUR_CSV
 
     def whole_experiment(self) -> Experiment | None:
         """Return the experiment that is chosen; None once it was changed, and for your CSV."""
@@ -93,6 +89,7 @@ class Chooser:
         require_cradle(snapshot, self.cords)
         self.choose(YOUR_CSV)
         self.saved = snapshot
+        self.pictures[YOUR_CSV] = at_rest(snapshot, self.cords)
         self.player.change(csv=snapshot)
 
     def is_edited(self) -> bool:

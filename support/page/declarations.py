@@ -6,7 +6,7 @@ page.html has a place for each control, by its name; Viewer.state has their valu
 from typing import Any, TYPE_CHECKING
 
 from support.columns import SETTABLE
-from support.page.actions import Actions
+from support.page.actions import Actions, SLOWLY
 from support.page.controls import (
     Command,
     Control,
@@ -40,7 +40,7 @@ def experiment_controls(viewer: "Viewer") -> list[Control]:
         label="Experiment",
         get=viewer.chooser.name,
         set=viewer.actions.choose,
-        choices=viewer.chooser.menu,
+        choices=viewer.chooser.names,
     )
     ask_first = Switch(
         name="ask first",
@@ -96,11 +96,25 @@ def cradle_controls(viewer: "Viewer") -> list[Control]:
 
 def show_controls(viewer: "Viewer") -> list[Control]:
     """Return the controls of what the page shows beside the cradle."""
+    slow = Switch(
+        name="slow",
+        label="Slow motion",
+        get=lambda: viewer.speed_now() <= SLOWLY,
+        set=viewer.actions.slow_down,
+    )
     arrows = Switch(
         name="arrows",
         label="Arrows",
         get=lambda: viewer.marks.has_arrows,
         set=viewer.actions.show_arrows,
+        help="Velocities as arrows, momenta as bars",
+    )
+    measure = Switch(
+        name="measure",
+        label="Measure",
+        get=lambda: viewer.marks.measures,
+        set=viewer.actions.measure,
+        help="Angle and speed (m/s) at each bob, a dial, and a stopwatch",
     )
     slow_hits = Switch(
         name="slow hits",
@@ -123,7 +137,7 @@ def show_controls(viewer: "Viewer") -> list[Control]:
         set=viewer.actions.set_span,
         choices=lambda: [*SPANS],
     )
-    return [arrows, slow_hits, graph, span]
+    return [slow, arrows, measure, slow_hits, graph, span]
 
 
 def release_angle(viewer: "Viewer", cord: int, name: str) -> Slider:

@@ -1,9 +1,15 @@
 """What the page says of the motion."""
 
+from collections.abc import Sequence
+
+from vpython import vector
+
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.motion import Motion, percent_as_text
 from support.cradle.real_time import RealTime
+from support.page.graph import to_css
+from support.page.scene.marks import GREY, Marks
 
 
 def readout(motion: Motion, pace: RealTime) -> dict[str, str]:
@@ -15,13 +21,36 @@ def readout(motion: Motion, pace: RealTime) -> dict[str, str]:
     }
 
 
+def momenta(marks: Marks, colors: Sequence[vector]) -> list[dict]:
+    """Return a bar for each momentum that the marks have noted, and one for the sum.
+
+    A bar has a name, the momentum as text, a color, and a part: -1 to 1, of the largest momentum.
+    """
+    if not marks.momenta:
+        return []
+    names = [str(number) for number in range(1, len(colors) + 1)]
+    bars = []
+    for name, momentum, color in zip(
+        [*names, "sum"], [*marks.momenta, sum(marks.momenta)], [*colors, GREY], strict=True
+    ):
+        part = max(-1.0, min(1.0, momentum / marks.largest))
+        bars.append(
+            {"name": name, "text": signed(momentum), "color": to_css(color), "part": round(part, 3)}
+        )
+    return bars
+
+
 def momentum_as_text(momentum: float) -> str:
     """Return a momentum (kg m/s) with an arrow in its direction."""
-    # + 0.0: not -0.000
-    number = f"{round(momentum, 3) + 0.0:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
     if abs(momentum) < 0.0005:
-        return f"{number} kg m/s"
-    return f"{number} kg m/s {'→' if momentum > 0 else '←'}"
+        return f"{signed(momentum)} kg m/s"
+    return f"{signed(momentum)} kg m/s {'→' if momentum > 0 else '←'}"
+
+
+def signed(momentum: float) -> str:
+    """Return a momentum (kg m/s) as text with its sign."""
+    # + 0.0: not -0.000
+    return f"{round(momentum, 3) + 0.0:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
 
 
 def changes(cradle: Cradle, before: dict[str, float]) -> list[str]:

@@ -8,17 +8,18 @@ from support.columns import SETTABLE
 from support.cradle.cradle import Cradle
 from support.cradle.player import Player
 from support.cradle.real_time import FRAME
+from support.cradle.stopwatch import Stopwatch
 from support.files.cradle_csv import LiveFile
 from support.files.data_file import EVERY
 from support.page import readout
-from support.page.actions import Actions
+from support.page.actions import Actions, SLOWLY
 from support.page.chooser import Chooser
 from support.page.controls import commands_of, is_text, state_of
 from support.page.declarations import declare_commands, declare_controls
 from support.page.endless import Watch
 from support.page.graph import Graph
 from support.page.questions import Questions
-from support.page.scene.marks import Marks
+from support.page.scene.marks import Label, Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
 from support.page.tabs import Tabs
@@ -26,7 +27,6 @@ from support.page.tabs import Tabs
 REFRESH = 0.1  # s between two changes of the state
 # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick.
 QUIET = 0.01
-SLOWLY = 0.1  # times real time: the speed of an experiment that is repeated slowly
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
 IMPACTS = 5  # series of hits, a line for each
 
@@ -67,6 +67,8 @@ class Viewer(Player):
         self.questions = Questions()
         self.scenery = Scenery()
         self.marks = Marks()
+        self.stopwatch = Stopwatch()
+        self.labels: list[Label] = []  # in the picture
         self.slow_hits = SlowHits(cradle)
         self.graph = Graph(cradle.angle_keys, cradle.rate_keys)
 
@@ -131,7 +133,7 @@ class Viewer(Player):
             self.motion.set_start()
             if not self.is_time_running():
                 self.note()  # one scale: the graph ends at the 100 % of this moment, too
-        self.scenery.keep_in_view(self.cradle.bobs())
+        self.scenery.keep_in_view([*self.cradle.bobs(), *self.marks.ghosts])
         if self.motion.loudest > QUIET:
             self.sounds += 1
             self.loudest = round(self.motion.loudest, 4)
@@ -143,7 +145,8 @@ class Viewer(Player):
             "sound": {"count": self.sounds, "speed": self.loudest},
             "view": {
                 **self.scenery.view(),
-                "labels": [label._asdict() for label in self.marks.labels],
+                "fade": self.fade(),
+                "labels": [label._asdict() for label in self.labels],
             },
         }
         if self.pace.clock() >= self.next_refresh:
@@ -151,16 +154,21 @@ class Viewer(Player):
             state |= self.state()
         self.tabs.show(state)
 
+    def fade(self) -> float:
+        """Return how strong the arrows of a slow hit still are: from 1 to 0; 1 while paused."""
+        if self.slow_hits.shown is None or not self.is_time_running():
+            return 1.0
+        return self.slow_hits.part_left(self.pace.clock())
+
     def draw(self) -> None:
         """Draw what is beside the pendula: as in the slow hit that is shown, or as it is now."""
         slow_hit = self.slow_hits.shown
-        if slow_hit:
-            self.marks.show_arrows(slow_hit.pend_list)
-            self.marks.show_halos((slow_hit.hit.left, slow_hit.hit.right))
-        else:
-            self.marks.show_arrows(self.cradle.pend_list)
-            self.marks.show_halos(())
-        self.marks.show_ghosts(self.questions.predicted(self.motion.time()))
+        pend_list = slow_hit.pend_list if slow_hit else self.cradle.pend_list
+        self.marks.show_arrows(pend_list)
+        self.marks.show_hit(slow_hit)
+        predicted = self.questions.predicted(self.motion.time())
+        self.marks.show_ghosts(predicted, self.questions.ghost_name())
+        self.labels = self.marks.labels(pend_list)
 
     def show_new_cradle(self) -> None:
         """Show a new cradle. The first one starts when a tab has drawn it: you see the release."""
@@ -168,8 +176,9 @@ class Viewer(Player):
         self.actions.pose()
         self.slow_hits.clear()
         self.scenery.surround(cradle.axles(), cradle.bobs(), cradle.reach, cradle.values("mass"))
-        self.marks.surround(cradle, self.scenery.bottom)
+        self.marks.surround(cradle)
         self.graph.begin(cradle.colors())
+        self.stopwatch.restart(self.motion.time())
         self.note()
         self.before = None
         self.tick_lines = []
@@ -182,7 +191,9 @@ class Viewer(Player):
 
     def note(self) -> None:
         """Add this moment to the graph."""
-        self.graph.add(self.motion.sample())
+        sample = self.motion.sample()
+        self.graph.add(sample)
+        self.stopwatch.look(sample["t"], sample["kinetic"], sample["total"])
 
     def longest_batch(self) -> int:
         """Return after how many ticks, at most, to look at the cradle.
@@ -210,6 +221,13 @@ class Viewer(Player):
             self.tick_lines = [*readout.changes(self.cradle, self.before), *calls]
             self.before = None
 
+    def readout(self) -> dict[str, str]:
+        """Return the numbers beside the cradle as text, by their names."""
+        numbers = readout.readout(self.motion, self.pace)
+        if self.marks.measures:
+            numbers |= {"half swings": str(self.stopwatch), "at a bob": "angle, speed in m/s"}
+        return numbers
+
     def state(self) -> dict[str, Any]:
         """Return what the page shows beside VPython's canvas, by name, all texts plain."""
         cradle = self.cradle
@@ -222,11 +240,14 @@ class Viewer(Player):
             "remark": " ".join(remarks),
             "error": self.error,
             "mistakes": self.chooser.mistakes,
+            "pictures": dict(self.chooser.pictures),
+            "changed": self.chooser.is_changed,
             "ended": None,
             "running": self.is_time_running(),
             "question": self.questions.state(),
             "hit": self.slow_hits.state(),
-            "motion": readout.readout(self.motion, self.pace),
+            "motion": self.readout(),
+            "momenta": readout.momenta(self.marks, cradle.colors()),
             "impacts": self.motion.impacts.lines(),
             "curves": self.graph.state(self.motion.start_energy),
             "columns": SETTABLE,

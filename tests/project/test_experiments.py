@@ -67,7 +67,7 @@ FOUR = "- a = 0 0 0 0 0\n- b = 1 0 0 0 0\n- c = 2 0 0 0 0\n- d = 3 0 0 0 0\n"
 BAD = [  # an old and a new text; the beginning of the message after the name of the file; a part
     ("theta = -45", "theta = -180.5", ", theta: found '-180.5 -45 0 0 0', ", ANGLE),
     ("theta = -45", "theta = 180.5", ", theta: found '180.5 -45 0 0 0', ", ANGLE),
-    ("name = Two bobs", "name = My cradle (CSV)", ", name: found 'My cradle (CSV)', ", "text"),
+    ("name = Two bobs", "name = My cradle", ", name: found 'My cradle', ", "text"),
     ("name = Two bobs\n", "", ", name: found nothing, ", "a text"),
     ("* Two", "- Two", ", answers: found 2 answers, 0 of them with an asterisk", "2 to 5, one"),
     ("- One=1 = 0 0 0 0 100\n", "", ", answers: found 1 answers, 1 of", "2 to 5, one"),

@@ -1,11 +1,12 @@
-"""Arrows, bars, slow hits, and bobs that a mouse drags; on the stand-in."""
+"""Arrows, momenta, measurements, slow hits, and bobs that a mouse drags; on the stand-in."""
 
+import re
 from itertools import pairwise
-from math import sqrt
+from math import atan2, degrees, sqrt
 
 import pytest
 from rig import Rig
-from vpython import scene, vector
+from vpython import diff_angle, vector
 from whole_cradles import GOOD, HEADER, PERIOD, velocities
 
 from src import visualize_cradle_run
@@ -13,7 +14,7 @@ from support.constants import R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.energy import momentum
-from support.page.scene.marks import ARROW_TIME, FLAT, YELLOW
+from support.page.scene.marks import ARROW_TIME, LONGEST
 from support.page.scene.slow_hits import EACH
 
 
@@ -28,15 +29,13 @@ def lowest(rig):
 
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
 def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(csv, kind):
-    """Also for a later cradle; the view has room for the bars, and for the words beside them."""
+    """Also for a later cradle."""
     rig = Rig(csv, *[30] * kind.cord_count, kind=kind)
-    ground = lowest(rig)
     rig.give("arrows", True)
     rig.save(HEADER + "3.0,1.0,0,0,blue,metal\n" + GOOD)
     rig.give("restart")
     rig.wait(0.15)  # the first pendulum is on its way to the second one
     cradle = rig.cradle
-    marks = rig.viewer.marks
     arrows = visible(rig, "arrows")
     moves = velocities(cradle.pend_list[0])
     assert len(arrows) == len(moves)
@@ -47,27 +46,58 @@ def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(c
 
     # The bar of the largest momentum, sqrt(2 m E) of the only pendulum that moves, is a full one
     mass = 3.0 * kind.cord_count
-    assert marks.largest == pytest.approx(sqrt(2 * mass * sum(cradle.energies())), rel=0.001)
-    bars = visible(rig, "bars")
+    largest = sqrt(2 * mass * sum(cradle.energies()))
     first, second = [momentum([pend], R_PARAM) for pend in cradle.pend_list]
+    bars = rig.state["momenta"]
+    assert [bar["name"] for bar in bars] == ["1", "2", "sum"]
+    assert bars[0]["color"] == "rgb(0, 0, 255)"
     for bar, p in zip(bars, (first, second, first + second), strict=True):
-        height = marks.height * p / marks.largest
-        assert bar.size.y == pytest.approx(max(abs(height), FLAT * marks.height))
-        assert bar.pos.y == pytest.approx(marks.level + height / 2)
-    assert [bar.pos.x for bar in bars[:-1]] == [axle.pos.x for axle in cradle.axles()]
-    assert [bar.color for bar in bars[:-1]] == cradle.colors()
-    left, right = rig.state["view"]["labels"]
-    assert left["text"] == "momentum\n(up = right)"
-    assert left["y"] == marks.level
-    places = [left["x"], *(bar.pos.x for bar in bars), right["x"]]
-    assert places == sorted(places)
-    assert lowest(rig) < marks.level - marks.height
-    assert marks.level + marks.height < ground
+        assert bar["part"] == pytest.approx(p / largest, abs=0.002)
+        assert float(bar["text"]) == pytest.approx(p, abs=0.001)
 
     rig.give("arrows", False)
-    assert not any(shape.visible for shape in arrows + bars)
+    assert not any(shape.visible for shape in arrows)
+    assert rig.state["momenta"] == []
+
+
+def test_masses_that_differ_are_on_the_bobs(rig):
     assert rig.state["view"]["labels"] == []
-    assert lowest(rig) == ground
+    rig.give("edit", 0, "mass", "2.5")
+    labels = rig.state["view"]["labels"]
+    assert [label["text"] for label in labels] == ["2.5 kg", *["1 kg"] * 4]
+    assert [label["kind"] for label in labels] == ["heavy", *["light"] * 4]
+    assert [label["x"] for label in labels] == [bob.pos.x for bob in rig.cradle.bobs()]
+
+
+def test_a_dial_angles_speeds_and_half_swings_can_be_measured(csv):
+    """The marks are behind the outer cords, where a cord at their angle is."""
+    rig = Rig(csv, 45)
+    rig.give("measure", True)
+    marks = visible(rig, "dial")
+    outer = {-1: rig.cradle.axles()[0], 1: rig.cradle.axles()[4]}
+    angles = []
+    for mark in marks:
+        side = 1 if mark.axis.x >= 0 else -1
+        assert diff_angle(mark.pos - outer[side].pos, mark.axis) == pytest.approx(0, abs=0.02)
+        angles.append(round(degrees(atan2(mark.axis.x, -mark.axis.y))))
+    assert angles == [*range(-80, 81, 10)]
+    rig.wait(1.8 * PERIOD)
+    texts = [label["text"] for label in rig.state["view"]["labels"]]
+    pend_list = rig.cradle.pend_list
+    for text, pend in zip(texts, pend_list, strict=False):
+        angle, speed = text.split("\n")
+        assert angle == f"{abs(degrees(pend['theta'])):.0f}°"
+        assert float(speed) == pytest.approx(abs(pend["omega"]) * R_PARAM, abs=0.006)
+    # By the series of the period's elliptic integral, a swing of 45 degrees takes 1.0400 as long
+    # as a small one.
+    count, seconds = re.fullmatch(
+        r"(\d) in ([\d.]+) s", rig.state["motion"]["half swings"]
+    ).groups()
+    assert count == "3"
+    assert float(seconds) == pytest.approx(1.5 * 1.04 * PERIOD, abs=0.01)
+    rig.give("measure", False)
+    assert visible(rig, "dial") == []
+    assert "half swings" not in rig.state["motion"]
 
 
 def reversed_order(pend_list, r_param, dt, g):
@@ -87,7 +117,7 @@ def reversed_order(pend_list, r_param, dt, g):
 def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_goes_on(
     csv, monkeypatch, tick, pairs
 ):
-    """With its speeds, its halos and the arrows after it."""
+    """With its speeds, rings, equal and opposite changes of momentum, and the arrows after it."""
     monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", tick)
     rig = Rig(csv, 45, lifted=2)
     rig.give("slow hits", True)
@@ -103,17 +133,26 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
             "note": "This order is the model's: a tick takes one pair after the other.",
         }
         places = [bob.pos.x for bob in rig.cradle.bobs()]
-        assert [halo.pos.x for halo in visible(rig, "halos")] == places[left - 1 : right]
+        rings = visible(rig, "rings")
+        assert [ring.pos.x for ring in rings] == places[left - 1 : right]
+        assert min(ring.pos.z for ring in rings) >= rig.cradle.bobs()[0].radius  # in front
+        leftwards, rightwards = [change.axis.x for change in visible(rig, "changes")]
+        assert leftwards == pytest.approx(-rightwards)
+        # From 45 degrees; two such bobs have the largest momentum
+        assert rightwards == pytest.approx(LONGEST * R_PARAM / 2, rel=0.01)
+        assert 0.7 < rig.state["view"]["fade"] < 0.9
         moving.remove(left)
         moving.add(right)
         arrows = [arrow.pos.x for arrow in visible(rig, "arrows")]
         assert arrows == [places[bob - 1] for bob in sorted(moving)]
         ticks = rig.viewer.motion.ticks
         rig.wait(EACH / 2)
+        assert 0.2 < rig.state["view"]["fade"] < 0.4
         assert rig.viewer.motion.ticks == ticks  # the time holds
         rig.wait(EACH / 2)
     assert rig.state["hit"] is None
-    assert not any(shape.color == YELLOW for shape in scene.objects)
+    assert not visible(rig, "rings")
+    assert not visible(rig, "changes")
     assert rig.viewer.motion.ticks > ticks
     assert [id(pend) for pend in rig.cradle.pend_list] == pendula  # no copies
 

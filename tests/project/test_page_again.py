@@ -204,7 +204,7 @@ def test_hostile_texts_are_shown_as_texts(page, program):
         open_cradle(page, programs.first_lines(process))
         page.get_by_text(f"'{evil}' is the name of another experiment").wait_for()
         pages.tick(page, "Predict first")
-        menu(page, "Experiment").select_option(evil)
+        pages.press(page, evil)
         page.get_by_text(f"{evil} come in.").first.wait_for()
         page.get_by_text(f"C\u2002{evil}, as far as the two").wait_for()
         page.keyboard.press("a")

@@ -50,7 +50,7 @@ def outline(count, highest):
 
 
 @pytest.mark.parametrize("count", [1, 5, 50])
-def test_the_frame_and_swings_to_the_horizontal_are_in_view_and_later_those_above_it(count):
+def test_the_frame_is_in_view_and_later_swings_that_leave_it(count):
     """The view stays wide when the bob comes down: a camera that you have turned stays so."""
     scenery = surround([1.0] * count)
     axles, bobs = pendula(count)
@@ -58,12 +58,20 @@ def test_the_frame_and_swings_to_the_horizontal_are_in_view_and_later_those_abov
     frame = [(base.pos - base.size / 2).value, (base.pos + base.size / 2).value]
     for bar in scenery.frame[:-1]:
         frame += [bar.pos.value, (bar.pos + bar.axis).value]
+    inside = [box(pos=axles[0].pos + R * vector(-sin(pi / 4), -cos(pi / 4), 0))]
+    outside = [box(pos=axles[0].pos + R * vector(-0.9, -0.4, 0))]
     above = [box(pos=axles[0].pos + vector(0, 0.9 * R, 0))]
-    for moved, highest in ((bobs, pi / 2), (above, pi), (bobs, pi)):
+    for moved, highest in (
+        (inside, pi / 4),
+        (outside, pi / 2),
+        (inside, pi / 2),
+        (above, pi),
+        (bobs, pi),
+    ):
         scenery.keep_in_view(moved)
         points = frame + outline(count, highest)
         for (least, most), (low, high) in zip(extent(points), view(scenery), strict=True):
-            assert low <= least < most <= high
+            assert low - 1e-9 < least < most < high + 1e-9
             assert high - low < 1.2 * (most - least)
 
 
@@ -97,20 +105,24 @@ def test_a_frame_of_another_size_takes_the_place_of_the_old_one():
     assert len(scene.objects) - before == 9 * 3  # of the new pendula
 
 
-@pytest.mark.parametrize(
-    ("masses", "texts"), [([2.5] * 3, ["1", "2", "3"]), ([1, 2.5, 1], ["1\n1", "2\n2.5", "3\n1"])]
-)
-def test_the_axles_carry_their_numbers_and_masses_that_differ(masses, texts):
+def test_unequal_bobs_get_room_for_wide_swings_from_the_start():
+    """They probably swing wider than those that come in: no view changes in the middle of a hit."""
+    (left, right), _, _ = view(surround([1.0, 1.0]))
+    (wide_left, wide_right), _, _ = view(surround([5.0, 1.0]))
+    assert wide_left < left
+    assert wide_right > right
+
+
+def test_the_axles_carry_their_numbers():
     """Above the axles; the view has space for them, and for more lines."""
-    scenery = surround(masses)
+    scenery = surround([1.0] * 3)
     axles, _ = pendula(3)
     places = [axle.pos.x for axle in axles]
-    numbers = [{"x": x, "text": text} for x, text in zip(places, texts, strict=True)]
+    numbers = [{"x": x, "text": text} for x, text in zip(places, "123", strict=True)]
     assert scenery.view()["numbers"] == numbers
     top = scenery.view()["top"]
     assert top > axles[0].pos.y + axles[0].height / 2
-    lines = 1 + texts[0].count("\n")
     for more in (0, 5):
         scenery.lines = more
         _, (low, high), _ = view(scenery)
-        assert high - top > (lines + more) * TEXT * (high - low)
+        assert high - top > (1 + more) * TEXT * (high - low)

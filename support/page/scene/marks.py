@@ -1,39 +1,42 @@
-"""What the page draws to show why the cradle moves so: arrows, bars, ghosts and halos."""
+"""What the page draws to show why the cradle moves so: arrows, ghosts, rings, a dial, and texts."""
 
 from collections.abc import Sequence
-from math import hypot, pi, sqrt
+from math import degrees, hypot, pi, radians, sqrt
 from typing import Any, NamedTuple
 
-from vpython import arrow, box, cylinder, sphere, vector
+from vpython import arrow, cylinder, ring, sphere, vector
 
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.energy import bob_motions, momentum
-from support.pendulum import arm, make_shape
+from support.page.scene.slow_hits import SlowHit
+from support.pendulum import arm, cord_angles, make_shape, Pendulum
 
 # s: an arrow is as long as its bob's way in a ninth of a small swing.
 ARROW_TIME = 2 * pi * sqrt(R_PARAM / G) / 9
 # m/s: a slower bob has no arrow. A bob that comes down from 2 degrees gets as fast.
 STILL = 0.035 * sqrt(R_PARAM * G)
-
-# In reaches of the cradle.
-BAR = 0.2  # the height of the largest bar
-BELOW = 0.17  # its distance from the base
-FLAT = 0.01  # the least part of BAR: no shape can have the size 0
+LONGEST = 1.0  # the arrow of the largest change of momentum, in reaches of the cradle
+# The dial: where its marks begin, and their length, in lengths of a cord.
+DIAL = 0.76
+MARK = 0.08
 
 GREEN = vector(0.0, 0.62, 0.45)  # of the arrows
-YELLOW = vector(1.0, 0.75, 0.0)  # of the halos
-GREY = vector(0.5, 0.5, 0.53)  # of the bar of the sum
-PALE = vector(0.55, 0.55, 0.55)  # of the ghosts
-BOB_IN_GHOST = 0.35  # the part of its bob's color that a ghost has, too
+MAGENTA = vector(0.8, 0.1, 0.5)  # of the arrows of a hit
+ORANGE = vector(0.9, 0.4, 0.0)  # of the rings
+GREY = vector(0.5, 0.5, 0.53)  # of the dial
+# A ghost is so far from its bob (in radii), and hidden by it if both are at the same angle: it is
+# behind the bob in the direction in which the page looks (FORWARD in camera.js).
+BEHIND = 2.2 * vector(0, -0.2, -1)
 
 
 class Label(NamedTuple):
-    """A text beside the bars, and its place (m)."""
+    """A text in the picture, its place (m), and its kind: camera.js has a style for each."""
 
     x: float
     y: float
     text: str
+    kind: str
 
 
 class Marks:
@@ -41,24 +44,19 @@ class Marks:
 
     def __init__(self) -> None:
         self.has_arrows = False
-        self.labels: list[Label] = []
-        self.depth = 0.0  # m: so far the bars reach below the base
+        self.measures = False  # whether the dial, the angles and the speeds are shown
+        self.momenta: list[float] = []  # kg m/s: of the pendula, while there are arrows
+        self.ghosts: list = []
+        self.ghost_labels: list[Label] = []
         self.shapes: dict[str, list] = {}  # all that were made, by their name
-        # The visible ones of these, and the places (m) of the bars.
-        self.arrows: list = []
-        self.bars: list = []
-        self.xs: list[float] = []
 
-    def surround(self, cradle: Cradle, bottom: float) -> None:
-        """Take a new cradle; its base is at the height bottom (m)."""
+    def surround(self, cradle: Cradle) -> None:
+        """Take a new cradle."""
         self.cradle = cradle
-        self.height = BAR * cradle.reach
-        # The height (m) of the lower end of a bar that points up.
-        self.level = bottom - BELOW * cradle.reach - self.height
-        # The largest momentum (kg m/s): its bar has the full height.
+        # The largest momentum (kg m/s): its bar has the full length.
         speeds = zip(cradle.pend_list, cradle.top_speeds(), strict=True)
         self.largest = sum(cradle.whole_mass(pend) * speed for pend, speed in speeds) or 1.0
-        self.place_arrows()
+        self.place_dial()
 
     def take(self, name: str, count: int, kind: type, **attributes: Any) -> list:
         """Return the first shapes with this name; make those that are missing, and hide the rest.
@@ -74,80 +72,131 @@ class Marks:
                 shape.visible = is_needed
         return shapes[:count]
 
-    def place_arrows(self) -> None:
-        """Make an arrow for each bob, a bar below each axle, and one for the sum; or hide all."""
-        bobs = self.cradle.bobs()
-        reach = self.cradle.reach
-        self.xs = [axle.pos.x for axle in self.cradle.axles()]
-        first, last = self.xs[0], self.xs[-1]
-        self.xs.append(last + reach / 3)  # of the sum
-        if self.has_arrows:
-            arrow_count = len(bobs)
-            bar_count = len(self.xs)
-            self.labels = [
-                Label(first - reach / 2, self.level, "momentum\n(up = right)"),
-                Label(last + 0.6 * reach, self.level, "sum"),
-            ]
-            self.depth = (BELOW + 2 * BAR) * reach
-        else:
-            arrow_count = bar_count = 0
-            self.labels = []
-            self.depth = 0.0
-        width = bobs[0].radius / 3
-        self.arrows = self.take("arrows", arrow_count, arrow, color=GREEN, shaftwidth=width)
-        self.bars = self.take("bars", bar_count, box)
-        colors = [*self.cradle.colors(), GREY]
-        for bar, color in zip(self.bars, colors, strict=False):
-            bar.color = color
+    # --- the motion --------------------------------------------------------------------------
 
-    def show_arrows(self, pend_list: Sequence) -> None:
-        """Show the velocities and momenta of these pendula; a bar up is a momentum to the right."""
+    def show_arrows(self, pend_list: Sequence[Pendulum]) -> None:
+        """Show the velocities of these pendula, and note their momenta; or hide all arrows."""
         if not self.has_arrows:
+            self.take("arrows", 0, arrow)
+            self.momenta = []
             return
+        bobs = self.cradle.bobs()
+        width = bobs[0].radius / 3
+        arrows = self.take("arrows", len(bobs), arrow, color=GREEN, shaftwidth=width)
         motions = [motion for pend in pend_list for motion in bob_motions(pend, R_PARAM)]
-        for pointer, bob, (_, vx, vy) in zip(self.arrows, self.cradle.bobs(), motions, strict=True):
+        for pointer, bob, (_, vx, vy) in zip(arrows, bobs, motions, strict=True):
             moves = hypot(vx, vy) > STILL
             if pointer.visible != moves:
                 pointer.visible = moves
             if moves:
                 pointer.pos = bob.pos + vector(0, 0, bob.radius)
                 pointer.axis = vector(ARROW_TIME * vx, ARROW_TIME * vy, 0)
-        momenta = [momentum([pend], R_PARAM) for pend in pend_list]
-        momenta.append(sum(momenta))
+        self.momenta = [momentum([pend], R_PARAM) for pend in pend_list]
         # A light bob that bounces back gives more than it had.
-        self.largest = max(self.largest, *map(abs, momenta))
-        for bar, x, p in zip(self.bars, self.xs, momenta, strict=True):
-            height = self.height * p / self.largest
-            bar.size = vector(R_PARAM / 8, max(abs(height), FLAT * self.height), R_PARAM / 40)
-            bar.pos = vector(x, self.level + height / 2, 0)
+        self.largest = max(self.largest, *map(abs, self.momenta))
 
-    def show_ghosts(self, thetas: Sequence[float]) -> None:
-        """Show a pale upper bob and cord at each of these angles (rad), or none for an empty list.
+    def labels(self, pend_list: Sequence[Pendulum]) -> list[Label]:
+        """Return the texts in the picture, for these pendula."""
+        return [*self.mass_labels(), *self.measured_labels(pend_list), *self.ghost_labels]
 
-        The page takes each sphere that can be picked for a bob (canvas.js).
+    def mass_labels(self) -> list[Label]:
+        """Return the masses (kg) on the bobs, if they differ."""
+        masses = self.cradle.values("mass")
+        lightest = min(masses)
+        labels = []
+        for pend in self.cradle.pend_list:
+            for bob in pend["objects"][1::2]:
+                kind = "heavy" if pend["mass"] > lightest else "light"
+                labels.append(Label(bob.pos.x, bob.pos.y, f"{pend['mass']:g} kg", kind))
+        return labels if max(masses) > lightest else []
+
+    # --- a hit that is shown slowly ------------------------------------------------------------
+
+    def show_hit(self, slow_hit: SlowHit | None) -> None:
+        """Put rings around the pair of a hit, and show the changes of their momenta; or hide them.
+
+        The page lets the arrows fade (light.js).
         """
-        ghosts = self.take("ghosts", len(thetas), sphere, shininess=0, pickable=False)
-        threads = self.take("threads", len(thetas), cylinder)
-        for i, theta in enumerate(thetas):
-            axle, bob, cord = self.cradle.pend_list[i]["objects"][:3]
-            axis = arm(theta, R_PARAM)
-            color = PALE + BOB_IN_GHOST * bob.color
-            # Inside of bob and cord, where these are as predicted.
-            ghosts[i].pos = axle.pos + axis
-            ghosts[i].radius = 0.97 * bob.radius
-            ghosts[i].color = color
-            threads[i].pos = axle.pos
-            threads[i].axis = axis
-            threads[i].radius = 0.9 * cord.radius
-            threads[i].color = color
-
-    def show_halos(self, pair: Sequence[int]) -> None:
-        """Light up these pendula (indices), or none."""
+        pair = (slow_hit.hit.left, slow_hit.hit.right) if slow_hit else ()
         bobs: list = []
         for number in pair:
             bobs += self.cradle.pend_list[number]["objects"][1::2]
-        halos = self.take("halos", len(bobs), cylinder, color=YELLOW)
-        for halo, bob in zip(halos, bobs, strict=True):
-            halo.pos = bob.pos - vector(0, 0, bob.radius)
-            halo.axis = vector(0, 0, bob.radius / 20)
-            halo.radius = 1.3 * bob.radius
+        rings = self.take("rings", len(bobs), ring, color=ORANGE, axis=vector(0, 0, 1))
+        for circle, bob in zip(rings, bobs, strict=True):
+            circle.pos = bob.pos + vector(0, 0, bob.radius)
+            circle.radius = 1.05 * bob.radius
+            circle.thickness = 0.08 * bob.radius
+        arrows = self.take("changes", len(pair), arrow, color=MAGENTA, pickable=False)
+        if not slow_hit:
+            return
+        for pointer, number, old, new in zip(
+            arrows, pair, slow_hit.hit.before, slow_hit.hit.after, strict=True
+        ):
+            bob = self.cradle.pend_list[number]["objects"][1]
+            change = momentum([new], R_PARAM) - momentum([old], R_PARAM)
+            pointer.pos = bob.pos + vector(0, 0, 1.2 * bob.radius)
+            pointer.axis = vector(LONGEST * self.cradle.reach * change / self.largest, 0, 0)
+            pointer.shaftwidth = bob.radius / 2
+
+    # --- the answer ----------------------------------------------------------------------------
+
+    def show_ghosts(self, thetas: Sequence[float], name: str) -> None:
+        """Show a ghost of an upper bob and its cord at each of these angles (rad), or none.
+
+        The one that is farthest out has this name. What cannot be picked is no bob for the page
+        (canvas.js), and looks transparent (light.js).
+        """
+        ghosts = self.take("ghosts", len(thetas), sphere, shininess=0, pickable=False)
+        threads = self.take("threads", len(thetas), cylinder, pickable=False)
+        self.ghosts = ghosts
+        farthest = max(thetas, key=abs, default=0.0)
+        self.ghost_labels = []
+        for i, theta in enumerate(thetas):
+            axle, bob, cord = self.cradle.pend_list[i]["objects"][:3]
+            axis = arm(theta, R_PARAM)
+            behind = bob.radius * BEHIND
+            ghosts[i].pos = axle.pos + axis + behind
+            ghosts[i].radius = 0.97 * bob.radius  # hidden by the bob, where this is as predicted
+            ghosts[i].color = bob.color
+            threads[i].pos = axle.pos + behind
+            threads[i].axis = axis
+            threads[i].radius = 0.9 * cord.radius
+            if theta == farthest and not self.ghost_labels:
+                place = axle.pos + axis
+                self.ghost_labels = [Label(place.x, place.y - 1.6 * bob.radius, name, "note")]
+
+    # --- measurements --------------------------------------------------------------------------
+
+    def place_dial(self) -> None:
+        """Put marks, 10 degrees apart, behind the outer upper cords; or hide them."""
+        marks = dial_marks() if self.measures else []
+        axles = self.cradle.axles()
+        lines = self.take("dial", len(marks), cylinder, color=GREY, radius=R_PARAM / 300)
+        for line, theta in zip(lines, marks, strict=True):
+            axle = axles[0] if theta < 0 else axles[-1]
+            line.pos = axle.pos + arm(theta, DIAL * R_PARAM) - vector(0, 0, R_PARAM / 100)
+            line.axis = arm(theta, MARK * R_PARAM)
+
+    def measured_labels(self, pend_list: Sequence[Pendulum]) -> list[Label]:
+        """Return the angle (degrees) and the speed (m/s) of each bob, and numbers on the dial."""
+        if not self.measures:
+            return []
+        labels = []
+        for pend in pend_list:
+            bobs = pend["objects"][1::2]
+            for bob, angle, (_, vx, vy) in zip(
+                bobs, cord_angles(pend), bob_motions(pend, R_PARAM), strict=True
+            ):
+                text = f"{abs(degrees(angle)):.0f}°\n{hypot(vx, vy):.2f}"
+                labels.append(Label(bob.pos.x, bob.pos.y - 1.9 * bob.radius, text, "light"))
+        axles = self.cradle.axles()
+        for axle, side in ((axles[0], -1), (axles[-1], 1)):
+            for angle in (30, 60):
+                place = axle.pos + arm(side * radians(angle), 0.68 * R_PARAM)
+                labels.append(Label(place.x, place.y, f"{angle}°", "note"))
+        return labels
+
+
+def dial_marks() -> list[float]:
+    """Return the angles (rad) of the marks of the dial."""
+    return [radians(angle) for angle in range(-80, 81, 10)]

@@ -9,6 +9,8 @@ from support.cradle.dragging import FINGER
 from support.pendulum import discard, make_shape
 
 STEEL = vector(0.75, 0.76, 0.78)
+BESIDE = 0.86  # from the outer axles to the posts, in reaches: a bob at 45 degrees is inside
+OVERHANG = 0.06  # of the base beyond the posts, in reaches
 TEXT = 1 / 30  # the height of the numbers above the axles, in heights of the canvas
 LINE = 1.3  # from line to line, in heights of the text
 CANVAS = 1.1  # about the height of the canvas, in heights of the frame
@@ -37,17 +39,14 @@ class Scenery:
     """The light on VPython's canvas, and the frame around a cradle. Each tab has its own camera."""
 
     def __init__(self) -> None:
-        """Set soft light and a distant camera."""
+        """Set the lights, and a distant camera. light.js says how bright they are."""
         scene.autoscale = False
         scene.fov = 0.25  # rad: a distant camera; a near one distorts shapes off the centre
         scene.lights = []
-        scene.ambient = vector(0.45, 0.45, 0.45)
-        distant_light(direction=vector(0.3, 0.6, 0.9), color=vector(0.5, 0.5, 0.5))
-        distant_light(direction=vector(-0.6, 0.3, 0.4), color=vector(0.25, 0.25, 0.25))
+        for direction in (vector(0.2, 0.4, 1), vector(-0.6, 0.3, 0.4)):
+            distant_light(direction=direction)
         self.frame: list = []
-        # In view, too.
-        self.below = 0.0  # m, below the base
-        self.lines = 0  # of text, above the cradle
+        self.lines = 0  # of text above the cradle, which are in view, too
 
     def surround(
         self, axles: Sequence, bobs: Sequence, reach: float, masses: Sequence[float]
@@ -56,11 +55,11 @@ class Scenery:
 
         reach (m) is from an axle to the centre of the lowest bob at rest.
         """
-        self.numbers = number_axles(axles, masses)
+        self.numbers = [Number(axle.pos.x, str(i)) for i, axle in enumerate(axles, start=1)]
         top = axles[0].pos.y
         self.size = Size(
-            left=self.numbers[0].x - reach,
-            right=self.numbers[-1].x + reach,
+            left=self.numbers[0].x - BESIDE * reach,
+            right=self.numbers[-1].x + BESIDE * reach,
             top=top,
             bottom=top - 1.3 * reach,
             depth=axles[0].width,
@@ -69,17 +68,18 @@ class Scenery:
         )
         discard(self.frame)
         self.frame = make_frame(self.size)
-        self.whole_circles = False  # whether the view has space for bobs that swing above the frame
-
-    @property
-    def bottom(self) -> float:
-        """The height of the base (m)."""
-        return self.size.bottom
+        # Whether the view has space for bobs that swing out of the frame, and above it. Bobs with
+        # unequal masses probably will.
+        self.wide_swings = len({*masses}) > 1
+        self.whole_circles = False
 
     def keep_in_view(self, bobs: Sequence) -> None:
-        """Let the view have space for whole circles as soon as a bob swings above the frame."""
-        if any(bob.pos.y > self.size.top for bob in bobs):
-            self.whole_circles = True
+        """Let the view have space for these bobs, or ghosts, also outside of the frame."""
+        for bob in bobs:
+            if not self.size.left < bob.pos.x < self.size.right:
+                self.wide_swings = True
+            if bob.pos.y > self.size.top:
+                self.whole_circles = True
 
     def view(self) -> dict:
         """Return what a tab must know: the points (m) that its camera shows, and the numbers.
@@ -87,43 +87,35 @@ class Scenery:
         The points are those of the frame, of all swings, and of the text above the cradle.
         """
         left, right, top, bottom, depth, reach, radius = self.size
-        # The base stands out a little.
-        edge = depth / 2 + reach / 10
-        ground = bottom - reach / 20 - self.below
-        highest = top + radius  # of a swing up to the horizontal
-        if self.whole_circles:
-            highest += reach
+        ground = bottom - base_height(reach) / 2
         # The numbers, a gap, and the lines above them.
-        lines = self.lines + 1.5
-        if "\n" in self.numbers[0].text:
-            lines += 1
-        writing = radius / 2 + lines * LINE * TEXT * CANVAS * (top - ground)
-        points = []
-        for x in (left, right):
+        writing = radius / 2 + (self.lines + 1.5) * LINE * TEXT * CANVAS * (top - ground)
+        points: list[tuple[float, float, float]]
+        points = [(self.numbers[0].x, top + writing, 0), (self.numbers[-1].x, top + writing, 0)]
+        for x in (left - OVERHANG * reach, right + OVERHANG * reach):
             for y in (top, ground):
-                points += [(x, y, -edge), (x, y, edge)]
-        for x in (left - radius, right + radius):
-            points += [(x, top, 0), (x, highest, 0)]
-        for x in (left + reach, right - reach):
-            points.append((x, top + writing, 0))
+                for side in (-1, 1):
+                    points.append((x, y, side * (depth / 2 + OVERHANG * reach)))
+        if self.wide_swings or self.whole_circles:
+            highest = top + radius  # of a swing up to the horizontal
+            if self.whole_circles:
+                highest += reach
+            widest = reach + radius
+            points.append((self.numbers[0].x - widest, highest, 0))
+            points.append((self.numbers[-1].x + widest, highest, 0))
         return {
             "points": points,
             "numbers": [number._asdict() for number in self.numbers],
             "top": top + radius / 2,
+            "ground": bottom + base_height(reach) / 2,
             "text_height": TEXT,
             "finger": FINGER,
         }
 
 
-def number_axles(axles: Sequence, masses: Sequence[float]) -> list[Number]:
-    """Return the axles' numbers, with the masses (kg) below them if these differ."""
-    numbers = []
-    for i, mass in enumerate(masses):
-        text = str(i + 1)
-        if len({*masses}) > 1:
-            text += f"\n{mass:g}"
-        numbers.append(Number(axles[i].pos.x, text))
-    return numbers
+def base_height(reach: float) -> float:
+    """Return the height (m) of the base of a cradle with this reach (m)."""
+    return 0.1 * reach
 
 
 def make_frame(size: Size) -> list:
@@ -131,6 +123,7 @@ def make_frame(size: Size) -> list:
     left, right, top, bottom, depth, reach, _ = size
     thickness = reach / 50
     length = right - left
+    overhang = 2 * OVERHANG * reach
     frame = []
     for z in (-depth / 2, depth / 2):
         rail = vector(length + 2 * thickness, 0, 0)
@@ -140,7 +133,7 @@ def make_frame(size: Size) -> list:
     base = make_shape(
         box,
         pos=vector((left + right) / 2, bottom, 0),
-        size=vector(length + 10 * thickness, 5 * thickness, depth + 10 * thickness),
+        size=vector(length + overhang, base_height(reach), depth + overhang),
         texture=textures.wood,
     )
     return [*frame, base]

@@ -67,6 +67,10 @@ class SlowHits:
         self.shown = self.waiting.popleft() if self.waiting else None
         self.until = now + EACH
 
+    def part_left(self, now: float) -> float:
+        """Return the part of the shown hit's time that is left; now (s) is on the pace's clock."""
+        return round(max(0.0, (self.until - now) / EACH), 2)
+
     def state(self) -> dict | None:
         """Return what the page says of the hit: a title, lines and a note; or None."""
         if not self.shown:

@@ -1,6 +1,6 @@
 // The camera of this tab: it shows the whole cradle, and does not lose it when you turn and zoom.
 // And the texts in its picture: the numbers above the axles, and the labels beside the bars.
-const FORWARD = [-0.25, -0.18, -1]; // the camera looks a little from the left and from above
+const FORWARD = [0, -0.2, -1]; // the camera looks a little from above
 const MARGIN = 1.04; // the view is larger than the cradle by this factor
 const NEAREST = 0.1; // of the range with which the whole cradle fills the canvas
 const FARTHEST = 3;
@@ -8,6 +8,14 @@ const MOVED = 1e-3; // the least part of the range, or turn (rad), by which a ca
 const INK = vec(0.5, 0.5, 0.53); // of the texts, on a pale and on a dark page
 const SMALLEST = 0.75; // height of the numbers, in heights of the page's text
 const LETTER = 0.55; // width of a letter, in heights
+
+// Of the texts, by their kind: the height in heights of the page's text, and what is around it.
+const BLACK = vec(0.1, 0.1, 0.1);
+const STYLES = {
+  note: { size: 1, color: INK, opacity: 0 },
+  light: { size: 1, color: vec(1, 1, 1), background: BLACK, opacity: 0.4, border: 3 },
+  heavy: { size: 1.5, color: vec(1, 1, 1), background: BLACK, opacity: 0.9, border: 4 },
+};
 
 let home = null; // the center and the range with which the whole cradle fills the canvas
 let fitted; // the points for which it does
@@ -71,31 +79,33 @@ function limit() {
   one(".view").hidden = turn <= MOVED && way <= MOVED * home.range;
 }
 
-// Write the numbers of the pendula, and their masses if these differ, above as many axles as they
-// fit; and the labels.
+// Write the numbers of the pendula above as many axles as they fit, and the labels.
 function writeTexts() {
   const { numbers, top, text_height } = state.view;
   const { width, height, range } = scene();
   const ofPage = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
   const size = Math.max(SMALLEST * ofPage, text_height * height);
-  const lines = numbers.flatMap(({ text }) => text.split("\n"));
-  const longest = Math.max(...lines.map(line => line.length));
+  const longest = numbers.at(-1).text.length;
   const pixel = 2 * range / Math.min(width, height); // m
   const widest = LETTER * size * (0.4 + longest) * pixel; // m, with a gap
   const first = numbers[0];
   const apart = (numbers.at(-1).x - first.x) / Math.max(1, numbers.length - 1);
   const step = [1, 5, 10, 50].find(step => step * apart >= widest) ?? Infinity;
-  const above = ({ x, text }) => ({ pos: vec(x, top, 0), text, height: size, yoffset: 1 });
-  const beside = ({ x, y, text }) =>
-    ({ pos: vec(x, y, 0), text, height: 0.875 * ofPage, yoffset: 0 });
+  const above = ({ x, text }) =>
+    ({ pos: vec(x, top, 0), text, height: size, yoffset: 1, ...STYLES.note });
+  const letters = text => Math.max(...text.split("\n").map(line => line.length));
+  const inside = ({ x, y, text, kind }) => {
+    const most = apart / pixel / (LETTER * (0.5 + letters(text)));
+    const { size, ...style } = STYLES[kind];
+    const height = kind === "note" ? size * ofPage : Math.min(size * ofPage, most);
+    return { pos: vec(x, y, 0), text, height, yoffset: 0, ...style };
+  };
   const fitting = numbers.filter((_, i) => i === 0 || (i + 1) % step === 0);
-  if (first.text.includes("\n"))
-    fitting.push({ x: first.x - Math.max(widest, apart), text: " \nkg" });
-  showLabels([...fitting.map(above), ...state.view.labels.map(beside)]);
+  showLabels([...fitting.map(above), ...state.view.labels.map(inside)]);
 }
 
 function showLabels(texts) { // labels that are not needed wait, out of sight
   while (labels.length < texts.length)
-    labels.push(label({ canvas: scene(), box: false, line: false, opacity: 0, color: INK }));
+    labels.push(label({ canvas: scene(), box: false, line: false }));
   labels.forEach((label, i) => Object.assign(label, texts[i], { visible: i < texts.length }));
 }

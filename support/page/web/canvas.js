@@ -47,6 +47,8 @@ function begin() {
 function watch() {
   resize();
   limit();
+  paintShapes();
+  castShadows();
   requestAnimationFrame(watch);
 }
 
@@ -63,6 +65,7 @@ function resize() { // the canvas fills its part of the window, in the pixels of
 function paint() { // the canvas has the color of the page
   const { r, g, b } = $.color.parse(css("--back"));
   scene().background = vec(r, g, b).divide(255);
+  shine();
 }
 
 // The canvas, in words; at most once a second, or a screen reader would never end.

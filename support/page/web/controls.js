@@ -59,7 +59,8 @@ function showControl(name) {
 
 addEventListener("click", ({ target }) => {
   const button = target.closest?.("button");
-  if (button?.dataset.do) send(button.dataset.do);
+  const { do: command, value } = button?.dataset ?? {};
+  if (command) send(command, ...value === undefined ? [] : [JSON.parse(value)]);
   if (button?.matches(".present")) present();
 });
 addEventListener("input", ({ target }) => {

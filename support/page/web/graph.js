@@ -58,7 +58,7 @@ function tickFormatter(value, { min, max }) {
 // is mixed in.
 function legible(color) {
   const isPale = Math.abs(lightness(color) - lightness(css("--paper"))) < 0.25;
-  return isPale ? `color-mix(in srgb, ${color} 60%, ${css("--ink")})` : color;
+  return isPale ? `color-mix(in srgb, ${color} 40%, ${css("--ink")})` : color;
 }
 
 function lightness(color) {

@@ -39,7 +39,7 @@ function notice(id) {
   one(".unheard").replaceChildren();
   fill(".notice", id);
   one(".notice").classList.add(id);
-  for (const part of find(".canvas, .graph, .panel > :not(.messages)")) part.inert = true;
+  for (const part of find(".canvas, .graph, .panel > :not(.messages, .head)")) part.inert = true;
 }
 
 function readoutRow([name, text]) {
@@ -52,12 +52,14 @@ shows.ended = message => {
 shows.running = running => {
   one("[data-do=pause]").textContent = running ? "Pause" : "Run";
   for (const button of find("[data-do=step], [data-do=tick]")) button.disabled = running;
+  one(".paused").hidden = running || !!state.question?.asking;
 };
 shows.mistakes = mistakes => {
   one("ul.failed").replaceChildren(...mistakes.map(mistake => make("li", {}, mistake)));
 };
 shows.motion = motion => one(".readout").replaceChildren(...Object.entries(motion).map(readoutRow));
 shows.impacts = lines => one(".series").replaceChildren(...lines.map(impact));
+shows.momenta = bars => one(".momenta").replaceChildren(...bars.map(momentumBar));
 shows.hit = hit => {
   const place = one(".hit-part");
   place.replaceChildren();
@@ -66,6 +68,16 @@ shows.hit = hit => {
   place.append(...hit.lines.map(line => make("span", {}, line)));
   place.append(make("small", {}, hit.note));
 };
+
+// A bar to the left or to the right of a line in the middle, which stands for 0.
+function momentumBar({ name, text, color, part }) {
+  const bar = make("i");
+  const width = 50 * Math.abs(part);
+  const left = part < 0 ? 50 - width : 50;
+  Object.assign(bar.style, { left: `${left}%`, width: `${width}%`, background: legible(color) });
+  const track = make("span", { className: "track" }, bar);
+  return make("div", {}, make("span", {}, name), track, make("output", {}, text));
+}
 
 // A line of the impacts breaks only between two words.
 function impact(line) {

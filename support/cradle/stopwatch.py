@@ -1,0 +1,40 @@
+"""A stopwatch that counts half swings: the times from one stop of the bobs to the next one."""
+
+from math import inf
+
+# Parts of the energy that are kinetic: the bobs have nearly stopped, or are fast again.
+SLOW = 0.3
+FAST = 0.6
+
+
+class Stopwatch:
+    """Counts the moments at which the kinetic energy is least; the first one is the release."""
+
+    def restart(self, time: float) -> None:
+        """Begin at this time (s), at which the bobs are released."""
+        self.start = time
+        self.count = 0  # half swings
+        self.last_stop = time  # s: the end of the last one
+        self.is_slow = True
+        # Of this slow time: the least part, and when it was (s).
+        self.least = 0.0
+        self.least_time = time
+
+    def look(self, time: float, kinetic: float, total: float) -> None:
+        """Look at the energies (J) at this time (s)."""
+        part = kinetic / total if total > 0 else 0.0
+        if part < SLOW:
+            if not self.is_slow:
+                self.is_slow = True
+                self.least = inf
+            if part < self.least:
+                self.least = part
+                self.least_time = time
+        elif part > FAST and self.is_slow:
+            self.is_slow = False
+            if self.least_time > self.start:
+                self.count += 1
+                self.last_stop = self.least_time
+
+    def __str__(self) -> str:
+        return f"{self.count} in {self.last_stop - self.start:.2f} s"

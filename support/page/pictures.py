@@ -1,0 +1,28 @@
+"""The small pictures of the cradles that you can choose, as numbers for gallery.js."""
+
+from collections.abc import Sequence
+
+from support.constants import COLOR_MAP
+from support.files.cradle_csv import Snapshot
+from support.page.graph import to_css
+
+Picture = list[dict]  # a dictionary for each pendulum
+
+
+def picture(csv: Snapshot, poses: Sequence[Sequence[float]]) -> Picture:
+    """Return the picture of a valid CSV's cradle: the color and the mass (kg) of each pendulum.
+
+    And its angles: those of its cords from straight down (rad). poses has them for each pendulum.
+    """
+    header, *rows = [row.cells for row in csv.rows]
+    pendula = []
+    for cells, angles in zip(rows, poses, strict=True):
+        row = dict(zip(header, cells, strict=True))
+        color = to_css(COLOR_MAP[row["color"]])
+        pendula.append({"color": color, "mass": float(row["mass"]), "angles": angles})
+    return pendula
+
+
+def at_rest(csv: Snapshot, cords: int) -> Picture:
+    """Return the picture of a CSV's cradle that hangs; a pendulum has this number of cords."""
+    return picture(csv, [[0.0] * cords for _ in csv.rows[1:]])

@@ -1,0 +1,55 @@
+// The cradles that you can choose: a small drawn picture of each, as it is before its release.
+const SVG = "http://www.w3.org/2000/svg";
+const CORD = 30; // of the whole pendulum; the lengths are those of the drawing
+const SPACING = 9;
+const RADIUS = 4.4; // of the lightest bob
+const LARGEST = 1.6; // times RADIUS: the heaviest bob
+
+shows.pictures = pictures => {
+  one(".gallery").replaceChildren(...Object.entries(pictures).map(makeTile));
+  markTile();
+};
+shows.experiment = shows.changed = markTile;
+
+function makeTile([name, pendula]) {
+  const tile = make("button", { title: name }, drawCradle(pendula), make("span", {}, name));
+  tile.dataset.do = "experiment";
+  tile.dataset.value = JSON.stringify(name);
+  return tile;
+}
+
+function markTile() {
+  for (const tile of find(".gallery button")) {
+    const isChosen = tile.title === state.experiment;
+    tile.ariaPressed = isChosen;
+    tile.lastChild.textContent = isChosen && state.changed ? `${tile.title}, changed` : tile.title;
+  }
+}
+
+function draw(kind, attributes, ...parts) {
+  const element = document.createElementNS(SVG, kind);
+  for (const name in attributes) element.setAttribute(name, attributes[name]);
+  element.append(...parts);
+  return element;
+}
+
+function drawCradle(pendula) {
+  const width = SPACING * (pendula.length - 1);
+  const lightest = Math.min(...pendula.map(({ mass }) => mass));
+  const left = -CORD;
+  const view = `${left} -2 ${width + 2 * CORD} ${CORD + RADIUS * LARGEST + 4}`;
+  const rail = draw("line", { x1: left / 2, x2: width - left / 2, y1: 0, y2: 0 });
+  const drawing = draw("svg", { viewBox: view, "aria-hidden": true }, rail);
+  pendula.forEach(({ color, mass, angles }, number) => {
+    const radius = RADIUS * Math.min(LARGEST, Math.cbrt(mass / lightest));
+    let [x, y] = [SPACING * number, 0];
+    for (const angle of angles) {
+      const [x1, y1] = [x, y];
+      x += CORD / angles.length * Math.sin(angle);
+      y += CORD / angles.length * Math.cos(angle);
+      drawing.append(draw("line", { x1, y1, x2: x, y2: y }));
+      drawing.append(draw("circle", { cx: x, cy: y, r: radius, fill: color }));
+    }
+  });
+  return drawing;
+}
