@@ -22,6 +22,9 @@ from support.start.preview import unwritten_in
 
 UNIFORM_E = "uniform_e_newton_cradle"
 UNIFORM_MASS = "uniform_mass_newton_cradle"
+# The names of the ways to collide in which all pendula have this e.
+ELASTIC = "elastic, e = 1"
+INELASTIC = "perfectly inelastic, e = 0"
 
 
 class Cradle:
@@ -90,12 +93,13 @@ class Cradle:
     def add_collisions(self, options: Namespace) -> None:
         """Add the ways to collide that the written functions allow, and choose that of options."""
         unwritten = unwritten_in("special_cradles")
+        self.can_set_e = UNIFORM_E not in unwritten  # of all pendula
         for name, function, is_chosen in (
-            ("elastic, e = 1", "elastic_newton_cradle", options.elastic),
-            ("perfectly inelastic, e = 0", "inelastic_newton_cradle", options.inelastic),
+            (ELASTIC, "elastic_newton_cradle", options.elastic),
+            (INELASTIC, "inelastic_newton_cradle", options.inelastic),
         ):
             collision = Collision(name, Source(self.scope[function]))
-            if function not in unwritten and UNIFORM_E not in unwritten:
+            if function not in unwritten and self.can_set_e:
                 self.collisions.append(collision)
             if is_chosen:
                 self.collision = collision
@@ -106,8 +110,13 @@ class Cradle:
             self.needs.add(UNIFORM_E)
 
     def uniform_e(self, e: float) -> Collision:
-        """Return the way to collide in which all pendula have this e."""
-        return Collision(f"e = {e:g}", Source(self.scope[UNIFORM_E], (e,)))
+        """Return the way to collide in which all pendula have this e.
+
+        With e = 1 and e = 0, it has the name that it has in the menu.
+        """
+        names: dict[float, str] = {1: ELASTIC, 0: INELASTIC}
+        name = names.get(e, f"e = {e:g}")
+        return Collision(name, Source(self.scope[UNIFORM_E], (e,)))
 
     # --- a new cradle --------------------------------------------------------------------------
 

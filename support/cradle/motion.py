@@ -82,5 +82,8 @@ class Motion:
 
 
 def percent_as_text(percent: float) -> str:
-    """Return a percentage as text of constant width."""
-    return f"{percent:6.2f} %" if percent < 1000 else " > 999 %"
+    """Return a percentage as text of constant width.
+
+    It has no more decimals: the next ones would show the errors of the tick.
+    """
+    return f"{percent:5.1f} %" if percent < 1000 else "> 999 %"

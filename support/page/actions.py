@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 HIT_LINES = 5  # of text, above the cradle
 SLOWLY = 0.1  # times real time: the speed of slow motion
+# After a mistake in your CSV, for instance "... allowed is a number from 0 to 1, such as 0.9"
+STILL_THERE = "The page still shows the cradle as it was before. Mend the file, and save it."
 
 
 class Actions:
@@ -98,6 +100,12 @@ class Actions:
         self.viewer.change(angles=angles)
         self.viewer.want_cradle()
 
+    def set_count(self, count: int) -> None:
+        """Let main make the cradle with this number of pendula."""
+        self.leave_poses()
+        self.chooser.set_count(count)
+        self.viewer.want_cradle()
+
     def lifted_now(self) -> int:
         """Return the number of lifted bobs."""
         settings = self.viewer.settings
@@ -130,9 +138,9 @@ class Actions:
         self.viewer.use_collision(collision)
 
     def set_separating(self, separating: bool) -> None:
-        """Let separating bobs collide, too, or not; only if the functions take this rule."""
+        """Let separating bobs collide, too, or not."""
         self.leave_experiment()
-        self.viewer.separating = separating or not self.cradle.takes_rule
+        self.viewer.separating = separating
 
     def edit(self, row: int, column: str, text: str) -> None:
         """Let main make the cradle with this number in the table, or show why it is refused."""
@@ -151,7 +159,7 @@ class Actions:
         try:
             self.chooser.choose_saved(self.viewer.file.current)
         except ValueError as error:
-            self.viewer.error = str(error)
+            self.viewer.error = f"{error}. {STILL_THERE}"
         else:
             self.viewer.want_cradle()
 

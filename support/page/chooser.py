@@ -9,7 +9,13 @@ from support.cradle.collision import AS_MADE
 from support.cradle.player import Player
 from support.cradle.settings import Settings
 from support.files.cradle_csv import Snapshot
-from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
+from support.files.experiments import (
+    COLORS,
+    Experiment,
+    EXPERIMENTS,
+    read_experiments,
+    YOUR_CSV,
+)
 from support.files.valid_cradle import are_in_range, IN_RANGE, require_cradle
 from support.page.pictures import at_rest, picture
 
@@ -97,6 +103,21 @@ class Chooser:
         original = self.experiment.csv if self.experiment else self.saved
         return self.player.settings.csv != original
 
+    def set_count(self, count: int) -> None:
+        """Take this number of pendula away from the right end, or add some there.
+
+        An added one is like the last one, with the next color of the experiments.
+        """
+        present = self.player.settings.csv
+        header, *rows = [row.cells for row in present.rows]
+        place = header.index("color")
+        while len(rows) < count:
+            added = [*rows[-1]]
+            added[place] = COLORS[len(rows) % len(COLORS)]
+            rows.append(added)
+        self.refused.clear()
+        self.player.change(csv=with_rows(present, [header, *rows[:count]]))
+
     def edit(self, row: int, column: str, text: str, numbers: Numbers) -> bool:
         """Take this number (a text) for a row of the table; return False if it is refused.
 
@@ -130,6 +151,11 @@ def with_numbers(original: Snapshot, numbers: Numbers) -> Snapshot:
         for cells, value in zip(rows, values, strict=False):
             if to_number(cells[place]) != value:
                 cells[place] = repr(float(value))
+    return with_rows(original, [header, *rows])
+
+
+def with_rows(original: Snapshot, rows: list[list[str]]) -> Snapshot:
+    """Return a Snapshot of the same path with these rows, the header first."""
     text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows([header, *rows])
+    csv.writer(text, lineterminator="\n").writerows(rows)
     return Snapshot(original.filepath, text.getvalue().encode())

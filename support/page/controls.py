@@ -67,6 +67,10 @@ class Control:
         """Return whether the value, which comes as JSON, can be set."""
         raise NotImplementedError
 
+    def takes(self, value: Any) -> bool:
+        """Return whether a command of a tab, which comes as JSON, can set this value now."""
+        return self.is_enabled() and self.allows(value)
+
     def description(self) -> dict[str, Any]:
         """Return what the page needs beside the value, to make and to fill the element."""
         return {
@@ -125,7 +129,7 @@ class Menu(Control):
 
 def commands_of(controls: Sequence[Control]) -> dict[str, Command]:
     """Return the command of each control by its name."""
-    return {control.name: Command(control.set, (control.allows,)) for control in controls}
+    return {control.name: Command(control.set, (control.takes,)) for control in controls}
 
 
 def state_of(controls: Sequence[Control]) -> dict[str, Any]:

@@ -26,11 +26,23 @@ if TYPE_CHECKING:
     from support.page.viewer import Viewer
 
 SPEEDS = (0.1, 2.0)  # times real time: the ends of the slider
+MOST_BOBS = 9  # of the slider, if the CSV has no more
+MASSES = (0.5, 10.0)  # kg: the ends of the slider, if the bob's mass is between them
+ANGLES_IN_WORDS = {
+    "release angle": "Release angle: theta, from straight down",
+    "angle theta": "Angle theta: of the upper cord, from straight down",
+    "angle phi": "Angle phi: how far the lower cord is bent outwards, from the upper one",
+}
 
 
 def declare_controls(viewer: "Viewer") -> list[Control]:
     """Return the controls of the page; page.html has a place for each name."""
-    return [*experiment_controls(viewer), *cradle_controls(viewer), *show_controls(viewer)]
+    return [
+        *experiment_controls(viewer),
+        *cradle_controls(viewer),
+        *bob_controls(viewer),
+        *show_controls(viewer),
+    ]
 
 
 def experiment_controls(viewer: "Viewer") -> list[Control]:
@@ -62,6 +74,17 @@ def cradle_controls(viewer: "Viewer") -> list[Control]:
         limits=lambda: SPEEDS,
         as_text=lambda speed: f"{speed:.1f}x",
         step=0.1,
+        help="Speed: 1x is real time",
+    )
+    count = Slider(
+        name="count",
+        label="Bobs",
+        get=lambda: len(cradle.pend_list),
+        set=viewer.actions.set_count,
+        limits=lambda: (1, max(MOST_BOBS, len(cradle.pend_list))),
+        as_text=str,
+        is_whole=True,
+        help="Bobs: the balls. Your file stays as it is",
     )
     lifted = Slider(
         name="lifted",
@@ -71,9 +94,42 @@ def cradle_controls(viewer: "Viewer") -> list[Control]:
         limits=lambda: (0, len(cradle.pend_list)),
         as_text=lambda lifted: f"{lifted} of {len(cradle.pend_list)}",
         is_whole=True,
-        help="Keys: 1 to 9",
+        help="Bobs lifted: from the left. Keys: 1 to 9",
     )
     angles = [release_angle(viewer, cord, name) for cord, name in enumerate(cradle.angle_limits)]
+    return [speed, count, lifted, *angles]
+
+
+def bob_controls(viewer: "Viewer") -> list[Control]:
+    """Return the controls of the bobs, and of how they collide."""
+    cradle = viewer.cradle
+
+    def mass_limits() -> tuple[float, float]:
+        mass = cradle.values("mass")[0]
+        return min(mass, MASSES[0]), max(mass, MASSES[1])
+
+    mass = Slider(
+        name="mass",
+        label="Mass of bob 1",
+        get=lambda: cradle.values("mass")[0],
+        set=lambda mass: viewer.actions.edit(0, "mass", f"{mass:g}"),
+        limits=mass_limits,
+        as_text=lambda mass: f"{mass:g} kg",
+        step=0.5,
+        help="Mass of bob 1: the first bob from the left",
+    )
+    e = Slider(
+        name="e",
+        label="Elasticity e",
+        get=lambda: max(cradle.values("e")),
+        set=lambda e: viewer.actions.set_collision(cradle.uniform_e(e)),
+        limits=lambda: (0, 1),
+        as_text=lambda most: from_to(min(cradle.values("e")), most),
+        step=0.05,
+        help="e, the coefficient of restitution of all bobs: 1 = the bobs part as fast as they "
+        "met, 0 = they stay together",
+        is_enabled=lambda: cradle.can_set_e,
+    )
     collision = Menu(
         name="collision",
         label="Collisions",
@@ -88,7 +144,7 @@ def cradle_controls(viewer: "Viewer") -> list[Control]:
         set=viewer.actions.set_separating,
         is_enabled=lambda: cradle.takes_rule,
     )
-    controls: list[Control] = [speed, lifted, *angles, collision]
+    controls: list[Control] = [mass, e, collision]
     if cradle.has_rule:
         controls.append(separating)
     return controls
@@ -153,7 +209,13 @@ def release_angle(viewer: "Viewer", cord: int, name: str) -> Slider:
         set=lambda degrees: viewer.actions.set_release_angle(cord, degrees),
         limits=lambda: viewer.cradle.angle_limits[name],
         as_text=lambda degrees: f"{degrees:.4g}°",
+        help=ANGLES_IN_WORDS[name],
     )
+
+
+def from_to(least: float, most: float) -> str:
+    """Return two numbers as text, or one if they are equal."""
+    return f"{most:g}" if least == most else f"{least:g} to {most:g}"
 
 
 def declare_commands(actions: Actions) -> dict[str, Command]:

@@ -46,7 +46,10 @@ class Watch:
             innermost = self.frames[0]
             name = Path(innermost.f_code.co_filename).name
             place = f"{innermost.f_code.co_name} in src/{name}, line {innermost.f_lineno}"
-            self.words = f"{place}, has been running for {TOO_LONG:.0f} s and has not returned."
+            self.words = (
+                f"{place}, has been running for {TOO_LONG:.0f} s and has not returned. If a loop "
+                "in it never ends, press Ctrl+C in the terminal, and mend it."
+            )
         return self.words
 
 

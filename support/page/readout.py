@@ -67,8 +67,12 @@ def changes(cradle: Cradle, before: dict[str, float]) -> list[str]:
 
 
 def constants(cradle: Cradle) -> str:
-    """Return the constants with which the energy and all speeds are computed, in words."""
+    """Return where the constants of the program stand, and why the page cannot change them."""
+    gravity = f"G = {G} m/s^2"
     cord = f"R_PARAM = {R_PARAM} m"
     tick = f"{cradle.dt_name} = {cradle.dt} s"
-    gravity = f"G = {G} m/s^2"
-    return f"support/constants.py has {cord} (cord), {tick} (tick) and {gravity} (gravity)."
+    return (
+        f"Gravity ({gravity}), the length of a cord ({cord}) and a tick ({tick}) are constants of "
+        "the program. They stand in support/constants.py: main has the handout's line, which takes "
+        "them from there."
+    )

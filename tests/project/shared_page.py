@@ -13,6 +13,9 @@ PUT_BACK = """() => {
     if (state.running || state.question?.asking) send("pause");
     for (const name of ["ask first", "slow hits", "arrows", "separating"]) send(name, false);
     for (const name of ["collision", "graph", "span"]) send(name, state.controls[name].choices[0]);
+    send("count", 5);
+    send("e", 1);
+    send("mass", 1);
     send("edit", 1, "mass", "1.0");
     send("speed", 1);
     send("lifted", 1);
@@ -28,7 +31,8 @@ PUT_BACK = """() => {
 }"""
 IS_BACK = """() => !state.running && parseFloat(state.motion.t) === 0
     && !state.arrows && !state.question && bobs().length === 5
-    && state.speed === 1 && state.lifted === 1 && state["release angle"] === 45"""
+    && state.speed === 1 && state.lifted === 1 && state["release angle"] === 45
+    && state.mass === 1 && state.e === 1"""
 
 # Ask the question of the first experiment.
 ASK = """async () => {

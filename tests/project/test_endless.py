@@ -70,7 +70,8 @@ def test_the_page_names_the_function_that_does_not_return_until_it_does(clocked,
     assert [*map(bool, messages)] == [False] * LOOKS + [True]
     assert re.fullmatch(
         r"newton_cradle_tick in src/visualize_cradle_run\.py, line \d+,"
-        r" has been running for 3 s and has not returned\.",
+        r" has been running for 3 s and has not returned\. If a loop in it never ends, press"
+        r" Ctrl\+C in the terminal, and mend it\.",
         messages[-1],
     )
     assert clocked.tabs.endless() == ""

@@ -205,7 +205,7 @@ def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(
     assert rig.bob_angles() == [0, 0, 0, 0, 45]
     side = cords * R_PARAM / 2**0.5
     assert (bob.pos - axle).value == pytest.approx([side, -side, 0])
-    assert rig.state["motion"]["energy"] == "100.00 %"
+    assert rig.state["motion"]["energy"] == "100.0 %"
     assert not any(pend[key] for key in kind.rate_keys)
     if is_paused:  # the graph has the same scale, and one row for this time
         [(_, _, _, total)] = rig.state["curves"]["rows"]

@@ -157,7 +157,9 @@ def test_a_mistake_ends_the_process_of_the_browser_program_and_its_page_says_so(
         status, _, stderr = end(process)
     check_end(status, stderr, "late")
     page.get_by_text("To start it again, type this command").wait_for()
-    assert "The program has ended. NameError: name 'omegaa'" in page.locator(".notice").inner_text()
+    words = page.locator(".notice").inner_text()
+    assert words.startswith("NameError: name 'omegaa'")  # the mistake, then what to do
+    assert re.search(r"\)\s+The program has ended\. To start it again, .*\n\s*\S+python", words)
     assert page.locator(".canvas").evaluate("canvas => canvas.inert")
 
 

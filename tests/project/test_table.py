@@ -14,6 +14,7 @@ from support.constants import DT, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.files.cradle_csv import POLL
+from support.page.actions import STILL_THERE
 
 
 def test_the_table_shows_pend_list_as_it_is_now(rig):
@@ -78,6 +79,9 @@ def test_masses_too_far_apart_are_refused_only_in_the_double_cradle(rig, csv):
     double.save(HEADER + GOOD.replace("1.0", "500000", 1) + GOOD.replace("1.0", ".4", 1))
     assert double.values("mass") == [1, 1, 1, 1e-6, 1]
     assert "line 2, column mass: found '500000', and '.4' in line 3" in double.state["error"]
+    assert double.state["error"].endswith(" double cradle. " + STILL_THERE)
+    double.give("mass", 2.5)
+    assert double.state["refused"]["0,mass"] == {"text": "2.5", "message": message}
 
 
 # --- commands that are none ------------------------------------------------------------------
@@ -112,6 +116,12 @@ REFUSED = [
     ("lifted", -1),
     ("lifted", 1.0),
     ("lifted", 6),
+    ("count", 0),
+    ("count", 10),
+    ("mass", 0.4),
+    ("mass", 10.5),
+    ("e", 1.05),
+    ("e", -0.05),
     ("release angle", 180.5),
     ("release angle", -0.5),
     ("angle phi", 30),

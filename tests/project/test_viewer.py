@@ -11,6 +11,7 @@ from whole_cradles import FIVE_CSV, GOOD, HEADER, PERIOD
 
 from src import visualize_cradle_run
 from support.constants import G, R_PARAM
+from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import run
 from support.cradle.real_time import FRAME
@@ -18,6 +19,7 @@ from support.files.cradle_csv import POLL
 from support.page.graph import ENERGY, NOTHING
 from support.pendulum import outwards_to_angle
 
+TWO = "Two bobs"
 INELASTIC = "perfectly inelastic, e = 0"
 
 
@@ -77,6 +79,95 @@ def test_the_menu_of_collisions_has_the_present_one(rig):
     rig.give("collision", names[0])
     assert rig.control("collision")["choices"] == names
     assert rig.values("e") == [1.0] * 5
+
+
+def test_one_e_for_all_bobs_has_the_names_of_the_menu(rig):
+    """The slider shows what they have; the last bob's e counts, too."""
+    names = rig.control("collision")["choices"]
+    for e, name in ((1, "elastic, e = 1"), (0.35, "e = 0.35"), (0, INELASTIC)):
+        rig.give("e", e)
+        assert rig.values("e") == [e] * 5
+        assert rig.state["e"] == e
+        assert rig.state["collision"] == name
+        assert rig.control("collision")["choices"] == [*dict.fromkeys([*names, name])]
+        assert rig.control("e")["text"] == f"{e:g}"
+    rig.give("edit", 4, "e", "0.5")
+    assert rig.state["e"] == 0.5
+    assert rig.control("e")["text"] == "0 to 0.5"
+    rig.give("experiment", TWO)
+    rig.give("e", 0.8)
+    assert rig.state["experiment"] == f"{TWO}, changed"
+
+
+@pytest.mark.parametrize("is_written", [True, False])
+def test_no_tab_sets_e_before_its_function_is_written(csv, monkeypatch, is_written):
+    stubs = {} if is_written else {"uniform_e_newton_cradle": None}
+    monkeypatch.setattr("support.cradle.cradle.unwritten_in", lambda module: stubs)
+    rig = Rig(csv)
+    assert rig.control("e")["enabled"] == is_written
+    rig.give("e", 0.5)
+    assert rig.state["e"] == (0.5 if is_written else 1)
+
+
+def test_the_mass_of_the_first_bob_is_set_as_in_the_table(rig, csv):
+    rig.give("mass", 5)
+    assert rig.values("mass") == [5, 1, 1, 1, 1]
+    assert rig.control("mass")["text"] == "5 kg"
+    assert rig.state["collision"] == "as in the table"
+    assert csv.read_text() == FIVE_CSV
+    limits = {"min": 0.5, "max": 10}
+    assert rig.control("mass") == rig.control("mass") | limits
+    for mass, name in ((0.25, "min"), (12.5, "max")):
+        rig.give("edit", 0, "mass", str(mass))
+        assert rig.control("mass") == rig.control("mass") | limits | {name: mass}
+        assert rig.state["mass"] == mass
+
+
+@pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
+def test_bobs_are_added_and_taken_away_at_the_right_end(csv, kind):
+    """An added one is like the last one, but for its color; the file stays as it is."""
+    before = "2.0,0.5,0,0,white,wood\n" + GOOD
+    csv.write_text(HEADER + before)
+    rig = Rig(csv, *[30, 0][: kind.cord_count], kind=kind)
+    rig.give("pause")
+    rig.give("lifted", 2)
+    assert rig.control("count") == rig.control("count") | {"min": 1, "max": 9, "text": "2"}
+    rig.give("count", 6)
+    assert rig.state["count"] == 6
+    assert rig.values("mass") == [2, 1, 1, 1, 1, 1]
+    assert rig.values("e") == [0.5, 1, 1, 1, 1, 1]
+    colors = ["white", "red", "cyan", "blue", "purple", "red"]
+    assert rig.values("color") == colors
+    assert rig.values("texture") == ["wood", *["metal"] * 5]
+    assert rig.bob_angles() == [30, 30, 0, 0, 0, 0]
+    assert rig.control("lifted")["max"] == 6
+    assert rig.state["collision"] == "as in the table"
+    rig.give("edit", 3, "mass", "no mass")
+    rig.give("count", 1)
+    assert rig.values("color") == ["white"]
+    assert rig.state["lifted"] == 1
+    rig.give("count", 2)
+    assert rig.values("mass") == [2, 2]
+    assert rig.state["lifted"] == 2
+    rig.give("count", 4)
+    assert rig.state["refused"] == {}  # it was another bob's
+    assert csv.read_text() == HEADER + before
+
+
+def test_an_experiment_with_another_number_of_bobs_is_changed(rig):
+    """The bobs are then lifted as the sliders say; a CSV with more bobs has a wider slider."""
+    rig.give("ask first", True)
+    rig.give("experiment", TWO)
+    rig.give("count", 3)
+    assert rig.state["experiment"] == f"{TWO}, changed"
+    assert rig.state["question"] is None
+    assert rig.bob_angles() == [45, 45, 0]
+    rig.give("experiment", TWO)
+    assert rig.state["count"] == 5
+    rig.save(HEADER + GOOD * 12)
+    rig.give("count", 11)
+    assert len(rig.thetas()) == 11
+    assert rig.control("count")["max"] == 11
 
 
 def test_a_cradle_of_which_main_lifts_no_bob_says_how_many_the_slider_lifts(csv, monkeypatch):
@@ -253,11 +344,19 @@ def test_the_readout(rig, omega, text):
     percent = 100 * (omega * R_PARAM) ** 2 / 2 / start
     assert rig.state["motion"] == {
         "t": "0.00 s",
-        "energy": "> 999 %" if percent > 999 else f"{percent:.2f} %",
+        "energy": "> 999 %" if percent > 999 else f"{percent:.1f} %",
         "momentum": text.format(abs(omega) * R_PARAM),
     }
     rig.give("lifted", 0)
-    assert rig.state["motion"]["energy"] == "0.00 %"
+    assert rig.state["motion"]["energy"] == "0.0 %"
+
+
+def test_the_page_says_that_gravity_and_the_cord_are_constants_and_where(rig):
+    words = rig.state["constants"]
+    assert words.startswith(f"Gravity (G = {G} m/s^2), the length of a cord (R_PARAM = {R_PARAM} ")
+    assert (
+        "are constants of the program. They stand in support/constants.py: main has the " in words
+    )
 
 
 def test_the_impacts_until_a_restart(rig):

@@ -51,7 +51,7 @@ function showControl(name) {
   const control = state.controls?.[name];
   if (!control) return;
   for (const element of find(`[name="${name}"]`)) {
-    element.title = control.help;
+    for (const part of [element, ...element.labels]) part.title = control.help;
     element.disabled = !control.enabled;
     fillers[control.kind](element, control, state[name]);
   }
