@@ -73,6 +73,6 @@ def constants(cradle: Cradle) -> str:
     tick = f"{cradle.dt_name} = {cradle.dt} s"
     return (
         f"Gravity ({gravity}), the length of a cord ({cord}) and a tick ({tick}) are constants of "
-        "the program. They stand in support/constants.py: main has the handout's line, which takes "
-        "them from there."
+        "the program, in support/constants.py. The page cannot change them: main has the handout's "
+        "line, which takes them from there."
     )
