@@ -19,3 +19,12 @@ class Collision(NamedTuple):
 
 
 AS_MADE = Collision("as in the CSV")
+
+
+def name_with(e: float) -> str:
+    """Return the name of the way to collide in which all pendula have this e."""
+    if e == 1:
+        return "elastic, e = 1"
+    if e == 0:
+        return "perfectly inelastic, e = 0"
+    return f"e = {e:g}"

@@ -10,7 +10,7 @@ from vpython import vector
 
 from support.columns import SETTABLE
 from support.constants import DT, G, R_PARAM
-from support.cradle.collision import AS_MADE, Collision, Source
+from support.cradle.collision import AS_MADE, Collision, name_with, Source
 from support.cradle.dragging import HeldBob, move, push_others
 from support.cradle.functions import scope_of, takes_rule
 from support.cradle.hits import Hits
@@ -22,9 +22,6 @@ from support.start.preview import unwritten_in
 
 UNIFORM_E = "uniform_e_newton_cradle"
 UNIFORM_MASS = "uniform_mass_newton_cradle"
-# The names of the ways to collide in which all pendula have this e.
-ELASTIC = "elastic, e = 1"
-INELASTIC = "perfectly inelastic, e = 0"
 
 
 class Cradle:
@@ -94,11 +91,11 @@ class Cradle:
         """Add the ways to collide that the written functions allow, and choose that of options."""
         unwritten = unwritten_in("special_cradles")
         self.can_set_e = UNIFORM_E not in unwritten  # of all pendula
-        for name, function, is_chosen in (
-            (ELASTIC, "elastic_newton_cradle", options.elastic),
-            (INELASTIC, "inelastic_newton_cradle", options.inelastic),
+        for e, function, is_chosen in (
+            (1, "elastic_newton_cradle", options.elastic),
+            (0, "inelastic_newton_cradle", options.inelastic),
         ):
-            collision = Collision(name, Source(self.scope[function]))
+            collision = Collision(name_with(e), Source(self.scope[function]))
             if function not in unwritten and self.can_set_e:
                 self.collisions.append(collision)
             if is_chosen:
@@ -110,13 +107,8 @@ class Cradle:
             self.needs.add(UNIFORM_E)
 
     def uniform_e(self, e: float) -> Collision:
-        """Return the way to collide in which all pendula have this e.
-
-        With e = 1 and e = 0, it has the name that it has in the menu.
-        """
-        names: dict[float, str] = {1: ELASTIC, 0: INELASTIC}
-        name = names.get(e, f"e = {e:g}")
-        return Collision(name, Source(self.scope[UNIFORM_E], (e,)))
+        """Return the way to collide in which all pendula have this e."""
+        return Collision(name_with(e), Source(self.scope[UNIFORM_E], (e,)))
 
     # --- a new cradle --------------------------------------------------------------------------
 

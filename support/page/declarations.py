@@ -118,13 +118,18 @@ def bob_controls(viewer: "Viewer") -> list[Control]:
         step=0.5,
         help="Mass of bob 1: the first bob from the left",
     )
+
+    def e_as_text(most: float) -> str:
+        least = min(cradle.values("e"))
+        return f"{most:g}" if least == most else f"{least:g} to {most:g}"
+
     e = Slider(
         name="e",
         label="Elasticity e",
         get=lambda: max(cradle.values("e")),
         set=lambda e: viewer.actions.set_collision(cradle.uniform_e(e)),
         limits=lambda: (0, 1),
-        as_text=lambda most: from_to(min(cradle.values("e")), most),
+        as_text=e_as_text,
         step=0.05,
         help="e, the coefficient of restitution of all bobs: 1 = the bobs part as fast as they "
         "met, 0 = they stay together",
@@ -211,11 +216,6 @@ def release_angle(viewer: "Viewer", cord: int, name: str) -> Slider:
         as_text=lambda degrees: f"{degrees:.4g}°",
         help=ANGLES_IN_WORDS[name],
     )
-
-
-def from_to(least: float, most: float) -> str:
-    """Return two numbers as text, or one if they are equal."""
-    return f"{most:g}" if least == most else f"{least:g} to {most:g}"
 
 
 def declare_commands(actions: Actions) -> dict[str, Command]:
