@@ -6,11 +6,11 @@ const makers = {
   },
   Slider({ name, label, step }) {
     const id = name.replaceAll(" ", "-");
-    return [
+    return [make("div", { className: "slider" },
       make("label", { htmlFor: id }, label),
       make("input", { type: "range", id, name, step }),
       make("output", { htmlFor: id }),
-    ];
+    )];
   },
   Menu({ name, label }, isUnlabelled) {
     if (isUnlabelled) return [make("select", { name, ariaLabel: label })];

@@ -1,9 +1,9 @@
 // The light on the page: how pale the shades are, how bobs stand out from the page, and their
 // shadows on the base.
 // On a pale page, the edges of bobs must be dark, on a dark page light; their middle is bright.
-const PALE = { ambient: 0.3, lamps: [0.85, 0.2] };
-const DARK = { ambient: 0.6, lamps: [0.55, 0.2] };
-const DARKEST = 0.45; // a bob with less light than this is lightened on a dark page
+const PALE = { ambient: 0.26, lamps: [0.9, 0.2] };
+const DARK = { ambient: 0.62, lamps: [0.55, 0.2] };
+const DARKEST = 0.54; // a bob with less light than this is lightened on a dark page
 // Of a shadow: the radius of each layer, in radii of the bob, and its shade.
 const LAYERS = [[1.3, 0.9], [1.1, 0.8], [0.9, 0.68], [0.7, 0.58]];
 const LAYER = 1e-4; // m: the height of a layer
