@@ -6,6 +6,8 @@ from support.constants import COLOR_MAP
 from support.files.cradle_csv import Snapshot
 from support.page.graph import to_css
 
+CSS = {name: to_css(color) for name, color in COLOR_MAP.items()}  # the colors, as CSS has them
+
 Picture = list[dict]  # a dictionary for each pendulum
 
 
@@ -18,8 +20,7 @@ def picture(csv: Snapshot, poses: Sequence[Sequence[float]]) -> Picture:
     pendula = []
     for cells, angles in zip(rows, poses, strict=True):
         row = dict(zip(header, cells, strict=True))
-        color = to_css(COLOR_MAP[row["color"]])
-        pendula.append({"color": color, "mass": float(row["mass"]), "angles": angles})
+        pendula.append({"color": CSS[row["color"]], "mass": float(row["mass"]), "angles": angles})
     return pendula
 
 
