@@ -14,7 +14,8 @@ const makers = {
   },
   Menu({ name, label }, isUnlabelled) {
     if (isUnlabelled) return [make("select", { name, ariaLabel: label })];
-    return [make("label", { htmlFor: name }, label), make("select", { id: name, name })];
+    const menu = make("select", { id: name, name });
+    return [make("div", { className: "menu" }, make("label", { htmlFor: name }, label), menu)];
   },
 };
 
