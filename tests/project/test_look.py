@@ -1,0 +1,113 @@
+"""The picture as a class sees it: colors on a pale and on a dark page, shadows, experiments."""
+
+import pages
+import pytest
+from pages import button, press, tick, wait_for_angles
+from programs import wait_until
+from whole_cradles import HEADER
+
+from support.constants import R_PARAM
+
+COLORS = ["black", "white", "red", "green", "blue", "yellow", "cyan", "magenta", "orange", "purple"]
+
+# The contrast (as WCAG 2 defines it) of the cradle's picture with the page, at many points of a
+# circle: the median, for each of these circles.
+CONTRASTS = """circles => {
+    scene().__renderer.render(0);
+    const { width, height } = one(".canvas canvas");
+    const copy = make("canvas", { width, height });
+    const pen = copy.getContext("2d", { willReadFrequently: true });
+    pen.drawImage(one(".canvas canvas"), 0, 0);
+    const linear = part => part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+    const light = (x, y) => {
+        const [r, g, b] = [...pen.getImageData(x, y, 1, 1).data].map(part => linear(part / 255));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    };
+    const page = light(2, height - 2);
+    return circles.map(([x, y, radius]) => {
+        const contrasts = [];
+        for (let angle = 0; angle < 2 * Math.PI; angle += 0.1) {
+            const point = light(x + radius * Math.cos(angle), y + radius * Math.sin(angle));
+            contrasts.push((Math.max(point, page) + 0.05) / (Math.min(point, page) + 0.05));
+        }
+        return contrasts.sort((a, b) => a - b)[contrasts.length >> 1];
+    });
+}"""
+
+# The places (m) of the shadows that are visible, from left to right: one for each bob and layer.
+SHADOWS = "() => shadows.filter(disc => disc.visible).map(disc => disc.pos.x)"
+
+
+@pytest.fixture
+def large(shared):
+    """The page in a large window, with its whole canvas."""
+    shared.evaluate("document.querySelector('#small').disabled = true")
+    shared.set_viewport_size({"width": 1366, "height": 768})
+    wait_until(lambda: shared.evaluate("glowObjs[0].width") > 700)
+    yield shared
+    shared.emulate_media(color_scheme="light")
+    shared.evaluate("document.querySelector('#small').disabled = false")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file, scheme):
+    """By its edge or its middle: on a pale page a yellow bob has a dark edge, and is yellow."""
+    file.write_text(HEADER + "".join(f"1,1,0,0,{color},metal\n" for color in COLORS))
+    pages.wait_for_cradle(large, bobs=10, drawn=True)
+    pages.slide(large, "Bobs lifted", 0)
+    large.emulate_media(color_scheme=scheme)
+    large.wait_for_function("isDark => dark.matches === isDark", arg=scheme == "dark")
+    wait_for_angles(large, *[0] * 10)
+    large.wait_for_function("() => bobs().every(bob => bob.ready)")
+    middles = [pages.pixel(large, bob, 0) for bob in range(10)]
+    radius = (middles[1][0] - middles[0][0]) / 2.1
+    edges = [[*middle, 0.92 * radius] for middle in middles]
+    insides = [[*middle, 0.4 * radius] for middle in middles]
+    axle_x, axle_y = pages.axle(0)
+    x, y = large.evaluate(pages.PIXEL, [axle_x, axle_y - R_PARAM / 2])
+    cord = [[x + aside, y, 0] for aside in (-1, 0, 1)]  # it is two pixels wide
+    contrasts = large.evaluate(CONTRASTS, [*edges, *insides, *cord])
+    best = map(max, contrasts[:10], contrasts[10:20])
+    for color, contrast in zip([*COLORS, "cord"], [*best, max(contrasts[20:])], strict=True):
+        assert contrast >= 3, color
+
+
+def test_shadows_are_under_the_bobs(shared):
+    press(shared, "Pause")
+    for lifted, angle in ((1, 45), (5, 45), (0, 0)):
+        shared.keyboard.press(str(lifted)) if lifted else pages.slide(shared, "Bobs lifted", 0)
+        wait_for_angles(shared, *[-angle] * lifted, *[0] * (5 - lifted))
+        places = shared.evaluate("() => bobs().map(bob => bob.pos.x)")
+        layers = [place for place in places for _ in range(4)]
+        wait_until(lambda layers=layers: shared.evaluate(SHADOWS) == layers)
+
+
+def test_an_experiment_is_chosen_by_its_picture_which_says_that_it_was_changed(shared):
+    tile = shared.locator(".gallery button[title='Two bobs']")
+    button(shared, "Two bobs").click()
+    wait_until(lambda: tile.get_attribute("aria-pressed") == "true")
+    circles = tile.locator("circle").evaluate_all("found => found.map(e => +e.getAttribute('cx'))")
+    first, second, *hanging = circles
+    assert first < second < 0  # to the left of the first axle
+    assert hanging == sorted(hanging)
+    shared.keyboard.press("3")
+    button(shared, "Two bobs, changed").wait_for()
+    button(shared, "Two bobs, changed").click()
+    button(shared, "Two bobs").wait_for()
+
+
+def test_a_paused_cradle_says_so_and_its_momenta_are_bars_from_the_middle(shared):
+    tick(shared, "Arrows")
+    paused = shared.get_by_text("Paused", exact=True)
+    shared.wait_for_function("() => state.momenta[0]?.part > 0.5")
+    assert not paused.is_visible()
+    pages.pause(shared)
+    assert paused.is_visible()
+    parts = shared.evaluate("state.momenta.map(bar => bar.part)")
+    bars = shared.evaluate("""find(".track").map(track => {
+        const { left, width } = track.getBoundingClientRect();
+        const bar = track.firstChild.getBoundingClientRect();
+        return [bar.left, bar.right].map(side => 2 * (side - left) / width - 1);
+    })""")
+    for part, sides in zip(parts, bars, strict=True):
+        assert sides == pytest.approx(sorted((0, part)), abs=0.01)
