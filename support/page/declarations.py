@@ -228,7 +228,7 @@ def declare_commands(actions: Actions) -> dict[str, Command]:
         "next": Command(actions.choose_next),
         "again": Command(actions.repeat, (is_switch,)),
         "answer": Command(actions.answer, (is_text, is_answer)),
-        "vote": Command(actions.questions.vote, (is_text, is_count)),
+        "vote": Command(actions.questions.vote, (is_text, is_count, is_switch)),
         "edit": Command(actions.edit, (is_count, is_in_table, is_text)),
         "grab": Command(actions.grab, (is_point, is_direction)),
         "drag": Command(actions.drag, (is_point, is_direction)),

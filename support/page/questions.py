@@ -1,6 +1,5 @@
 """The question of an experiment: asked before the release, if you want it; and what happened."""
 
-from collections.abc import Sequence
 from math import pi, radians, sin, sqrt
 from typing import NamedTuple
 
@@ -87,10 +86,17 @@ class Questions:
             self.is_asking = False
             self.said = number
 
-    def vote(self, key: str, number: int) -> None:
-        """Count one more hand for this answer (its index) to this question."""
+    def vote(self, key: str, number: int, is_more: bool) -> None:
+        """Count one hand more for this answer (its index) to this question, or one fewer."""
         if self.is_asked(key, number):
-            self.votes[number] += 1
+            change = 1 if is_more else -1
+            self.votes[number] = max(0, self.votes[number] + change)
+
+    def ghost_name(self) -> str:
+        """Return whose answer the ghosts show: yours, or that of so many hands."""
+        if self.said is None or not self.votes[self.said]:
+            return "your answer"
+        return f"{self.votes[self.said]} of you"
 
     def is_measuring(self) -> bool:
         """Return whether the present run is measured, and its measurement is not yet over."""
@@ -150,7 +156,7 @@ class Questions:
             "answers": [answer.text for answer in experiment.answers],
             "votes": list(self.votes),
             "asking": self.is_asking,
-            "said": "" if self.is_asking else what_was_said(experiment, self.said, self.votes),
+            "said": what_was_said(experiment, self.said),
             "happened": happened,
         }
 
@@ -160,15 +166,9 @@ def with_letter(experiment: Experiment, answer: int) -> str:
     return f"{LETTERS[answer]}, {experiment.answers[answer].text}"
 
 
-def what_was_said(experiment: Experiment, said: int | None, votes: Sequence[int]) -> str:
-    """Return the answer (an index, or None), and the hands for each answer, if there are any."""
-    sentences = []
-    if said is not None:
-        sentences.append(f"You said: {with_letter(experiment, said)}.")
-    if any(votes):
-        hands = [f"{letter} {count}" for letter, count in zip(LETTERS, votes, strict=False)]
-        sentences.append(f"Hands: {', '.join(hands)}.")
-    return " ".join(sentences)
+def what_was_said(experiment: Experiment, said: int | None) -> str:
+    """Return the answer (an index, or None) in a sentence, or nothing."""
+    return "" if said is None else f"You said: {with_letter(experiment, said)}."
 
 
 def what_happened(measurement: Measurement, said: int | None) -> dict:

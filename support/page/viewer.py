@@ -17,7 +17,7 @@ from support.page.chooser import Chooser
 from support.page.controls import commands_of, is_text, state_of
 from support.page.declarations import declare_commands, declare_controls
 from support.page.endless import Watch
-from support.page.graph import Graph
+from support.page.graph import Graph, to_css
 from support.page.questions import Questions
 from support.page.scene.marks import Label, Marks
 from support.page.scene.scenery import Scenery
@@ -249,6 +249,7 @@ class Viewer(Player):
             "motion": self.readout(),
             "momenta": readout.momenta(self.marks, cradle.colors()),
             "impacts": self.motion.impacts.lines(),
+            "colors": [to_css(color) for color in cradle.colors()],
             "curves": self.graph.state(self.motion.start_energy),
             "columns": SETTABLE,
             "keys": [*cradle.angle_keys, *cradle.rate_keys],

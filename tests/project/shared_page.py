@@ -9,6 +9,7 @@ from whole_cradles import FIVE_CSV
 
 # Put the settings back to those with which the page opens, pause, and restart the cradle.
 PUT_BACK = """() => {
+    dispatchEvent(new Event("afterprint"));
     send("experiment", state.controls.experiment.choices[0]);
     if (state.running || state.question?.asking) send("pause");
     for (const name of ["ask first", "slow hits", "arrows", "separating"]) send(name, false);

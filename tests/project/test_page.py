@@ -170,6 +170,13 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, file):
     error.wait_for(state="hidden")
 
 
+# The least width or height of a button for hands.
+SMALLEST_HAND = """() => Math.min(...find(".hands").flatMap(hand => {
+    const { width, height } = hand.getBoundingClientRect();
+    return [width, height];
+}))"""
+# How long the bar of each answer is, as a part of its place.
+BARS = "find('.votes i').map(bar => bar.offsetWidth / bar.parentElement.offsetWidth)"
 # How many arrows, boxes and spheres are visible.
 SHAPES = """() => ["arrow", "box", "sphere"].map(
     kind => glowObjs.filter(o => o?.constructor.name === kind && o.visible).length)"""
@@ -190,18 +197,26 @@ def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
     wait_until(lambda: menu(shared, "Collisions").is_hidden())
     assert violations(shared) == {}
     wait_for_rest(shared)
-    shared.locator(".hands").nth(2).click()
-    shared.wait_for_function("() => find('.hands').map(e => e.innerText).join('') === '0010'")
+    assert shared.evaluate(SMALLEST_HAND) >= 40  # pixels: a finger hits it
+    press(shared, "0 hands for C")
+    button(shared, "1 hand for C").tap()
+    button(shared, "2 hands for C").click(button="right")
+    press(shared, "1 hand for C")
+    button(shared, "2 hands for C").wait_for()
+    press(shared, "one hand fewer for C")
+    button(shared, "1 hand for C").wait_for()
     assert not shared.locator(".readout").is_visible()  # it waits for the answer
     tick(shared, "Arrows")
     shared.keyboard.press("a")
     question.get_by_text("What happened: C, Two bobs, as far as the two.").wait_for()
     assert shared.evaluate(SHAPES) == [0, 6, 5 + 5]  # no bob moves while the picture rests
-    said = question.get_by_text("You said: A, One bob, twice as fast. Hands: A 0, B 0, C 1, D 0.")
-    assert said.is_visible()
+    assert question.get_by_text("You said: A, One bob, twice as fast.").is_visible()
+    assert question.get_by_role("img", name="C: 1 hand").is_visible()
+    assert shared.evaluate(BARS) == [0, 0, 1, 0]
     assert printed(shared) < 0.2  # the first bob before its release, although it hangs now
     assert shared.get_by_text("I measured").is_visible()
     assert shared.get_by_text("swung to (degrees)").is_visible()
+    shared.evaluate("dispatchEvent(new Event('afterprint'))")
     shared.emulate_media(media="screen")
     shared.keyboard.press("h")
     shared.locator(".hit-part").get_by_text("m/s").first.wait_for()

@@ -183,7 +183,7 @@ def test_the_cradle_also_runs_without_an_answer(asking, command):
 def test_an_answer_to_another_question_does_nothing(asking):
     for value in (("1_one_bob", 0), ("5_heavy_hits_light", None), (KEY, 4)):
         asking.give("answer", *value)
-        asking.give("vote", *value)
+        asking.give("vote", *value, True)
     asking.wait(0.1)
     assert asked(asking) == ASKING
     assert asking.state["question"]["votes"] == [0] * 4
@@ -240,9 +240,9 @@ def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):
 
     Then they have gone, and a later answer does nothing.
     """
-    for number in (1, 2, 2):
-        asking.give("vote", KEY, number)
-    assert asking.state["question"]["votes"] == [0, 1, 2, 0]
+    for number, is_more in ((1, True), (2, True), (2, True), (1, False), (1, False)):
+        asking.give("vote", KEY, number, is_more)
+    assert asking.state["question"]["votes"] == [0, 0, 2, 0]
     asking.give("answer", KEY, 0)
     asking.wait(0.2)
     assert ghosts(asking) == []
@@ -250,16 +250,27 @@ def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):
     assert 0 < ghosts(asking)[4] < 100
     asking.wait(2.5)
     assert asking.time() == 0.47
-    said = f"You said: A, {ANSWERS[0]}. Hands: A 0, B 1, C 2, D 0."
+    said = f"You said: A, {ANSWERS[0]}."
     assert ghosts(asking) == pytest.approx([0, 0, 0, 0, 100])  # the pale bobs that its file says
     [label] = asking.state["view"]["labels"]
     assert label["text"] == "your answer"  # no hand was for it
     asking.give("answer", KEY, 1)
-    asking.give("vote", KEY, 1)
+    asking.give("vote", KEY, 1, True)
     asking.wait(1)
     assert asking.time() > 0.6
     assert ghosts(asking) == []
     assert asked(asking).said == said
+    assert asking.state["question"]["votes"] == [0, 0, 2, 0]
+
+
+@pytest.mark.parametrize(
+    ("answer", "name"), [(None, "your answer"), (1, "your answer"), (2, "2 of you")]
+)
+def test_ghosts_have_the_name_of_you_or_of_those_who_have_raised_their_hands(asking, answer, name):
+    for _ in range(2):
+        asking.give("vote", KEY, 2, True)
+    asking.give("answer", KEY, answer)
+    assert asking.viewer.questions.ghost_name() == name
 
 
 def ghosts(rig):

@@ -103,7 +103,7 @@ ALLOWED = {
     "lifted": [2],
     "graph": ["Angles theta"],
     "answer": ["2_two_bobs", 0],
-    "vote": ["2_two_bobs", 0],
+    "vote": ["2_two_bobs", 0, True],
     "grab": RAY,
     "drag": RAY,
 }

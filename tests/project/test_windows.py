@@ -92,11 +92,27 @@ def test_a_wide_window_has_all_in_view_beside_a_large_cradle(at_rest, size):
     assert at_rest.evaluate(LETTERS) >= 0.022 * size[1]
 
 
-def test_a_page_on_paper_has_the_cradle_as_it_is_now_its_numbers_and_no_controls(at_rest):
+# What is there on paper, from above, and the color of the last curve in the legend.
+ON_PAPER = """() => [
+    ...find(".picture canvas, .readout, .plot canvas, .plot + .x, button, select, input, .impacts")
+        .filter(part => part.checkVisibility()).map(part => part.className || part.nodeName),
+    find(".legendColorBox div div").at(-1)?.style.borderColor,
+]"""
+
+
+def test_a_page_on_paper_has_cradle_numbers_and_graph_in_the_colors_of_the_light_page(at_rest):
+    """The cradle is as it is now. The graph is drawn anew, as wide as it is on paper."""
     pages.draw(at_rest, True)
     at_rest.emulate_media(color_scheme="dark")
     assert 0.25 < printed(at_rest) < 0.4
-    assert at_rest.evaluate("document.body.innerText.trim() === one('.readout').innerText.trim()")
+    parts = ["CANVAS", "readout printed", "base", "overlay", "x printed"]
+    assert at_rest.evaluate(ON_PAPER) == [*parts, "rgb(0, 0, 0)"]
+    width = "[one('.plot canvas').clientWidth, Math.round(one('.plot').clientWidth)]"
+    drawn, place = at_rest.evaluate(width)
+    assert drawn == place == 643  # 17 cm
+    menu(at_rest, "Graph").evaluate("() => send('graph', 'no graph')")
+    at_rest.locator(".plot").wait_for(state="hidden")
+    assert at_rest.evaluate(ON_PAPER)[:-1] == parts[:2]
 
 
 def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver, shared):
@@ -139,6 +155,29 @@ def test_impacts_break_between_chains_and_each_line_is_whole_or_hidden(at_rest):
     assert max(bottoms) <= edges(at_rest, ".series")[3] + 1
     rows = at_rest.evaluate("find('.series span').map(chain => chain.getClientRects().length)")
     assert max(rows) == 1
+
+
+SHOWN_CHAINS = """() => find(".series div > span")
+    .map(word => [...word.querySelectorAll(".dots i")].map(dot => dot.style.backgroundColor))
+    .filter(colors => colors.length)"""
+
+
+def test_a_chain_is_dots_in_the_colors_of_its_bobs_or_numbers_where_the_system_forces_colors(
+    at_rest,
+):
+    lines = ["t = 1.00 s  5-4-3", "t = 0.50 s  1-2-...-5  1...", "t = 0.25 s  1 to 5 stay together"]
+    at_rest.evaluate("lines => shows.impacts(lines)", lines)
+    red, yellow, purple = "rgb(255, 0, 0)", "rgb(255, 255, 0)", "rgb(102, 51, 153)"
+    cyan, blue = "rgb(0, 255, 255)", "rgb(0, 0, 255)"
+    assert at_rest.evaluate(SHOWN_CHAINS) == [[purple, blue, cyan], [red, yellow, purple]]
+    assert at_rest.get_by_title("1-2-...-5").inner_text() == "--...-"
+    assert at_rest.locator(".series").get_by_text("together").is_visible()
+    numbers = at_rest.locator(".series").get_by_text("5-4-3")
+    cut = "e => getComputedStyle(e).clipPath"
+    assert numbers.evaluate(cut) != "none"
+    at_rest.emulate_media(forced_colors="active")
+    assert numbers.evaluate(cut) == "none"
+    assert not at_rest.locator(".dots").first.is_visible()
 
 
 def test_present_leaves_cradle_and_numbers(at_rest):

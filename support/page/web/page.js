@@ -81,8 +81,22 @@ function momentumBar({ name, text, color, part }) {
 
 // A line of the impacts breaks only between two words.
 function impact(line) {
-  const words = line.split(" ").flatMap(word => [make("span", {}, word), " "]);
+  const words = line.split(" ").flatMap(word => [make("span", {}, ...wordOrDots(word)), " "]);
   return make("div", {}, ...words);
+}
+
+// A word; of a chain, 1-2-3, its numbers for a screen reader, and a dot in the color of each bob.
+function wordOrDots(word) {
+  const isChain = /^\d+(-|\.{3})/.test(word); // a long line may end after its first number
+  if (!isChain) return [word];
+  const numbers = make("span", { className: "unseen" }, word);
+  const dots = make("span", { className: "dots", title: word, ariaHidden: true });
+  word.split("-").forEach((number, place) => {
+    const color = state.colors[number - 1]; // undefined for what is no whole number
+    if (place) dots.append("-");
+    dots.append(color ? make("i", { style: `background: ${color}` }) : "...");
+  });
+  return [numbers, dots];
 }
 
 one(".fold").addEventListener("toggle", ({ target }) => {

@@ -4,7 +4,15 @@ let asked; // the question of which the picture before the release is kept
 let before = "";
 
 addEventListener("beforeprint", () => {
-  if (home) one(".picture").replaceChildren(state.question ? before : picture());
+  const place = one(state.question ? ".sketch" : ".picture");
+  if (home) place.replaceChildren(state.question ? before : picture());
+  document.documentElement.classList.add("on-paper");
+  one(".plot").replaceChildren(); // Chromium would print nothing of canvases that it has shown
+  drawGraph();
+});
+addEventListener("afterprint", () => {
+  document.documentElement.classList.remove("on-paper");
+  drawGraph();
 });
 
 function keepPicture() {

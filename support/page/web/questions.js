@@ -20,12 +20,14 @@ function makeQuestion({ key, question, answers, votes, asking, said, happened })
   if (asking) {
     const choices = make("div", { className: "answers" });
     answers.forEach((answer, number) => {
-      const hands = button(String(votes[number]), "hands", "vote", key, number);
-      hands.ariaLabel = `${votes[number]} hands for ${LETTERS[number]}`;
-      choices.append(button(`${LETTERS[number]}\u2002${answer}`, "", "answer", key, number), hands);
+      const text = `${LETTERS[number]}\u2002${answer}`;
+      const choice = make("div", {}, button(text, "choice", "answer", key, number));
+      choice.append(...makeCounter(key, number, votes[number]));
+      choices.append(choice);
     });
     element.append(choices, button("Run it without an answer", "plain", "answer", key, null));
   }
+  if (!asking && votes.some(count => count)) element.append(makeBars(votes));
   if (said) element.append(paragraph(said));
   if (happened) element.append(
     outcome(happened),
@@ -37,17 +39,49 @@ function makeQuestion({ key, question, answers, votes, asking, said, happened })
   return element;
 }
 
+const inHands = count => count === 1 ? "1 hand" : `${count} hands`;
+
+// A button that counts one hand more, or one fewer by a right click; and one that counts one fewer.
+function makeCounter(key, number, count) {
+  const more = button(inHands(count), "hands", "vote", key, number, true);
+  const fewer = button("\u2212", "hands fewer", "vote", key, number, false);
+  more.ariaLabel = `${inHands(count)} for ${LETTERS[number]}`;
+  fewer.ariaLabel = `one hand fewer for ${LETTERS[number]}`;
+  more.oncontextmenu = event => {
+    event.preventDefault();
+    fewer.click();
+  };
+  return [more, fewer];
+}
+
+function makeBars(votes) {
+  const chart = make("div", { className: "votes" });
+  const most = Math.max(...votes);
+  votes.forEach((count, number) => {
+    const line = make("div", { role: "img", ariaLabel: `${LETTERS[number]}: ${inHands(count)}` });
+    const bar = make("i", { style: `width: ${100 * count / most}%` });
+    line.append(make("b", {}, LETTERS[number]), make("span", {}, bar), String(count));
+    chart.append(line);
+  });
+  return chart;
+}
+
 // A page to fill in, with the picture of picture.js; after the measurement, one with its figures.
 function makeSheet({ name, question, answers, happened }) {
   const sheet = make("div", { className: "sheet printed" });
   sheet.append(make("article", {},
+    make("div", { className: "fields" }, make("span", {}, "Name"), make("span", {}, "Date")),
     make("h2", {}, name),
-    make("p", { className: "picture" }),
     paragraph(question),
     make("ol", { type: "A" }, ...answers.map(answer => make("li", {}, answer))),
     paragraph("My answer: ______ because"),
-    make("div", {}, "My sketch of the first swing:"),
-    paragraph("I measured: speed ____________ m/s, angle ____________ degrees"),
+    make("div", { className: "ruled" }),
+    make("div", { className: "ruled" }),
+    paragraph("My sketch of the first swing:"),
+    make("div", { className: "picture sketch" }),
+    paragraph(
+      "I measured: speed ________ m/s, angle ________ degrees, ____ half swings in ________ s",
+    ),
   ));
   if (happened) sheet.append(make("article", {},
     make("h2", {}, `${name}: measured`),
