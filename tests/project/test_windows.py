@@ -110,7 +110,7 @@ def test_a_page_on_paper_has_cradle_numbers_and_graph_in_the_colors_of_the_light
     width = "[one('.plot canvas').clientWidth, Math.round(one('.plot').clientWidth)]"
     drawn, place = at_rest.evaluate(width)
     assert drawn == place == 643  # 17 cm
-    menu(at_rest, "Graph").evaluate("() => send('graph', 'no graph')")
+    at_rest.evaluate("send('graph', 'no graph')")
     at_rest.locator(".plot").wait_for(state="hidden")
     assert at_rest.evaluate(ON_PAPER)[:-1] == parts[:2]
 
@@ -157,6 +157,10 @@ def test_impacts_break_between_chains_and_each_line_is_whole_or_hidden(at_rest):
     assert max(rows) == 1
 
 
+SHOW_IMPACTS = """([colors, lines]) => {
+    state.colors = colors;
+    shows.impacts(lines);
+}"""
 SHOWN_CHAINS = """() => find(".series div > span")
     .map(word => [...word.querySelectorAll(".dots i")].map(dot => dot.style.backgroundColor))
     .filter(colors => colors.length)"""
@@ -166,10 +170,12 @@ def test_a_chain_is_dots_in_the_colors_of_its_bobs_or_numbers_where_the_system_f
     at_rest,
 ):
     lines = ["t = 1.00 s  5-4-3", "t = 0.50 s  1-2-...-5  1...", "t = 0.25 s  1 to 5 stay together"]
-    at_rest.evaluate("lines => shows.impacts(lines)", lines)
-    red, yellow, purple = "rgb(255, 0, 0)", "rgb(255, 255, 0)", "rgb(102, 51, 153)"
-    cyan, blue = "rgb(0, 255, 255)", "rgb(0, 0, 255)"
-    assert at_rest.evaluate(SHOWN_CHAINS) == [[purple, blue, cyan], [red, yellow, purple]]
+    colors = [f"rgb({number}, 0, 0)" for number in (1, 2, 3, 4, 5)]
+    at_rest.evaluate(SHOW_IMPACTS, [colors, lines])
+    assert at_rest.evaluate(SHOWN_CHAINS) == [
+        [colors[4], colors[3], colors[2]],
+        [colors[0], colors[1], colors[4]],
+    ]
     assert at_rest.get_by_title("1-2-...-5").inner_text() == "--...-"
     assert at_rest.locator(".series").get_by_text("together").is_visible()
     numbers = at_rest.locator(".series").get_by_text("5-4-3")

@@ -7,12 +7,12 @@ addEventListener("beforeprint", () => {
   const place = one(state.question ? ".sketch" : ".picture");
   if (home) place.replaceChildren(state.question ? before : picture());
   document.documentElement.classList.add("on-paper");
-  one(".plot").replaceChildren(); // Chromium would print nothing of canvases that it has shown
+  one(".plot").replaceChildren(); // Chromium prints nothing of what flot draws on old canvases
   drawGraph();
 });
 addEventListener("afterprint", () => {
   document.documentElement.classList.remove("on-paper");
-  drawGraph();
+  requestAnimationFrame(drawGraph); // the page is not yet as wide as it was
 });
 
 function keepPicture() {
