@@ -190,6 +190,7 @@ def show_controls(viewer: "Viewer") -> list[Control]:
         get=lambda: viewer.graph.chosen,
         set=viewer.graph.show,
         choices=lambda: [*viewer.graph.choices],
+        help="theta: the angle of a cord from straight down; omega: how fast it changes",
     )
     span = Menu(
         name="span",

@@ -1,6 +1,7 @@
 """The scenery around the pendula: light, frame and base; and what each tab's camera must show."""
 
 from collections.abc import Sequence
+from math import ceil
 from typing import NamedTuple
 
 from vpython import box, cylinder, distant_light, scene, textures, vector
@@ -68,18 +69,21 @@ class Scenery:
         )
         discard(self.frame)
         self.frame = make_frame(self.size)
-        # Whether the view has space for bobs that swing out of the frame, and above it. Bobs with
-        # unequal masses probably will.
+        # Whether the view has space for bobs that swing out of the frame. Bobs with unequal masses
+        # probably will.
         self.wide_swings = len({*masses}) > 1
-        self.whole_circles = False
+        self.above = 0.0  # m above the axles: the view has space for bobs up to there
 
     def keep_in_view(self, bobs: Sequence) -> None:
         """Let the view have space for these bobs, or ghosts, also outside of the frame."""
         for bob in bobs:
             if not self.size.left < bob.pos.x < self.size.right:
                 self.wide_swings = True
-            if bob.pos.y > self.size.top:
-                self.whole_circles = True
+            height = bob.pos.y - self.size.top
+            if height > self.above:
+                self.wide_swings = True
+                quarter = self.size.reach / 4  # not in each picture a little
+                self.above = quarter * ceil(height / quarter)
 
     def view(self) -> dict:
         """Return what a tab must know: the points (m) that its camera shows, and the numbers.
@@ -96,11 +100,9 @@ class Scenery:
             for y in (top, ground):
                 for side in (-1, 1):
                     points.append((x, y, side * (depth / 2 + OVERHANG * reach)))
-        if self.wide_swings or self.whole_circles:
-            highest = top + radius  # of a swing up to the horizontal
-            if self.whole_circles:
-                highest += reach
+        if self.wide_swings:
             widest = reach + radius
+            highest = top + self.above + radius
             points.append((self.numbers[0].x - widest, highest, 0))
             points.append((self.numbers[-1].x + widest, highest, 0))
         return {
