@@ -144,4 +144,4 @@ def printed(page):
     """Have the page as it is on paper; return where the red bob is in its picture, from 0 to 1."""
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.emulate_media(media="print")
-    return page.locator(".picture canvas").first.evaluate(RED)
+    return page.locator(".picture canvas:visible").evaluate(RED)

@@ -214,7 +214,8 @@ def test_a_lesson_in_present_from_the_question_to_the_sheet(shared):
     assert question.get_by_role("img", name="C: 1 hand").is_visible()
     assert shared.evaluate(BARS) == [0, 0, 1, 0]
     assert printed(shared) < 0.2  # the first bob before its release, although it hangs now
-    assert shared.get_by_text("I measured").is_visible()
+    for line in ("Name", "Date", "because", "half swings in"):
+        assert shared.locator(".sheet").get_by_text(line).is_visible()
     assert shared.get_by_text("swung to (degrees)").is_visible()
     shared.evaluate("dispatchEvent(new Event('afterprint'))")
     shared.emulate_media(media="screen")

@@ -364,6 +364,7 @@ def test_the_impacts_until_a_restart(rig):
     assert last.endswith(" s  5-4-3-2-1")
     assert first.startswith(f"t = {PERIOD / 4:.1f}")
     assert first.endswith(" s  1-2-3-4-5")
+    assert rig.state["colors"] == ["rgb(255, 0, 0)"] * 5
     rig.give("restart")
     assert rig.time() == 0
     assert rig.bob_angles() == [30, 0, 0, 0, 0]
