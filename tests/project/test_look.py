@@ -6,7 +6,7 @@ from pages import button, press, tick, wait_for_angles
 from programs import wait_until
 from whole_cradles import HEADER
 
-from support.constants import R_PARAM
+from support.constants import COLOR_MAP, R_PARAM
 
 COLORS = ["black", "white", "red", "green", "blue", "yellow", "cyan", "magenta", "orange", "purple"]
 
@@ -68,6 +68,11 @@ def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file, s
     cord = [[x + aside, y, 0] for aside in (-1, 0, 1)]  # it is two pixels wide
     contrasts = large.evaluate(CONTRASTS, [*edges, *insides, *cord])
     best = map(max, contrasts[:10], contrasts[10:20])
+    if scheme == "dark":  # and back
+        large.emulate_media(color_scheme="light")
+        large.wait_for_function("() => !dark.matches")
+    shown = large.evaluate("bobs().map(bob => bob.color).map(({ x, y, z }) => [x, y, z])")
+    assert shown == [COLOR_MAP[color].value for color in COLORS]
     for color, contrast in zip([*COLORS, "cord"], [*best, max(contrasts[20:])], strict=True):
         assert contrast >= 3, color
 

@@ -16,7 +16,7 @@ from support.pendulum import arm, cord_angles, make_shape, Pendulum
 ARROW_TIME = 2 * pi * sqrt(R_PARAM / G) / 9
 # m/s: a slower bob has no arrow. A bob that comes down from 2 degrees gets as fast.
 STILL = 0.035 * sqrt(R_PARAM * G)
-LONGEST = 1.0  # the arrow of the largest change of momentum, in reaches of the cradle
+LONGEST = 0.8  # the arrow of the largest change of momentum, in reaches of the cradle
 # The dial: where its marks begin, and their length, in lengths of a cord.
 DIAL = 0.76
 MARK = 0.08

@@ -109,7 +109,7 @@ class Scenery:
             "points": points,
             "numbers": [number._asdict() for number in self.numbers],
             "top": top + radius / 2,
-            "ground": bottom + base_height(reach) / 2,
+            "base": {"left": left, "right": right, "height": bottom + base_height(reach) / 2},
             "text_height": TEXT,
             "finger": FINGER,
         }

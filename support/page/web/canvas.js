@@ -47,8 +47,6 @@ function begin() {
 function watch() {
   resize();
   limit();
-  paintShapes();
-  castShadows();
   requestAnimationFrame(watch);
 }
 
@@ -66,6 +64,7 @@ function paint() { // the canvas has the color of the page
   const { r, g, b } = $.color.parse(css("--back"));
   scene().background = vec(r, g, b).divide(255);
   shine();
+  paintShapes();
 }
 
 // The canvas, in words; at most once a second, or a screen reader would never end.

@@ -1,5 +1,6 @@
 // The light on the page: how pale the shades are, how bobs stand out from the page, and their
 // shadows on the base.
+
 // On a pale page, the edges of bobs must be dark, on a dark page light; their middle is bright.
 const PALE = { ambient: 0.26, lamps: [0.9, 0.2] };
 const DARK = { ambient: 0.62, lamps: [0.55, 0.2] };
@@ -7,16 +8,16 @@ const DARKEST = 0.54; // a bob with less light than this is lightened on a dark 
 // Of a shadow: the radius of each layer, in radii of the bob, and its shade.
 const LAYERS = [[1.3, 0.9], [1.1, 0.8], [0.9, 0.68], [0.7, 0.58]];
 const LAYER = 1e-4; // m: the height of a layer
-
 const GHOSTLY = 0.4; // how much a ghost differs from the page
 
 const paints = new Map(); // of a shape: its color in the program, and that on the page
 const shadows = [];
 
-dark.addEventListener("change", () => {
-  for (const [shape, { given }] of paints) shape.color = given;
-  paints.clear();
-});
+// With each message: in the same picture as the bobs.
+function light() {
+  paintShapes();
+  castShadows();
+}
 
 function shine() {
   const { ambient, lamps } = dark.matches ? DARK : PALE;
@@ -31,11 +32,10 @@ function paintShapes() {
   for (const shape of glowObjs) {
     if (!shape?.visible || !(isSphere(shape) || shape.pickable === false)) continue;
     const paint = paints.get(shape);
-    const given = paint?.shown.equals(shape.color) ? paint.given : shape.color;
+    const given = paint?.shown.equals(shape.color) ? paint.given : vec(shape.color);
     const shown = onPage(shape, given);
-    if (paint?.shown.equals(shown) && paint.shown.equals(shape.color)) continue;
     paints.set(shape, { given, shown });
-    shape.color = shown;
+    if (!shown.equals(shape.color)) shape.color = shown;
   }
 }
 
@@ -60,11 +60,12 @@ function castShadows() {
   }
   shadows.forEach((shadow, i) => {
     const bob = places[Math.floor(i / LAYERS.length)];
-    shadow.visible = !!bob;
+    const { left, right, height } = state.view.base;
+    shadow.visible = !!bob && left < bob.pos.x && bob.pos.x < right;
     if (!bob) return;
     const layer = i % LAYERS.length;
     shadow.radius = LAYERS[layer][0] * bob.radius;
-    shadow.pos = vec(bob.pos.x, state.view.ground, 0);
+    shadow.pos = vec(bob.pos.x, height, 0);
     shadow.axis = vec(0, LAYER * (1 + layer), 0);
   });
 }

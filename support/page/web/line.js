@@ -102,6 +102,7 @@ function receive(data) {
   if (canDraw) handler(decode(drawing)); // VPython's
   Object.assign(state, changes);
   for (const name in changes) update(name);
+  if (home) light();
 }
 
 // For each picture that the browser has drawn, the program may send one message more. Few words are
