@@ -44,7 +44,7 @@ const inHands = count => count === 1 ? "1 hand" : `${count} hands`;
 // A button that counts one hand more, or one fewer by a right click; and one that counts one fewer.
 function makeCounter(key, number, count) {
   const more = button(inHands(count), "hands", "vote", key, number, true);
-  const fewer = button("\u2212", "hands fewer", "vote", key, number, false);
+  const fewer = button("\u2212", "hands", "vote", key, number, false);
   more.ariaLabel = `${inHands(count)} for ${LETTERS[number]}`;
   fewer.ariaLabel = `one hand fewer for ${LETTERS[number]}`;
   more.oncontextmenu = event => {
