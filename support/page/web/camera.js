@@ -106,6 +106,6 @@ function writeTexts() {
 
 function showLabels(texts) { // labels that are not needed wait, out of sight
   while (labels.length < texts.length)
-    labels.push(label({ canvas: scene(), box: false, line: false }));
+    labels.push(label({ canvas: scene(), box: false, line: false, font: "sans-serif" }));
   labels.forEach((label, i) => Object.assign(label, texts[i], { visible: i < texts.length }));
 }
