@@ -58,9 +58,10 @@ class Scenery:
         """
         self.numbers = [Number(axle.pos.x, str(i)) for i, axle in enumerate(axles, start=1)]
         top = axles[0].pos.y
+        beside = BESIDE * reach
         self.size = Size(
-            left=self.numbers[0].x - BESIDE * reach,
-            right=self.numbers[-1].x + BESIDE * reach,
+            left=self.numbers[0].x - beside,
+            right=self.numbers[-1].x + beside,
             top=top,
             bottom=top - 1.3 * reach,
             depth=axles[0].width,
