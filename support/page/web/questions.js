@@ -25,7 +25,7 @@ function makeQuestion({ key, question, answers, votes, asking, said, happened })
       choice.append(...makeCounter(key, number, votes[number]));
       choices.append(choice);
     });
-    element.append(choices, button("Run it without an answer", "plain", "answer", key, null));
+    element.append(choices, button("Run it without an answer", "", "answer", key, null));
   }
   if (!asking && votes.some(count => count)) element.append(makeBars(votes));
   if (said) element.append(paragraph(said));
@@ -35,7 +35,7 @@ function makeQuestion({ key, question, answers, votes, asking, said, happened })
     button("Again slowly", "", "again", true),
     button("Next experiment", "", "next"),
   );
-  element.append(make("button", { className: "plain", onclick: () => print() }, "Print a sheet"));
+  element.append(make("button", { onclick: () => print() }, "Print a sheet"));
   return element;
 }
 
