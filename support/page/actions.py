@@ -127,7 +127,7 @@ class Actions:
     def name_on_page(self, collision: Collision) -> str:
         """Return the name of a way to collide on the page."""
         if collision == AS_MADE and self.chooser.is_edited():
-            return "as in the table"
+            return "as changed"
         if collision == AS_MADE and self.chooser.experiment:
             return "as in the experiment"
         return collision.name

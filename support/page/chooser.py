@@ -76,6 +76,8 @@ class Chooser:
         """Choose what has this name in the menu."""
         if not self.experiment:
             self.yours = self.player.settings
+            if name == YOUR_CSV:  # again: without what you have changed on the page
+                self.yours = self.yours._replace(csv=self.saved)
         self.experiment = self.experiments.get(name)
         self.is_changed = False
         self.refused.clear()

@@ -136,11 +136,6 @@ class Questions:
         answer = measurement.experiment.answers[self.said]
         return [part * radians(swing) for swing in answer.swings]
 
-    def ghost_name(self) -> str:
-        """Return whose answer the ghosts show: yours, or that of the hands for it."""
-        hands = self.votes[self.said] if self.votes and self.said is not None else 0
-        return f"{hands} of you" if hands else "your answer"
-
     def state(self) -> dict | None:
         """Return the question, what was said, and what happened; None without a question."""
         if self.measurement is None:

@@ -1,6 +1,7 @@
 """What the page says of the motion."""
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from vpython import vector
 
@@ -9,7 +10,9 @@ from support.cradle.cradle import Cradle
 from support.cradle.motion import Motion, percent_as_text
 from support.cradle.real_time import RealTime
 from support.page.graph import to_css
-from support.page.scene.marks import GREY, Marks
+from support.page.scene.marks import GREY
+
+BLACK = "rgb(0, 0, 0)"
 
 
 def readout(motion: Motion, pace: RealTime) -> dict[str, str]:
@@ -21,23 +24,31 @@ def readout(motion: Motion, pace: RealTime) -> dict[str, str]:
     }
 
 
-def momenta(marks: Marks, colors: Sequence[vector]) -> list[dict]:
-    """Return a bar for each momentum that the marks have noted, and one for the sum.
+class Bar(NamedTuple):
+    """A bar on the page."""
 
-    A bar has a name, the momentum as text, a color, and a part: -1 to 1, of the largest momentum.
+    name: str
+    text: str
+    color: str  # as CSS has it
+    part: float  # -1 to 1: of the full length, negative to the left
+
+
+def momentum_bars(momenta: Sequence[float], largest: float, colors: Sequence[vector]) -> list[Bar]:
+    """Return a bar for the momentum (kg m/s) of each pendulum, and one for the sum.
+
+    A full bar is the largest momentum.
     """
-    if not marks.momenta:
-        return []
-    names = [str(number) for number in range(1, len(colors) + 1)]
+    names = [*map(str, range(1, len(colors) + 1)), "sum"]
     bars = []
-    for name, momentum, color in zip(
-        [*names, "sum"], [*marks.momenta, sum(marks.momenta)], [*colors, GREY], strict=True
-    ):
-        part = max(-1.0, min(1.0, momentum / marks.largest))
-        bars.append(
-            {"name": name, "text": signed(momentum), "color": to_css(color), "part": round(part, 3)}
-        )
+    for name, momentum, color in zip(names, [*momenta, sum(momenta)], [*colors, GREY], strict=True):
+        part = max(-1.0, min(1.0, momentum / largest))
+        bars.append(Bar(name, signed(momentum), to_css(color), round(part, 3)))
     return bars
+
+
+def energy_bar(percent: float) -> Bar:
+    """Return a bar of the energy, in percent of that at the start."""
+    return Bar("energy", percent_as_text(percent).strip(), BLACK, min(1.0, percent / 100))
 
 
 def momentum_as_text(momentum: float) -> str:

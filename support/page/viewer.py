@@ -1,6 +1,7 @@
 """The viewer: plays a cradle in step with the clock, and carries out the commands of the page."""
 
 from collections.abc import Sequence
+from math import inf
 from queue import SimpleQueue
 from typing import Any
 
@@ -68,6 +69,9 @@ class Viewer(Player):
         self.scenery = Scenery()
         self.marks = Marks()
         self.stopwatch = Stopwatch()
+        # The time (s) of the last hits, and the momenta (kg m/s) after them.
+        self.last_hits = -inf
+        self.after_hits: list[float] = []
         self.labels: list[Label] = []  # in the picture
         self.slow_hits = SlowHits(cradle)
         self.graph = Graph(cradle.angle_keys, cradle.rate_keys)
@@ -165,8 +169,11 @@ class Viewer(Player):
         slow_hit = self.slow_hits.shown
         pend_list = slow_hit.pend_list if slow_hit else self.cradle.pend_list
         self.marks.show_arrows(pend_list)
+        self.marks.show_belts()
         self.marks.show_hit(slow_hit)
         predicted = self.questions.predicted(self.motion.time())
+        if slow_hit:  # else they cover its arrows
+            predicted = []
         self.marks.show_ghosts(predicted, self.questions.ghost_name())
         self.labels = self.marks.labels(pend_list)
 
@@ -178,6 +185,8 @@ class Viewer(Player):
         self.scenery.surround(cradle.axles(), cradle.bobs(), cradle.reach, cradle.values("mass"))
         self.marks.surround(cradle)
         self.graph.begin(cradle.colors())
+        self.last_hits = -inf
+        self.after_hits = []
         self.stopwatch.restart(self.motion.time())
         self.note()
         self.before = None
@@ -194,6 +203,9 @@ class Viewer(Player):
         sample = self.motion.sample()
         self.graph.add(sample)
         self.stopwatch.look(sample["t"], sample["kinetic"], sample["total"])
+        if self.motion.last_fast > self.last_hits:
+            self.last_hits = self.motion.last_fast
+            self.after_hits = self.marks.momenta_of(self.cradle.pend_list)
 
     def longest_batch(self) -> int:
         """Return after how many ticks, at most, to look at the cradle.
@@ -225,8 +237,26 @@ class Viewer(Player):
         """Return the numbers beside the cradle as text, by their names."""
         numbers = readout.readout(self.motion, self.pace)
         if self.marks.measures:
-            numbers |= {"half swings": str(self.stopwatch), "at a bob": "angle, speed in m/s"}
+            numbers["half swings"] = str(self.stopwatch)
         return numbers
+
+    def bars(self) -> dict[str, Any] | None:
+        """Return a title, and bars of the momenta and the energy; None without arrows.
+
+        While the picture rests after a measurement, most bobs stop for a moment: the bars are then
+        those after the last hits.
+        """
+        marks = self.marks
+        if not marks.has_arrows:
+            return None
+        momenta = marks.momenta
+        title = "Momentum (kg m/s)"
+        if self.questions.rest_end is not None and self.after_hits:
+            momenta = self.after_hits
+            title = "Momentum after the hits (kg m/s)"
+        bars = readout.momentum_bars(momenta, marks.largest, self.cradle.colors())
+        bars.append(readout.energy_bar(self.motion.percents()["energy"]))
+        return {"title": title, "bars": [bar._asdict() for bar in bars]}
 
     def state(self) -> dict[str, Any]:
         """Return what the page shows beside VPython's canvas, by name, all texts plain."""
@@ -241,13 +271,13 @@ class Viewer(Player):
             "error": self.error,
             "mistakes": self.chooser.mistakes,
             "pictures": dict(self.chooser.pictures),
-            "changed": self.chooser.is_changed,
+            "changed": self.chooser.is_changed or self.chooser.is_edited(),
             "ended": None,
             "running": self.is_time_running(),
             "question": self.questions.state(),
             "hit": self.slow_hits.state(),
             "motion": self.readout(),
-            "momenta": readout.momenta(self.marks, cradle.colors()),
+            "bars": self.bars(),
             "impacts": self.motion.impacts.lines(),
             "colors": [to_css(color) for color in cradle.colors()],
             "curves": self.graph.state(self.motion.start_energy),

@@ -104,11 +104,11 @@ def test_an_experiment_is_chosen_by_its_picture_which_says_that_it_was_changed(s
 def test_a_paused_cradle_says_so_and_its_momenta_are_bars_from_the_middle(shared):
     tick(shared, "Arrows")
     paused = shared.get_by_text("Paused", exact=True)
-    shared.wait_for_function("() => state.momenta[0]?.part > 0.5")
+    shared.wait_for_function("() => state.bars?.bars[0].part > 0.5")
     assert not paused.is_visible()
     pages.pause(shared)
     assert paused.is_visible()
-    parts = shared.evaluate("state.momenta.map(bar => bar.part)")
+    parts = shared.evaluate("state.bars.bars.map(bar => bar.part)")
     bars = shared.evaluate("""find(".track").map(track => {
         const { left, width } = track.getBoundingClientRect();
         const bar = track.firstChild.getBoundingClientRect();

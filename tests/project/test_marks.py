@@ -15,7 +15,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.energy import momentum
 from support.page.scene.marks import ARROW_TIME, LONGEST
-from support.page.scene.slow_hits import EACH
+from support.page.scene.slow_hits import EACH, NOTE
 
 
 def visible(rig, name):
@@ -41,15 +41,17 @@ def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(c
     assert len(arrows) == len(moves)
     assert pytest.approx(PERIOD / 9) == ARROW_TIME
     for arrow, bob, velocity in zip(arrows, cradle.bobs(), moves, strict=False):
-        assert arrow.pos.value[:2] == bob.pos.value[:2]
+        assert arrow.pos.x == bob.pos.x
         assert arrow.axis.value == pytest.approx((ARROW_TIME * velocity).value)
 
     # The bar of the largest momentum, sqrt(2 m E) of the only pendulum that moves, is a full one
     mass = 3.0 * kind.cord_count
     largest = sqrt(2 * mass * sum(cradle.energies()))
     first, second = [momentum([pend], R_PARAM) for pend in cradle.pend_list]
-    bars = rig.state["momenta"]
+    assert rig.state["bars"]["title"] == "Momentum (kg m/s)"
+    *bars, energy = rig.state["bars"]["bars"]
     assert [bar["name"] for bar in bars] == ["1", "2", "sum"]
+    assert (energy["text"], energy["part"]) == ("100.0 %", pytest.approx(1, abs=0.001))
     assert bars[0]["color"] == "rgb(0, 0, 255)"
     for bar, p in zip(bars, (first, second, first + second), strict=True):
         assert bar["part"] == pytest.approx(p / largest, abs=0.002)
@@ -57,16 +59,25 @@ def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(c
 
     rig.give("arrows", False)
     assert not any(shape.visible for shape in arrows)
-    assert rig.state["momenta"] == []
+    assert rig.state["bars"] is None
 
 
-def test_masses_that_differ_are_on_the_bobs(rig):
+def test_masses_that_differ_are_below_the_bobs_and_heavier_bobs_have_wider_belts(rig):
     assert rig.state["view"]["labels"] == []
-    rig.give("edit", 0, "mass", "2.5")
+    assert visible(rig, "belts") == []
+    rig.give("edit", 0, "mass", "3.375")
+    rig.give("edit", 1, "mass", "8")
     labels = rig.state["view"]["labels"]
-    assert [label["text"] for label in labels] == ["2.5 kg", *["1 kg"] * 4]
-    assert [label["kind"] for label in labels] == ["heavy", *["light"] * 4]
-    assert [label["x"] for label in labels] == [bob.pos.x for bob in rig.cradle.bobs()]
+    assert [label["text"] for label in labels] == ["3.375 kg", "8 kg", *["1 kg"] * 3]
+    bobs = rig.cradle.bobs()
+    for label, bob in zip(labels, bobs, strict=True):
+        assert label["x"] == bob.pos.x
+        assert label["y"] < bob.pos.y - bob.radius
+    belts = visible(rig, "belts")
+    for belt, bob, height in zip(belts, bobs[:2], (0.5, 1.0), strict=True):
+        assert belt.axis.y == pytest.approx(height * bob.radius)  # a ball's size minus 1
+        middle = belt.pos + belt.axis / 2
+        assert middle.value == pytest.approx(bob.pos.value)
 
 
 def test_a_dial_angles_speeds_and_half_swings_can_be_measured(csv):
@@ -87,7 +98,9 @@ def test_a_dial_angles_speeds_and_half_swings_can_be_measured(csv):
     for text, pend in zip(texts, pend_list, strict=False):
         angle, speed = text.split("\n")
         assert angle == f"{abs(degrees(pend['theta'])):.0f}°"
-        assert float(speed) == pytest.approx(abs(pend["omega"]) * R_PARAM, abs=0.006)
+        assert float(speed.removesuffix(" m/s")) == pytest.approx(
+            abs(pend["omega"]) * R_PARAM, abs=0.006
+        )
     # By the series of the period's elliptic integral, a swing of 45 degrees takes 1.0400 as long
     # as a small one.
     count, seconds = re.fullmatch(
@@ -130,7 +143,7 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
         assert rig.state["hit"] == {
             "title": f"Hit {number}: bobs {left} and {right}",
             "lines": [f"bob {left}: +1.07 → +0.00 m/s", f"bob {right}: +0.00 → +1.07 m/s"],
-            "note": "This order is the model's: a tick takes one pair after the other.",
+            "note": NOTE,
         }
         places = [bob.pos.x for bob in rig.cradle.bobs()]
         rings = visible(rig, "rings")

@@ -33,7 +33,7 @@ def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_
     rig.give("edit", 1, "mass", "2.50")
     assert rig.time() == 0
     assert rig.bob_angles() == [30, 0, 0, 0, 0]
-    assert rig.state["collision"] == "as in the table"
+    assert rig.state["collision"] == "as changed"
     rig.give("edit", 4, "e", "0.5")
     rig.give("restart")
     assert rig.state["table"]["mass"] == rig.values("mass") == [3, 2.5, 3, 3, 3]
@@ -55,7 +55,7 @@ def test_a_bad_value_says_the_allowed_ones_and_the_cradle_swings_on(rig):
     assert rig.values("mass")[3] == 0.5
     rig.give("edit", 1, "e", "2")
     rig.save("no cradle")
-    assert rig.state["collision"] == "as in the table"
+    assert rig.state["collision"] == "as changed"
     rig.save(HEADER + GOOD * 3)  # a saved file replaces it all
     rig.give("edit", 3, "mass", "2")  # of a row that is no longer there
     assert rig.state["refused"] == {}

@@ -113,7 +113,7 @@ def test_the_mass_of_the_first_bob_is_set_as_in_the_table(rig, csv):
     rig.give("mass", 5)
     assert rig.values("mass") == [5, 1, 1, 1, 1]
     assert rig.control("mass")["text"] == "5 kg"
-    assert rig.state["collision"] == "as in the table"
+    assert rig.state["collision"] == "as changed"
     assert csv.read_text() == FIVE_CSV
     limits = {"min": 0.5, "max": 10}
     assert rig.control("mass") == rig.control("mass") | limits
@@ -141,7 +141,7 @@ def test_bobs_are_added_and_taken_away_at_the_right_end(csv, kind):
     assert rig.values("texture") == ["wood", *["metal"] * 5]
     assert rig.bob_angles() == [30, 30, 0, 0, 0, 0]
     assert rig.control("lifted")["max"] == 6
-    assert rig.state["collision"] == "as in the table"
+    assert rig.state["collision"] == "as changed"
     rig.give("edit", 3, "mass", "no mass")
     rig.give("count", 1)
     assert rig.values("color") == ["white"]

@@ -17,6 +17,10 @@ ARROW_TIME = 2 * pi * sqrt(R_PARAM / G) / 9
 # m/s: a slower bob has no arrow. A bob that comes down from 2 degrees gets as fast.
 STILL = 0.035 * sqrt(R_PARAM * G)
 LONGEST = 0.8  # the arrow of the largest change of momentum, in reaches of the cradle
+ABOVE = 1.7  # the height of these arrows above their bobs, in radii
+# The height of a belt, in radii: the least and the largest one.
+NARROWEST = 0.2
+WIDEST = 1.2
 # The dial: where its marks begin, and their length, in lengths of a cord.
 DIAL = 0.76
 MARK = 0.08
@@ -25,9 +29,11 @@ GREEN = vector(0.0, 0.62, 0.45)  # of the arrows
 MAGENTA = vector(0.8, 0.1, 0.5)  # of the arrows of a hit
 ORANGE = vector(0.9, 0.4, 0.0)  # of the rings
 GREY = vector(0.5, 0.5, 0.53)  # of the dial
-# A ghost is so far from its bob (in radii), and hidden by it if both are at the same angle: it is
-# behind the bob in the direction in which the page looks (FORWARD in camera.js).
-BEHIND = 2.2 * vector(0, -0.2, -1)
+DARK = vector(0.15, 0.15, 0.17)  # of the belts
+# From a bob to the camera (FORWARD in camera.js): what is in front of a bob, or hidden behind it
+# when both are at the same angle, so many radii away.
+TO_CAMERA = vector(0, 0.2, 1)
+BEHIND = -2.2 * TO_CAMERA
 
 
 class Label(NamedTuple):
@@ -89,26 +95,56 @@ class Marks:
             if pointer.visible != moves:
                 pointer.visible = moves
             if moves:
-                pointer.pos = bob.pos + vector(0, 0, bob.radius)
+                pointer.pos = bob.pos + bob.radius * TO_CAMERA
                 pointer.axis = vector(ARROW_TIME * vx, ARROW_TIME * vy, 0)
-        self.momenta = [momentum([pend], R_PARAM) for pend in pend_list]
+        self.momenta = self.momenta_of(pend_list)
         # A light bob that bounces back gives more than it had.
         self.largest = max(self.largest, *map(abs, self.momenta))
 
+    def momenta_of(self, pend_list: Sequence[Pendulum]) -> list[float]:
+        """Return the momentum of each of these pendula (kg m/s)."""
+        return [momentum([pend], R_PARAM) for pend in pend_list]
+
+    def show_belts(self) -> None:
+        """Show a dark belt around each bob that is heavier than the lightest one.
+
+        The width of a belt follows from the size of a ball with this mass. The bobs themselves keep
+        the radius with which they collide.
+        """
+        lightest = min(self.cradle.values("mass"))
+        belted = []
+        for pend in self.cradle.pend_list:
+            width = min(WIDEST, (pend["mass"] / lightest) ** (1 / 3) - 1)
+            if width > 0:
+                belted += [(bob, width) for bob in pend["objects"][1::2]]
+        belts = self.take("belts", len(belted), cylinder, color=DARK)
+        for belt, (bob, width) in zip(belts, belted, strict=True):
+            height = max(NARROWEST, width) * bob.radius
+            belt.pos = bob.pos - vector(0, height / 2, 0)
+            belt.axis = vector(0, height, 0)
+            belt.radius = 1.02 * bob.radius
+
     def labels(self, pend_list: Sequence[Pendulum]) -> list[Label]:
         """Return the texts in the picture, for these pendula."""
-        return [*self.mass_labels(), *self.measured_labels(pend_list), *self.ghost_labels]
+        return [*self.bob_labels(pend_list), *self.dial_labels(), *self.ghost_labels]
 
-    def mass_labels(self) -> list[Label]:
-        """Return the masses (kg) on the bobs, if they differ."""
-        masses = self.cradle.values("mass")
-        lightest = min(masses)
+    def bob_labels(self, pend_list: Sequence[Pendulum]) -> list[Label]:
+        """Return texts below the bobs: the mass, if masses differ; and what is measured."""
+        has_masses = len({*self.cradle.values("mass")}) > 1
         labels = []
-        for pend in self.cradle.pend_list:
-            for bob in pend["objects"][1::2]:
-                kind = "heavy" if pend["mass"] > lightest else "light"
-                labels.append(Label(bob.pos.x, bob.pos.y, f"{pend['mass']:g} kg", kind))
-        return labels if max(masses) > lightest else []
+        for pend in pend_list:
+            motions = bob_motions(pend, R_PARAM)
+            bobs = pend["objects"][1::2]
+            for bob, angle, (_, vx, vy) in zip(bobs, cord_angles(pend), motions, strict=True):
+                lines = []
+                if has_masses:
+                    lines.append(f"{pend['mass']:g} kg")
+                if self.measures:
+                    lines += [f"{abs(degrees(angle)):.0f}°", f"{hypot(vx, vy):.2f} m/s"]
+                below = bob.pos.y - 1.15 * bob.radius
+                if lines:
+                    labels.append(Label(bob.pos.x, below, "\n".join(lines), "bob"))
+        return labels
 
     # --- a hit that is shown slowly ------------------------------------------------------------
 
@@ -123,7 +159,7 @@ class Marks:
             bobs += self.cradle.pend_list[number]["objects"][1::2]
         rings = self.take("rings", len(bobs), ring, color=ORANGE, axis=vector(0, 0, 1))
         for circle, bob in zip(rings, bobs, strict=True):
-            circle.pos = bob.pos + vector(0, 0, bob.radius)
+            circle.pos = bob.pos + bob.radius * TO_CAMERA
             circle.radius = 1.05 * bob.radius
             circle.thickness = 0.08 * bob.radius
         arrows = self.take("changes", len(pair), arrow, color=MAGENTA, pickable=False)
@@ -134,7 +170,7 @@ class Marks:
         ):
             bob = self.cradle.pend_list[number]["objects"][1]
             change = momentum([new], R_PARAM) - momentum([old], R_PARAM)
-            pointer.pos = bob.pos + vector(0, 0, 1.2 * bob.radius)
+            pointer.pos = bob.pos + vector(0, ABOVE * bob.radius, 0)
             pointer.axis = vector(LONGEST * self.cradle.reach * change / self.largest, 0, 0)
             pointer.shaftwidth = bob.radius / 2
 
@@ -162,8 +198,9 @@ class Marks:
             threads[i].axis = axis
             threads[i].radius = 0.9 * cord.radius
             if theta == farthest and not self.ghost_labels:
-                place = axle.pos + axis
-                self.ghost_labels = [Label(place.x, place.y - 1.6 * bob.radius, name, "note")]
+                x = axle.pos.x + 0.7 * axis.x  # not at the edge of the picture
+                y = axle.pos.y + axis.y - 1.15 * bob.radius
+                self.ghost_labels = [Label(x, y, name, "name")]
 
     # --- measurements --------------------------------------------------------------------------
 
@@ -177,23 +214,16 @@ class Marks:
             line.pos = axle.pos + arm(theta, DIAL * R_PARAM) - vector(0, 0, R_PARAM / 100)
             line.axis = arm(theta, MARK * R_PARAM)
 
-    def measured_labels(self, pend_list: Sequence[Pendulum]) -> list[Label]:
-        """Return the angle (degrees) and the speed (m/s) of each bob, and numbers on the dial."""
+    def dial_labels(self) -> list[Label]:
+        """Return the numbers (degrees) on the dial."""
         if not self.measures:
             return []
         labels = []
-        for pend in pend_list:
-            bobs = pend["objects"][1::2]
-            for bob, angle, (_, vx, vy) in zip(
-                bobs, cord_angles(pend), bob_motions(pend, R_PARAM), strict=True
-            ):
-                text = f"{abs(degrees(angle)):.0f}°\n{hypot(vx, vy):.2f}"
-                labels.append(Label(bob.pos.x, bob.pos.y - 1.9 * bob.radius, text, "light"))
         axles = self.cradle.axles()
         for axle, side in ((axles[0], -1), (axles[-1], 1)):
             for angle in (30, 60):
                 place = axle.pos + arm(side * radians(angle), 0.68 * R_PARAM)
-                labels.append(Label(place.x, place.y, f"{angle}°", "note"))
+                labels.append(Label(place.x, place.y, f"{angle}°", "dial"))
         return labels
 
 

@@ -9,6 +9,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
 
 EACH = 1.2  # s that each hit is shown
+NOTE = "Pink: the changes of momentum. This order is the model's: a tick takes pair by pair."
 
 
 class SlowHit(NamedTuple):
@@ -88,7 +89,7 @@ class SlowHits:
         return {
             "title": f"Hit {self.shown.number}: {plural} {hit.left + 1} and {hit.right + 1}",
             "lines": lines,
-            "note": "This order is the model's: a tick takes one pair after the other.",
+            "note": NOTE,
         }
 
     def velocity_as_text(self, pend: dict) -> str:

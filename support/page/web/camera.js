@@ -1,5 +1,5 @@
 // The camera of this tab: it shows the whole cradle, and does not lose it when you turn and zoom.
-// And the texts in its picture: the numbers above the axles, and the labels beside the bars.
+// And the texts in its picture: the numbers above the axles, and the labels.
 const FORWARD = [0, -0.2, -1]; // the camera looks a little from above
 const MARGIN = 1.04; // the view is larger than the cradle by this factor
 const NEAREST = 0.1; // of the range with which the whole cradle fills the canvas
@@ -9,12 +9,14 @@ const INK = vec(0.5, 0.5, 0.53); // of the texts, on a pale and on a dark page
 const SMALLEST = 0.75; // height of the numbers, in heights of the page's text
 const LETTER = 0.55; // width of a letter, in heights
 
-// Of the texts, by their kind: the height in heights of the page's text, and what is around it.
-const BLACK = vec(0.1, 0.1, 0.1);
+// How the texts look, by their kind; yoffset 1 is above a place, -1 below it.
+const PLAIN = { color: INK, opacity: 0 };
+const BOXED = { color: vec(1, 1, 1), background: vec(0.1, 0.1, 0.1), opacity: 0.6, border: 6 };
 const STYLES = {
-  note: { size: 1, color: INK, opacity: 0 },
-  light: { size: 1, color: vec(1, 1, 1), background: BLACK, opacity: 0.4, border: 3 },
-  heavy: { size: 1.5, color: vec(1, 1, 1), background: BLACK, opacity: 0.9, border: 4 },
+  number: { ...PLAIN, yoffset: 1 },
+  dial: { ...PLAIN, yoffset: 0 },
+  bob: { ...BOXED, yoffset: -1 },
+  name: { ...BOXED, yoffset: -1 },
 };
 
 let home = null; // the center and the range with which the whole cradle fills the canvas
@@ -84,24 +86,28 @@ function writeTexts() {
   const { numbers, top, text_height } = state.view;
   const { width, height, range } = scene();
   const ofPage = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
-  const size = Math.max(SMALLEST * ofPage, text_height * height);
-  const longest = numbers.at(-1).text.length;
+  const smallest = SMALLEST * ofPage;
+  const size = Math.max(smallest, text_height * height);
   const pixel = 2 * range / Math.min(width, height); // m
-  const widest = LETTER * size * (0.4 + longest) * pixel; // m, with a gap
-  const first = numbers[0];
-  const apart = (numbers.at(-1).x - first.x) / Math.max(1, numbers.length - 1);
+  const span = (numbers.at(-1).x - numbers[0].x) / pixel;
+  const apart = span / Math.max(1, numbers.length - 1); // pixels from axle to axle
+  const widest = size * widthOf(numbers.at(-1).text);
   const step = [1, 5, 10, 50].find(step => step * apart >= widest) ?? Infinity;
-  const above = ({ x, text }) =>
-    ({ pos: vec(x, top, 0), text, height: size, yoffset: 1, ...STYLES.note });
-  const letters = text => Math.max(...text.split("\n").map(line => line.length));
-  const inside = ({ x, y, text, kind }) => {
-    const most = apart / pixel / (LETTER * (0.5 + letters(text)));
-    const { size, ...style } = STYLES[kind];
-    const height = kind === "note" ? size * ofPage : Math.min(size * ofPage, most);
-    return { pos: vec(x, y, 0), text, height, yoffset: 0, ...style };
-  };
   const fitting = numbers.filter((_, i) => i === 0 || (i + 1) % step === 0);
+  const above = ({ x, text }) => ({ pos: vec(x, top, 0), text, height: size, ...STYLES.number });
+  const inside = ({ x, y, text, kind }) => {
+    const isNarrow = kind === "bob" && apart < smallest * widthOf(text);
+    if (isNarrow) text = text.replace(/ (kg|m\/s)/g, "");
+    const height = kind === "bob" ? Math.min(size, apart / widthOf(text)) : size;
+    return { pos: vec(x, y, 0), text, height, ...STYLES[kind] };
+  };
   showLabels([...fitting.map(above), ...state.view.labels.map(inside)]);
+}
+
+// Return the width of a text with a gap, in heights of its letters.
+function widthOf(text) {
+  const lengths = text.split("\n").map(line => line.length);
+  return LETTER * (1 + Math.max(...lengths));
 }
 
 function showLabels(texts) { // labels that are not needed wait, out of sight

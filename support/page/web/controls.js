@@ -110,7 +110,7 @@ addEventListener("keydown", event => {
   const digit = digitOf(key, event.code);
   const answer = ["a", "b", "c", "d", "e"].indexOf(key);
   if (key in keys) keys[key]();
-  else if (digit) send("lifted", Math.min(digit, state.controls.lifted.max));
+  else if (digit && !state.question?.asking) send("lifted", Math.min(digit, state.controls.lifted.max));
   else if (answer >= 0 && state.question) send("answer", state.question.key, answer);
   else return;
   event.preventDefault(); // no key scrolls the page

@@ -21,6 +21,7 @@ function makeTile([name, pendula]) {
 function markTile() {
   for (const tile of find(".gallery button")) {
     const isChosen = tile.title === state.experiment;
+    if (isChosen && tile.ariaPressed !== "true") tile.scrollIntoView({ block: "nearest" });
     tile.ariaPressed = isChosen;
     tile.lastChild.textContent = isChosen && state.changed ? `${tile.title}, changed` : tile.title;
   }

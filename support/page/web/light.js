@@ -8,7 +8,7 @@ const DARKEST = 0.54; // a bob with less light than this is lightened on a dark 
 // Of a shadow: the radius of each layer, in radii of the bob, and its shade.
 const LAYERS = [[1.3, 0.9], [1.1, 0.8], [0.9, 0.68], [0.7, 0.58]];
 const LAYER = 1e-4; // m: the height of a layer
-const GHOSTLY = 0.4; // how much a ghost differs from the page
+const GHOSTLY = { bob: 0.4, cord: 0.7 }; // how much a ghost differs from the page
 
 const paints = new Map(); // of a shape: its color in the program, and that on the page
 const shadows = [];
@@ -40,8 +40,8 @@ function paintShapes() {
 }
 
 function onPage({ pickable, constructor }, color) {
-  const isHit = constructor.name === "arrow";
-  if (pickable === false) return mixed(scene().background, color, isHit ? state.view.fade : GHOSTLY);
+  const parts = { sphere: GHOSTLY.bob, cylinder: GHOSTLY.cord, arrow: state.view.fade };
+  if (pickable === false) return mixed(scene().background, color, parts[constructor.name]);
   const missing = Math.max(0, DARKEST - luma(color));
   return dark.matches ? mixed(color, grey(1), missing) : color;
 }

@@ -59,7 +59,10 @@ shows.mistakes = mistakes => {
 };
 shows.motion = motion => one(".readout").replaceChildren(...Object.entries(motion).map(readoutRow));
 shows.impacts = lines => one(".series").replaceChildren(...lines.map(impact));
-shows.momenta = bars => one(".momenta").replaceChildren(...bars.map(momentumBar));
+shows.bars = shown => {
+  const parts = shown ? [make("h2", {}, shown.title), ...shown.bars.map(makeBar)] : [];
+  one(".momenta").replaceChildren(...parts);
+};
 shows.hit = hit => {
   const place = one(".hit-part");
   place.replaceChildren();
@@ -70,7 +73,7 @@ shows.hit = hit => {
 };
 
 // A bar to the left or to the right of a line in the middle, which stands for 0.
-function momentumBar({ name, text, color, part }) {
+function makeBar({ name, text, color, part }) {
   const bar = make("i");
   const width = 50 * Math.abs(part);
   const left = part < 0 ? 50 - width : 50;
