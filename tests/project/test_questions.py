@@ -240,6 +240,7 @@ def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):
 
     Then they have gone, and a later answer does nothing.
     """
+    asking.give("arrows", True)
     for number, is_more in ((1, True), (2, True), (2, True), (1, False), (1, False)):
         asking.give("vote", KEY, number, is_more)
     assert asking.state["question"]["votes"] == [0, 0, 2, 0]
@@ -254,6 +255,12 @@ def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):
     assert ghosts(asking) == pytest.approx([0, 0, 0, 0, 100])  # the pale bobs that its file says
     [label] = asking.state["view"]["labels"]
     assert label["text"] == "your answer"  # no hand was for it
+    # Most bobs stop at this moment: the bars are those after the hits
+    bars = asking.state["bars"]
+    assert bars["title"] == "Momentum after the hits (kg m/s)"
+    assert [bar["part"] for bar in bars["bars"]] == pytest.approx(
+        [0, 0, 0, 0.5, 0.5, 1, 1], abs=0.01
+    )
     asking.give("answer", KEY, 1)
     asking.give("vote", KEY, 1, True)
     asking.wait(1)
