@@ -86,17 +86,16 @@ class Marks:
             self.take("arrows", 0, arrow)
             self.momenta = []
             return
-        bobs = self.cradle.bobs()
-        width = bobs[0].radius / 3
-        arrows = self.take("arrows", len(bobs), arrow, color=GREEN, shaftwidth=width)
         motions = [motion for pend in pend_list for motion in bob_motions(pend, R_PARAM)]
-        for pointer, bob, (_, vx, vy) in zip(arrows, bobs, motions, strict=True):
-            moves = hypot(vx, vy) > STILL
-            if pointer.visible != moves:
-                pointer.visible = moves
-            if moves:
-                pointer.pos = bob.pos + bob.radius * TO_CAMERA
-                pointer.axis = vector(ARROW_TIME * vx, ARROW_TIME * vy, 0)
+        moving = []  # the bobs that move, and their velocities (m/s)
+        for bob, (_, vx, vy) in zip(self.cradle.bobs(), motions, strict=True):
+            if hypot(vx, vy) > STILL:
+                moving.append((bob, vector(vx, vy, 0)))
+        arrows = self.take("arrows", len(moving), arrow, color=GREEN)
+        for pointer, (bob, velocity) in zip(arrows, moving, strict=True):
+            pointer.pos = bob.pos + bob.radius * TO_CAMERA
+            pointer.axis = ARROW_TIME * velocity
+            pointer.shaftwidth = bob.radius / 3
         self.momenta = self.momenta_of(pend_list)
         # A light bob that bounces back gives more than it had.
         self.largest = max(self.largest, *map(abs, self.momenta))
@@ -197,6 +196,7 @@ class Marks:
             threads[i].pos = axle.pos + behind
             threads[i].axis = axis
             threads[i].radius = 0.9 * cord.radius
+            threads[i].color = cord.color
             if theta == farthest and not self.ghost_labels:
                 x = axle.pos.x + 0.7 * axis.x  # not at the edge of the picture
                 y = axle.pos.y + axis.y - 1.15 * bob.radius
