@@ -76,6 +76,9 @@ def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file):
 
 def test_shadows_are_under_the_bobs(shared):
     press(shared, "Pause")
+    pages.draw(shared, True)
+    shared.wait_for_function("() => shadows.length")
+    pages.draw(shared, False)
     for lifted, angle in ((1, 45), (5, 45), (0, 0)):
         shared.keyboard.press(str(lifted)) if lifted else pages.slide(shared, "Bobs lifted", 0)
         wait_for_angles(shared, *[-angle] * lifted, *[0] * (5 - lifted))

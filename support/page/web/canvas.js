@@ -34,6 +34,7 @@ function begin() {
   scene().waitfor_textures = true;
   scene().bind("textures", () => scene().waitfor_textures = !scene().objects.length);
   scene().bind("draw_complete", keepPicture);
+  scene().bind("draw_complete", endPicture);
   element.addEventListener("webglcontextlost", stopDrawing);
   element.addEventListener("webglcontextrestored", loadAgain);
   dark.addEventListener("change", paint);

@@ -16,7 +16,12 @@ const shadows = [];
 // With each message: in the same picture as the bobs.
 function light() {
   paintShapes();
-  castShadows();
+  if (shadows.length) castShadows();
+}
+
+// The first picture has no shadows: so it comes sooner.
+function endPicture() {
+  if (!shadows.length) castShadows();
 }
 
 function shine() {
