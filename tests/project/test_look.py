@@ -1,9 +1,10 @@
-"""The picture as a class sees it: colors on a pale and on a dark page, shadows, experiments."""
+"""The page as a class sees it: colors, shadows, pictures of experiments, bars and sliders."""
 
 import pages
 import pytest
-from pages import button, press, tick, wait_for_angles
+from pages import button, menu, press, slide, slider_texts, tick, violations, wait_for_angles
 from programs import wait_until
+from shared_page import wait_for_text
 from whole_cradles import HEADER
 
 from support.constants import COLOR_MAP, R_PARAM
@@ -53,7 +54,7 @@ def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file):
     """By its edge or its middle: on a pale page a yellow bob has a dark edge, and is yellow."""
     file.write_text(HEADER + "".join(f"1,1,0,0,{color},metal\n" for color in COLORS))
     pages.wait_for_cradle(large, bobs=10, drawn=True)
-    pages.slide(large, "Bobs lifted", 0)
+    slide(large, "Bobs lifted", 0)
     wait_for_angles(large, *[0] * 10)
     large.wait_for_function("() => bobs().every(bob => bob.ready)")
     middles = [pages.pixel(large, bob, 0) for bob in range(10)]
@@ -80,7 +81,7 @@ def test_shadows_are_under_the_bobs(shared):
     shared.wait_for_function("() => shadows.length")
     pages.draw(shared, False)
     for lifted, angle in ((1, 45), (5, 45), (0, 0)):
-        shared.keyboard.press(str(lifted)) if lifted else pages.slide(shared, "Bobs lifted", 0)
+        shared.keyboard.press(str(lifted)) if lifted else slide(shared, "Bobs lifted", 0)
         wait_for_angles(shared, *[-angle] * lifted, *[0] * (5 - lifted))
         places = shared.evaluate("() => bobs().map(bob => bob.pos.x)")
         layers = [place for place in places for _ in range(4)]
@@ -116,3 +117,19 @@ def test_a_paused_cradle_says_so_and_its_momenta_are_bars_from_the_middle(shared
     })""")
     for part, sides in zip(parts, bars, strict=True):
         assert sides == pytest.approx(sorted((0, part)), abs=0.01)
+
+
+def test_sliders_of_the_bobs_say_in_words_what_they_change(shared):
+    """What is refused is in the table, which then opens."""
+    slide(shared, "Bobs", 6)
+    pages.wait_for_cradle(shared, bobs=6)
+    slide(shared, "Mass of bob 1", 5)
+    wait_until(lambda: slider_texts(shared, "count", "mass") == ["6", "5 kg"])
+    slide(shared, "Elasticity e", 0.5)
+    wait_until(lambda: slider_texts(shared, "e") == ["0.5"])
+    wait_until(lambda: menu(shared, "Collisions").input_value() == "e = 0.5")
+    word = shared.get_by_text("Bobs", exact=True)
+    assert word.get_attribute("title").startswith("Bobs: the balls")
+    assert violations(shared) == {}
+    shared.evaluate("send('edit', 0, 'mass', '-1')")
+    wait_for_text(shared, "mass: allowed is a number from ")

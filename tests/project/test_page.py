@@ -52,22 +52,6 @@ def test_keys_and_buttons_control_the_cradle_and_do_not_scroll_the_page(shared):
     assert panel.evaluate("e => e.scrollHeight > e.clientHeight + 100")  # it could have scrolled
 
 
-def test_sliders_of_the_bobs_say_in_words_what_they_change(shared):
-    """What is refused is in the table, which then opens."""
-    slide(shared, "Bobs", 6)
-    pages.wait_for_cradle(shared, bobs=6)
-    slide(shared, "Mass of bob 1", 5)
-    wait_until(lambda: slider_texts(shared, "count", "mass") == ["6", "5 kg"])
-    slide(shared, "Elasticity e", 0.5)
-    wait_until(lambda: slider_texts(shared, "e") == ["0.5"])
-    wait_until(lambda: menu(shared, "Collisions").input_value() == "e = 0.5")
-    word = shared.get_by_text("Bobs", exact=True)
-    assert word.get_attribute("title").startswith("Bobs: the balls")
-    assert violations(shared) == {}
-    shared.evaluate("send('edit', 0, 'mass', '-1')")
-    wait_for_text(shared, "mass: allowed is a number from ")
-
-
 # Press a key as on another keyboard.
 PRESS = """([key, code]) => document.body.dispatchEvent(
     new KeyboardEvent('keydown', { key, code, bubbles: true }))"""
@@ -93,6 +77,7 @@ def test_what_you_type_counts_and_on_another_alphabet_the_place_of_the_key(share
         shared.keyboard.press("ArrowRight")
         wait_for_time(shared)
     shared.evaluate(ASK)
+    shared.keyboard.press("2")  # hands may be counted: no digit ends the question
     for key in (("и", ""), ("и", "KeyB")):
         shared.evaluate(PRESS, key)
     wait_for_text(shared, "You said: B")  # the first answer counts

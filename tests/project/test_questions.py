@@ -73,40 +73,6 @@ def test_an_experiment_is_as_its_file_says_until_it_is_changed(rig):
     assert not rig.state["changed"]
 
 
-def test_the_picture_of_a_choice_has_its_colors_masses_and_angles(rig):
-    """Those of your CSV follow the file, and hang."""
-    rig.save(HEADER + "3.0,1.0,0,0,blue,metal\n" + GOOD)
-    pictures = rig.state["pictures"]
-    assert list(pictures) == rig.control("experiment")["choices"]
-    assert [bob["mass"] for bob in pictures[CSV]] == [3, 1]
-    assert pictures[CSV][0]["color"] == "rgb(0, 0, 255)"
-    assert [bob["angles"] for bob in pictures[CSV]] == [[0], [0]]
-    assert [bob["mass"] for bob in pictures[HEAVY]] == [5, 1, 1, 1, 1]
-    angles = [round(degrees(bob["angles"][0])) for bob in pictures[FROM_BOTH_SIDES]]
-    assert angles == [-45, 0, 0, 0, 45]
-
-
-@pytest.mark.parametrize("is_saved", [False, True])
-def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
-    """If the file was saved meanwhile, it comes back without your edits."""
-    rig.give("edit", 1, "mass", "3")
-    rig.give("release angle", 20)
-    rig.give("lifted", 2)
-    rig.give("collision", INELASTIC)
-    rig.give("experiment", FROM_BOTH_SIDES)
-    rig.give("lifted", 5)
-    if is_saved:
-        rig.save(HEADER + GOOD * 6)
-        rig.give("restart")
-    else:
-        rig.give("experiment", CSV)
-    assert rig.state["experiment"] == CSV
-    assert rig.state["collision"] == INELASTIC
-    assert rig.values("mass") == ([1] * 6 if is_saved else [1, 3, 1, 1, 1])
-    assert {*rig.values("e")} == {0}
-    assert rig.bob_angles()[:3] == [20, 20, 0]
-
-
 def test_a_mistake_in_an_experiment_is_shown_as_plain_text_and_no_other_one_is_next(
     csv, tmp_path, monkeypatch
 ):

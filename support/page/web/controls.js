@@ -108,9 +108,10 @@ addEventListener("keydown", event => {
   if (!isForUs || isHeld) return;
   const key = keyOf(event);
   const digit = digitOf(key, event.code);
+  const isAsking = state.question?.asking; // a stray digit must not end the question
   const answer = ["a", "b", "c", "d", "e"].indexOf(key);
   if (key in keys) keys[key]();
-  else if (digit && !state.question?.asking) send("lifted", Math.min(digit, state.controls.lifted.max));
+  else if (digit && !isAsking) send("lifted", Math.min(digit, state.controls.lifted.max));
   else if (answer >= 0 && state.question) send("answer", state.question.key, answer);
   else return;
   event.preventDefault(); // no key scrolls the page

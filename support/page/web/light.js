@@ -30,9 +30,9 @@ function shine() {
   lamps.forEach((brightness, i) => scene().lights[i].color = grey(brightness));
 }
 
-// Bobs get a color that can be seen on the page. What cannot be picked looks transparent: ghosts, and
-// the arrows of a hit, which fade. VPython's own transparency would distort the whole picture: it
-// draws it in 640 x 400 pixels, and stretches it.
+// Bobs get a color that can be seen on the page. What cannot be picked looks transparent: ghosts,
+// and the arrows of a hit, which fade. VPython's own transparency would distort the whole picture:
+// it draws it in 640 x 400 pixels, and stretches it.
 function paintShapes() {
   for (const shape of glowObjs) {
     if (!shape?.visible || !(isSphere(shape) || shape.pickable === false)) continue;

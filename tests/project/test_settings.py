@@ -1,0 +1,210 @@
+"""Which cradle the page plays: the sliders, the ways to collide, and what you choose.
+
+On the stand-in.
+"""
+
+from math import degrees
+
+import pytest
+from rig import Rig
+from whole_cradles import FIVE_CSV, GOOD, HEADER
+
+from src import visualize_cradle_run
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
+from support.page.graph import ENERGY, NOTHING
+from support.pendulum import outwards_to_angle
+
+CSV = "My cradle"
+TWO = "Two bobs"
+FROM_BOTH_SIDES = "From both sides"
+HEAVY = "A heavy one hits light ones"
+INELASTIC = "perfectly inelastic, e = 0"
+
+
+def test_the_box_of_a_fixed_rule_is_fixed(rig, csv, monkeypatch):
+    assert rig.control("separating")["enabled"]
+    assert not rig.state["separating"]
+    monkeypatch.setattr(
+        visualize_cradle_run, "newton_cradle_tick", lambda pend_list, r_param, dt, g: None
+    )
+    fixed = Rig(csv)
+    fixed.give("separating", False)
+    assert not fixed.control("separating")["enabled"]
+    assert fixed.state["separating"]
+
+
+def test_the_menu_of_collisions_has_the_present_one(rig):
+    names = rig.control("collision")["choices"]
+    rig.viewer.actions.set_collision(rig.cradle.uniform_e(0.3))
+    rig.wait()
+    assert rig.state["collision"] == "e = 0.3"
+    assert rig.values("e") == [0.3] * 5
+    assert rig.control("collision")["choices"] == [*names, "e = 0.3"]
+    rig.give("collision", names[0])
+    assert rig.control("collision")["choices"] == names
+    assert rig.values("e") == [1.0] * 5
+
+
+def test_one_e_for_all_bobs_has_the_names_of_the_menu(rig):
+    """The slider shows what they have; the last bob's e counts, too."""
+    names = rig.control("collision")["choices"]
+    for e, name in ((1, "elastic, e = 1"), (0.35, "e = 0.35"), (0, INELASTIC)):
+        rig.give("e", e)
+        assert rig.values("e") == [e] * 5
+        assert rig.state["e"] == e
+        assert rig.state["collision"] == name
+        assert rig.control("collision")["choices"] == [*dict.fromkeys([*names, name])]
+        assert rig.control("e")["text"] == f"{e:g}"
+    rig.give("edit", 4, "e", "0.5")
+    assert rig.state["e"] == 0.5
+    assert rig.control("e")["text"] == "0 to 0.5"
+    rig.give("experiment", TWO)
+    rig.give("e", 0.8)
+    assert rig.state["changed"]
+
+
+@pytest.mark.parametrize("is_written", [True, False])
+def test_no_tab_sets_e_before_its_function_is_written(csv, monkeypatch, is_written):
+    stubs = {} if is_written else {"uniform_e_newton_cradle": None}
+    monkeypatch.setattr("support.cradle.cradle.unwritten_in", lambda module: stubs)
+    rig = Rig(csv)
+    assert rig.control("e")["enabled"] == is_written
+    rig.give("e", 0.5)
+    assert rig.state["e"] == (0.5 if is_written else 1)
+
+
+def test_the_mass_of_the_first_bob_is_set_as_in_the_table(rig, csv):
+    rig.give("mass", 5)
+    assert rig.values("mass") == [5, 1, 1, 1, 1]
+    assert rig.control("mass")["text"] == "5 kg"
+    assert rig.state["collision"] == "as changed"
+    assert csv.read_text() == FIVE_CSV
+    limits = {"min": 0.5, "max": 10}
+    assert rig.control("mass") == rig.control("mass") | limits
+    for mass, name in ((0.25, "min"), (12.5, "max")):
+        rig.give("edit", 0, "mass", str(mass))
+        assert rig.control("mass") == rig.control("mass") | limits | {name: mass}
+        assert rig.state["mass"] == mass
+
+
+@pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
+def test_bobs_are_added_and_taken_away_at_the_right_end(csv, kind):
+    """An added one is like the last one, but for its color; the file stays as it is."""
+    before = "2.0,0.5,0,0,white,wood\n" + GOOD
+    csv.write_text(HEADER + before)
+    rig = Rig(csv, *[30, 0][: kind.cord_count], kind=kind)
+    rig.give("pause")
+    rig.give("lifted", 2)
+    assert rig.control("count") == rig.control("count") | {"min": 1, "max": 9, "text": "2"}
+    rig.give("count", 6)
+    assert rig.state["count"] == 6
+    assert rig.values("mass") == [2, 1, 1, 1, 1, 1]
+    assert rig.values("e") == [0.5, 1, 1, 1, 1, 1]
+    colors = ["white", "red", "cyan", "blue", "purple", "red"]
+    assert rig.values("color") == colors
+    assert rig.values("texture") == ["wood", *["metal"] * 5]
+    assert rig.bob_angles() == [30, 30, 0, 0, 0, 0]
+    assert rig.control("lifted")["max"] == 6
+    assert rig.state["collision"] == "as changed"
+    rig.give("edit", 3, "mass", "no mass")
+    rig.give("count", 1)
+    assert rig.values("color") == ["white"]
+    assert rig.state["lifted"] == 1
+    rig.give("count", 2)
+    assert rig.values("mass") == [2, 2]
+    assert rig.state["lifted"] == 2
+    rig.give("count", 4)
+    assert rig.state["refused"] == {}  # it was another bob's
+    assert csv.read_text() == HEADER + before
+
+
+def test_an_experiment_with_another_number_of_bobs_is_changed(rig):
+    """The bobs are then lifted as the sliders say; a CSV with more bobs has a wider slider."""
+    rig.give("ask first", True)
+    rig.give("experiment", TWO)
+    rig.give("count", 3)
+    assert rig.state["changed"]
+    assert rig.state["question"] is None
+    assert rig.bob_angles() == [45, 45, 0]
+    rig.give("experiment", TWO)
+    assert rig.state["count"] == 5
+    rig.save(HEADER + GOOD * 12)
+    rig.give("count", 11)
+    assert len(rig.thetas()) == 11
+    assert rig.control("count")["max"] == 11
+
+
+def test_a_cradle_of_which_main_lifts_no_bob_says_how_many_the_slider_lifts(csv, monkeypatch):
+    monkeypatch.setattr("whole_cradles.THETA_INIT", 0.0)
+    rig = Rig(csv, None, lifted=None)
+    assert rig.state["lifted"] == 0
+    rig.give("release angle", 30)
+    assert rig.bob_angles() == [30, 0, 0, 0, 0]
+    assert rig.state["lifted"] == 1
+
+
+def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
+    csv.write_text(HEADER + GOOD * 2)
+    rig = Rig(csv, 30, 10, kind=DoubleCradle)
+    assert "separating" not in rig.state["controls"]
+    for key, least, angle in (("theta", 0, 75), ("phi", -180, -12.5)):
+        name = f"angle {key}"
+        assert rig.control(name)["label"] == name.capitalize()
+        assert rig.control(name)["min"] == least
+        assert rig.control(name)["max"] == 180
+        rig.give(name, angle)
+        assert rig.state[name] == angle
+        assert rig.values(key)[0] == pytest.approx(outwards_to_angle(angle))
+    assert rig.state["angle theta"] == 75
+    assert rig.state["keys"] == ["theta", "phi", "omega", "phi_omega"]
+    assert rig.control("graph")["choices"] == [
+        ENERGY,
+        "Angles theta",
+        "Angles phi",
+        "Velocities omega",
+        "Velocities phi_omega",
+        "Phase 1, theta",
+        "Phase 1, phi",
+        "Phase 2, theta",
+        "Phase 2, phi",
+        NOTHING,
+    ]
+    rig.give("graph", "Angles phi")
+    assert rig.state["curves"]["y"] == "phi (rad)"
+    phi = outwards_to_angle(-12.5)
+    assert rig.state["curves"]["rows"][0] == pytest.approx([0, phi, 0], abs=1e-6)
+
+
+def test_the_picture_of_a_choice_has_its_colors_masses_and_angles(rig):
+    """Those of your CSV follow the file, and hang."""
+    rig.save(HEADER + "3.0,1.0,0,0,blue,metal\n" + GOOD)
+    pictures = rig.state["pictures"]
+    assert list(pictures) == rig.control("experiment")["choices"]
+    assert [bob["mass"] for bob in pictures[CSV]] == [3, 1]
+    assert pictures[CSV][0]["color"] == "rgb(0, 0, 255)"
+    assert [bob["angles"] for bob in pictures[CSV]] == [[0], [0]]
+    assert [bob["mass"] for bob in pictures[HEAVY]] == [5, 1, 1, 1, 1]
+    angles = [round(degrees(bob["angles"][0])) for bob in pictures[FROM_BOTH_SIDES]]
+    assert angles == [-45, 0, 0, 0, 45]
+
+
+@pytest.mark.parametrize("is_saved", [False, True])
+def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
+    """If the file was saved meanwhile, it comes back without your edits."""
+    rig.give("edit", 1, "mass", "3")
+    rig.give("release angle", 20)
+    rig.give("lifted", 2)
+    rig.give("collision", INELASTIC)
+    rig.give("experiment", FROM_BOTH_SIDES)
+    rig.give("lifted", 5)
+    if is_saved:
+        rig.save(HEADER + GOOD * 6)
+        rig.give("restart")
+    else:
+        rig.give("experiment", CSV)
+    assert rig.state["experiment"] == CSV
+    assert rig.state["collision"] == INELASTIC
+    assert rig.values("mass") == ([1] * 6 if is_saved else [1, 3, 1, 1, 1])
+    assert {*rig.values("e")} == {0}
+    assert rig.bob_angles()[:3] == [20, 20, 0]
