@@ -2,9 +2,12 @@
 
 from math import inf
 
+from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
 from support.cradle.impacts import Impacts
+from support.energy import energies
+from support.pendulum import Pendulum
 
 Sample = dict[str, float]  # the data of a moment, by the names of the columns of a data file
 
@@ -55,14 +58,17 @@ class Motion:
         total, kinetic, potential = map(percent_as_text, self.percents().values())
         return f"{time}energy {total} (kinetic {kinetic}, potential {potential})"
 
-    def percents(self) -> dict[str, float]:
-        """Return the energy and its two parts, in percent of the energy at the start."""
-        kinetic, potential = self.cradle.energies()
-        energies = {"energy": kinetic + potential, "kinetic": kinetic, "potential": potential}
+    def percents(self, pend_list: list[Pendulum] | None = None) -> dict[str, float]:
+        """Return the energy and its two parts, in percent of the energy at the start.
+
+        They are those of these pendula; None stands for those of the cradle.
+        """
+        kinetic, potential = energies(pend_list or self.cradle.pend_list, R_PARAM, G)
+        parts = {"energy": kinetic + potential, "kinetic": kinetic, "potential": potential}
         unit = self.start_energy / 100
         if not unit:
-            return dict.fromkeys(energies, 0.0)
-        return {name: energy / unit for name, energy in energies.items()}
+            return dict.fromkeys(parts, 0.0)
+        return {name: energy / unit for name, energy in parts.items()}
 
     def sample(self) -> Sample:
         """Return the data of this moment by the names of the columns of a data file.

@@ -9,18 +9,20 @@ from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.motion import Motion, percent_as_text
 from support.cradle.real_time import RealTime
+from support.energy import momentum
 from support.page.graph import to_css
 from support.page.scene.marks import GREY
+from support.pendulum import Pendulum
 
 BLACK = "rgb(0, 0, 0)"
 
 
-def readout(motion: Motion, pace: RealTime) -> dict[str, str]:
-    """Return the time, the energy and the momentum as text."""
+def readout(motion: Motion, pace: RealTime, pend_list: list[Pendulum]) -> dict[str, str]:
+    """Return the time, and the energy and the momentum of these pendula, as text."""
     return {
         "t": f"{motion.time():.2f} s {pace.remark()}".strip(),
-        "energy": percent_as_text(motion.percents()["energy"]).strip(),
-        "momentum": momentum_as_text(motion.cradle.momentum()),
+        "energy": percent_as_text(motion.percents(pend_list)["energy"]).strip(),
+        "momentum": momentum_as_text(momentum(pend_list, R_PARAM)),
     }
 
 
@@ -40,9 +42,9 @@ def momentum_bars(momenta: Sequence[float], largest: float, colors: Sequence[vec
     """
     names = [*map(str, range(1, len(colors) + 1)), "sum"]
     bars = []
-    for name, momentum, color in zip(names, [*momenta, sum(momenta)], [*colors, GREY], strict=True):
-        part = max(-1.0, min(1.0, momentum / largest))
-        bars.append(Bar(name, signed(momentum), to_css(color), round(part, 3)))
+    for name, p, color in zip(names, [*momenta, sum(momenta)], [*colors, GREY], strict=True):
+        part = max(-1.0, min(1.0, p / largest))
+        bars.append(Bar(name, signed(p), to_css(color), round(part, 3)))
     return bars
 
 
@@ -51,17 +53,17 @@ def energy_bar(percent: float) -> Bar:
     return Bar("energy", percent_as_text(percent).strip(), BLACK, min(1.0, percent / 100))
 
 
-def momentum_as_text(momentum: float) -> str:
-    """Return a momentum (kg m/s) with an arrow in its direction."""
-    if abs(momentum) < 0.0005:
-        return f"{signed(momentum)} kg m/s"
-    return f"{signed(momentum)} kg m/s {'→' if momentum > 0 else '←'}"
+def momentum_as_text(p: float) -> str:
+    """Return a momentum p (kg m/s) with an arrow in its direction."""
+    if abs(p) < 0.0005:
+        return f"{signed(p)} kg m/s"
+    return f"{signed(p)} kg m/s {'→' if p > 0 else '←'}"
 
 
-def signed(momentum: float) -> str:
-    """Return a momentum (kg m/s) as text with its sign."""
+def signed(p: float) -> str:
+    """Return a momentum p (kg m/s) as text with its sign."""
     # + 0.0: not -0.000
-    return f"{round(momentum, 3) + 0.0:+.3f}" if abs(momentum) < 1e4 else f"{momentum:+.2e}"
+    return f"{round(p, 3) + 0.0:+.3f}" if abs(p) < 1e4 else f"{p:+.2e}"
 
 
 def changes(cradle: Cradle, before: dict[str, float]) -> list[str]:

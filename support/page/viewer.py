@@ -24,11 +24,13 @@ from support.page.scene.marks import Label, Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
 from support.page.tabs import Tabs
+from support.pendulum import Pendulum
 
 REFRESH = 0.1  # s between two changes of the state
 # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick.
 QUIET = 0.01
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
+FAINTEST = 0.3  # of the arrows of a slow hit
 IMPACTS = 5  # series of hits, a line for each
 
 
@@ -158,16 +160,20 @@ class Viewer(Player):
             state |= self.state()
         self.tabs.show(state)
 
+    def shown_pendula(self) -> list[Pendulum]:
+        """Return the pendula as they are shown: as after the slow hit, or as they are now."""
+        return self.slow_hits.shown.pend_list if self.slow_hits.shown else self.cradle.pend_list
+
     def fade(self) -> float:
-        """Return how strong the arrows of a slow hit still are: from 1 to 0; 1 while paused."""
+        """Return how strong the arrows of a slow hit still are; 1 is full, as while paused."""
         if self.slow_hits.shown is None or not self.is_time_running():
             return 1.0
-        return self.slow_hits.part_left(self.pace.clock())
+        return max(FAINTEST, self.slow_hits.part_left(self.pace.clock()))
 
     def draw(self) -> None:
         """Draw what is beside the pendula: as in the slow hit that is shown, or as it is now."""
         slow_hit = self.slow_hits.shown
-        pend_list = slow_hit.pend_list if slow_hit else self.cradle.pend_list
+        pend_list = self.shown_pendula()
         self.marks.show_arrows(pend_list)
         self.marks.show_belts()
         self.marks.show_hit(slow_hit)
@@ -235,7 +241,7 @@ class Viewer(Player):
 
     def readout(self) -> dict[str, str]:
         """Return the numbers beside the cradle as text, by their names."""
-        numbers = readout.readout(self.motion, self.pace)
+        numbers = readout.readout(self.motion, self.pace, self.shown_pendula())
         if self.marks.measures:
             numbers["half swings"] = str(self.stopwatch)
         return numbers
@@ -255,7 +261,8 @@ class Viewer(Player):
             momenta = self.after_hits
             title = "Momentum after the hits (kg m/s)"
         bars = readout.momentum_bars(momenta, marks.largest, self.cradle.colors())
-        bars.append(readout.energy_bar(self.motion.percents()["energy"]))
+        energy = self.motion.percents(self.shown_pendula())["energy"]
+        bars.append(readout.energy_bar(energy))
         return {"title": title, "bars": [bar._asdict() for bar in bars]}
 
     def state(self) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from src import visualize_cradle_run
 from support.constants import R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
+from support.cradle.real_time import FRAME
 from support.energy import momentum
 from support.page.scene.marks import ARROW_TIME, LONGEST
 from support.page.scene.slow_hits import EACH, NOTE
@@ -168,6 +169,19 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
     assert not visible(rig, "changes")
     assert rig.viewer.motion.ticks > ticks
     assert [id(pend) for pend in rig.cradle.pend_list] == pendula  # no copies
+
+
+def test_the_numbers_are_those_of_the_hit_that_is_shown(rig):
+    """After a hit with e = 0.9, a bob keeps 0.05 of its speed; the other one gets 0.95 of it."""
+    rig.give("slow hits", True)
+    rig.give("arrows", True)
+    rig.give("e", 0.9)
+    while rig.state["hit"] is None:
+        rig.wait(FRAME)
+    for energy in ("90.5 %", "81.9 %"):  # 0.05^2 + 0.95^2, then 0.05^2 + 0.95^2 of 0.95^2
+        assert rig.state["motion"]["energy"] == energy
+        assert rig.state["bars"]["bars"][-1]["text"] == energy
+        rig.wait(1.1 * EACH)
 
 
 def test_a_step_goes_on_to_the_next_of_the_slow_hits(rig):

@@ -199,7 +199,7 @@ class Marks:
             threads[i].color = cord.color
             if theta == farthest and not self.ghost_labels:
                 x = axle.pos.x + 0.7 * axis.x  # not at the edge of the picture
-                y = axle.pos.y + axis.y - 1.15 * bob.radius
+                y = axle.pos.y + axis.y + bob.radius
                 self.ghost_labels = [Label(x, y, name, "name")]
 
     # --- measurements --------------------------------------------------------------------------

@@ -103,7 +103,7 @@ class Scenery:
                     points.append((x, y, side * (depth / 2 + OVERHANG * reach)))
         if self.wide_swings:
             widest = reach + radius
-            highest = top + self.above + radius
+            highest = top + self.above + 2 * radius
             points.append((self.numbers[0].x - widest, highest, 0))
             points.append((self.numbers[-1].x + widest, highest, 0))
         return {

@@ -9,7 +9,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
 
 EACH = 1.2  # s that each hit is shown
-NOTE = "Pink: the changes of momentum. This order is the model's: a tick takes pair by pair."
+NOTE = "Pink: the changes of momentum. The program computes the hits pair by pair."
 
 
 class SlowHit(NamedTuple):

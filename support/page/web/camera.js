@@ -16,7 +16,7 @@ const STYLES = {
   number: { ...PLAIN, yoffset: 1 },
   dial: { ...PLAIN, yoffset: 0 },
   bob: { ...BOXED, yoffset: -1 },
-  name: { ...BOXED, yoffset: -1 },
+  name: { ...BOXED, yoffset: 1 },
 };
 
 let home = null; // the center and the range with which the whole cradle fills the canvas
