@@ -8,16 +8,16 @@ FAST = 0.6
 
 
 class Stopwatch:
-    """Counts the moments at which the kinetic energy is least; the first one is the release."""
+    """Counts the moments at which the kinetic energy is least, as at the release."""
 
     def restart(self, time: float) -> None:
-        """Begin at this time (s), at which the bobs are released."""
-        self.start = time
-        self.count = 0  # half swings
-        self.last_stop = time  # s: the end of the last one
-        self.is_slow = True
+        """Begin at this time (s)."""
+        self.count = -1  # half swings; the first stop only begins the first one
+        self.start = time  # s: the first stop
+        self.last_stop = time  # s: the end of the last half swing
+        self.is_slow = False
         # Of this slow time: the least part, and when it was (s).
-        self.least = 0.0
+        self.least = inf
         self.least_time = time
 
     def look(self, time: float, kinetic: float, total: float) -> None:
@@ -32,9 +32,10 @@ class Stopwatch:
                 self.least_time = time
         elif part > FAST and self.is_slow:
             self.is_slow = False
-            if self.least_time > self.start:
-                self.count += 1
-                self.last_stop = self.least_time
+            self.count += 1
+            self.last_stop = self.least_time
+            if self.count == 0:
+                self.start = self.least_time
 
     def __str__(self) -> str:
-        return f"{self.count} in {self.last_stop - self.start:.2f} s"
+        return f"{max(0, self.count)} in {self.last_stop - self.start:.2f} s"

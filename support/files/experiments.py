@@ -19,7 +19,7 @@ NAMES = ["name", "theta", "phi", *SETTABLE, "question", "why"]
 ANGLE = "an angle from -180 to 180 (degrees)"
 COLORS = "red", "yellow", "cyan", "blue", "purple"  # of the pendula, in turn
 MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
-YOUR_CSV = "My cradle"  # the name in the menu that no experiment can have
+YOUR_CSV = "My cradle"  # the name on the page that no experiment can have
 
 
 class Answer(NamedTuple):

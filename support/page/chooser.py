@@ -100,18 +100,27 @@ class Chooser:
         self.pictures[YOUR_CSV] = at_rest(snapshot, self.cords)
         self.player.change(csv=snapshot)
 
+    def original(self) -> Snapshot:
+        """Return the CSV of what is chosen, without changes on the page."""
+        return self.experiment.csv if self.experiment else self.saved
+
+    def count(self) -> int:
+        """Return the larger number of pendula: of the present CSV, or without changes."""
+        return max(len(csv.rows) - 1 for csv in (self.original(), self.player.settings.csv))
+
     def is_edited(self) -> bool:
-        """Return whether the present cradle has numbers that you have typed into the table."""
-        original = self.experiment.csv if self.experiment else self.saved
-        return self.player.settings.csv != original
+        """Return whether you have changed numbers, or the number, of the pendula on the page."""
+        return self.player.settings.csv != self.original()
 
     def set_count(self, count: int) -> None:
-        """Take this number of pendula away from the right end, or add some there.
+        """Take pendula away from the right end, or add some there, until there are so many.
 
-        An added one is like the last one, with the next color of the experiments.
+        An added one is that of the CSV; behind its last one, each is like the one before it, with
+        the next color of the experiments.
         """
         present = self.player.settings.csv
         header, *rows = [row.cells for row in present.rows]
+        rows += [row.cells for row in self.original().rows[1 + len(rows) :]]
         place = header.index("color")
         while len(rows) < count:
             added = [*rows[-1]]

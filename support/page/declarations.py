@@ -81,7 +81,7 @@ def cradle_controls(viewer: "Viewer") -> list[Control]:
         label="Bobs",
         get=lambda: len(cradle.pend_list),
         set=viewer.actions.set_count,
-        limits=lambda: (1, max(MOST_BOBS, len(cradle.pend_list))),
+        limits=lambda: (1, max(MOST_BOBS, viewer.chooser.count())),
         as_text=str,
         is_whole=True,
         help="Bobs: the balls. Your file stays as it is",

@@ -19,7 +19,7 @@ def picture(csv: Snapshot, poses: Sequence[Sequence[float]]) -> Picture:
     header, *rows = [row.cells for row in csv.rows]
     pendula = []
     for cells, angles in zip(rows, poses, strict=True):
-        row = dict(zip(header, cells, strict=True))
+        row = dict(zip(header, cells, strict=False))  # a short row lacks its last cells
         pendula.append({"color": CSS[row["color"]], "mass": float(row["mass"]), "angles": angles})
     return pendula
 

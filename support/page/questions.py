@@ -127,7 +127,7 @@ class Questions:
         it, and when the measurement is over.
         """
         measurement = self.measurement
-        if measurement is None or self.said is None or time < measurement.hit_time:
+        if measurement is None or self.said is None or time <= measurement.hit_time:
             return []
         if measurement.is_over and time > measurement.end:
             return []

@@ -280,6 +280,7 @@ class Viewer(Player):
             "pictures": dict(self.chooser.pictures),
             "changed": self.chooser.is_changed or self.chooser.is_edited(),
             "ended": None,
+            "paused": self.is_paused,
             "running": self.is_time_running(),
             "question": self.questions.state(),
             "hit": self.slow_hits.state(),

@@ -109,6 +109,12 @@ def test_a_dial_angles_speeds_and_half_swings_can_be_measured(csv):
     ).groups()
     assert count == "3"
     assert float(seconds) == pytest.approx(1.5 * 1.04 * PERIOD, abs=0.01)
+    for pend in rig.cradle.pend_list:  # the first stop counts, not the start
+        pend["theta"] = 0.0
+        pend["omega"] = 1.0
+    rig.viewer.stopwatch.restart(rig.time())
+    rig.wait(0.7 * PERIOD)
+    assert rig.state["motion"]["half swings"] == "0 in 0.00 s"
     rig.give("measure", False)
     assert visible(rig, "dial") == []
     assert "half swings" not in rig.state["motion"]

@@ -177,7 +177,7 @@ def test_a_lesson_in_present_by_touch_alone_from_the_question_to_the_sheet(share
     button(shared, "Two bobs").tap()
     question.get_by_text("Two bobs come in.").wait_for()
     # The picture of the sheet is there
-    shared.wait_for_function("() => asked === state.question.question")
+    shared.wait_for_function("() => asked === state.question.key")
     pages.draw(shared, False)
     button(shared, "Present").tap()
     wait_until(lambda: menu(shared, "Collisions").is_hidden())

@@ -90,7 +90,10 @@ def test_the_mass_of_the_first_bob_is_set_as_in_the_table(rig, csv):
 
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
 def test_bobs_are_added_and_taken_away_at_the_right_end(csv, kind):
-    """An added one is like the last one, but for its color; the file stays as it is."""
+    """First those of the file come back; an added one is like the last one, but for its color.
+
+    The file stays as it is.
+    """
     before = "2.0,0.5,0,0,white,wood\n" + GOOD
     csv.write_text(HEADER + before)
     rig = Rig(csv, *[30, 0][: kind.cord_count], kind=kind)
@@ -112,7 +115,8 @@ def test_bobs_are_added_and_taken_away_at_the_right_end(csv, kind):
     assert rig.values("color") == ["white"]
     assert rig.state["lifted"] == 1
     rig.give("count", 2)
-    assert rig.values("mass") == [2, 2]
+    assert rig.values("mass") == [2, 1]
+    assert rig.values("color") == ["white", "red"]
     assert rig.state["lifted"] == 2
     rig.give("count", 4)
     assert rig.state["refused"] == {}  # it was another bob's
@@ -132,7 +136,7 @@ def test_an_experiment_with_another_number_of_bobs_is_changed(rig):
     rig.save(HEADER + GOOD * 12)
     rig.give("count", 11)
     assert len(rig.thetas()) == 11
-    assert rig.control("count")["max"] == 11
+    assert rig.control("count")["max"] == 12  # the file has them
 
 
 def test_a_cradle_of_which_main_lifts_no_bob_says_how_many_the_slider_lifts(csv, monkeypatch):
@@ -180,6 +184,9 @@ def test_the_picture_of_a_choice_has_its_colors_masses_and_angles(rig):
     """Those of your CSV follow the file, and hang."""
     rig.save(HEADER + "3.0,1.0,0,0,blue,metal\n" + GOOD)
     pictures = rig.state["pictures"]
+    rig.save("mass,e,color,texture,note\n3,1,blue,metal,x\n1,1,red,metal\n")  # a short row
+    assert rig.state["error"] == ""
+    assert rig.state["pictures"] == pictures
     assert list(pictures) == rig.control("experiment")["choices"]
     assert [bob["mass"] for bob in pictures[CSV]] == [3, 1]
     assert pictures[CSV][0]["color"] == "rgb(0, 0, 255)"

@@ -25,6 +25,7 @@ def test_pause_and_run(rig):
     rig.give("pause")
     paused = dict(rig.state)
     assert not paused["running"]
+    assert paused["paused"]
     rig.wait(1)
     assert rig.state == paused  # so nothing is sent
     rig.tabs.give("pause")

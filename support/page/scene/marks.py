@@ -16,7 +16,8 @@ from support.pendulum import arm, cord_angles, make_shape, Pendulum
 ARROW_TIME = 2 * pi * sqrt(R_PARAM / G) / 9
 # m/s: a slower bob has no arrow. A bob that comes down from 2 degrees gets as fast.
 STILL = 0.035 * sqrt(R_PARAM * G)
-LONGEST = 0.8  # the arrow of the largest change of momentum, in reaches of the cradle
+# In reaches of the cradle: an arrow of the largest momentum. A change can be twice as large.
+LONGEST = 0.4
 ABOVE = 1.7  # the height of these arrows above their bobs, in radii
 # The height of a belt, in radii: the least and the largest one.
 NARROWEST = 0.2
@@ -57,7 +58,7 @@ class Marks:
         self.shapes: dict[str, list] = {}  # all that were made, by their name
 
     def surround(self, cradle: Cradle) -> None:
-        """Take a new cradle."""
+        """Take a cradle: a new one, or one in which a bob was dragged."""
         self.cradle = cradle
         # The largest momentum (kg m/s): its bar has the full length.
         speeds = zip(cradle.pend_list, cradle.top_speeds(), strict=True)
@@ -206,7 +207,7 @@ class Marks:
 
     def place_dial(self) -> None:
         """Put marks, 10 degrees apart, behind the outer upper cords; or hide them."""
-        marks = dial_marks() if self.measures else []
+        marks = [radians(angle) for angle in range(-80, 81, 10)] if self.measures else []
         axles = self.cradle.axles()
         lines = self.take("dial", len(marks), cylinder, color=GREY, radius=R_PARAM / 300)
         for line, theta in zip(lines, marks, strict=True):
@@ -225,8 +226,3 @@ class Marks:
                 place = axle.pos + arm(side * radians(angle), 0.68 * R_PARAM)
                 labels.append(Label(place.x, place.y, f"{angle}°", "dial"))
         return labels
-
-
-def dial_marks() -> list[float]:
-    """Return the angles (rad) of the marks of the dial."""
-    return [radians(angle) for angle in range(-80, 81, 10)]

@@ -90,7 +90,7 @@ function writeTexts() {
   const size = Math.max(smallest, text_height * height);
   const pixel = 2 * range / Math.min(width, height); // m
   const span = (numbers.at(-1).x - numbers[0].x) / pixel;
-  const apart = span / Math.max(1, numbers.length - 1); // pixels from axle to axle
+  const apart = span / (numbers.length - 1) || Infinity; // pixels from axle to axle
   const widest = size * widthOf(numbers.at(-1).text);
   const step = [1, 5, 10, 50].find(step => step * apart >= widest) ?? Infinity;
   const fitting = numbers.filter((_, i) => i === 0 || (i + 1) % step === 0);

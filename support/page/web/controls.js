@@ -46,6 +46,8 @@ shows.controls = controls => {
     place.replaceWith(...makers[control.kind]({ name, ...control }, isUnlabelled));
   }
   for (const name in controls) showControl(name);
+  for (const button of find("[data-do=lifted]"))
+    button.disabled = +button.dataset.value > controls.lifted.max;
 };
 
 function showControl(name) {

@@ -4,6 +4,7 @@ const tall = matchMedia("(max-aspect-ratio: 14/10)"); // as in windows.css
 shows.curves = drawGraph;
 new ResizeObserver(drawGraph).observe(one(".plot"));
 dark.addEventListener("change", drawGraph);
+dark.addEventListener("change", () => shows.bars(state.bars)); // their colors are legible(...)
 tall.addEventListener("change", placeGraph);
 placeGraph();
 

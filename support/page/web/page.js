@@ -52,8 +52,8 @@ shows.ended = message => {
 shows.running = running => {
   one("[data-do=pause]").textContent = running ? "Pause" : "Run";
   for (const button of find("[data-do=step], [data-do=tick]")) button.disabled = running;
-  one(".paused").hidden = running || !!state.question?.asking;
 };
+shows.paused = isPaused => one(".paused").hidden = !isPaused;
 shows.mistakes = mistakes => {
   one("ul.failed").replaceChildren(...mistakes.map(mistake => make("li", {}, mistake)));
 };
