@@ -113,10 +113,10 @@ class Chooser:
         return self.player.settings.csv != self.original()
 
     def set_count(self, count: int) -> None:
-        """Take pendula away from the right end, or add some there, until there are so many.
+        """Let the cradle have this number of pendula; they come and go at the right end.
 
-        An added one is that of the CSV; behind its last one, each is like the one before it, with
-        the next color of the experiments.
+        Those of the CSV come first. Each later one is like the one before it, with the next color
+        of the experiments.
         """
         present = self.player.settings.csv
         header, *rows = [row.cells for row in present.rows]

@@ -93,7 +93,7 @@ class Questions:
             self.votes[number] = max(0, self.votes[number] + change)
 
     def ghost_name(self) -> str:
-        """Return whose answer the ghosts show: yours, or that of so many hands."""
+        """Return the name of the ghosts: they show your answer, or that of the hands for it."""
         if self.said is None or not self.votes[self.said]:
             return "your answer"
         return f"{self.votes[self.said]} of you"

@@ -10,11 +10,9 @@ from support.cradle.cradle import Cradle
 from support.cradle.motion import Motion, percent_as_text
 from support.cradle.real_time import RealTime
 from support.energy import momentum
-from support.page.graph import to_css
+from support.page.graph import ENERGIES, to_css
 from support.page.scene.marks import GREY
 from support.pendulum import Pendulum
-
-BLACK = "rgb(0, 0, 0)"
 
 
 def readout(motion: Motion, pace: RealTime, pend_list: list[Pendulum]) -> dict[str, str]:
@@ -50,7 +48,8 @@ def momentum_bars(momenta: Sequence[float], largest: float, colors: Sequence[vec
 
 def energy_bar(percent: float) -> Bar:
     """Return a bar of the energy, in percent of that at the start."""
-    return Bar("energy", percent_as_text(percent).strip(), BLACK, min(1.0, percent / 100))
+    text = percent_as_text(percent).strip()
+    return Bar("energy", text, ENERGIES["total"], min(1.0, percent / 100))
 
 
 def momentum_as_text(p: float) -> str:

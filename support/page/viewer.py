@@ -74,7 +74,6 @@ class Viewer(Player):
         # The time (s) of the last hits, and the momenta (kg m/s) after them.
         self.last_hits = -inf
         self.after_hits: list[float] = []
-        self.labels: list[Label] = []  # in the picture
         self.slow_hits = SlowHits(cradle)
         self.graph = Graph(cradle.angle_keys, cradle.rate_keys)
 
@@ -146,13 +145,13 @@ class Viewer(Player):
         self.motion.loudest = 0.0
         if not self.tabs.have_room():
             return
-        self.draw()
+        labels = self.draw()
         state = {
             "sound": {"count": self.sounds, "speed": self.loudest},
             "view": {
                 **self.scenery.view(),
                 "fade": self.fade(),
-                "labels": [label._asdict() for label in self.labels],
+                "labels": [label._asdict() for label in labels],
             },
         }
         if self.pace.clock() >= self.next_refresh:
@@ -170,8 +169,11 @@ class Viewer(Player):
             return 1.0
         return max(FAINTEST, self.slow_hits.part_left(self.pace.clock()))
 
-    def draw(self) -> None:
-        """Draw what is beside the pendula: as in the slow hit that is shown, or as it is now."""
+    def draw(self) -> list[Label]:
+        """Draw what is beside the pendula: as in the slow hit that is shown, or as it is now.
+
+        Return the texts in the picture.
+        """
         slow_hit = self.slow_hits.shown
         pend_list = self.shown_pendula()
         self.marks.show_arrows(pend_list)
@@ -181,7 +183,7 @@ class Viewer(Player):
         if slow_hit:  # else they cover its arrows
             predicted = []
         self.marks.show_ghosts(predicted, self.questions.ghost_name())
-        self.labels = self.marks.labels(pend_list)
+        return self.marks.labels(pend_list)
 
     def show_new_cradle(self) -> None:
         """Show a new cradle. The first one starts when a tab has drawn it: you see the release."""

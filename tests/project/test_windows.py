@@ -101,7 +101,7 @@ ON_PAPER = """() => [
 
 
 def test_a_page_on_paper_has_cradle_numbers_and_graph_in_the_colors_of_the_light_page(at_rest):
-    """The cradle is as it is now. The graph is drawn anew, as wide as it is on paper."""
+    """The cradle is as it is now. The graph has its width on paper."""
     pages.draw(at_rest, True)
     at_rest.emulate_media(color_scheme="dark")
     assert 0.25 < printed(at_rest) < 0.4

@@ -31,9 +31,9 @@ MAGENTA = vector(0.8, 0.1, 0.5)  # of the arrows of a hit
 ORANGE = vector(0.9, 0.4, 0.0)  # of the rings
 GREY = vector(0.5, 0.5, 0.53)  # of the dial
 DARK = vector(0.15, 0.15, 0.17)  # of the belts
-# From a bob to the camera (FORWARD in camera.js): what is in front of a bob, or hidden behind it
-# when both are at the same angle, so many radii away.
+# The direction from a bob to the camera (FORWARD in camera.js).
 TO_CAMERA = vector(0, 0.2, 1)
+# From a bob to its ghost, in radii: the bob hides the ghost if both are at the same angle.
 BEHIND = -2.2 * TO_CAMERA
 
 
