@@ -1,6 +1,6 @@
 """The controls and commands of the page: each is declared here, once.
 
-page.html has a place for each control, by its name; Viewer.state has their values.
+page.html has a place for each control, by its name; state.py has their values.
 """
 
 from typing import Any, TYPE_CHECKING

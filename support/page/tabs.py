@@ -16,7 +16,7 @@ cmds and attrs are VPython's (package in vpython.py, decode in glowcomm.html):
     attrs   "a12Jvalue", "b12ovalue"            sets the attribute J or o of object 12
             "m12Gvalue"                         calls the method G of object 12: clear_trail, ...
 
-state has what the page shows beside the canvas, by name (Viewer.state): only what has changed.
+state has what the page shows beside the canvas, by name (state.py): only what has changed.
 """
 
 import json

@@ -5,7 +5,6 @@ from math import inf
 from queue import SimpleQueue
 from typing import Any
 
-from support.columns import SETTABLE
 from support.cradle.cradle import Cradle
 from support.cradle.player import Player
 from support.cradle.real_time import FRAME
@@ -15,14 +14,15 @@ from support.files.data_file import EVERY
 from support.page import readout
 from support.page.actions import Actions, SLOWLY
 from support.page.chooser import Chooser
-from support.page.controls import commands_of, is_text, state_of
+from support.page.controls import commands_of, is_text
 from support.page.declarations import declare_commands, declare_controls
 from support.page.endless import Watch
-from support.page.graph import Graph, to_css
+from support.page.graph import Graph
 from support.page.questions import Questions
 from support.page.scene.marks import Label, Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
+from support.page.state import state_of_page
 from support.page.tabs import Tabs
 from support.pendulum import Pendulum
 
@@ -156,7 +156,7 @@ class Viewer(Player):
         }
         if self.pace.clock() >= self.next_refresh:
             self.next_refresh = self.pace.clock() + REFRESH
-            state |= self.state()
+            state |= state_of_page(self)
         self.tabs.show(state)
 
     def shown_pendula(self) -> list[Pendulum]:
@@ -240,63 +240,3 @@ class Viewer(Player):
             calls = hits.calls or [f"No call of {self.cradle.shown_name} was seen."]
             self.tick_lines = [*readout.changes(self.cradle, self.before), *calls]
             self.before = None
-
-    def readout(self) -> dict[str, str]:
-        """Return the numbers beside the cradle as text, by their names."""
-        numbers = readout.readout(self.motion, self.pace, self.shown_pendula())
-        if self.marks.measures:
-            numbers["half swings"] = str(self.stopwatch)
-        return numbers
-
-    def bars(self) -> dict[str, Any] | None:
-        """Return a title, and bars of the momenta and the energy; None without arrows.
-
-        While the picture rests after a measurement, most bobs stop for a moment: the bars are then
-        those after the last hits.
-        """
-        marks = self.marks
-        if not marks.has_arrows:
-            return None
-        momenta = marks.momenta
-        title = "Momentum (kg m/s)"
-        if self.questions.rest_end is not None and self.after_hits:
-            momenta = self.after_hits
-            title = "Momentum after the hits (kg m/s)"
-        bars = readout.momentum_bars(momenta, marks.largest, self.cradle.colors())
-        energy = self.motion.percents(self.shown_pendula())["energy"]
-        bars.append(readout.energy_bar(energy))
-        return {"title": title, "bars": [bar._asdict() for bar in bars]}
-
-    def state(self) -> dict[str, Any]:
-        """Return what the page shows beside VPython's canvas, by name, all texts plain."""
-        cradle = self.cradle
-        remarks = [remark for remark in (self.given_remark, cradle.remark()) if remark]
-        return {
-            **self.texts,
-            **state_of(self.controls),
-            "title": cradle.title,
-            "constants": readout.constants(cradle),
-            "remark": " ".join(remarks),
-            "error": self.error,
-            "mistakes": self.chooser.mistakes,
-            "pictures": dict(self.chooser.pictures),
-            "changed": self.chooser.is_changed or self.chooser.is_edited(),
-            "ended": None,
-            "paused": self.is_paused,
-            "running": self.is_time_running(),
-            "question": self.questions.state(),
-            "hit": self.slow_hits.state(),
-            "motion": self.readout(),
-            "bars": self.bars(),
-            "impacts": self.motion.impacts.lines(),
-            "colors": [to_css(color) for color in cradle.colors()],
-            "curves": self.graph.state(self.motion.start_energy),
-            "columns": SETTABLE,
-            "keys": [*cradle.angle_keys, *cradle.rate_keys],
-            "table": {column: cradle.values(column) for column in SETTABLE},
-            "refused": {
-                place: refusal._asdict() for place, refusal in self.chooser.refused.items()
-            },
-            "tick": self.tick_lines,
-            "now": {name: f"{number:.6f}" for name, number in cradle.coordinates().items()},
-        }

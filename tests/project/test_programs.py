@@ -21,6 +21,7 @@ from grading.cradles import MIXED, MIXED_CSV
 from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from support.constants import R_PARAM
 from support.page.page import show_cradle, show_double_cradle
+from support.page.state import state_of_page
 from support.pendulum import outwards_to_angle
 from support.start.checks_command import checks_command
 
@@ -230,7 +231,7 @@ def test_a_program_does_as_the_options_say(start):
     page = start(show_double_cradle, visualize_double_cradle_run, line)
     assert page.place == ("0.0.0.0", 8000)
     assert not page.browser
-    state = page.viewer.state()
+    state = state_of_page(page.viewer)
     assert state["title"] == "Newton's double cradle"
     assert state["remark"] == ""
     assert page.viewer.cradle.values("theta") == [outwards_to_angle(25)] * 2 + [0]
