@@ -149,7 +149,7 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, file):
     error = shared.locator(".error").first
     error.get_by_text(f"{file}, line 7, column mass: found '-1', allowed is ").wait_for()
     shared.set_viewport_size({"width": 1000, "height": 300})
-    shared.locator("summary").scroll_into_view_if_needed()
+    shared.locator(".programmers summary").scroll_into_view_if_needed()
     assert is_whole(shared, ".error")  # it sticks to the top
     file.write_text(FIVE_CSV)
     error.wait_for(state="hidden")
@@ -228,7 +228,7 @@ def test_a_lesson_in_present_by_touch_alone_from_the_question_to_the_sheet(share
 def test_the_table_shows_theta_and_takes_a_mass(shared):
     mass = shared.get_by_label("mass of pendulum 2", exact=True)
     assert not mass.is_visible()
-    shared.locator("summary").click()
+    shared.locator(".programmers summary").click()
     pause(shared)
     press(shared, "Restart")
     theta = shared.locator(".pendula .now").first

@@ -140,7 +140,7 @@ def test_three_tabs_show_one_cradle_with_the_settings_of_all(tabs):
     menu(second, "Graph").select_option("no graph")
     pages.tick(third, "Arrows")
     pages.tick(third, "Predict first")
-    first.locator("summary").click()
+    first.locator(".programmers summary").click()
     first.get_by_label("Separating bobs collide too").check()
     for tab in tabs:
         tab.wait_for_function(

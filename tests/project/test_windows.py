@@ -74,8 +74,8 @@ def test_a_tall_window_has_the_buttons_in_view_and_scrolls_up_and_down_to_the_re
     resize(at_rest, size)
     for name in ("Run", "Step", "Restart"):
         assert is_whole(at_rest, f"button:has-text('{name}')")
-    at_rest.locator("summary").click()
-    for name in ("tr:has(.now:not(:empty)) [aria-label='e of pendulum 5']", ".fold summary"):
+    at_rest.locator(".programmers summary").click()
+    for name in ("tr:has(.now:not(:empty)) [aria-label='e of pendulum 5']", ".programmers summary"):
         wait_until(lambda name=name: is_whole_after_scrolling(at_rest, name))
     assert at_rest.evaluate("(e => e.scrollWidth - e.clientWidth)(one('.panel'))") == 0
 

@@ -9,7 +9,7 @@ tall.addEventListener("change", placeGraph);
 placeGraph();
 
 function placeGraph() {
-  if (tall.matches) one(".fold").before(one(".graph"));
+  if (tall.matches) one(".folds").before(one(".graph"));
   else one(".panel").after(one(".graph"));
 }
 

@@ -102,8 +102,8 @@ function wordOrDots(word) {
   return [numbers, dots];
 }
 
-one(".fold").addEventListener("toggle", ({ target }) => {
-  if (target.open) target.scrollIntoView({ block: "nearest" });
+for (const fold of find(".fold")) fold.addEventListener("toggle", () => {
+  if (fold.open) fold.scrollIntoView({ block: "nearest" });
 });
 
 function present() {

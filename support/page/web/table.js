@@ -13,10 +13,10 @@ shows.keys = shows.table = shows.refused = () => {
 };
 
 shows.now = numbers => {
-  if (!one(".fold").open) return;
+  if (!one(".programmers").open) return;
   for (const name in cells) cells[name].textContent = numbers[name] ?? "";
 };
-one(".fold").addEventListener("toggle", () => shows.now(state.now));
+one(".programmers").addEventListener("toggle", () => shows.now(state.now));
 
 function build() {
   cells = {};
@@ -55,7 +55,7 @@ function showEditor(place, { row, column, field, message }) {
   const text = refusal?.text ?? state.table[column][row];
   const isTyped = field === document.activeElement && field.value !== field.defaultValue;
   if (!isTyped) field.value = field.defaultValue = text;
-  if (refusal && !message.textContent) one(".fold").open = true; // a slider can be refused, too
+  if (refusal && !message.textContent) one(".programmers").open = true; // a slider can be refused, too
   field.ariaInvalid = !!refusal;
   message.textContent = refusal?.message;
 }
