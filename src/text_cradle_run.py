@@ -22,7 +22,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.many_ticks import many_ticks
 from support.cradle.player import run
 from support.files.cradle_csv import Snapshot
-from support.files.data_file import require_replaceable
+from support.files.data_file import has_data, require_replaceable
 from support.files.valid_cradle import require_cradle
 from support.main_page import Loop
 from support.start.early import stop_on_signals
@@ -47,7 +47,7 @@ def main() -> None:
         require_cradle(csv)
         require_lifted(options.lift, csv)
         if options.record:
-            require_replaceable(options.record)
+            require_replaceable("--record", options.record, has_data, "data of a cradle")
     except ValueError as error:
         refuse(error)
     cradle = Cradle(cradle_main, special_cradles, options, many_ticks)

@@ -3,7 +3,7 @@
 import errno
 import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from secrets import token_hex
@@ -43,10 +43,18 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
             unfinished.unlink()
 
 
-def require_replaceable(filepath: str) -> None:
-    """Raise a ValueError if this file exists, and has no data of a cradle to replace.
+def has_data(line: bytes) -> bool:
+    """Return whether this is the first line of a file with data of a cradle."""
+    return line.startswith(b"t,theta_1,") and line.endswith(b",momentum")
 
-    Its message has one line. The name - stands for the output.
+
+def require_replaceable(
+    option: str, filepath: str, is_ours: Callable[[bytes], bool], what: str
+) -> None:
+    """Raise a ValueError if this file of an option exists, and is not one to replace.
+
+    is_ours(its first line) says whether it is; `what` names what is in such a file. The message has
+    one line. The name - stands for the output.
     """
     if filepath == "-":
         return
@@ -55,14 +63,13 @@ def require_replaceable(filepath: str) -> None:
             return  # whole_file will raise the error
         # Opened to write, too: another program may have it open
         with open(filepath, "r+b") as file:
-            header = file.readline(LARGEST).strip()
+            line = file.readline(LARGEST).strip()
     except FileNotFoundError:
         return  # a new file; if its folder is missing, whole_file will raise the error
     except OSError as error:
-        raise ValueError(f"--record: {filepath}: {reason(error)}") from error
-    has_data = header.startswith(b"t,theta_1,") and header.endswith(b",momentum")
-    if header and not has_data:
+        raise ValueError(f"{option}: {filepath}: {reason(error)}") from error
+    if line and not is_ours(line):
         raise ValueError(
-            f"--record: found '{filepath}', which has no data of a cradle; "
-            "allowed is a new file, or one with data of a cradle, to replace it"
+            f"{option}: found '{filepath}', which has something else in it; "
+            f"allowed is a new file, or one with {what}, to replace it"
         )

@@ -8,7 +8,9 @@ from urllib.parse import parse_qs
 from autobahn.asyncio.websocket import WebSocketServerProtocol
 from autobahn.websocket.types import ConnectionDeny
 
+from support.page.run_file import run_as_html
 from support.page.tabs import LOOK
+from support.page.web_files import content_of, PAGE
 
 if TYPE_CHECKING:
     from support.page.server import Server
@@ -26,6 +28,7 @@ NO_KEY = (
     "Open the whole address that the program has printed in the terminal: "
     "it ends with a key, new at each start.\n"
 )
+RUN = "run.html"  # the present run, as a file to save
 TYPES = {
     ".html": "text/html",
     ".js": "text/javascript",
@@ -103,21 +106,20 @@ class Protocol(WebSocketServerProtocol):
         """
         site = self.site
         if name in site.files:
-            content = site.files[name]
-            if isinstance(content, Path):
-                content = content.read_bytes()
-            return Response("200 OK", Path(name).suffix, content)
-        if "." in name:
+            return Response("200 OK", Path(name).suffix, content_of(site.files[name]))
+        if "." in name and name != RUN:
             return Response("404 Not Found", "", b"")
         if not site.has_key(parameters):
             return Response("403 Forbidden", "", NO_KEY.encode())
+        if name == RUN:
+            return Response("200 OK", ".html", run_as_html(site.tabs).encode())
         if name == "alive":
             return Response("200 OK", "", b"alive")
         if name == "goodbye":
             site.leave(parameters.get("page", ["no name"])[0])
             return Response("200 OK", "", b"")
         site.expect(LOADING)
-        return Response("200 OK", ".html", site.page_file.read_bytes())
+        return Response("200 OK", ".html", PAGE.read_bytes())
 
     # --- the websocket of a tab ----------------------------------------------------------------
 

@@ -86,9 +86,17 @@ def show_page(
         # Here, because later mistakes in the file appear only on the page.
         require_cradle(file.current, len(angles))
         require_lifted(options.lift, file.current)
-        server = open_page(options)
+        if options.html:
+            from support.page import recorder
+
+            recorder.require_replaceable_run(options.html)
+        else:
+            server = open_page(options)
     except ValueError as error:
         refuse(error)
+    if options.html:
+        recorder.write_run(loop, cradle, file, angles, options, remark)
+        return
     from support.page.viewer import Viewer  # while the browser starts
 
     folder = Path.cwd()

@@ -20,9 +20,7 @@ import socket
 import threading
 import time
 from _thread import interrupt_main
-from importlib.util import find_spec
 from math import inf
-from pathlib import Path
 
 import txaio
 from autobahn.asyncio.websocket import WebSocketServerFactory
@@ -30,6 +28,7 @@ from autobahn.asyncio.websocket import WebSocketServerFactory
 from support.page.browser import BrowserStart
 from support.page.connection import LOST, Parameters, Protocol, RETURN
 from support.page.tabs import LOOK, Tabs
+from support.page.web_files import keyless_files
 from support.start.output import say
 
 FLICKER = 3.0  # s after which the terminal says that a page is lost
@@ -38,24 +37,6 @@ FAREWELL = 0.3  # s that the tabs have to hear of the end
 LEAVE = 1.0
 # bytes, either way: a tab that sends more loses its websocket, or it would stay in memory.
 LARGEST_MESSAGE = 2**26
-# Where glowcomm.html has its fonts and its own websocket behind it.
-VPYTHON_SCRIPT = "window.__GSlang ="
-WEB = Path(__file__).with_name("web")
-
-
-def keyless_files() -> dict[str, bytes | Path]:
-    """Return the files that need no key, by name: the content or the path."""
-    [vpython] = find_spec("vpython").submodule_search_locations  # type: ignore[union-attr, misc]
-    libraries = Path(vpython, "vpython_libraries")
-    files: dict[str, bytes | Path] = {}
-    for folder in (libraries, Path(vpython, "vpython_data"), WEB):
-        for path in folder.iterdir():
-            if path.suffix in (".js", ".css", ".jpg"):
-                files[path.name] = path
-    page = (libraries / "glowcomm.html").read_text(encoding="utf-8")
-    _, start, script = page.partition(VPYTHON_SCRIPT)
-    files["vpython.js"] = (start + script).partition("</script>")[0].encode()
-    return files
 
 
 class Server:
@@ -74,7 +55,6 @@ class Server:
         self.rest_of_lost: dict[str, float] = {}
         self.is_missed = False  # whether the terminal says that a page does not answer
         self.files = keyless_files()
-        self.page_file = WEB / "page.html"
         self.browser_start = BrowserStart()
         ready = threading.Event()
         threading.Thread(target=self.serve, args=(ready,), daemon=True).start()

@@ -28,6 +28,8 @@ from typing import Any
 
 from vpython import baseObj, vector
 
+from support.page.film import Film
+
 LOOK = 0.5  # s from one look of the server at the tabs to the next
 # What can be under way to a tab: a far one needs several messages, a slow line not too many bytes.
 MOST = 24  # messages
@@ -158,6 +160,7 @@ class Tabs:
     def __init__(self) -> None:
         """Begin without a tab."""
         self.all = Changes()  # VPython never sends a change again
+        self.film = Film()  # of the present run
         self.tabs: dict[Any, Tab] = {}  # by the websocket
         self.last: dict[str, Any] = {}  # the state that the tabs have, or will have
         self.holder: Any = None  # the tab with the mouse down
@@ -194,6 +197,11 @@ class Tabs:
         has_ended = state.get("ended") is not None
         for tab in [*self.tabs.values()]:
             tab.update(self.all, at_once=has_ended)
+        self.film.take(self.all, at_once=has_ended)
+
+    def begin_run(self) -> None:
+        """Begin a film with what is shown next, a new run."""
+        self.in_server(self.film.begin)
 
     def look(self) -> None:
         """Tell the tabs of a function that does not return, and when it has.

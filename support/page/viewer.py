@@ -188,6 +188,7 @@ class Viewer(Player):
     def show_new_cradle(self) -> None:
         """Show a new cradle. The first one starts when a tab has drawn it: you see the release."""
         cradle = self.cradle
+        self.tabs.begin_run()
         self.actions.pose()
         self.slow_hits.clear()
         self.scenery.surround(cradle.axles(), cradle.bobs(), cradle.reach, cradle.values("mass"))

@@ -139,6 +139,8 @@ def cradle_options(description: str) -> OneLineParser:
     return parser
 
 
+RUN = 10.0  # s
+LONGEST_RUN = 600.0  # s
 PORT = "a whole number from 0 to 65535"
 
 
@@ -163,6 +165,12 @@ def page_options(description: str) -> OneLineParser:
     text = "open no browser, only print the address of the page"
     opens = os.environ.get(CLOSED_VARIABLE, "") in ("", "0")
     add("--no-browser", action="store_false", dest="browser", default=opens, help=text)
+    text = "write a run to FILE, one HTML page that any browser plays, and open no page"
+    add("--html", type=type_of(str, bool, "the name of a file"), metavar="FILE", help=text)
+    text = f"with --html: the seconds of the run (default: {RUN:g})"
+    allowed = f"a number above 0 and up to {LONGEST_RUN:g} (s)"
+    seconds = type_of(float, lambda text: 0 < to_number(text) <= LONGEST_RUN, allowed)
+    add("--seconds", type=seconds, metavar="S", help=text)
     return parser
 
 
@@ -174,15 +182,18 @@ def parse_page(parser: OneLineParser, arguments: Sequence[str] | None) -> argpar
         if not is_port(text):
             parser.error(f"argument --port: found {text!r} in {PORT_VARIABLE}, allowed is {PORT}")
         options.port = int(text)
+    if options.seconds is not None and options.html is None:
+        parser.error("argument --seconds: needs --html")
+    options.seconds = options.seconds or RUN
     return options
 
 
 def read_page_options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     """Return the options of the page, from the command line or from arguments.
 
-    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host and browser. None for e
-    or mass keeps the values of the CSV. None for angle or lift keeps the values with which main
-    makes the cradle.
+    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host, browser, html (a path,
+    or None) and seconds. None for e or mass keeps the values of the CSV. None for angle or lift
+    keeps the values with which main makes the cradle.
     """
     parser = page_options("Newton's cradle in the browser, to play with.")
     return parse_page(parser, arguments)

@@ -25,7 +25,11 @@ class Rig:
         self.file = csv
         self.state = {}
         self.tabs = SimpleNamespace(
-            have_room=lambda: True, show=self.take, is_seen=Event(), are_gone=False
+            have_room=lambda: True,
+            show=self.take,
+            begin_run=lambda: None,
+            is_seen=Event(),
+            are_gone=False,
         )
         self.tabs.is_seen.set()
         self.viewer = Viewer(

@@ -14,7 +14,7 @@ from src.pds_helper import extract_and_convert, write_to_csv
 from src.special_cradles import make_newton_cradle
 from support.constants import NC_FP, R_PARAM
 from support.files.cradle_csv import LiveFile, POLL, Snapshot
-from support.files.data_file import require_replaceable, whole_file
+from support.files.data_file import has_data, require_replaceable, whole_file
 from support.files.valid_cradle import require_cradle
 
 # --- write_to_csv -------------------------------------------------------------------------------
@@ -206,20 +206,24 @@ def test_that_no_more_files_can_be_opened_is_no_change_of_the_file(csv, number):
     assert file.three_looks() == [False] * 3
 
 
+def require_data(filepath):
+    require_replaceable("--record", filepath, has_data, "data of a cradle")
+
+
 def test_data_can_replace_only_data(tmp_path, monkeypatch):
     file = tmp_path / "data.csv"
-    require_replaceable(file)
-    require_replaceable(tmp_path)  # whole_file refuses it
+    require_data(file)
+    require_data(tmp_path)  # whole_file refuses it
     for text in ("", "t,theta_1,momentum\n0.0,1.0,2.0\n"):
         file.write_text(text)
-        require_replaceable(file)
+        require_data(file)
     for text in (MIXED_CSV, "t,theta_1,mine\n", "t,mine,momentum\n"):
         file.write_text(text)
         with pytest.raises(ValueError, match=f"^--record: found '{re.escape(str(file))}', "):
-            require_replaceable(file)
+            require_data(file)
     opened = Mock(side_effect=PermissionError(errno.EACCES, "Permission denied"))
     monkeypatch.setattr("builtins.open", opened)
     with pytest.raises(ValueError, match="^--record: .*: Permission denied"):
-        require_replaceable(file)
+        require_data(file)
     # Excel lets other programs read its file, but not write it
     opened.assert_called_once_with(file, "r+b")

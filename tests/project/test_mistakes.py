@@ -45,7 +45,7 @@ def project(tmp_path, monkeypatch):
     # It would forget what the tests have imported
     monkeypatch.setitem(sys.modules, "support.start.program", Mock())
     monkeypatch.setattr("signal.signal", lambda *_: None)
-    tabs = SimpleNamespace(have_room=bool, show=lambda state: None, is_seen=Mock(), are_gone=False)
+    tabs = Mock(have_room=bool, are_gone=False)
     server = SimpleNamespace(tabs=tabs, close=lambda *_: None)
     monkeypatch.setattr("support.page.page.open_page", lambda _: server)
     return tmp_path

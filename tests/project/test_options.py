@@ -22,7 +22,7 @@ CRADLE = {
     "angle": None,
     "lift": None,
 }
-PAGE = {**CRADLE, "port": 0, "host": "127.0.0.1", "browser": True}
+PAGE = {**CRADLE, "port": 0, "host": "127.0.0.1", "browser": True, "html": None, "seconds": 10}
 DOUBLE = {**PAGE, "phi": None}
 TEXT = {**CRADLE, "seconds": inf, "record": None, "every": 0.01}
 PROGRAMS = {
@@ -48,6 +48,7 @@ PROGRAMS = {
         ("page", "--e 1 --mass 1e6 --angle 0", {"e": 1, "mass": 1e6, "angle": 0}),
         ("page", "--port 65535 --host ::", {"port": 65535, "host": "::"}),
         ("page", "--no-browser", {"browser": False}),
+        ("page", "--html a.html --seconds 600", {"html": "a.html", "seconds": 600}),
         ("double", "--angle 77 --phi=180", {"angle": outwards_to_angle(77)}),
         ("double", "--phi=-180", {"phi": outwards_to_angle(-180)}),
         ("double", "--phi=-1e-05", {"phi": outwards_to_angle(-1e-5)}),
@@ -158,6 +159,7 @@ def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
         ("page", "--angle=--", "found '--angle=--', allowed is no -- after ="),
         ("text", "--no-browser", "unrecognized arguments: --no-browser"),
         ("text", "--record data.csv", "argument --record: needs --seconds"),
+        ("page", "--seconds 5", "argument --seconds: needs --html"),
         ("text", "--every 0.1 --seconds 5", "argument --every: needs --record"),
         # Letters that a terminal does not show
         ("text", "my.csv \x1b[2J\udcffω", r"unrecognized arguments: \x1b[2J\udcffω"),

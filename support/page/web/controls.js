@@ -113,7 +113,7 @@ addEventListener("keydown", event => {
   const isAsking = state.question?.asking; // a stray digit must not end the question
   const answer = ["a", "b", "c", "d", "e"].indexOf(key);
   if (key in keys) keys[key]();
-  else if (digit && !isAsking) send("lifted", Math.min(digit, state.controls.lifted.max));
+  else if (digit && state.controls && !isAsking) send("lifted", Math.min(digit, state.controls.lifted.max));
   else if (answer >= 0 && state.question) send("answer", state.question.key, answer);
   else return;
   event.preventDefault(); // no key scrolls the page

@@ -97,12 +97,9 @@ function receive(data) {
   hear();
   if (!data) return; // only a sign of life
   unreported++;
-  const { number, state: changes, ...drawing } = JSON.parse(data);
+  const { number, ...picture } = JSON.parse(data);
   has = number;
-  if (canDraw) handler(decode(drawing)); // VPython's
-  Object.assign(state, changes);
-  for (const name in changes) update(name);
-  if (home) light();
+  showPicture(picture);
 }
 
 // For each picture that the browser has drawn, the program may send one message more. Few words are

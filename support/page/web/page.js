@@ -23,6 +23,14 @@ function update(name) {
   showControl(name);
 }
 
+// Show what a message changes: in VPython's drawing, and in the state.
+function showPicture({ state: changes, ...drawing }) {
+  if (canDraw) handler(decode(drawing)); // VPython's
+  Object.assign(state, changes);
+  for (const name in changes) update(name);
+  if (home) light();
+}
+
 function showText(name) {
   const lines = [state[name] ?? ""].flat();
   for (const element of find(`[data-text="${name}"]`)) element.textContent = lines.join("\n");

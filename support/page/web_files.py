@@ -1,0 +1,29 @@
+"""The files of the page: its own, and those of VPython that it uses."""
+
+from importlib.util import find_spec
+from pathlib import Path
+
+# Where glowcomm.html has its fonts and its own websocket behind it.
+VPYTHON_SCRIPT = "window.__GSlang ="
+WEB = Path(__file__).with_name("web")
+PAGE = WEB / "page.html"
+
+
+def keyless_files() -> dict[str, bytes | Path]:
+    """Return the files that need no key, by name: the content or the path."""
+    [vpython] = find_spec("vpython").submodule_search_locations  # type: ignore[union-attr, misc]
+    libraries = Path(vpython, "vpython_libraries")
+    files: dict[str, bytes | Path] = {}
+    for folder in (libraries, Path(vpython, "vpython_data"), WEB):
+        for path in folder.iterdir():
+            if path.suffix in (".js", ".css", ".jpg"):
+                files[path.name] = path
+    page = (libraries / "glowcomm.html").read_text(encoding="utf-8")
+    _, start, script = page.partition(VPYTHON_SCRIPT)
+    files["vpython.js"] = (start + script).partition("</script>")[0].encode()
+    return files
+
+
+def content_of(file: bytes | Path) -> bytes:
+    """Return the content of one of these files."""
+    return file.read_bytes() if isinstance(file, Path) else file

@@ -1,0 +1,214 @@
+"""A run as one HTML file: its film, what is in it, and how it plays in a browser without a program.
+
+The examples of the film are numbers of pictures; what a picture shows is in the browser's tests.
+"""
+
+import base64
+import csv
+import gzip
+import json
+import re
+import socket
+from math import degrees
+
+import pytest
+from pages import bob_angles, press, readout, wait_for_cradle
+from programs import copy_project, PROGRAM, python, ROOT, with_vpython
+from whole_cradles import FIVE_CSV
+
+from support.page.film import Film, KEPT, STILL, WHOLE
+from support.page.recorder import require_replaceable_run
+from support.page.tabs import Changes
+
+OPTIONS = "--seconds", "2", "--e", "0.9"
+ADDRESS = "http://course.example/run.html"
+ARROWS = "() => glowObjs.filter(o => o?.constructor.name === 'arrow' && o.visible).length"
+
+
+@pytest.fixture
+def film():
+    """A film of changes that a test makes at a time."""
+    film = Film(clock=lambda: film.now)
+    film.changes = Changes()
+
+    def show(now, **state):
+        film.now = now
+        film.changes.add(state)
+        film.take(film.changes)
+
+    film.show = show
+    return film
+
+
+def seen(film):
+    """Return the time of each picture, and the value of x in it."""
+    found = []
+    for picture in film.pictures:
+        found.append((round(picture.time, 6), json.loads(picture.message)["state"].get("x")))
+    return found
+
+
+def test_a_film_has_thirty_pictures_a_second_and_the_last_one(film):
+    for number in range(7):
+        film.show(number / 60, x=number)
+    assert [x for _, x in seen(film)] == [0, 2, 4, 6]
+    film.show(6.2 / 60, x=7)
+    film.take(film.changes, at_once=True)
+    assert seen(film)[-1] == (round(6.2 / 60, 6), 7)
+    film.take(film.changes, at_once=True)
+    assert len(seen(film)) == 5  # nothing has changed
+
+
+def test_a_pause_lasts_three_seconds_in_the_film(film):
+    for now, x in (0, 1), (1, 2), (600, 3):
+        film.show(now, x=x)
+    assert seen(film) == [(0, 1), (1, 2), (1 + STILL, 3)]
+
+
+def test_a_film_begins_with_a_whole_picture_and_keeps_the_end_of_a_long_run(film):
+    film.show(0, x="old", y="never again")
+    film.begin()
+    for now in range(100):
+        film.show(now, x=now)
+    assert film.pictures[0].is_whole
+    first, last = film.pictures[0], film.pictures[-1]
+    assert KEPT <= last.time - first.time < KEPT + 2 * WHOLE
+    assert json.loads(first.message)["state"] == {"x": first.time, "y": "never again"}
+
+
+# --- the file --------------------------------------------------------------------------------
+
+
+def write_run(folder, source=None):
+    """Write a run of five bobs to a file in this folder; return the process, and the file.
+
+    source changes the text of the program.
+    """
+    program = copy_project(folder, FIVE_CSV) / "src" / "visualize_cradle_run.py"
+    if source:
+        program.write_text(source(program.read_text()))
+    file = folder / "run.html"
+    return python(program, "--html", file, *OPTIONS, HOME=str(folder)), file
+
+
+@pytest.fixture(scope="module")
+def run_file(tmp_path_factory):
+    done, file = write_run(tmp_path_factory.mktemp("ann-smith"))
+    assert (done.returncode, done.stdout, done.stderr) == (0, f"2 s are in {file}\n", "")
+    return file
+
+
+def pictures_in(file):
+    """Return the pictures of a run as text."""
+    packed = re.search('class="run">(.*?)</script>', file.read_text(encoding="utf-8"))[1]
+    return gzip.decompress(base64.b64decode(packed)).decode()
+
+
+@with_vpython
+def test_a_file_has_the_licences_and_no_name_of_this_machine(run_file):
+    text = run_file.read_text(encoding="utf-8")
+    for licence in ("jquery.org/license", "glowscript for source code and copyright", "VPython"):
+        assert licence in text
+    for name in ("ann-smith", str(ROOT), "newton_cradle_pends"):
+        assert name not in text + pictures_in(run_file)
+    assert not re.search(rf"\b{socket.gethostname()}\b", pictures_in(run_file))
+    assert 29 * 2 < len(json.loads(pictures_in(run_file))) <= 31 * 2
+    assert len(text) < 1_200_000  # bytes
+
+
+@pytest.mark.slow
+@with_vpython
+def test_a_run_that_fails_is_written_up_to_the_mistake_and_names_it(tmp_path):
+    done, file = write_run(
+        tmp_path, lambda text: text.replace("    momentum = m1", "    1 / 0\n    momentum = m1")
+    )
+    assert done.returncode == 1
+    state = json.loads(pictures_in(file))[-1]["state"]
+    assert re.fullmatch(
+        r"ZeroDivisionError: .* \(src/visualize_cradle_run.py, line \d+\)", state["ended"]
+    )
+
+
+@with_vpython
+def test_a_run_replaces_only_a_run(run_file, tmp_path):
+    other = tmp_path / "other.html"
+    other.write_text("<!doctype html>mine")
+    done = python(PROGRAM, "--html", other)
+    assert done.returncode == 2
+    assert done.stderr.startswith(f"--html: found '{other}', ")
+    assert other.read_text() == "<!doctype html>mine"
+    require_replaceable_run(run_file)
+
+
+# --- in a browser ----------------------------------------------------------------------------
+
+
+@pytest.fixture
+def opened(page, run_file):
+    """The run in a tab, which has played it to its end; it asks for nothing but its file."""
+    errors = []
+    asked = []
+    page.on("pageerror", lambda error: errors.append(error))
+    page.on("request", lambda request: asked.append(request.url))
+    page.goto(run_file.as_uri())
+    wait_for_cradle(page)
+    page.wait_for_function("() => shown > 0 && shown === pictures.length - 1 && !state.running")
+    yield page
+    assert errors == []
+    assert {url for url in asked if not url.startswith("data:")} <= {run_file.as_uri()}
+
+
+@pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
+def test_a_run_plays_by_itself_and_shows_what_the_program_computes(opened):
+    rows = python(
+        ROOT / "src" / "text_cradle_run.py", "--record", "-", *OPTIONS
+    ).stdout.splitlines()
+    *_, last = csv.DictReader(rows)
+    thetas = [degrees(float(last[f"theta_{bob}"])) for bob in range(1, 6)]
+    assert bob_angles(opened) == pytest.approx(thetas, abs=0.01)
+    assert readout(opened, "t") == float(last["t"])
+    assert opened.locator(".momenta output").count() == 7
+    assert opened.locator(".series div").count() > 1
+    assert opened.locator(".plot canvas").count() > 0
+    buttons = opened.locator("button:visible").all_inner_texts()
+    assert buttons == ["Present", "Run", "Step", "Restart"]
+
+
+def test_you_step_scrub_and_run_it_again(opened):
+    assert opened.evaluate(ARROWS) > 0
+    opened.locator(".moment").press("Home")
+    opened.wait_for_function("() => shown === 0")
+    assert bob_angles(opened) == pytest.approx([-45, 0, 0, 0, 0], abs=0.01)
+    assert opened.evaluate(ARROWS) == 0  # they are made later
+    assert opened.locator(".moment").get_attribute("aria-valuetext") == "t 0.00 s"
+    opened.locator(".moment").evaluate("slider => slider.blur()")
+    for key, number in ("ArrowRight", 1), ("ArrowRight", 2), ("ArrowLeft", 1), ("r", 0):
+        opened.keyboard.press(key)
+        assert opened.evaluate("shown") == number
+    press(opened, "Run")
+    opened.wait_for_function("() => shown > 5")
+    assert -45 < bob_angles(opened)[0] < 0
+    press(opened, "Pause")
+    at = opened.evaluate("shown")
+    opened.keyboard.press("1")  # lifts nothing
+    opened.evaluate(
+        "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    )
+    assert opened.evaluate("shown") == at
+
+
+def test_you_can_turn_it(opened):
+    box = opened.locator(".canvas").bounding_box()
+    opened.mouse.move(box["x"] + 100, box["y"] + 100)
+    opened.mouse.down(button="right")
+    opened.mouse.move(box["x"] + 160, box["y"] + 100, steps=3)
+    opened.mouse.up(button="right")
+    opened.get_by_role("button", name="Reset view").click()
+    opened.wait_for_function("() => Math.abs(scene().forward.x) < 1e-3")
+
+
+def test_a_run_opens_from_a_course_page(page, run_file):
+    page.route(ADDRESS, lambda route: route.fulfill(path=run_file, content_type="text/html"))
+    page.goto(ADDRESS)
+    wait_for_cradle(page)
+    page.wait_for_function("() => shown > 0")
