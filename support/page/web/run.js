@@ -1,11 +1,9 @@
 // A recorded run, in place of the line to the program: it plays the pictures in this file.
 // All values in a picture are absolute, and a whole picture has all. So a moment is the last whole
-// picture and all later ones up to it, merged.
-const LONGEST = 0.1; // s from one picture of the browser to the next: it may sleep in between
+// picture and all later ones up to it.
 const FIXED = ["canvas", "texture"]; // of a shape: they never change in a run
 
 const files = JSON.parse(one(".textures").textContent); // of the textures, by VPython's names
-const made = new Map(); // by the number of a shape: the first picture with it
 const wanted = new Map(); // the place of the slider
 const isOpen = () => true;
 const slider = one(".moment");
@@ -20,7 +18,6 @@ addEventListener("DOMContentLoaded", load); // all scripts are there
 
 async function load() {
   for (const name in textures) textures[name] = files[textures[name]] ?? textures[name];
-  for (const key of ["n", "h", "?"]) delete keys[key];
   keys.ArrowLeft = () => send("back");
   try {
     pictures = await unpack(one(".run").textContent);
@@ -28,9 +25,6 @@ async function load() {
     one(".unheard").textContent = "This browser is too old for this file: open it in another one.";
     return;
   }
-  pictures.forEach(({ cmds }, number) => {
-    for (const { cmd, idx } of cmds) if (cmd && !made.has(idx)) made.set(idx, number);
-  });
   slider.max = pictures.length - 1;
   slider.hidden = false;
   jump(0);
@@ -69,14 +63,14 @@ function setRunning(isOn) {
 }
 
 function play(now) {
-  const [, place] = wanted.get("moment") ?? [];
-  wanted.clear();
-  if (place !== undefined) {
+  if (wanted.size) {
+    const [, place] = wanted.get("moment");
+    wanted.clear();
     setRunning(false);
     jump(place);
   }
   if (isRunning) {
-    time += Math.min((now - lastDrawn) / 1000, LONGEST);
+    time += (now - lastDrawn) / 1000;
     show(pictures.findLastIndex(picture => picture.time <= time));
     if (shown === pictures.length - 1) setRunning(false);
   }
@@ -91,41 +85,33 @@ function jump(number) {
 
 function show(number) {
   if (number === shown) return;
-  const whole = pictures.findLastIndex((picture, i) => picture.whole && i <= number);
-  const first = number > shown ? Math.max(shown + 1, whole) : whole;
-  showPicture(merged(pictures.slice(first, number + 1)));
-  for (const [idx, maker] of made)
-    if (maker > number && glowObjs[idx]) glowObjs[idx].visible = false;
+  let first = pictures.findLastIndex((picture, i) => picture.whole && i <= number);
+  if (number > shown) first = Math.max(first, shown + 1);
+  const some = pictures.slice(first, number + 1);
+  if (some[0].whole) hideAll();
+  showPicture({
+    cmds: some.flatMap(picture => picture.cmds.flatMap(again)),
+    attrs: some.flatMap(picture => picture.attrs),
+    state: Object.assign({}, ...some.map(picture => picture.state)),
+  });
   shown = number;
   slider.value = number;
   slider.setAttribute("aria-valuetext", `t ${state.motion.t}`);
   for (const answer of find(".asked button")) answer.disabled = true;
 }
 
-// Return pictures that follow each other as one: the last change of each attribute.
-function merged(following) {
-  const making = new Map();
-  const attributes = new Map();
-  const changes = {};
-  for (const { cmds, attrs, state: values } of following) {
-    for (const cmd of cmds.flatMap(again)) putLast(making, `${cmd.idx} ${Object.keys(cmd)}`, cmd);
-    for (const text of attrs) putLast(attributes, text.match(/^[^m]\d+./)?.[0] ?? text, text);
-    Object.assign(changes, values);
-  }
-  return { cmds: [...making.values()], attrs: [...attributes.values()], state: changes };
+const isShape = object => object?.pickable !== undefined; // else it is the canvas, or a light
+
+// What was made later must not be seen; a whole picture shows again what is there.
+function hideAll() {
+  for (const shape of glowObjs.filter(isShape)) shape.visible = false;
 }
 
-// A shape that is there already gets the values with which it was made. VPython's handler changes
-// what it gets: so these are copies.
+// A shape that is there already gets the values with which it was made.
 function again({ cmd, idx, ...values }) {
   const object = glowObjs[idx];
-  if (!object) return [{ cmd, idx, ...values }];
-  if (object.pickable === undefined) return []; // the canvas, or a light
+  if (!object) return [{ cmd, idx, ...values }]; // VPython's handler changes what it gets
+  if (!isShape(object)) return [];
   const names = Object.keys(values).filter(name => !FIXED.includes(name));
   return ["visible", ...names].map(name => ({ idx, [name]: values[name] ?? true }));
-}
-
-function putLast(map, key, value) {
-  map.delete(key);
-  map.set(key, value);
 }
