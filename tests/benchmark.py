@@ -26,7 +26,7 @@ import vpython
 from exact_cradle import apart, exact_outer_angles, outer_angles, SAMPLE
 from pages import ARGUMENTS, BOBS, CHROMIUM, draw, open_cradle, readout
 from playwright.sync_api import sync_playwright
-from programs import first_lines, running
+from programs import first_lines, ROOT, running
 from whole_cradles import advance, do_at_once, GOOD, HEADER, make_row
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
@@ -187,6 +187,25 @@ def first_pictures(browser):
         yield name, f"{min(seconds):.2f}", f"{median(seconds):.2f}"
 
 
+def run_files(browser):
+    """Yield rows of a run of 30 s as one HTML file: its size, the seconds to write and open it."""
+    for name in ("visualize_cradle_run", "visualize_double_cradle_run"):
+        with tempfile.TemporaryDirectory() as folder, browser.new_page() as page:
+            file = Path(folder, "run.html")
+            start = time.perf_counter()
+            with running(
+                ROOT / f"src/{name}.py", "--html", str(file), "--seconds", "30"
+            ) as program:
+                program.wait()
+            written = time.perf_counter()
+            page.goto(file.as_uri())
+            page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length")
+            draw(page, True)
+            opened = time.perf_counter()
+            size = file.stat().st_size / 1e6
+            yield name, f"{size:.2f}", f"{written - start:.1f}", f"{opened - written:.2f}"
+
+
 def show(title, head, rows) -> None:
     """Print a table in Markdown."""
     print(f"\n{title}\n\n| {' | '.join(head)} |\n{'| --- ' * len(head)}|")
@@ -232,6 +251,8 @@ def main() -> None:
         show(
             "Seconds to the first picture", ["program", "least", "median"], first_pictures(browser)
         )
+        head = ["program", "MB", "s to write it", "s until it is drawn"]
+        show("A run of 30 s as an HTML file", head, run_files(browser))
 
 
 if __name__ == "__main__":
