@@ -207,6 +207,7 @@ def test_you_can_turn_it(opened):
     opened.wait_for_function("() => Math.abs(scene().forward.x) < 1e-3")
 
 
+@pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
 def test_a_run_opens_from_a_course_page(page, run_file):
     page.route(ADDRESS, lambda route: route.fulfill(path=run_file, content_type="text/html"))
     page.goto(ADDRESS)

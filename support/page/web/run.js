@@ -19,6 +19,7 @@ addEventListener("DOMContentLoaded", load); // all scripts are there
 async function load() {
   for (const name in textures) textures[name] = files[textures[name]] ?? textures[name];
   keys.ArrowLeft = () => send("back");
+  isOnBob = () => false; // nobody can drag one: a finger on it turns the camera
   try {
     pictures = await unpack(one(".run").textContent);
   } catch {
