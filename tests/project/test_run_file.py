@@ -119,14 +119,14 @@ def test_a_file_has_the_licences_and_no_name_of_this_machine(run_file):
 @pytest.mark.slow
 @with_vpython
 def test_a_run_that_fails_is_written_up_to_the_mistake_and_names_it(tmp_path):
+    line = "    momentum = m1"
     done, file = write_run(
-        tmp_path, lambda text: text.replace("    momentum = m1", "    1 / 0\n    momentum = m1")
+        tmp_path, lambda text: text.replace(line, f"    open(__file__ + '.no')\n{line}")
     )
     assert done.returncode == 1
-    state = json.loads(pictures_in(file))[-1]["state"]
-    assert re.fullmatch(
-        r"ZeroDivisionError: .* \(src/visualize_cradle_run.py, line \d+\)", state["ended"]
-    )
+    ended = json.loads(pictures_in(file))[-1]["state"]["ended"]
+    assert re.fullmatch(r"FileNotFoundError: .* \(src/visualize_cradle_run\.py, line \d+\)", ended)
+    assert str(tmp_path) not in ended
 
 
 @with_vpython
