@@ -46,10 +46,15 @@ def read_file(filepath: str | Path) -> bytes:
         if not S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(errno.EINVAL, "found a pipe or a device, allowed is a file")
         data = file.read(LARGEST + 1)
+    require_size(data)
+    return data
+
+
+def require_size(data: bytes) -> None:
+    """Raise an OSError if this is more than LARGEST."""
     if len(data) > LARGEST:
         most = f"{LARGEST // 10**6} MB"
         raise OSError(errno.EFBIG, f"found more than {most}, allowed are at most {most}")
-    return data
 
 
 def reason(error: OSError) -> str:
@@ -74,11 +79,12 @@ class Snapshot:
         self.filepath = filepath
         self.data = data or b""
         self.error: OSError | None = None
-        if data is None:
-            try:
+        try:
+            if data is None:
                 self.data = read_file(filepath)
-            except OSError as error:
-                self.error = error
+            require_size(self.data)
+        except OSError as error:
+            self.error = error
 
     def __str__(self) -> str:
         return str(self.filepath)

@@ -8,7 +8,9 @@ from support.columns import SETTABLE
 from support.cradle.collision import AS_MADE, Collision
 from support.cradle.dragging import bob_at, point_in_plane
 from support.cradle.real_time import FRAME
-from support.pendulum import outwards_to_angle
+from support.files.cradle_csv import Snapshot
+from support.files.ghosts import Ghosts, read_ghosts
+from support.pendulum import angle_to_outwards, outwards_to_angle
 
 if TYPE_CHECKING:
     from support.page.viewer import Viewer
@@ -89,6 +91,26 @@ class Actions:
     def set_span(self, span: str) -> None:
         """Show this time in the graph (a key of SPANS)."""
         self.viewer.graph.span = span
+
+    def show_ghosts(self, name: str, text: str) -> None:
+        """Release the cradle beside the ghosts of a file with this name and this text.
+
+        It is released from their angle, if the file has one. Or show the mistake in the file.
+        """
+        viewer = self.viewer
+        try:
+            ghosts = read_ghosts(Snapshot(name, text.encode()), self.cradle.angle_keys)
+        except ValueError as error:
+            viewer.ghosts.mistake = str(error)
+            return
+        viewer.ghosts = ghosts
+        viewer.want_cradle()
+        if ghosts.angle is not None:
+            self.set_release_angle(0, angle_to_outwards(ghosts.angle))
+
+    def remove_ghosts(self) -> None:
+        """Take the ghosts of a file away."""
+        self.viewer.ghosts = Ghosts()
 
     # --- which cradle --------------------------------------------------------------------------
 

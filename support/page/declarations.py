@@ -234,11 +234,17 @@ def declare_commands(actions: Actions) -> dict[str, Command]:
         "grab": Command(actions.grab, (is_point, is_direction)),
         "drag": Command(actions.drag, (is_point, is_direction)),
         "let go": Command(actions.let_go),
+        "ghosts": Command(actions.show_ghosts, (is_text, is_file)),
+        "remove ghosts": Command(actions.remove_ghosts),
     }
 
 
 def is_answer(value: Any) -> bool:
     return value is None or is_count(value)
+
+
+def is_file(value: Any) -> bool:
+    return type(value) is str
 
 
 def is_in_table(value: Any) -> bool:

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import run
-from support.files.cradle_csv import LiveFile
+from support.files.cradle_csv import LiveFile, Snapshot
+from support.files.ghosts import read_ghosts
 from support.files.valid_cradle import require_cradle
 from support.main_page import Loop
 from support.start.early import end_on_signals
@@ -77,15 +78,20 @@ def show_page(
 ) -> None:
     """Run the loop of a program with the page of a cradle, until the last tab is closed for good.
 
-    angles are the release angles (rad); None keeps the angle with which main makes the cradle.
-    remark is a line on the page. Exits with status 2 if the CSV, --lift, --host or the port is
-    wrong, with 1 if a function makes a mistake.
+    angles are the release angles (rad); None keeps the angle with which main makes the cradle, or
+    takes that of the ghosts. remark is a line on the page. Exits with status 2 if the CSV, --lift,
+    --ghosts, --host or the port is wrong, with 1 if a function makes a mistake.
     """
     file = LiveFile(options.csv)
+    ghosts = None
     try:
         # Here, because later mistakes in the file appear only on the page.
         require_cradle(file.current, len(angles))
         require_lifted(options.lift, file.current)
+        if options.ghosts is not None:
+            ghosts = read_ghosts(Snapshot(options.ghosts), cradle.angle_keys)
+            if angles[0] is None:
+                angles = [ghosts.angle, *angles[1:]]
         if options.html:
             from support.page import recorder
 
@@ -104,7 +110,7 @@ def show_page(
         "command": command_line(program, folder, sys.argv[1:]),
         "terminal": command_line("src/text_cradle_run.py", folder),
     }
-    viewer = Viewer(cradle, file, angles, options.lift, server.tabs, remark, **texts)
+    viewer = Viewer(cradle, file, angles, options.lift, server.tabs, remark, ghosts, **texts)
     try:
         run(loop, viewer)
     except KeyboardInterrupt as stopped:  # in a session; else Ctrl+C has ended the process

@@ -120,21 +120,21 @@ class Questions:
             self.rest_end = None
             self.slowly = False
 
-    def predicted(self, time: float) -> list[float]:
-        """Return the angles (rad) that the answer predicts for this time (s).
+    def predicted(self, time: float) -> dict[int, list[float]]:
+        """Return the angle (rad) of each upper cord that the answer predicts for this time (s).
 
         From the first hit on, they grow along a sine, as in a small swing. There are none before
         it, and when the measurement is over.
         """
         measurement = self.measurement
         if measurement is None or self.said is None or time <= measurement.hit_time:
-            return []
+            return {}
         if measurement.is_over and time > measurement.end:
-            return []
+            return {}
         phase = sqrt(G / measurement.cradle.reach) * (time - measurement.hit_time)  # rad
         part = sin(min(phase, pi / 2))
         answer = measurement.experiment.answers[self.said]
-        return [part * radians(swing) for swing in answer.swings]
+        return {index: [part * radians(swing)] for index, swing in enumerate(answer.swings)}
 
     def state(self) -> dict | None:
         """Return the question, what was said, and what happened; None without a question."""

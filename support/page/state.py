@@ -18,6 +18,8 @@ def state_of_page(viewer: "Viewer") -> dict[str, Any]:
     return {
         **viewer.texts,
         **state_of(viewer.controls),
+        "ghosts": viewer.ghosts.name,
+        "mistake in ghosts": viewer.ghosts.mistake,
         "title": cradle.title,
         "constants": readout.constants(cradle),
         "remark": " ".join(remarks),
@@ -49,7 +51,7 @@ def numbers(viewer: "Viewer") -> dict[str, str]:
     found = readout.readout(viewer.motion, viewer.pace, viewer.shown_pendula())
     if viewer.marks.measures:
         found["half swings"] = str(viewer.stopwatch)
-    return found
+    return found | viewer.ghosts.readout()
 
 
 def bars(viewer: "Viewer") -> dict[str, Any] | None:

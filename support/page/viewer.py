@@ -11,6 +11,7 @@ from support.cradle.real_time import FRAME
 from support.cradle.stopwatch import Stopwatch
 from support.files.cradle_csv import LiveFile
 from support.files.data_file import EVERY
+from support.files.ghosts import Ghosts
 from support.page import readout
 from support.page.actions import Actions, SLOWLY
 from support.page.chooser import Chooser
@@ -45,9 +46,13 @@ class Viewer(Player):
         lifted: int | None,
         tabs: Tabs,
         remark: str = "",
+        ghosts: Ghosts | None = None,
         **texts: str,
     ):
-        """Play the cradle of this file as a Player does; tabs show it, and texts in the state."""
+        """Play the cradle of this file as a Player does, maybe beside ghosts.
+
+        tabs show it, and texts in the state.
+        """
         super().__init__(cradle, file.current, angles, lifted, IMPACTS, EVERY)
         self.file = file
         self.tabs = tabs
@@ -70,6 +75,7 @@ class Viewer(Player):
         self.questions = Questions()
         self.scenery = Scenery()
         self.marks = Marks()
+        self.ghosts = ghosts or Ghosts()
         self.stopwatch = Stopwatch()
         # The time (s) of the last hits, and the momenta (kg m/s) after them.
         self.last_hits = -inf
@@ -179,10 +185,15 @@ class Viewer(Player):
         self.marks.show_arrows(pend_list)
         self.marks.show_belts()
         self.marks.show_hit(slow_hit)
-        predicted = self.questions.predicted(self.motion.time())
+        time = self.motion.time()
+        poses = self.questions.predicted(time)
+        name = self.questions.ghost_name()
+        if not poses:
+            poses = self.ghosts.poses(time, len(pend_list))
+            name = self.ghosts.name
         if slow_hit:  # else they cover its arrows
-            predicted = []
-        self.marks.show_ghosts(predicted, self.questions.ghost_name())
+            poses = {}
+        self.marks.show_ghosts(poses, name)
         return self.marks.labels(pend_list)
 
     def show_new_cradle(self) -> None:
@@ -197,6 +208,7 @@ class Viewer(Player):
         self.last_hits = -inf
         self.after_hits = []
         self.stopwatch.restart(self.motion.time())
+        self.ghosts.begin()
         self.note()
         self.before = None
         self.tick_lines = []
@@ -230,6 +242,8 @@ class Viewer(Player):
     def end_batch(self) -> None:
         """Look at the result of a batch: measure an experiment; show One tick, or its hits."""
         super().end_batch()
+        if self.motion.ticks % self.step == 0:  # not note, which a drag calls again and again
+            self.ghosts.note(self.cradle.pend_list, self.motion.time())
         hits = self.cradle.hits
         if self.questions.measure(self.pace.clock()):
             self.planned = 0

@@ -154,6 +154,11 @@ def page_options(description: str) -> OneLineParser:
     """Return a parser with the options of a cradle and of its page."""
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
+    text = (
+        "CSV of a motion that pale bobs show beside the cradle: "
+        "columns t (s), theta_1 (rad), ..., as --record writes them"
+    )
+    add("--ghosts", type=type_of(str, bool, "the name of a file"), metavar="FILE", help=text)
     text = "port of the page (default: any free one)"
     add("--port", type=type_of(int, is_port, PORT), metavar="N", help=text)
     text = (
@@ -191,9 +196,9 @@ def parse_page(parser: OneLineParser, arguments: Sequence[str] | None) -> argpar
 def read_page_options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     """Return the options of the page, from the command line or from arguments.
 
-    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host, browser, html (a path,
-    or None) and seconds. None for e or mass keeps the values of the CSV. None for angle or lift
-    keeps the values with which main makes the cradle.
+    They are csv, elastic, inelastic, e, mass, angle (rad), lift, ghosts (a path, or None), port,
+    host, browser, html (a path, or None) and seconds. None for e or mass keeps the values of the
+    CSV. None for angle or lift keeps the values with which main makes the cradle.
     """
     parser = page_options("Newton's cradle in the browser, to play with.")
     return parse_page(parser, arguments)

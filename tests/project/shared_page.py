@@ -21,6 +21,7 @@ PUT_BACK = """() => {
     send("speed", 1);
     send("lifted", 1);
     send("release angle", 45);
+    send("remove ghosts");
     send("restart");
     if (one("#sound").checked) one("#sound").click();
     for (const open of find("details[open]")) open.open = false;

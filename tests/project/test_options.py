@@ -22,7 +22,15 @@ CRADLE = {
     "angle": None,
     "lift": None,
 }
-PAGE = {**CRADLE, "port": 0, "host": "127.0.0.1", "browser": True, "html": None, "seconds": 10}
+PAGE = {
+    **CRADLE,
+    "ghosts": None,
+    "port": 0,
+    "host": "127.0.0.1",
+    "browser": True,
+    "html": None,
+    "seconds": 10,
+}
 DOUBLE = {**PAGE, "phi": None}
 TEXT = {**CRADLE, "seconds": inf, "record": None, "every": 0.01}
 PROGRAMS = {

@@ -238,13 +238,26 @@ def test_a_program_does_as_the_options_say(start):
     assert page.viewer.cradle.values("phi") == [outwards_to_angle(-12.5)] * 2 + [0]
 
 
-def test_a_program_of_single_pendula_has_one_angle(start):
-    page = start(show_cradle, visualize_cradle_run, "--angle 20")
-    assert page.viewer.cradle.values("theta") == [outwards_to_angle(20), 0, 0]
+@pytest.mark.parametrize(("line", "angle"), [("--angle 20", 20), ("", 41.5)])
+def test_a_program_of_single_pendula_has_one_angle_which_ghosts_can_have_too(
+    start, tmp_path, line, angle
+):
+    ghosts = tmp_path / "film.csv"
+    ghosts.write_text("start,0.5,-41.5\nt,theta_1\n0,1\n")
+    page = start(show_cradle, visualize_cradle_run, f"{line} --ghosts {ghosts}")
+    assert page.viewer.cradle.values("theta") == [outwards_to_angle(angle), 0, 0]
+    assert page.viewer.ghosts.name == "film.csv"
 
 
-def test_a_program_refuses_in_one_line_before_a_page_opens(start, capsys):
-    show = partial(start, show_cradle, visualize_cradle_run, "--lift 4")
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("--lift 4", "--lift: found '4', allowed is at most 3, "),
+        ("--ghosts no.csv", "no.csv: cannot be read: "),
+    ],
+)
+def test_a_program_refuses_in_one_line_before_a_page_opens(start, capsys, line, message):
+    show = partial(start, show_cradle, visualize_cradle_run, line)
     status, stdout, stderr = call(show, capsys)
     assert (status, stdout, stderr.count("\n")) == (2, "", 1)
-    assert stderr.startswith("--lift: found '4', allowed is at most 3, ")
+    assert stderr.startswith(message)

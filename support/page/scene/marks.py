@@ -1,6 +1,6 @@
 """What the page draws to show why the cradle moves so: arrows, ghosts, rings, a dial, and texts."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import degrees, hypot, pi, radians, sqrt
 from typing import Any, NamedTuple
 
@@ -174,33 +174,40 @@ class Marks:
             pointer.axis = vector(LONGEST * self.cradle.reach * change / self.largest, 0, 0)
             pointer.shaftwidth = bob.radius / 2
 
-    # --- the answer ----------------------------------------------------------------------------
+    # --- ghosts: of the answer, or of a file -----------------------------------------------------
 
-    def show_ghosts(self, thetas: Sequence[float], name: str) -> None:
-        """Show a ghost of an upper bob and its cord at each of these angles (rad), or none.
+    def show_ghosts(self, poses: Mapping[int, Sequence[float]], name: str) -> None:
+        """Show ghosts of bobs and cords, or none.
 
-        The one that is farthest out has this name. What cannot be picked is no bob for the page
-        (canvas.js), and looks transparent (light.js).
+        poses has the angles (rad) of cords from straight down, by the index of the pendulum. The
+        first one that is as good as farthest out has this name. What cannot be picked is no bob
+        for the page (canvas.js), and looks transparent (light.js).
         """
-        ghosts = self.take("ghosts", len(thetas), sphere, shininess=0, pickable=False)
-        threads = self.take("threads", len(thetas), cylinder, pickable=False)
-        self.ghosts = ghosts
-        farthest = max(thetas, key=abs, default=0.0)
+        count = sum(map(len, poses.values()))
+        self.ghosts = self.take("ghosts", count, sphere, shininess=0, pickable=False)
+        threads = self.take("threads", count, cylinder, pickable=False)
+        shapes = zip(self.ghosts, threads, strict=True)
+        farthest = max((abs(upper) for upper, *_ in poses.values()), default=0.0)
         self.ghost_labels = []
-        for i, theta in enumerate(thetas):
-            axle, bob, cord = self.cradle.pend_list[i]["objects"][:3]
-            axis = arm(theta, R_PARAM)
-            behind = bob.radius * BEHIND
-            ghosts[i].pos = axle.pos + axis + behind
-            ghosts[i].radius = 0.97 * bob.radius  # hidden by the bob, where this is as predicted
-            ghosts[i].color = bob.color
-            threads[i].pos = axle.pos + behind
-            threads[i].axis = axis
-            threads[i].radius = 0.9 * cord.radius
-            threads[i].color = cord.color
-            if theta == farthest and not self.ghost_labels:
+        for index, angles in poses.items():
+            axle, *parts = self.cradle.pend_list[index]["objects"]
+            behind = parts[0].radius * BEHIND
+            end = axle.pos + behind
+            for angle, bob, cord in zip(angles, parts[::2], parts[1::2], strict=False):
+                ghost, thread = next(shapes)
+                axis = arm(angle, R_PARAM)
+                thread.pos = end
+                thread.axis = axis
+                thread.radius = 0.9 * cord.radius
+                thread.color = cord.color
+                end = end + axis
+                ghost.pos = end
+                ghost.radius = 0.97 * bob.radius  # hidden by the bob, where both are in one place
+                ghost.color = bob.color
+            if abs(angles[0]) >= 0.9 * farthest and not self.ghost_labels:
+                axis = arm(angles[0], R_PARAM)
                 x = axle.pos.x + 0.7 * axis.x  # not at the edge of the picture
-                y = axle.pos.y + axis.y + bob.radius
+                y = axle.pos.y + axis.y + parts[0].radius
                 self.ghost_labels = [Label(x, y, name, "name")]
 
     # --- measurements --------------------------------------------------------------------------

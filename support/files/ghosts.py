@@ -1,0 +1,147 @@
+"""A motion in a file: of a filmed cradle, or as --record writes it; ghosts then move so.
+
+The CSV has a column t (s), and columns of angles: theta_1 (rad, positive to the right), or theta_1
+(degrees); for the double cradle also phi_1. Other columns are ignored. An empty cell, or NaN,
+stands for a moment at which the bob was not found. A line start,0.533,-41.5 before the names says
+that the bobs were let go at t = 0.533 s, the first one at theta = -41.5 degrees.
+"""
+
+import re
+from collections.abc import Sequence
+from itertools import accumulate, takewhile
+from math import degrees, inf, isfinite, nan, radians, remainder, sqrt, tau
+from pathlib import Path
+
+import numpy as np
+
+from support.columns import to_number
+from support.files.cradle_csv import Snapshot
+from support.files.valid_cradle import in_short
+from support.pendulum import cord_angles, Pendulum
+
+IN_DEGREES = " (degrees)"  # the end of a column's name
+# A line with the time (s) of the release, and its angle (degrees)
+START = re.compile(r"(?m)^start,([^,\n]*),?([^,\n]*),*\r?$")
+UNKNOWN = [0.0], [nan]  # the times, and the angles, of a column that is not there
+
+
+class Ghosts:
+    """The motion in a file, and how far a cradle is off it. It never changes the cradle."""
+
+    def __init__(self, name: str = "", keys: Sequence[str] = ()) -> None:
+        """Begin without angles; name is that of the file, keys are a pendulum's of its angles."""
+        self.name = name
+        self.keys = keys
+        self.mistake = ""  # in a later file, which is not taken
+        self.start = 0.0  # s: the time in the file at which the bobs are let go
+        self.angle: float | None = None  # rad: of the release, if the file says it
+        self.tracks: dict[str, tuple] = {}  # the times (s) and the angles (rad), by theta_1, ...
+        self.begin()
+
+    def begin(self) -> None:
+        """Forget the differences: the cradle is released."""
+        self.squares = 0.0  # rad^2: their sum
+        self.count = 0
+
+    def poses(self, time: float, count: int) -> dict[int, list[float]]:
+        """Return the angles (rad) of the cords from straight down, by the pendulum's index.
+
+        They are those of the first `count` pendula, at this time (s) after the release. From one
+        angle to the next, a cord turns evenly, the shorter way. Without the upper cord, nothing is
+        known of the lower one.
+        """
+        found = {}
+        for index in range(count):
+            angles = []
+            for key in self.keys:
+                times, known = self.tracks.get(f"{key}_{index + 1}", UNKNOWN)
+                angles.append(np.interp(self.start + time, times, known, left=nan, right=nan))
+            cords = [*takewhile(isfinite, accumulate(angles))]
+            if cords:
+                found[index] = cords
+        return found
+
+    def note(self, pend_list: Sequence[Pendulum], time: float) -> None:
+        """Add the differences of the cords of these pendula from the poses at this time (s)."""
+        for index, cords in self.poses(time, len(pend_list)).items():
+            for now, angle in zip(cord_angles(pend_list[index]), cords, strict=False):
+                self.squares += remainder(now - angle, tau) ** 2
+                self.count += 1
+
+    def readout(self) -> dict[str, str]:
+        """Return the root of the mean square of the differences as text, by its name."""
+        if not self.count:
+            return {}
+        off = degrees(sqrt(self.squares / self.count))
+        return {"off by": f"{off:.2f} degrees"}
+
+
+def read_ghosts(file: Snapshot, keys: Sequence[str]) -> Ghosts:
+    """Return the motion in a file; keys are a pendulum's of its angles, the upper cord's first.
+
+    Raises a ValueError with a one-line message that names the first mistake in it.
+    """
+    ghosts = Ghosts(Path(file.filepath).name, keys)
+    text = with_commas(file.text())
+    start = START.search(text)
+    if start:
+        ghosts.start, angle = map(to_number, start.groups())
+        ghosts.angle = radians(angle)
+        if not (isfinite(ghosts.start) and -180 <= angle <= 0):
+            line = text.count("\n", 0, start.start()) + 1
+            raise ValueError(
+                f"{file}, line {line}: found {in_short(repr(start[0]))}, allowed is start, the "
+                "time (s) of the release, and its angle, from -180 to 0 (degrees)"
+            )
+        text = text.replace(start[0], "")
+    ghosts.tracks = tracks_in(Snapshot(file.filepath, text.encode()), keys)
+    return ghosts
+
+
+def with_commas(text: str) -> str:
+    """Return the text of a CSV with commas between cells, and blank lines in place of notes."""
+    text = re.sub(r"(?m)^#.*", "", text)
+    lines = [*re.findall(r"(?m)^(?!start\b).*\S", text), ""]
+    separator = max(",;\t", key=lines[0].count)  # as in the names of the columns
+    if separator != ",":
+        text = text.replace(",", ".").replace(separator, ",")
+    return text
+
+
+def tracks_in(file: Snapshot, keys: Sequence[str]) -> dict[str, tuple]:
+    """Return the times (s) and the angles (rad) of each column of angles, by its name.
+
+    The file has commas between cells.
+    """
+    header, *rows = file.rows
+    pattern = rf"t|({'|'.join(keys)})_\d+({re.escape(IN_DEGREES)})?"
+    columns: dict[str, list[float]]
+    columns = {name: [] for name in header.cells if re.fullmatch(pattern, name)}
+    if "t" not in columns or len(columns) < 2:
+        names = in_short(repr(", ".join(header.cells)))
+        raise ValueError(
+            f"{file}, line {header.line}: found {names}, allowed is a line with t, {keys[0]}_1, ..."
+        )
+    last = -inf
+    for row in rows:
+        cells = dict(zip(header.cells, row.cells, strict=False))
+        for name, numbers in columns.items():
+            text = cells.get(name, "")
+            number = to_number(text)
+            numbers.append(number)
+            found = f"{file}, line {row.line}, column {name}: found {in_short(repr(text))}"
+            if name == "t" and not number > last:
+                raise ValueError(f"{found}, allowed is a time (s) after that of the line before")
+            if not isfinite(number) and text.lower() not in ("", "nan"):
+                raise ValueError(f"{found}, allowed is a number, or nothing")
+        last = columns["t"][-1]
+    times = np.array(columns.pop("t"))
+    tracks = {}
+    for name, numbers in columns.items():
+        angles = np.array(numbers)
+        if name.endswith(IN_DEGREES):
+            angles = np.radians(angles)
+        known = np.isfinite(angles)
+        if any(known):
+            tracks[name.removesuffix(IN_DEGREES)] = (times[known], np.unwrap(angles[known]))
+    return tracks

@@ -1,0 +1,161 @@
+"""Ghosts from a file: what a file may have, where they are, and how far the cradle is off them."""
+
+import random
+from math import degrees
+
+import pages
+import pytest
+from exact_cradle import exact_outer_angles, SAMPLE
+from programs import wait_until
+from rig import Rig
+from vpython import mag
+
+from support.constants import R_PARAM, THETA_INIT
+from support.cradle.cradle import Cradle
+from support.cradle.double_cradle import DoubleCradle
+from support.cradle.real_time import FRAME
+from support.files.cradle_csv import LARGEST, Snapshot
+from support.files.ghosts import read_ghosts
+from support.page.scene.marks import BEHIND
+
+RAD = degrees(1)
+KEYS = DoubleCradle.angle_keys
+
+
+@pytest.mark.parametrize(
+    ("text", "time", "poses"),
+    [
+        ("t,theta_1\n0,1\n2,3\n", 0.5, {0: [1.5]}),
+        ("t,theta_1\n0,1\n2,3\n", 2.1, {}),
+        ("t,theta_1\n1,1\n2,3\n", 0.9, {}),
+        ("\ufeff# film; Tracker\n#\n\nt,theta_2,x,theta_1\r\n0,2,red,1\r\n", 0, {0: [1], 1: [2]}),
+        ('"x;y"\t"theta_2"\t"t"\n7\t-0,5\t-1\n\n1,5\t5E-1\t1,00\n', 0, {1: [0]}),
+        ("omega_1;t;theta_1 (degrees)\n;0;90\n;1,5;\n;2;NaN\n;3;-90\n;4\n", 2, {0: [-30 / RAD]}),
+        ("start,0.5,-41.5,,\nt,theta_1\n0.5,1\n1.5,2\n", 0.5, {0: [1.5]}),
+        ("t,theta_1\n0,3\n1,-3\n", 0.5, {0: [180 / RAD]}),  # over the top
+        ("t,phi_1,theta_1,phi_2\n0,-1,3,1\n", 0, {0: [3, 2]}),  # of cord 2, only half is known
+        ("t,theta_1,theta_3\n0,,1\n", 0, {}),  # bob 1 was never found, and there is no bob 3
+    ],
+)
+def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
+    ghosts = read_ghosts(Snapshot("a.csv", text.encode()), KEYS)
+    assert ghosts.poses(time, 2) == {index: pytest.approx(cords) for index, cords in poses.items()}
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", ": is empty, the first line must name the columns"),
+        ("t,theta\n0,1\n", ", line 1: found 't, theta', allowed is a line with t, theta_1, ..."),
+        ("#\ntheta_1,x\n", ", line 2: found 'theta_1, x', allowed is a line with t, theta_1, ..."),
+        ("t,theta_1\n0,1\n0,2\n", ", line 3, column t: found '0', allowed is a time (s) after "),
+        ("t,theta_1\n,1\n", ", line 2, column t: found '', allowed is a time (s) after "),
+        ("t,theta_1\n0,red\n", ", line 2, column theta_1: found 'red', allowed is a number, or "),
+        ("t,theta_1\n0,0,5\n", ", line 2: found 3 cells, allowed are at most 2, as in line 1;"),
+        ("\nstart;1\nt;theta_1\n", ", line 2: found 'start,1', allowed is start, the time (s) of"),
+        ("start,1,41.5\nt,theta_1\n", ", line 1: found 'start,1,41.5', allowed is start, the "),
+        ("t" * LARGEST + ",", ": cannot be read: found more than 10 MB, allowed are at most 10 MB"),
+    ],
+)
+def test_a_mistake_in_a_file_is_named_and_the_old_ghosts_stay(rig, text, message):
+    rig.give("ghosts", "old.csv", "t,theta_1\n0,0\n")
+    rig.give("ghosts", "a.csv", text)
+    assert rig.state["mistake in ghosts"].startswith(f"a.csv{message}")
+    assert rig.state["ghosts"] == "old.csv"
+    rig.give("remove ghosts")
+    assert rig.state["mistake in ghosts"] == rig.state["ghosts"] == ""
+
+
+def film():
+    """Return a film of bobs 5 and 1 of the exact cradle, as Tracker saves it.
+
+    Its noise is 0.5 degrees. A few times, a bob is not found. Bob 1 has gone around once before.
+    """
+    chance = random.Random(1)
+    lines = ["#multi:", "#mass_A", f"start\t0,533\t{degrees(THETA_INIT)}".replace(".", ",")]
+    lines.append("t\tx\ttheta_5 (degrees)\ttheta_1 (degrees)")
+    for frame, (first, last) in enumerate(exact_outer_angles(3)[2::3], start=1):
+        cells = [f"{0.533 + 3 * SAMPLE * frame:.4E}", "1.0"]
+        for angle in (last, first - 360):
+            is_found = chance.random() > 0.03
+            cells.append(f"{angle + chance.gauss(0, 0.5):.4E}" if is_found else "")
+        lines.append("\t".join(cells).replace(".", ","))
+    return "\n".join(lines)
+
+
+def off_by(rig):
+    return float(rig.state["motion"]["off by"].removesuffix(" degrees"))
+
+
+def test_the_right_model_is_off_by_the_noise_of_a_film_and_another_one_by_more(csv):
+    """From each release on. The first one has the angle of the film."""
+    rig = Rig(csv, 30)
+    rig.give("e", 0.95)
+    rig.give("ghosts", "film.txt", film())
+    assert rig.state["release angle"] == pytest.approx(abs(degrees(THETA_INIT)))
+    rig.wait(2)
+    assert off_by(rig) > 2
+    rig.give("e", 1)
+    rig.give("restart")
+    assert "off by" not in rig.state["motion"]
+    rig.wait(2.9)
+    found = rig.state["motion"]["off by"]
+    assert off_by(rig) == pytest.approx(0.5, abs=0.15)
+    rig.wait(1)  # the film is over
+    assert rig.state["motion"]["off by"] == found
+
+
+@pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
+def test_ghosts_of_a_recording_of_the_cradle_are_behind_its_bobs(csv, kind):
+    """Also of one with more bobs. The ghosts of your answer come first."""
+    rig = Rig(csv, *[30] * kind.cord_count, kind=kind)
+    rows = [rig.viewer.motion.sample()]
+    while rig.time() < 0.3:
+        rig.wait(FRAME)
+        rows.append(rig.viewer.motion.sample())
+    lines = [",".join(map(str, line)) for line in (rows[0], *map(dict.values, rows))]
+    rig.give("ghosts", "a.csv", "\n".join(lines))
+    assert rig.time() == 0
+    rig.give("count", 3)
+    rig.wait(0.2)  # the first hit is later
+    for bob, ghost in zip(rig.cradle.bobs(), visible_ghosts(rig), strict=True):
+        assert mag(ghost.pos - bob.radius * BEHIND - bob.pos) < 0.01 * R_PARAM
+        assert ghost.color == bob.color
+    [label] = rig.state["view"]["labels"]
+    assert label["text"] == "a.csv"
+    rig.viewer.questions.predicted = lambda time: {2: [1.0]}
+    rig.wait()
+    assert len(visible_ghosts(rig)) == 1
+    [label] = rig.state["view"]["labels"]
+    assert label["text"] == "your answer"
+    rig.give("slow hits", True)
+    while rig.state["hit"] is None:
+        rig.wait(FRAME)
+    assert not visible_ghosts(rig)
+
+
+def visible_ghosts(rig):
+    return [ghost for ghost in rig.viewer.marks.shapes["ghosts"] if ghost.visible]
+
+
+# The x of each ghost
+GHOSTS = "glowObjs.filter(o => isSphere(o) && o.visible && !o.pickable).map(o => o.pos.x)"
+
+
+def test_a_file_is_chosen_on_the_page_and_its_ghosts_are_removed(shared):
+    def choose(text):
+        file = {"name": "a.csv", "mimeType": "text/csv", "buffer": text.encode()}
+        shared.get_by_label("Ghosts from a file").set_input_files(file)
+
+    shared.locator(".keep summary").click()
+    choose("start,2,-20\nt,theta_5 (degrees)\n0,30\n99,30\n")
+    pages.button(shared, "Remove a.csv").wait_for()
+    shared.wait_for_function("() => state['release angle'] === 20 && state.motion['off by']")
+    axle, _ = pages.axle(4)
+    assert shared.evaluate(GHOSTS) == [pytest.approx(axle + R_PARAM / 2)]
+    choose("t,theta_5\n0,red\n")
+    shared.get_by_text("a.csv, line 2, column theta_5: found 'red', allowed is ").wait_for()
+    assert pages.violations(shared) == {}
+    pages.press(shared, "Remove a.csv")
+    wait_until(lambda: shared.evaluate(GHOSTS) == [])
+    assert not shared.get_by_text("Remove").is_visible()
