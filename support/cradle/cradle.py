@@ -29,6 +29,8 @@ class Cradle:
 
     title = "Newton's cradle"
     kind = "single"  # the name of the folder with its experiments
+    page_program = "src/visualize_cradle_run.py"
+    theta_bob = "bob"  # what a sentence calls the one at the end of the cord with theta
     dt = DT  # s
     cord_count = 1  # of a pendulum; each cord has one bob
     reach = R_PARAM  # from an axle to the centre of the lowest bob at rest (m)

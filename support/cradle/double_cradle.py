@@ -15,6 +15,8 @@ class DoubleCradle(Cradle):
 
     title = "Newton's double cradle"
     kind = "double"
+    page_program = "src/visualize_double_cradle_run.py"
+    theta_bob = "upper bob"
     dt = DOUBLE_DT
     cord_count = 2
     reach = 2 * R_PARAM

@@ -1,6 +1,6 @@
 """The motion of a cradle: the time since its release, its impacts, and its energy; also as data."""
 
-from math import inf
+from math import degrees, inf, pi, remainder
 
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
@@ -35,6 +35,7 @@ class Motion:
 
     def set_start(self) -> None:
         """Take the energy of this moment as 100 %, and find out which hits are fast."""
+        self.start_angles = {key: self.cradle.values(key) for key in self.cradle.angle_keys}  # rad
         self.start_energy = sum(self.cradle.energies())
         self.fast_speed = FAST_PART * max(self.cradle.top_speeds(), default=0.0)  # m/s
 
@@ -57,6 +58,19 @@ class Motion:
         time = f"t = {self.time():.2f} s".ljust(16)
         total, kinetic, potential = map(percent_as_text, self.percents().values())
         return f"{time}energy {total} (kinetic {kinetic}, potential {potential})"
+
+    def summary(self) -> str:
+        """Return the time, the energy, the highest bob's angle, and the latest series of hits."""
+        angles = [degrees(remainder(theta, 2 * pi)) for theta in self.cradle.values("theta")]
+        angle = max(angles, key=abs)
+        bob = f"{self.cradle.theta_bob} {angles.index(angle) + 1}"
+        side = "left" if angle < 0 else "right"
+        energy = percent_as_text(self.percents()["energy"]).strip()
+        text = f"t = {self.time():.2f} s, energy {energy}, {bob} at {abs(angle):.0f} degrees {side}"
+        series = self.impacts.series
+        if series:
+            text += f", hits: {series[-1]}"
+        return text
 
     def percents(self, pend_list: list[Pendulum] | None = None) -> dict[str, float]:
         """Return the energy and its two parts, in percent of the energy at the start.

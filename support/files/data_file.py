@@ -12,6 +12,7 @@ from typing import TextIO
 
 from support.files.cradle_csv import LARGEST, reason
 
+RUN_LINE = "<!doctype html><!-- A run of Newton's cradle -->"  # the first one of a saved run
 EVERY = 0.01  # s from sample to sample, or the nearest whole number of ticks
 
 
@@ -46,6 +47,11 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
 def has_data(line: bytes) -> bool:
     """Return whether this is the first line of a file with data of a cradle."""
     return line.startswith(b"t,theta_1,") and line.endswith(b",momentum")
+
+
+def is_run(line: bytes) -> bool:
+    """Return whether this is the first line of a saved run."""
+    return line == RUN_LINE.encode()
 
 
 def require_replaceable(

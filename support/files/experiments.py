@@ -2,7 +2,7 @@
 
 import io
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from itertools import accumulate, cycle, islice
 from math import inf, radians
 from pathlib import Path
@@ -15,7 +15,8 @@ from support.files.valid_cradle import are_in_range, IN_RANGE, in_short, MOST_PE
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
 # The names of lines; the other lines are answers.
-NAMES = ["name", "theta", "phi", *SETTABLE, "question", "why"]
+CRADLE = ["name", "theta", "phi", *SETTABLE]
+NAMES = [*CRADLE, "question", "why"]
 ANGLE = "an angle from -180 to 180 (degrees)"
 COLORS = "red", "yellow", "cyan", "blue", "purple"  # of the pendula, in turn
 MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
@@ -30,9 +31,10 @@ class Answer(NamedTuple):
 
 class Experiment(NamedTuple):
     key: str  # the name of its file
+    file: Path
     csv: Snapshot
     name: str
-    question: str
+    question: str  # without it, there are no answers, and no why
     answers: list[Answer]
     explained: int  # the index of the answer that why explains
     why: str
@@ -74,19 +76,30 @@ def read_experiment(file: Path, cords: int) -> Experiment:
     columns = {name: lines.column(name) for name in SETTABLE}
     if cords == 2 and not are_in_range(columns["mass"]):
         raise ValueError(f"{file}, mass: found {lines.text('mass')!r}, allowed is {IN_RANGE}")
-    answers = lines.answers()
     name = lines.text("name", lambda text: text != YOUR_CSV, f"a text, but not {YOUR_CSV!r}")
     csv = Snapshot(file.with_suffix(".csv"), csv_of(columns))  # there is no such file
-    return Experiment(
-        key=file.stem,
-        csv=csv,
-        name=name,
+    experiment = Experiment(file.stem, file, csv, name, "", [], 0, "", poses)
+    if lines.texts.keys() <= {*CRADLE}:
+        return experiment
+    answers = lines.answers()
+    return experiment._replace(
         question=lines.text("question"),
         answers=list(answers.values()),
         explained=[line[0] for line in answers].index("*"),
         why=lines.measured("why"),
-        poses=poses,
     )
+
+
+def experiment_text(name: str, columns: Mapping[str, Sequence[float]]) -> str:
+    """Return the text of an experiment without a question.
+
+    columns has the numbers of all pendula by the names of their lines: theta (degrees), ...
+    """
+    lines = [f"name = {name}\n"]
+    for column, numbers in columns.items():
+        texts = [f"{number:.12g}" for number in numbers]
+        lines.append(f"{column} = {' '.join(texts)}\n")
+    return "".join(lines)
 
 
 def csv_of(columns: dict[str, list[float]]) -> bytes:

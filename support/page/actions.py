@@ -250,6 +250,7 @@ class Actions:
         index = bob_at(self.cradle.bobs(), vector(*place), vector(*direction))
         if index is not None:
             self.cradle.held_bob.hold(index)
+            self.viewer.is_dragged = True
             self.leave_experiment()
 
     def drag(self, place: list[float], direction: list[float]) -> None:

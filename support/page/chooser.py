@@ -43,15 +43,20 @@ class Chooser:
         self.cords = player.cradle.cord_count
         folder = EXPERIMENTS / player.cradle.kind
         experiments, self.mistakes = read_experiments(folder, self.cords)
-        self.experiments = {experiment.name: experiment for experiment in experiments}
+        self.experiments: dict[str, Experiment] = {}  # by their names
         self.experiment: Experiment | None = None  # None stands for your CSV
         self.is_changed = False  # whether the cradle is no longer that of the experiment
         # The angles of each pendulum at the release (rad), if an experiment sets them.
         self.poses: list[list[float]] | None = None
         self.pictures = {YOUR_CSV: at_rest(self.saved, self.cords)}
-        for name, experiment in self.experiments.items():
-            self.pictures[name] = picture(experiment.csv, experiment.poses)
+        for experiment in experiments:
+            self.add(experiment)
         self.refused: dict[str, Refusal] = {}  # by "row,column" of the table
+
+    def add(self, experiment: Experiment) -> None:
+        """Let the menu have this experiment, maybe in place of one with its name."""
+        self.experiments[experiment.name] = experiment
+        self.pictures[experiment.name] = picture(experiment.csv, experiment.poses)
 
     def names(self) -> list[str]:
         """Return the names that you can choose."""

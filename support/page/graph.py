@@ -95,16 +95,18 @@ class Graph:
         self.chosen = name if name in self.choices else ENERGY
 
     def state(self, start_energy: float) -> dict[str, Any]:
-        """Return the axes, the curves, and the rows; start_energy (J) is 100 %.
+        """Return the axes, the curves, and the rows with their names; start_energy (J) is 100 %.
 
         A row has the number along x, and one for each curve. The x axis goes from "from" to "to",
         the y axis from "bottom" to "top"; where these are missing, graph.js lets flot choose them.
         """
         choice = self.choices[self.chosen]
+        unit_name = " (%)" if self.chosen == ENERGY else ""
         state: dict[str, Any] = {
             "x": choice.x,
             "y": choice.y,
             "curves": [curve._asdict() for curve in choice.curves],
+            "names": [choice.along, *(curve.name + unit_name for curve in choice.curves)],
             "rows": [],
         }
         if choice.curves and self.rows:

@@ -12,6 +12,8 @@ from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import run
 from support.files.cradle_csv import LiveFile, Snapshot
+from support.files.data_file import is_run, require_replaceable
+from support.files.experiments import read_experiment
 from support.files.ghosts import read_ghosts
 from support.files.valid_cradle import require_cradle
 from support.main_page import Loop
@@ -28,6 +30,7 @@ from support.start.preview import end_if_unwritten, what_there_is
 
 if TYPE_CHECKING:
     from support.page.server import Server
+    from support.page.viewer import Viewer
 
 GOODBYE = 10.0  # s that the page has to fetch the last message
 UPPER_ONLY = (
@@ -48,8 +51,7 @@ def show_cradle(
     options = read_page_options()
     cradle = Cradle(main, special_cradles, options, many_ticks)
     loop, remark = what_there_is(main, cradle)
-    program = "src/visualize_cradle_run.py"
-    show_page(program, loop, cradle, options, [options.angle], remark)
+    show_page(loop, cradle, options, [options.angle], remark)
 
 
 @while_it_is_read()
@@ -64,12 +66,10 @@ def show_double_cradle(main: Loop, special_cradles: ModuleType) -> None:
     )
     cradle = DoubleCradle(main, special_cradles, options)
     remark = UPPER_ONLY if cradle.collide_name == "handle_two_bobs" else ""
-    program = "src/visualize_double_cradle_run.py"
-    show_page(program, main, cradle, options, [options.angle, options.phi], remark)
+    show_page(main, cradle, options, [options.angle, options.phi], remark)
 
 
 def show_page(
-    program: str,
     loop: Loop,
     cradle: Cradle,
     options: Namespace,
@@ -79,11 +79,14 @@ def show_page(
     """Run the loop of a program with the page of a cradle, until the last tab is closed for good.
 
     angles are the release angles (rad); None keeps the angle with which main makes the cradle, or
-    takes that of the ghosts. remark is a line on the page. Exits with status 2 if the CSV, --lift,
-    --ghosts, --host or the port is wrong, with 1 if a function makes a mistake.
+    takes that of the ghosts. remark is a line on the page. With --html, write a run to a file in
+    place of it. Exits with status 2 if an option, or a file that it names, is wrong, with 1 if a
+    function makes a mistake.
     """
     file = LiveFile(options.csv)
     ghosts = None
+    experiment = None
+    server = None
     try:
         # Here, because later mistakes in the file appear only on the page.
         require_cradle(file.current, len(angles))
@@ -92,32 +95,43 @@ def show_page(
             ghosts = read_ghosts(Snapshot(options.ghosts), cradle.angle_keys)
             if angles[0] is None:
                 angles = [ghosts.angle, *angles[1:]]
-        if options.html:
-            from support.page import recorder
-
-            recorder.require_replaceable_run(options.html)
-        else:
+        if options.experiment is not None:
+            experiment = read_experiment(Path(options.experiment), len(angles))
+        if options.html is None:
             server = open_page(options)
+        else:
+            require_replaceable("--html", options.html, is_run, "a run of a cradle")
     except ValueError as error:
         refuse(error)
-    if options.html:
-        recorder.write_run(loop, cradle, file, angles, options, remark)
-        return
-    from support.page.viewer import Viewer  # while the browser starts
+    from support.page.recorder import NoTabs, Recorder, write_run  # while the browser starts
+    from support.page.viewer import Viewer
 
     folder = Path.cwd()
     texts = {
-        "command": command_line(program, folder, sys.argv[1:]),
+        "command": command_line(cradle.page_program, folder, sys.argv[1:]),
         "terminal": command_line("src/text_cradle_run.py", folder),
     }
-    viewer = Viewer(cradle, file, angles, options.lift, server.tabs, remark, ghosts, **texts)
+    kind = Viewer if server else Recorder
+    tabs = server.tabs if server else NoTabs()
+    viewer = kind(cradle, file, angles, options.lift, tabs, remark, ghosts, **texts)
+    if experiment:
+        viewer.chooser.add(experiment)
+        viewer.chooser.choose(experiment.name)
+    if isinstance(viewer, Recorder):
+        write_run(loop, viewer, options.seconds, options.html)
+    elif server:
+        play(loop, viewer, server)
+
+
+def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:
+    """Run the loop until the last tab is closed; exit with status 1 if a function fails."""
     try:
         run(loop, viewer)
     except KeyboardInterrupt as stopped:  # in a session; else Ctrl+C has ended the process
         report_endless_loop(stopped)
     except BaseException as error:
-        ended = {**texts, "remark": remark, "ended": report_mistake(error)}
-        server.tabs.show(ended)
+        remark = viewer.given_remark
+        server.tabs.show({**viewer.texts, "remark": remark, "ended": report_mistake(error)})
         server.tabs.is_seen.wait(GOODBYE)  # the browser may be on its way
         server.close(GOODBYE)
         sys.exit(1)

@@ -58,7 +58,7 @@ class Questions:
         again = self.again
         self.again = None
         self.drop()
-        if experiment is None or not self.ask_first:
+        if experiment is None or not experiment.question or not self.ask_first:
             return
         self.measurement = Measurement(experiment, motion)
         if again is None:

@@ -14,16 +14,16 @@ from importlib.metadata import files
 from pathlib import Path
 from typing import Any
 
+from support.files.data_file import RUN_LINE
 from support.page.film import Picture
 from support.page.tabs import Tabs
 from support.page.web_files import content_of, keyless_files, PAGE
 from support.start.checks_command import ROOT
 
-FIRST_LINE = "<!doctype html><!-- A run of Newton's cradle -->"
 # Of the state; the rest is for controls, or names files of this machine.
 SHOWN = (
     "title", "remark", "question", "hit", "motion", "bars", "impacts", "colors", "curves", "view",
-    "ended",
+    "summary", "ended",
 )  # fmt: skip
 LONG_NUMBER = re.compile(r"-?\d+\.\d{5,}(?:e-?\d+)?")
 TEXTURE = re.compile(r":(\w+\.jpg)")  # a texture's name, as VPython has it
@@ -54,7 +54,7 @@ def run_as_html(tabs: Tabs) -> str:
     ]
 
     html = PAGE.read_text(encoding="utf-8")
-    html = html.replace("<!doctype html>", f"{FIRST_LINE}\n<!--\n{licence()}\n-->", 1)
+    html = html.replace("<!doctype html>", f"{RUN_LINE}\n<!--\n{licence()}\n-->", 1)
     html = html.replace('<html lang="en">', '<html lang="en" class="recorded">', 1)
     html = html.replace('<script src="line.js" data-served></script>', "\n".join(player), 1)
     html = re.sub(r"(?s)<script[^>]* data-served>.*?</script>\n", "", html)

@@ -6,6 +6,7 @@ from support.columns import SETTABLE
 from support.page import readout
 from support.page.controls import state_of
 from support.page.graph import to_css
+from support.page.setup import setup
 
 if TYPE_CHECKING:
     from support.page.viewer import Viewer
@@ -17,6 +18,7 @@ def state_of_page(viewer: "Viewer") -> dict[str, Any]:
     remarks = [remark for remark in (viewer.given_remark, cradle.remark()) if remark]
     return {
         **viewer.texts,
+        **setup(viewer),
         **state_of(viewer.controls),
         "ghosts": viewer.ghosts.name,
         "mistake in ghosts": viewer.ghosts.mistake,
@@ -33,6 +35,7 @@ def state_of_page(viewer: "Viewer") -> dict[str, Any]:
         "question": viewer.questions.state(),
         "hit": viewer.slow_hits.state(),
         "motion": numbers(viewer),
+        "summary": viewer.motion.summary(),
         "bars": bars(viewer),
         "impacts": viewer.motion.impacts.lines(),
         "colors": [to_css(color) for color in cradle.colors()],

@@ -59,6 +59,7 @@ class Viewer(Player):
         self.given_remark = remark
         self.texts = texts
         self.is_paused = False
+        self.is_dragged = False  # whether you have moved a bob since the start
         self.speed = 1.0  # that you have set, times real time
         # On the pace's clock: when the page gets all of the state, at once from 0 on.
         self.next_refresh = 0.0
@@ -201,6 +202,7 @@ class Viewer(Player):
         cradle = self.cradle
         self.tabs.begin_run()
         self.actions.pose()
+        self.is_dragged = False
         self.slow_hits.clear()
         self.scenery.surround(cradle.axles(), cradle.bobs(), cradle.reach, cradle.values("mass"))
         self.marks.surround(cradle)

@@ -35,6 +35,9 @@ class Range(NamedTuple):
     unit: str
 
 
+# An experiment has its own.
+OF_THE_CSV = "elastic", "inelastic", "e", "mass", "angle", "phi", "lift"
+
 CONSTANTS = {
     "R_PARAM": Range(0.05, 100, "m"),
     "G": Range(0.1, 100, "m/s^2"),
@@ -154,6 +157,8 @@ def page_options(description: str) -> OneLineParser:
     """Return a parser with the options of a cradle and of its page."""
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
+    text = "file of an experiment, with which the page begins"
+    add("--experiment", metavar="FILE", help=text)
     text = (
         "CSV of a motion that pale bobs show beside the cradle: "
         "columns t (s), theta_1 (rad), ..., as --record writes them"
@@ -187,6 +192,10 @@ def parse_page(parser: OneLineParser, arguments: Sequence[str] | None) -> argpar
         if not is_port(text):
             parser.error(f"argument --port: found {text!r} in {PORT_VARIABLE}, allowed is {PORT}")
         options.port = int(text)
+    for name in OF_THE_CSV:
+        is_given = getattr(options, name, None) != parser.get_default(name)
+        if is_given and options.experiment is not None:
+            parser.error(f"argument --experiment: not allowed with argument --{name}")
     if options.seconds is not None and options.html is None:
         parser.error("argument --seconds: needs --html")
     options.seconds = options.seconds or RUN
@@ -196,9 +205,9 @@ def parse_page(parser: OneLineParser, arguments: Sequence[str] | None) -> argpar
 def read_page_options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
     """Return the options of the page, from the command line or from arguments.
 
-    They are csv, elastic, inelastic, e, mass, angle (rad), lift, ghosts (a path, or None), port,
-    host, browser, html (a path, or None) and seconds. None for e or mass keeps the values of the
-    CSV. None for angle or lift keeps the values with which main makes the cradle.
+    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host, browser, seconds, and
+    the paths experiment, ghosts and html. None for e or mass keeps the values of the CSV. None for
+    angle or lift keeps the values with which main makes the cradle. None is no such file.
     """
     parser = page_options("Newton's cradle in the browser, to play with.")
     return parse_page(parser, arguments)

@@ -9,12 +9,12 @@ import textwrap
 from argparse import Namespace
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, redirect_stdout
-from math import degrees, inf, pi, remainder
+from math import inf
 from typing import Any
 
 from support.cradle.cradle import Cradle
 from support.cradle.impacts import in_line
-from support.cradle.motion import Motion, percent_as_text
+from support.cradle.motion import Motion
 from support.cradle.player import Player, run
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import whole_file
@@ -75,22 +75,6 @@ def screen(motion: Motion, picture: TextPicture, speed: str, remark: str = "") -
     return [line[:columns].rstrip() for line in lines[:rows]]
 
 
-def summary(motion: Motion) -> str:
-    """Return a line: the time, the energy, the highest bob's angle, the latest series of hits."""
-    angles = [degrees(remainder(theta, 2 * pi)) for theta in motion.cradle.values("theta")]
-    angle = max(angles, key=abs)
-    bob = angles.index(angle) + 1
-    side = "left" if angle < 0 else "right"
-    energy = percent_as_text(motion.percents()["energy"]).strip()
-    line = (
-        f"t = {motion.time():.2f} s, energy {energy}, bob {bob} at {abs(angle):.0f} degrees {side}"
-    )
-    series = motion.impacts.series
-    if series:
-        line += f", hits: {series[-1]}"
-    return in_line(line, WIDTH)
-
-
 class TextPlayer(Player):
     """Plays a cradle in step with the clock.
 
@@ -148,7 +132,7 @@ class Lines(TextPlayer):
     step_seconds = 0.5
 
     def note(self) -> None:
-        print(summary(self.motion), flush=True)
+        print(in_line(self.motion.summary(), WIDTH), flush=True)
         self.motion.impacts.clear()
 
 

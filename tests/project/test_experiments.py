@@ -69,6 +69,7 @@ BAD = [  # an old and a new text; the beginning of the message after the name of
     ("theta = -45", "theta = 180.5", ", theta: found '180.5 -45 0 0 0', ", ANGLE),
     ("name = Two bobs", "name = My cradle", ", name: found 'My cradle', ", "text"),
     ("name = Two bobs\n", "", ", name: found nothing, ", "a text"),
+    ("- One=1 = 0 0 0 0 100\n* Two = 0 0 0 45 45\n", "", ", answers: found 0 answers, ", "2 to 5"),
     ("* Two", "- Two", ", answers: found 2 answers, 0 of them with an asterisk", "2 to 5, one"),
     ("- One=1 = 0 0 0 0 100\n", "", ", answers: found 1 answers, 1 of", "2 to 5, one"),
     ("- One", "* One", ", answers: found 2 answers, 2 of them with an asterisk", "one of them"),

@@ -1,8 +1,22 @@
-"""The page as a class sees it: colors, shadows, pictures of experiments, bars and sliders."""
+"""The page as a class sees it: colors, shadows, pictures of experiments, bars and sliders.
+
+And what it says to those who do not see, and what they take home.
+"""
 
 import pages
 import pytest
-from pages import button, menu, press, slide, slider_texts, tick, violations, wait_for_angles
+from pages import (
+    button,
+    menu,
+    pause,
+    press,
+    slide,
+    slider_texts,
+    tick,
+    violations,
+    wait_for_angles,
+    wait_for_time,
+)
 from programs import wait_until
 from shared_page import wait_for_text
 from whole_cradles import HEADER
@@ -133,3 +147,47 @@ def test_sliders_of_the_bobs_say_in_words_what_they_change(shared):
     assert violations(shared) == {}
     shared.evaluate("send('edit', 0, 'mass', '-1')")
     wait_for_text(shared, "mass: allowed is a number from ")
+
+
+def test_the_cradle_in_a_sentence_is_told_when_you_pause_or_ask_never_by_itself(shared):
+    told = shared.get_by_role("status").and_(shared.locator(".told"))
+    before = told.text_content()
+    wait_for_time(shared)
+    assert told.text_content() == before
+    shared.keyboard.press("t")
+    wait_until(lambda: " degrees " in told.text_content() != before)
+    pause(shared)
+    wait_until(lambda: told.text_content() == shared.evaluate("state.summary"))
+
+
+IS_COPIED = """async name =>
+    (await navigator.clipboard.readText()).trim() === state[name].trim()"""
+
+
+def saved(page, name):
+    """Press the button with this name; return the name and the lines of the file that it saves."""
+    with page.expect_download() as download:
+        press(page, name)
+    file, text = download.value.suggested_filename, download.value.path().read_text()
+    return file, text.splitlines()
+
+
+def test_the_setup_and_the_numbers_of_the_graph_are_copied_and_saved(shared):
+    shared.context.grant_permissions(["clipboard-read"])
+    shared.locator(".keep summary").click()
+    pause(shared)
+    menu(shared, "Graph").select_option("Phase 5")
+    shared.wait_for_function("() => state.graph === 'Phase 5'")
+    assert violations(shared) == {}
+    for place, name in enumerate(["again", "setup"]):
+        button(shared, "Copy").nth(place).click()
+        shared.wait_for_function(IS_COPIED, arg=name)
+    file, lines = saved(shared, "Save as a file")
+    assert (file, lines) == ("my_cradle.txt", shared.evaluate("state.setup").splitlines())
+    save = "Save the numbers of the graph"
+    file, (head, *rows) = saved(shared, save)
+    assert (file, head) == ("graph.csv", "theta_5,omega_5")
+    numbers = [[*map(float, row.split(","))] for row in rows]
+    assert numbers == shared.evaluate("state.curves.rows")
+    menu(shared, "Graph").select_option("no graph")
+    wait_until(lambda: button(shared, save).is_disabled())

@@ -24,6 +24,7 @@ CRADLE = {
 }
 PAGE = {
     **CRADLE,
+    "experiment": None,
     "ghosts": None,
     "port": 0,
     "host": "127.0.0.1",
@@ -166,6 +167,16 @@ def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
         ("page", "--elast", "unrecognized arguments: --elast"),
         ("page", "--angle=--", "found '--angle=--', allowed is no -- after ="),
         ("text", "--no-browser", "unrecognized arguments: --no-browser"),
+        (
+            "page",
+            "--experiment a.txt --e 0",
+            "argument --experiment: not allowed with argument --e",
+        ),
+        (
+            "double",
+            "--experiment a --phi=0",
+            "argument --experiment: not allowed with argument --phi",
+        ),
         ("text", "--record data.csv", "argument --record: needs --seconds"),
         ("page", "--seconds 5", "argument --seconds: needs --html"),
         ("text", "--every 0.1 --seconds 5", "argument --every: needs --record"),

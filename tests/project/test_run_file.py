@@ -16,8 +16,8 @@ from pages import bob_angles, press, readout, wait_for_cradle
 from programs import copy_project, PROGRAM, python, ROOT, with_vpython
 from whole_cradles import FIVE_CSV
 
+from support.files.data_file import is_run, require_replaceable
 from support.page.film import Film, KEPT, STILL, WHOLE
-from support.page.recorder import require_replaceable_run
 from support.page.tabs import Changes
 
 OPTIONS = "--seconds", "2", "--e", "0.9"
@@ -137,7 +137,7 @@ def test_a_run_replaces_only_a_run(run_file, tmp_path):
     assert done.returncode == 2
     assert done.stderr.startswith(f"--html: found '{other}', ")
     assert other.read_text() == "<!doctype html>mine"
-    require_replaceable_run(run_file)
+    require_replaceable("--html", run_file, is_run, "a run of a cradle")
 
 
 # --- in a browser ----------------------------------------------------------------------------
@@ -195,6 +195,39 @@ def test_you_step_scrub_and_run_it_again(opened):
         "() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
     )
     assert opened.evaluate("shown") == at
+
+
+def test_a_run_of_an_experiment_begins_with_its_question_and_ends_with_what_happened(
+    page, tmp_path_factory
+):
+    file = tmp_path_factory.mktemp("double") / "run.html"
+    experiment = ROOT / "support" / "experiments" / "double" / "2_two_pendula.txt"
+    program = PROGRAM.with_name("visualize_double_cradle_run.py")
+    options = "--html", file, "--experiment", experiment, "--seconds", "1.5"
+    assert python(program, *options).returncode == 0
+    page.goto(file.as_uri())
+    wait_for_cradle(page, 10)
+    assert page.get_by_role("button", name="B Two, about as far").is_disabled()
+    assert page.evaluate("[shown, state.running]") == [0, False]
+    press(page, "Run")
+    page.locator(".question").get_by_text("What happened: B, Two, about as far.").wait_for()
+    assert page.locator(".asked button:visible").count() == 0
+
+
+def test_the_page_saves_its_run(shared, tmp_path):
+    shared.locator(".keep summary").click()
+    shared.wait_for_function("() => parseFloat(state.motion.t) > 0.5")
+    with shared.expect_download() as download:
+        press(shared, "Save this run")
+    now = readout(shared, "t")
+    download.value.save_as(file := tmp_path / download.value.suggested_filename)
+    key = shared.url.partition("key=")[2]
+    assert key not in file.read_text(encoding="utf-8") + pictures_in(file)
+    times = [
+        picture["state"].get("motion", {}).get("t") for picture in json.loads(pictures_in(file))
+    ]
+    assert times[0].startswith("0.00 s")
+    assert 0.5 <= float([*filter(None, times)][-1].split()[0]) <= now
 
 
 def test_you_can_turn_it(opened):

@@ -62,19 +62,20 @@ def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     assert printed.index("hits: 1-2-3-4-5\n") < printed.index("hits: 5-4-3")
 
 
-def test_a_line_has_the_latest_series_that_is_not_slow_and_at_most_80_columns(swing):
+def test_a_line_has_the_latest_series_that_is_not_slow_and_at_most_80_columns(swing, capsys):
     motion = swing().motion
     motion.impacts.add(0.1, 0, 1, True)
     motion.impacts.add(0.3, 3, 4, False)
     motion.impacts.add(0.5, 1, 2, True, is_fast=False)
-    assert players.summary(motion).endswith(" left, hits: 5-4")
+    assert motion.summary().endswith(" left, hits: 5-4")
     for number in range(9):
         motion.impacts.add(0.7, number % 4, number % 4 + 1, True)
-    line = players.summary(motion)
-    assert len(line) == 80
-    assert line.endswith("...")
+    players.Lines.note(SimpleNamespace(motion=motion))
+    line = capsys.readouterr().out
+    assert len(line) == 80 + 1
+    assert line.endswith("...\n")
     motion.cradle.pend_list[1]["theta"] = radians(360 * 3 + 50)  # it has gone round three times
-    assert "bob 2 at 50 degrees right" in players.summary(motion)
+    assert "bob 2 at 50 degrees right" in motion.summary()
 
 
 @pytest.mark.parametrize(
@@ -83,7 +84,7 @@ def test_a_line_has_the_latest_series_that_is_not_slow_and_at_most_80_columns(sw
 def test_it_ends_quietly_when_nobody_reads_on_or_a_signal_comes(
     main, csv, monkeypatch, error, status
 ):
-    monkeypatch.setattr(players, "summary", Mock(side_effect=error))
+    monkeypatch.setattr(players, "in_line", Mock(side_effect=error))
     assert main(csv) == (status, "", "")
 
 

@@ -70,10 +70,12 @@ function paint() { // the canvas has the color of the page
 
 // The canvas, in words; at most once a second, or a screen reader would never end.
 function describe() {
-  const count = bobs().length;
-  const noun = count === 1 ? "bob" : "bobs";
-  const { t, energy } = state.motion;
-  one(".canvas").ariaLabel = `${document.title} with ${count} ${noun}: t ${t}, energy ${energy}`;
+  one(".canvas").ariaLabel = `${document.title}: ${state.summary}`;
+}
+
+// A new element: a screen reader also says a sentence again.
+function tell() {
+  one(".told").replaceChildren(make("span", {}, state.summary));
 }
 
 // The driver was restarted, or the machine slept: all that the graphics card had is gone.

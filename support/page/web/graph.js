@@ -17,6 +17,7 @@ function drawGraph() {
   const { x, y, curves, rows, from, to, bottom, top } = state.curves ?? { curves: [] };
   const place = $(".plot");
   one(".graph").classList.toggle("none", !curves.length);
+  one(".save-graph").disabled = !curves.length;
   one(".x").textContent = x ?? "";
   one(".y").textContent = y ?? "";
   // flot draws nothing that is hidden.

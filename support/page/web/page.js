@@ -61,7 +61,11 @@ shows.running = running => {
   one("[data-do=pause]").textContent = running ? "Pause" : "Run";
   for (const button of find("[data-do=step], [data-do=tick]")) button.disabled = running;
 };
-shows.paused = isPaused => one(".paused").hidden = !isPaused;
+shows.paused = isPaused => {
+  const sign = one(".paused");
+  if (isPaused && sign.hidden) tell(); // not again after a cut of the line
+  sign.hidden = !isPaused;
+};
 shows.mistakes = mistakes => {
   one("ul.failed").replaceChildren(...mistakes.map(mistake => make("li", {}, mistake)));
 };

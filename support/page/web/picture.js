@@ -1,6 +1,6 @@
 // The cradle on paper, as it is now; on the sheet of an experiment, as it was before its release.
 // It is a canvas: a browser that hides the pixels of canvases would make stripes of an image.
-let asked; // the key of the question of which the picture before the release is kept
+let asked; // the name of the experiment of which the picture before the release is kept
 let before = "";
 
 addEventListener("beforeprint", () => {
@@ -16,9 +16,9 @@ addEventListener("afterprint", () => {
 });
 
 function keepPicture() {
-  const { asking, key } = state.question ?? {};
-  if (!asking || key === asked || !bobs().every(bob => bob.ready)) return;
-  asked = key;
+  const { asking, name } = state.question ?? {};
+  if (!asking || name === asked || !bobs().every(bob => bob.ready)) return;
+  asked = name;
   before = picture();
 }
 

@@ -55,7 +55,8 @@ function showEditor(place, { row, column, field, message }) {
   const text = refusal?.text ?? state.table[column][row];
   const isTyped = field === document.activeElement && field.value !== field.defaultValue;
   if (!isTyped) field.value = field.defaultValue = text;
-  if (refusal && !message.textContent) one(".programmers").open = true; // a slider can be refused, too
+  const isNew = refusal && !message.textContent;
+  if (isNew) one(".programmers").open = true; // a slider can be refused, too
   field.ariaInvalid = !!refusal;
   message.textContent = refusal?.message;
 }
