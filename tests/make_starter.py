@@ -17,6 +17,7 @@ from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 
 FILES = [".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"]
+FILES += [".devcontainer/devcontainer.json"]
 FILES += [f"tests/{suite}.py" for suite in SUITES.values()]
 FOLDERS = ["src", "support", "tests/grading"]
 # src/README.md, the fast path, double cradles.

@@ -1,5 +1,6 @@
 """What has to be installed: the short list, VPython's names behind it, and no more than that."""
 
+import json
 import re
 import venv
 from importlib import metadata
@@ -11,6 +12,7 @@ from pages import BOBS, open_cradle
 from programs import end, first_lines, QUIETLY, ROOT, running, with_vpython
 
 from support.constants import R_PARAM
+from support.start.options import CLOSED_VARIABLE, PORT_VARIABLE
 
 
 def bounds(file, pattern=r"^([\w-]+)([^ \n]*)"):
@@ -71,6 +73,18 @@ def test_the_short_list_has_what_pyproject_names_and_each_package_has_both_bound
     assert named.items() <= LISTED.items()
     for versions in [*LISTED.values(), *bounds("tests/requirements.txt").values()]:
         assert re.fullmatch(r"==[\d.]+|>=[\d.]+,<[\d.]+", versions)
+
+
+def test_the_group_of_uv_has_the_pytest_of_pip():
+    [group] = re.findall(r'^dev = \["(.*)"\]', (ROOT / "pyproject.toml").read_text(), re.MULTILINE)
+    assert group == f"pytest{bounds('tests/requirements.txt')['pytest']}"
+
+
+def test_the_container_forwards_the_port_of_the_page_and_the_program_opens_no_browser():
+    container = json.loads((ROOT / ".devcontainer/devcontainer.json").read_text())
+    [port] = container["forwardPorts"]
+    assert container["containerEnv"] == {PORT_VARIABLE: str(port), CLOSED_VARIABLE: "1"}
+    assert container["portsAttributes"].keys() == {str(port)}
 
 
 def test_the_workflow_has_the_lines_of_the_readme():

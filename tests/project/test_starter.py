@@ -103,6 +103,7 @@ def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out(tmp_path, m
     Jupyter keeps whole solutions in such a folder.
     """
     shutil.copytree(ROOT / "tests", copy_project(tmp_path, "") / "tests")
+    (tmp_path / ".devcontainer").mkdir()
     for name in FILES:
         shutil.copy(ROOT / name, tmp_path / name)
     copies = [
@@ -115,7 +116,7 @@ def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out(tmp_path, m
     monkeypatch.setattr("make_starter.ROOT", tmp_path)
     make_starter(tmp_path / "starter")
     hidden = {path.name for path in (tmp_path / "starter").rglob(".*")}
-    assert hidden == {".github", ".gitignore"}
+    assert hidden == {".devcontainer", ".github", ".gitignore"}
 
 
 def test_the_workflow_for_github_has_the_lines_of_the_readme(made):

@@ -1,0 +1,48 @@
+"""With uv, a program and pytest install what they need: from PyPI, with an empty cache."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+
+import pytest
+from programs import copy_project, end, first_lines, needs_vpython, QUIETLY, ROOT, running, SECONDS
+from students import COUNTS
+from whole_cradles import FIVE_CSV
+
+pytestmark = [pytest.mark.slow, *needs_vpython]
+
+
+def test_the_page_of_a_project_and_the_checks_of_a_starter_need_uv_alone(tmp_path, starter):
+    pip = [sys.executable, "-m", "pip", "install", "-q", "--target", tmp_path / "uv", "uv"]
+    done = subprocess.run(pip, capture_output=True, text=True)
+    if done.returncode != 0:
+        pytest.skip(f"pip cannot install uv: {done.stderr.splitlines()[-1]}")
+    uv = tmp_path / "uv" / "bin" / "uv"
+    environment = {
+        "UV_CACHE_DIR": str(tmp_path / "cache"),
+        "UV_PYTHON": sys.executable,
+        "UV_PYTHON_DOWNLOADS": "never",
+    }
+
+    project = copy_project(tmp_path / "project", FIVE_CSV)
+    shutil.copy(ROOT / "pyproject.toml", project)
+    page = ("src/visualize_cradle_run.py", "--no-browser")
+    with running("run", "-q", *page, folder=project, python=uv, **environment) as process:
+        first_lines(process)
+        process.send_signal(signal.SIGINT)
+        assert end(process) == QUIETLY
+    installed = [*project.glob(".venv/lib/*/site-packages/*.dist-info")]
+    assert len(installed) <= 25  # with Jupyter, more than a hundred
+
+    done = subprocess.run(
+        [uv, "run", "-q", "pytest", "--tier", "D"],
+        cwd=starter,
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        timeout=2 * SECONDS,
+    )
+    assert done.stderr == ""
+    assert f"{COUNTS['D']} waiting" in done.stdout
