@@ -17,8 +17,9 @@ def quote(word: str) -> str:
 def checks_command() -> str:
     """Return the command for the checks.
 
-    It is pytest if that is the one of this Python, else a longer command that works: it names
-    Python as it was started, or the pytest of README.md's folder .venv.
+    It is uv's if uv has started this Python, pytest if that is the one of this Python, else a
+    longer command that works: it names Python as it was started, or the pytest of README.md's
+    folder .venv.
     """
     if Path.cwd().resolve() != ROOT:
         return f"cd {quote(str(ROOT))} && {command_in_root(sys.executable)}"
@@ -27,6 +28,8 @@ def checks_command() -> str:
 
 def command_in_root(python: str) -> str:
     """Return the command in the project's folder; python is the command that starts this Python."""
+    if "UV" in os.environ:  # its path: uv run sets it
+        return "uv run pytest"
     script = sys.argv[0]
     on_path = shutil.which("pytest")
     if Path(script).stem == "pytest" and os.path.exists(script):

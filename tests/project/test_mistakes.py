@@ -178,12 +178,15 @@ BESIDE = os.path.join(os.path.dirname(PYTHON), "pytest")
         ({"script": "./pytest", "on_path": "./pytest"}, "pytest"),
         ({"has_pytest": False}, ".venv/bin/pytest"),
         ({"folder": ROOT / "src"}, f"cd {ROOT} && {PYTHON} -m pytest"),
+        ({"uv": "/usr/bin/uv", "on_path": BESIDE}, "uv run pytest"),
     ],
 )
 def test_the_command_for_the_checks_is_one_that_works_as_python_was_started(
     monkeypatch, start, command
 ):
     monkeypatch.chdir(start.get("folder", ROOT))
+    if "uv" in start:
+        monkeypatch.setenv("UV", start["uv"])
     monkeypatch.setattr(sys, "orig_argv", [start.get("python", "python3")])
     monkeypatch.setattr(sys, "argv", [start.get("script", "pds_tester.py")])
     monkeypatch.setattr("shutil.which", lambda name: start.get("on_path"))
