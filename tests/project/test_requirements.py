@@ -67,11 +67,12 @@ def test_vpython_has_its_private_names_that_the_page_uses(file):
     assert [name for name in PRIVATE[file] if name not in text] == []
 
 
-def test_the_short_list_has_what_pyproject_names_and_each_package_has_both_bounds():
+def test_the_lists_for_pip_have_what_pyproject_names_and_each_package_has_both_bounds():
     named = bounds("pyproject.toml", r'^    "([\w-]+)([<>=][^"]+)",')
-    assert named.keys() == {"vpython", "pandas", "setuptools", "autobahn"}
-    assert named.items() <= LISTED.items()
-    for versions in [*LISTED.values(), *bounds("tests/requirements.txt").values()]:
+    of_tests = bounds("tests/requirements.txt")
+    assert named.keys() == {"vpython", "pandas", "setuptools", "autobahn", *of_tests}
+    assert named.items() <= {**LISTED, **of_tests}.items()
+    for versions in [*LISTED.values(), *of_tests.values()]:
         assert re.fullmatch(r"==[\d.]+|>=[\d.]+,<[\d.]+", versions)
 
 
