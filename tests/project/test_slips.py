@@ -54,7 +54,7 @@ def test_a_slip_in_a_command_gets_a_line(starter, command):
 def test_from_another_folder_the_command_goes_to_the_checks_once(starter, tmp_path):
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
-    done = python("-m", "pytest", starter / "src", folder=elsewhere)
+    done = python(*PYTEST.split(), starter / "src", folder=elsewhere)
     lines = [line for line in done.stdout.splitlines() if line.startswith("The checks are not")]
     command = f"cd {starter} && {sys.executable} -m pytest"
     assert lines == [f"The checks are not here. Type: {command}"]
