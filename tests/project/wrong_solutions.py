@@ -52,7 +52,7 @@ HINTED = {
         "This line stands outside of all": "exec(compile('omega1', extract_and_convert.__code__.co_filename, 'exec'))",
         "You use a whole pendulum as": ("append(pend)", "append(pend_list[pend])"),
         "Only functions are called with (": ("append(pend)", "append(bad_rep(0))"),
-        "Your function calls itself, without end.": ("append(pend)", "append(extract_and_convert(relative_filepath))"),
+        "Your function calls itself, without end.": "return extract_and_convert(relative_filepath)",
         "A function needs ( ), not": ("append(pend)", "append(len[pend])"),
     },
     "uniform_mass_newton_cradle": {
