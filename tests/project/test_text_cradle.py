@@ -221,7 +221,10 @@ def test_a_bar_shows_the_progress_and_the_seconds_that_are_left(bar, columns, wi
 
 @pytest.mark.parametrize(
     ("option", "value", "allowed"),
-    [("--lift", "6", "allowed is at most 5"), ("--record", "cradle.csv", "which has something else")],
+    [
+        ("--lift", "6", "allowed is at most 5"),
+        ("--record", "cradle.csv", "which has something else"),
+    ],
 )
 def test_the_program_refuses_in_one_line(main, csv, monkeypatch, option, value, allowed):
     monkeypatch.chdir(csv.parent)
