@@ -46,7 +46,7 @@ def main() -> None:
     try:
         require_cradle(csv)
         require_lifted(options.lift, csv)
-        if options.record:
+        if options.record not in (None, "-"):
             require_replaceable("--record", options.record, has_data, "data of a cradle")
     except ValueError as error:
         refuse(error)

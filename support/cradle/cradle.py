@@ -140,7 +140,7 @@ class Cradle:
     def require_same_pendula(self) -> None:
         """Raise a MistakeError if a tick has changed the number of pendula, or spoilt a coordinate.
 
-        A coordinate must be a finite number.
+        A coordinate must be a number that has an energy.
         """
         now = len(self.pend_list)
         if now != self.count:
@@ -162,7 +162,7 @@ class Cradle:
     def adopt(self, key: str, source: Source, csv: str) -> None:
         """Set pend[key] of each pendulum to that of the pendula of this source, from this CSV.
 
-        Raises a MistakeError if it makes no list of pendula, or if a value is no finite number.
+        Raises a MistakeError if it makes no list of pendula, or if a value is no such number.
         """
         others = source.make(csv, *source.arguments)
         require_list(source.make, others, "return a list of dictionaries; it returned")

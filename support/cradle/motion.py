@@ -13,6 +13,7 @@ Sample = dict[str, float]  # the data of a moment, by the names of the columns o
 
 # Of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang.
 FAST_PART = 0.1
+ALIKE = 0.1  # bobs whose angles differ by less than this part swing together
 
 
 class Motion:
@@ -60,13 +61,20 @@ class Motion:
         return f"{time}energy {total} (kinetic {kinetic}, potential {potential})"
 
     def summary(self) -> str:
-        """Return the time, the energy, the highest bob's angle, and the latest series of hits."""
+        """Return the time, the energy, the farthest bobs' angle, and the latest series of hits."""
         angles = [degrees(remainder(theta, 2 * pi)) for theta in self.cradle.values("theta")]
         angle = max(angles, key=abs)
-        bob = f"{self.cradle.theta_bob} {angles.index(angle) + 1}"
+        farthest = []
+        for bob, other in enumerate(angles, start=1):
+            if abs(other - angle) <= ALIKE * abs(angle):
+                farthest.append(str(bob))
+        noun = self.cradle.theta_bob if len(farthest) == 1 else f"{self.cradle.theta_bob}s"
+        bobs = f"{noun} {', '.join(farthest)}"
         side = "left" if angle < 0 else "right"
         energy = percent_as_text(self.percents()["energy"]).strip()
-        text = f"t = {self.time():.2f} s, energy {energy}, {bob} at {abs(angle):.0f} degrees {side}"
+        text = (
+            f"t = {self.time():.2f} s, energy {energy}, {bobs} at {abs(angle):.0f} degrees {side}"
+        )
         series = self.impacts.series
         if series:
             text += f", hits: {series[-1]}"

@@ -12,6 +12,7 @@ ends, and begins again.
 from collections.abc import Sequence
 from contextlib import ExitStack
 from math import inf
+from time import perf_counter
 from typing import Any
 
 from support.cradle.collision import Collision
@@ -69,6 +70,7 @@ class Player(Page):
         self.is_over = False  # whether the simulation has ended
         self.is_wanted = False  # whether another cradle is wanted, so that the loop must end
         self.is_shown = False  # whether the loop has shown its cradle
+        self.last_frame = perf_counter()  # s: when the last frame began
         self.refused = 0  # how often the loop has asked again since is_running was False
         # The ticks of this frame.
         self.planned: float = 0  # those that no batch has yet
@@ -193,6 +195,7 @@ class Player(Page):
             else:
                 self.pace.give_back(self.planned)
                 self.planned = 0
+                self.last_frame = perf_counter()
                 self.frame()
         self.due -= 1
         self.motion.ticks += 1
@@ -283,7 +286,7 @@ def run(loop: Loop, player: Player) -> None:
                 )
                 raise MistakeError(loop, message)
     except KeyboardInterrupt as stopped:
-        seconds = player.pace.clock() - player.pace.frame_start
+        seconds = perf_counter() - player.last_frame
         stopped.is_late = seconds > ENDLESS  # type: ignore[attr-defined]
         raise
     finally:

@@ -60,10 +60,8 @@ def require_replaceable(
     """Raise a ValueError if this file of an option exists, and is not one to replace.
 
     is_ours(its first line) says whether it is; `what` names what is in such a file. The message has
-    one line. The name - stands for the output.
+    one line.
     """
-    if filepath == "-":
-        return
     try:
         if not S_ISREG(Path(filepath).stat().st_mode):
             return  # whole_file will raise the error

@@ -1,9 +1,9 @@
 """A motion in a file: of a filmed cradle, or as --record writes it; ghosts then move so.
 
 The CSV has a column t (s), and columns of angles: theta_1 (rad, positive to the right), or theta_1
-(degrees); for the double cradle also phi_1. Other columns are ignored. An empty cell, or NaN,
-stands for a moment at which the bob was not found. A line start,0.533,-41.5 before the names says
-that the bobs were let go at t = 0.533 s, the first one at theta = -41.5 degrees.
+(degrees); for the double cradle also phi_1. Other columns are ignored, and lines before the names,
+but for one: start,0.533,-41.5 says that the bobs were let go at t = 0.533 s, the first one at theta
+= -41.5 degrees. An empty cell, or NaN, stands for a moment at which the bob was not found.
 """
 
 import re
@@ -19,9 +19,11 @@ from support.files.cradle_csv import Snapshot
 from support.files.valid_cradle import in_short
 from support.pendulum import cord_angles, Pendulum
 
-IN_DEGREES = " (degrees)"  # the end of a column's name
+IN_DEGREES = " (degrees)", " (°)"  # the end of a column's name
+# The line with the names of the columns
+NAMES = re.compile(r'(?m)^(.*[,;\t])?"?t( \(s\))?"?([,;\t].*)?$')
 # A line with the time (s) of the release, and its angle (degrees)
-START = re.compile(r"(?m)^start,([^,\n]*),?([^,\n]*),*\r?$")
+START = re.compile(r"(?m)^start([,;\t])(.*?)\1*\r?$")
 UNKNOWN = [0.0], [nan]  # the times, and the angles, of a column that is not there
 
 
@@ -69,9 +71,16 @@ class Ghosts:
                 self.count += 1
 
     def readout(self) -> dict[str, str]:
-        """Return the root of the mean square of the differences as text, by its name."""
-        if not self.count:
+        """Return the root of the mean square of the differences as text, by its name.
+
+        As long as there is none, return the times (s) of the ghosts.
+        """
+        if not self.tracks:
             return {}
+        if not self.count:
+            first = min(times[0] for times, _ in self.tracks.values()) - self.start
+            last = max(times[-1] for times, _ in self.tracks.values()) - self.start
+            return {"ghosts": f"{first:.1f} to {last:.1f} s"}
         off = degrees(sqrt(self.squares / self.count))
         return {"off by": f"{off:.2f} degrees"}
 
@@ -82,30 +91,43 @@ def read_ghosts(file: Snapshot, keys: Sequence[str]) -> Ghosts:
     Raises a ValueError with a one-line message that names the first mistake in it.
     """
     ghosts = Ghosts(Path(file.filepath).name, keys)
-    text = with_commas(file.text())
+    text = file.text()
     start = START.search(text)
     if start:
-        ghosts.start, angle = map(to_number, start.groups())
-        ghosts.angle = radians(angle)
-        if not (isfinite(ghosts.start) and -180 <= angle <= 0):
+        separator, cells = start.groups()
+        if separator != ",":
+            cells = cells.replace(",", ".")
+        numbers = [*map(to_number, cells.split(separator))]
+        if not (len(numbers) == 2 and isfinite(numbers[0]) and -180 <= numbers[1] <= 0):
             line = text.count("\n", 0, start.start()) + 1
             raise ValueError(
                 f"{file}, line {line}: found {in_short(repr(start[0]))}, allowed is start, the "
                 "time (s) of the release, and its angle, from -180 to 0 (degrees)"
             )
+        ghosts.start = numbers[0]
+        ghosts.angle = radians(numbers[1])
         text = text.replace(start[0], "")
-    ghosts.tracks = tracks_in(Snapshot(file.filepath, text.encode()), keys)
+    names = NAMES.search(text)
+    if not names:
+        raise ValueError(f"{file}: found no line with the column t, such as t,theta_1")
+    table = Snapshot(file.filepath, with_commas(text, names).encode())
+    ghosts.tracks = tracks_in(table, keys)
+    if not ghosts.tracks:
+        raise ValueError(f"{file}: found no angle, allowed is at least one")
     return ghosts
 
 
-def with_commas(text: str) -> str:
-    """Return the text of a CSV with commas between cells, and blank lines in place of notes."""
-    text = re.sub(r"(?m)^#.*", "", text)
-    lines = [*re.findall(r"(?m)^(?!start\b).*\S", text), ""]
-    separator = max(",;\t", key=lines[0].count)  # as in the names of the columns
+def with_commas(text: str, names: re.Match) -> str:
+    """Return the text of a CSV with commas between cells, and blank lines before the names."""
+    above = "\n" * text.count("\n", 0, names.start())
+    table = text[names.start() :]
+    separator = ","
+    for sign in ";\t":
+        if names[0].count(sign) > names[0].count(separator):
+            separator = sign
     if separator != ",":
-        text = text.replace(",", ".").replace(separator, ",")
-    return text
+        table = table.replace(",", ".").replace(separator, ",")
+    return above + table
 
 
 def tracks_in(file: Snapshot, keys: Sequence[str]) -> dict[str, tuple]:
@@ -114,13 +136,15 @@ def tracks_in(file: Snapshot, keys: Sequence[str]) -> dict[str, tuple]:
     The file has commas between cells.
     """
     header, *rows = file.rows
-    pattern = rf"t|({'|'.join(keys)})_\d+({re.escape(IN_DEGREES)})?"
+    pattern = rf"t|t \(s\)|({'|'.join(keys)})_[1-9]\d*( \((rad|degrees|°)\))?"
     columns: dict[str, list[float]]
     columns = {name: [] for name in header.cells if re.fullmatch(pattern, name)}
-    if "t" not in columns or len(columns) < 2:
+    time = "t" if "t" in columns else "t (s)"
+    if time not in columns or len(columns) < 2:
         names = in_short(repr(", ".join(header.cells)))
         raise ValueError(
-            f"{file}, line {header.line}: found {names}, allowed is a line with t, {keys[0]}_1, ..."
+            f"{file}, line {header.line}: found {names}, allowed is a line with t, and "
+            f"{keys[0]}_1 (rad), or {keys[0]}_1 (degrees), ..."
         )
     last = -inf
     for row in rows:
@@ -130,12 +154,12 @@ def tracks_in(file: Snapshot, keys: Sequence[str]) -> dict[str, tuple]:
             number = to_number(text)
             numbers.append(number)
             found = f"{file}, line {row.line}, column {name}: found {in_short(repr(text))}"
-            if name == "t" and not number > last:
+            if name == time and not number > last:
                 raise ValueError(f"{found}, allowed is a time (s) after that of the line before")
             if not isfinite(number) and text.lower() not in ("", "nan"):
                 raise ValueError(f"{found}, allowed is a number, or nothing")
-        last = columns["t"][-1]
-    times = np.array(columns.pop("t"))
+        last = columns[time][-1]
+    times = np.array(columns.pop(time))
     tracks = {}
     for name, numbers in columns.items():
         angles = np.array(numbers)
@@ -143,5 +167,5 @@ def tracks_in(file: Snapshot, keys: Sequence[str]) -> dict[str, tuple]:
             angles = np.radians(angles)
         known = np.isfinite(angles)
         if any(known):
-            tracks[name.removesuffix(IN_DEGREES)] = (times[known], np.unwrap(angles[known]))
+            tracks[name.partition(" ")[0]] = (times[known], np.unwrap(angles[known]))
     return tracks

@@ -97,15 +97,18 @@ class Actions:
 
         It is released from their angle, if the file has one. Or show the mistake in the file.
         """
-        viewer = self.viewer
         try:
             ghosts = read_ghosts(Snapshot(name, text.encode()), self.cradle.angle_keys)
         except ValueError as error:
-            viewer.ghosts.mistake = str(error)
-            return
-        viewer.ghosts = ghosts
-        viewer.want_cradle()
-        if ghosts.angle is not None:
+            self.viewer.ghosts.mistake = str(error)
+        else:
+            self.take_ghosts(ghosts)
+
+    def take_ghosts(self, ghosts: Ghosts, with_angle: bool = True) -> None:
+        """Release the cradle beside these ghosts, from their angle if they have one."""
+        self.viewer.ghosts = ghosts
+        self.viewer.want_cradle()
+        if with_angle and ghosts.angle is not None:
             self.set_release_angle(0, angle_to_outwards(ghosts.angle))
 
     def remove_ghosts(self) -> None:
@@ -158,6 +161,8 @@ class Actions:
         """Let bobs collide in this way from now on."""
         self.leave_experiment()
         self.viewer.use_collision(collision)
+        if self.viewer.ghosts.tracks:  # they begin with a release
+            self.viewer.want_cradle()
 
     def set_separating(self, separating: bool) -> None:
         """Let separating bobs collide, too, or not."""
@@ -268,5 +273,6 @@ class Actions:
         viewer.motion.set_start()
         viewer.stopwatch.restart(viewer.motion.time())
         viewer.note()
+        viewer.ghosts.begin()
         viewer.marks.surround(self.cradle)
         viewer.slow_hits.clear()

@@ -107,7 +107,8 @@ class Protocol(WebSocketServerProtocol):
         site = self.site
         if name in site.files:
             return Response("200 OK", Path(name).suffix, content_of(site.files[name]))
-        if "." in name and name != RUN:
+        has_run = site.tabs.all.number > 0
+        if "." in name and not (name == RUN and has_run):
             return Response("404 Not Found", "", b"")
         if not site.has_key(parameters):
             return Response("403 Forbidden", "", NO_KEY.encode())

@@ -130,7 +130,7 @@ def bob_controls(viewer: "Viewer") -> list[Control]:
         set=lambda e: viewer.actions.set_collision(cradle.uniform_e(e)),
         limits=lambda: (0, 1),
         as_text=e_as_text,
-        step=0.05,
+        step=0.01,
         help="e, the coefficient of restitution of all bobs: 1 = the bobs part as fast as they "
         "met, 0 = they stay together",
         is_enabled=lambda: cradle.can_set_e,

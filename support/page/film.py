@@ -1,7 +1,8 @@
-"""The film of the present run: the pictures that a tab has shown, to be saved as a file.
+"""The film of the present run: the pictures that tabs were given, to be saved as a file.
 
-A picture is a message to a tab: what has changed since the picture before it. A whole picture has
-all, as for a new tab: the film begins with one, and you can begin to look at each of them.
+A picture (a frame) is a message to a tab: what has changed since the picture before it. A whole
+picture (a key frame) has all, as for a new tab: the film begins with one, and you can begin to look
+at each of them.
 """
 
 import time
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 PICTURE = 0.03  # s from picture to picture, at least
 WHOLE = 5.0  # s from one whole picture to the next one, at least
-KEPT = 30.0  # s: of a longer run, the film of a page keeps the end
+KEPT = 30.0  # s: of a longer run, the film of a page keeps the end, up to WHOLE more
 STILL = 3.0  # s: a longer pause lasts so long in the film
 
 

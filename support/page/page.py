@@ -78,10 +78,9 @@ def show_page(
 ) -> None:
     """Run the loop of a program with the page of a cradle, until the last tab is closed for good.
 
-    angles are the release angles (rad); None keeps the angle with which main makes the cradle, or
-    takes that of the ghosts. remark is a line on the page. With --html, write a run to a file in
-    place of it. Exits with status 2 if an option, or a file that it names, is wrong, with 1 if a
-    function makes a mistake.
+    angles are the release angles (rad); None keeps the angle with which main makes the cradle.
+    remark is a line on the page. With --html, write a run to a file in place of it. Exits with
+    status 2 if an option, or a file that it names, is wrong, with 1 if a function makes a mistake.
     """
     file = LiveFile(options.csv)
     ghosts = None
@@ -93,8 +92,6 @@ def show_page(
         require_lifted(options.lift, file.current)
         if options.ghosts is not None:
             ghosts = read_ghosts(Snapshot(options.ghosts), cradle.angle_keys)
-            if angles[0] is None:
-                angles = [ghosts.angle, *angles[1:]]
         if options.experiment is not None:
             experiment = read_experiment(Path(options.experiment), len(angles))
         if options.html is None:
@@ -113,10 +110,12 @@ def show_page(
     }
     kind = Viewer if server else Recorder
     tabs = server.tabs if server else NoTabs()
-    viewer = kind(cradle, file, angles, options.lift, tabs, remark, ghosts, **texts)
+    viewer = kind(cradle, file, angles, options.lift, tabs, remark, **texts)
     if experiment:
         viewer.chooser.add(experiment)
         viewer.chooser.choose(experiment.name)
+    if ghosts:
+        viewer.actions.take_ghosts(ghosts, with_angle=options.angle is None)
     if isinstance(viewer, Recorder):
         write_run(loop, viewer, options.seconds, options.html)
     elif server:

@@ -11,8 +11,9 @@ from support.page.film import Film
 from support.page.run_file import run_as_html
 from support.page.tabs import Tabs
 from support.page.viewer import Viewer
+from support.start.early import stop_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
-from support.start.output import in_one_line, Progress, progress_bar, say
+from support.start.output import complain, in_one_line, Progress, progress_bar, say
 
 
 class NoTabs(Tabs):
@@ -45,13 +46,14 @@ class Recorder(Viewer):
     def prepare(self, seconds: float, progress: Progress) -> None:
         """Get ready to play `seconds` (s), and to call progress(done), 0 to 1, again and again."""
         self.pace = RealTime(self.cradle.dt, self.tabs.time, self.tabs.sleep)
-        self.last = round(seconds / self.cradle.dt)  # tick
+        self.last = max(1, round(seconds / self.cradle.dt))  # tick
         self.progress = progress
         self.questions.ask_first = True
         self.marks.has_arrows = True
 
     def frame(self) -> None:
-        """Show the last ticks, and plan the next ones; nobody answers the question."""
+        """Show the last ticks, with all numbers, and plan the next ones; nobody answers."""
+        self.next_refresh = 0.0
         super().frame()
         if self.questions.measurement:
             self.questions.answer(self.questions.measurement.experiment.key, None)
@@ -67,21 +69,25 @@ class Recorder(Viewer):
 def write_run(loop: Loop, recorder: Recorder, seconds: float, filepath: str) -> None:
     """Write the first seconds (s) of a loop to this HTML file.
 
-    If a function makes a mistake, the run ends with it, and the exit status is 1. Raises an OSError
-    if the file cannot be written.
+    If a function makes a mistake, the run ends with it, and the exit status is 1; so it is, without
+    a file, after a signal. Raises an OSError if the file cannot be written.
     """
+    stop_on_signals()
     status = 0
-    with progress_bar() as progress:
-        recorder.prepare(seconds, progress)
-        try:
-            run(loop, recorder)
-        except KeyboardInterrupt as stopped:
-            report_endless_loop(stopped)
-            return
-        except BaseException as error:
-            recorder.tabs.show({"ended": report_mistake(error)})
-            status = 1
-    with whole_file(filepath) as html:
-        html.write(run_as_html(recorder.tabs))
+    try:
+        with whole_file(filepath) as html, progress_bar() as progress:
+            recorder.prepare(seconds, progress)
+            try:
+                run(loop, recorder)
+            except (Exception, SystemExit) as error:
+                recorder.tabs.show({"ended": report_mistake(error)})
+                status = 1
+            html.write(run_as_html(recorder.tabs))
+    except KeyboardInterrupt as stopped:
+        report_endless_loop(stopped)
+        complain(f"The run ended too early. {filepath} is not written.")
+        sys.exit(1)
+    if recorder.given_remark:
+        say(recorder.given_remark)
     say(in_one_line(f"{recorder.motion.time():.15g} s are in {filepath}"))
     sys.exit(status)

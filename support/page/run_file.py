@@ -11,45 +11,41 @@ import json
 import re
 from collections.abc import Iterable
 from importlib.metadata import files
-from pathlib import Path
+from math import inf
 from typing import Any
 
 from support.files.data_file import RUN_LINE
+from support.files.experiments import YOUR_CSV
 from support.page.film import Picture
 from support.page.tabs import Tabs
 from support.page.web_files import content_of, keyless_files, PAGE
-from support.start.checks_command import ROOT
 
 # Of the state; the rest is for controls, or names files of this machine.
 SHOWN = (
-    "title", "remark", "question", "hit", "motion", "bars", "impacts", "colors", "curves", "view",
-    "summary", "ended",
+    "title", "question", "hit", "motion", "bars", "impacts", "colors", "curves", "view", "summary",
+    "ended",
 )  # fmt: skip
+CURVES = 0.3  # s from one state of the graph to the next: it is most of the film
 LONG_NUMBER = re.compile(r"-?\d+\.\d{5,}(?:e-?\d+)?")
-TEXTURE = re.compile(r":(\w+\.jpg)")  # a texture's name, as VPython has it
+TEXTURE = re.compile(r'":(\w+\.jpg)"')  # a texture's name, as VPython has it
+QUOTED_PATH = re.compile(r"'[^']*[/\\]([^'/\\]+)'")  # in a message of Python's
 
 
 def run_as_html(tabs: Tabs) -> str:
     """Return the run that these tabs have shown last as the text of an HTML file."""
     tabs.film.take(tabs.all, at_once=True)
-    run = as_text(tabs.film.pictures)
+    run = json.dumps(shown_pictures(tabs.film.pictures), separators=(",", ":"))
     web = keyless_files()
 
     def text_of(name: str) -> str:
         return content_of(web[name]).decode()
 
-    def script(attributes: str, text: str) -> str:
-        safe = text.replace("</script", "<\\/script")
-        return f"<script{attributes}>{safe}</script>"
-
     textures = {}
-    for name in sorted({*TEXTURE.findall(run), "wood_texture.jpg"}):
-        content = base64.b64encode(content_of(web[name])).decode()
-        textures[f":{name}"] = f"data:image/jpeg;base64,{content}"
-    packed = base64.b64encode(gzip.compress(run.encode(), mtime=0)).decode()
+    for name in {*TEXTURE.findall(run), "wood_texture.jpg"}:
+        textures[f":{name}"] = f"data:image/jpeg;base64,{in_letters(content_of(web[name]))}"
     player = [
         script(' type="application/json" class="textures"', json.dumps(textures)),
-        script(' type="text/plain" class="run"', packed),
+        script(' type="text/plain" class="run"', in_letters(gzip.compress(run.encode(), mtime=0))),
         script("", text_of("run.js")),
     ]
 
@@ -70,29 +66,51 @@ def run_as_html(tabs: Tabs) -> str:
     )
 
 
-def as_text(pictures: Iterable[Picture]) -> str:
-    """Return pictures as JSON, with numbers as exact as can be seen, and no path of this machine.
+def script(attributes: str, text: str) -> str:
+    """Return a script with its text inside."""
+    safe = text.replace("</script", "<\\/script")
+    return f"<script{attributes}>{safe}</script>"
 
-    Each is a message to a tab, with its time (s), and whether it is whole.
-    """
-    first = next(iter(pictures)).time
-    shown: list[dict[str, Any]] = []
-    for picture in pictures:
-        message = json.loads(picture.message)
-        state = {name: message["state"][name] for name in SHOWN if name in message["state"]}
+
+def in_letters(content: bytes) -> str:
+    return base64.b64encode(content).decode()
+
+
+def shown_pictures(pictures: Iterable[Picture]) -> list[dict[str, Any]]:
+    """Return pictures as run.js has them: with times (s), and numbers as exact as can be seen."""
+    start = None
+    last_curves = -inf  # s
+    shown = []
+    for time, message, is_whole in pictures:
+        start = time if start is None else start
+        picture = json.loads(message, parse_float=rounded)
+        state = {name: value for name, value in picture["state"].items() if name in SHOWN}
+        if is_whole or time - last_curves >= CURVES:
+            last_curves = time
+        else:
+            state.pop("curves", None)
+        name = picture["state"].get("experiment", YOUR_CSV)
+        if is_whole and name != YOUR_CSV:
+            state["title"] = f"{state['title']}: {name}"
+        if state.get("ended"):
+            state["ended"] = QUOTED_PATH.sub(r"'\1'", state["ended"])
         shown.append(
             {
-                "time": picture.time - first,
-                "whole": picture.is_whole,
-                "cmds": message["cmds"],
-                "attrs": message["attrs"],
+                "time": time - start,
+                "whole": is_whole,
+                "cmds": picture["cmds"],
+                "attrs": [
+                    LONG_NUMBER.sub(lambda number: str(rounded(number[0])), text)
+                    for text in picture["attrs"]
+                ],
                 "state": state,
             }
         )
-    text = json.dumps(shown, separators=(",", ":"))
-    for folder in (ROOT, Path.home()):  # an error of Python's can name a file
-        text = text.replace(json.dumps(str(folder))[1:-1], "...")
-    return LONG_NUMBER.sub(lambda number: f"{float(number[0]):.5g}", text)
+    return shown
+
+
+def rounded(number: str) -> float:
+    return float(f"{float(number):.5g}")
 
 
 def licence() -> str:
@@ -101,4 +119,4 @@ def licence() -> str:
     for file in files("vpython") or []:
         if file.name.startswith("LICENSE"):
             texts.append(file.read_text(encoding="utf-8"))
-    return "\n".join(texts).replace("--", "- -")
+    return "\n".join(texts)

@@ -19,8 +19,9 @@ FILE = "my_cradle.txt"  # keep.js has this name, too
 USE_IT = "This command starts the page with this cradle:"
 SAVE_FIRST = (
     f"No options make this cradle. First save the text below as {FILE}, in the folder where you "
-    "type this command:"
+    "type this command (the bobs then have the colors of experiments):"
 )
+NO_RULE = "Separating bobs do not collide in it until you tick the box again."
 
 
 def setup(viewer: "Viewer") -> dict[str, str]:
@@ -30,6 +31,8 @@ def setup(viewer: "Viewer") -> dict[str, str]:
     if options is None:
         options = [f"--experiment={FILE}"]
         advice = SAVE_FIRST
+    if viewer.separating and viewer.cradle.takes_rule:
+        advice = f"{NO_RULE} {advice}"
     csv = str(viewer.file.filepath)
     if csv != NC_FP:
         options = [csv, *options]

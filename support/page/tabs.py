@@ -153,8 +153,8 @@ class Tab:
 class Tabs:
     """All tabs.
 
-    The program calls have_room and show, and looks at is_seen and are_gone; the server calls the
-    other methods, in its own thread.
+    The program calls have_room, show and begin_run, and looks at is_seen and are_gone; the server
+    calls the other methods, in its own thread.
     """
 
     def __init__(self) -> None:

@@ -46,13 +46,9 @@ class Viewer(Player):
         lifted: int | None,
         tabs: Tabs,
         remark: str = "",
-        ghosts: Ghosts | None = None,
         **texts: str,
     ):
-        """Play the cradle of this file as a Player does, maybe beside ghosts.
-
-        tabs show it, and texts in the state.
-        """
+        """Play the cradle of this file as a Player does; tabs show it, and texts in the state."""
         super().__init__(cradle, file.current, angles, lifted, IMPACTS, EVERY)
         self.file = file
         self.tabs = tabs
@@ -76,7 +72,7 @@ class Viewer(Player):
         self.questions = Questions()
         self.scenery = Scenery()
         self.marks = Marks()
-        self.ghosts = ghosts or Ghosts()
+        self.ghosts = Ghosts()
         self.stopwatch = Stopwatch()
         # The time (s) of the last hits, and the momenta (kg m/s) after them.
         self.last_hits = -inf

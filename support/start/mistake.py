@@ -3,7 +3,6 @@
 import sys
 import traceback
 from collections.abc import Callable, Iterable
-from math import isfinite
 from numbers import Real
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ from typing import Any
 from support.start.checks_command import checks_command, ROOT
 from support.start.output import say
 
+LARGEST = 1e100  # a larger number has no energy: its square is too large
 # A frame of this file below one of main: the player works, or waits for the clock.
 PLAYER_FILE = ROOT / "support" / "cradle" / "player.py"
 
@@ -133,16 +133,18 @@ def is_pend_list(value: Any) -> bool:
 
 
 def require_numbers(function: Callable, pend_list: list[dict], keys: Iterable[str]) -> None:
-    """Raise a MistakeError if a pendulum has no finite number for one of these keys.
+    """Raise a MistakeError if a pendulum has no number below LARGEST for one of these keys.
 
     The function has set them.
     """
     for number, pend in enumerate(pend_list, start=1):
         for key in keys:
-            value = pend.get(key)
-            if not (isinstance(value, Real) and isfinite(value)):
+            value: Any = pend.get(key)
+            is_real = isinstance(value, Real)
+            if not (is_real and abs(value) < LARGEST):
                 found = repr(value) if key in pend else "nothing"
                 raise MistakeError(
                     function,
-                    f"set {key} of pendulum {number} to {found}; it must be a finite number.",
+                    f"set {key} of pendulum {number} to {found}; "
+                    f"it must be a number up to {LARGEST:g}.",
                 )

@@ -158,12 +158,13 @@ def page_options(description: str) -> OneLineParser:
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
     text = "file of an experiment, with which the page begins"
-    add("--experiment", metavar="FILE", help=text)
+    file = type_of(str, bool, "the name of a file")
+    add("--experiment", type=file, metavar="FILE", help=text)
     text = (
         "CSV of a motion that pale bobs show beside the cradle: "
         "columns t (s), theta_1 (rad), ..., as --record writes them"
     )
-    add("--ghosts", type=type_of(str, bool, "the name of a file"), metavar="FILE", help=text)
+    add("--ghosts", type=file, metavar="FILE", help=text)
     text = "port of the page (default: any free one)"
     add("--port", type=type_of(int, is_port, PORT), metavar="N", help=text)
     text = (
@@ -176,7 +177,7 @@ def page_options(description: str) -> OneLineParser:
     opens = os.environ.get(CLOSED_VARIABLE, "") in ("", "0")
     add("--no-browser", action="store_false", dest="browser", default=opens, help=text)
     text = "write a run to FILE, one HTML page that any browser plays, and open no page"
-    add("--html", type=type_of(str, bool, "the name of a file"), metavar="FILE", help=text)
+    add("--html", type=file, metavar="FILE", help=text)
     text = f"with --html: the seconds of the run (default: {RUN:g})"
     allowed = f"a number above 0 and up to {LONGEST_RUN:g} (s)"
     seconds = type_of(float, lambda text: 0 < to_number(text) <= LONGEST_RUN, allowed)

@@ -267,7 +267,12 @@ NO_LIST = "must return a list of dictionaries, and main must show it; page.show 
         (MAKE, lambda pend_list: [], f"{NO_LIST}an empty list."),
         (MAKE, lambda pend_list: (), f"{NO_LIST}a tuple."),
         (MAKE, lambda pend_list: ["pendulum"], f"{NO_LIST}a list."),
-        (MAKE, put("theta", "0"), "set theta of pendulum 2 to '0'; it must be a finite number."),
+        (
+            MAKE,
+            put("theta", "0"),
+            "set theta of pendulum 2 to '0'; it must be a number up to 1e+100.",
+        ),
+        (MAKE, put("theta", 1e200), "set theta of pendulum 2 to 1e+200; it must be a number "),
         (MAKE, put("objects", []), "set objects of pendulum 2 to a list; it must be a tuple"),
         (MAKE, take_omega, "set omega of pendulum 5 to nothing; it must"),
         (TICK, put("omega", nan), "set omega of pendulum 2 to nan; it must"),

@@ -35,6 +35,7 @@ KEYS = DoubleCradle.angle_keys
         ("t,theta_1\n0,3\n1,-3\n", 0.5, {0: [180 / RAD]}),  # over the top
         ("t,phi_1,theta_1,phi_2\n0,-1,3,1\n", 0, {0: [3, 2]}),  # of cord 2, only half is known
         ("t,theta_1,theta_3\n0,,1\n", 0, {}),  # bob 1 was never found, and there is no bob 3
+        ("mass A\nstart,0.5,-9\nt (s)\ttheta_1 (°)\n0,5\t90\n", 0, {0: [90 / RAD]}),
     ],
 )
 def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
@@ -45,14 +46,15 @@ def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", ": is empty, the first line must name the columns"),
-        ("t,theta\n0,1\n", ", line 1: found 't, theta', allowed is a line with t, theta_1, ..."),
-        ("#\ntheta_1,x\n", ", line 2: found 'theta_1, x', allowed is a line with t, theta_1, ..."),
+        ("", ": found no line with the column t, "),
+        ("#\ntheta_1,x\n", ": found no line with the column t, "),
+        ("#\nt,theta\n0,1\n", ", line 2: found 't, theta', allowed is a line with t, and theta_1 "),
+        ("t,theta_1,theta_01\n0,,1\n", ": found no angle, allowed is at least one"),
         ("t,theta_1\n0,1\n0,2\n", ", line 3, column t: found '0', allowed is a time (s) after "),
         ("t,theta_1\n,1\n", ", line 2, column t: found '', allowed is a time (s) after "),
         ("t,theta_1\n0,red\n", ", line 2, column theta_1: found 'red', allowed is a number, or "),
         ("t,theta_1\n0,0,5\n", ", line 2: found 3 cells, allowed are at most 2, as in line 1;"),
-        ("\nstart;1\nt;theta_1\n", ", line 2: found 'start,1', allowed is start, the time (s) of"),
+        ("\nstart;1\nt;theta_1\n", ", line 2: found 'start;1', allowed is start, the time (s) of"),
         ("start,1,41.5\nt,theta_1\n", ", line 1: found 'start,1,41.5', allowed is start, the "),
         ("t" * LARGEST + ",", ": cannot be read: found more than 10 MB, allowed are at most 10 MB"),
     ],

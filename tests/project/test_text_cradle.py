@@ -76,6 +76,8 @@ def test_a_line_has_the_latest_series_that_is_not_slow_and_at_most_80_columns(sw
     assert line.endswith("...\n")
     motion.cradle.pend_list[1]["theta"] = radians(360 * 3 + 50)  # it has gone round three times
     assert "bob 2 at 50 degrees right" in motion.summary()
+    motion.cradle.pend_list[2]["theta"] = radians(48)
+    assert "bobs 2, 3 at 50 degrees right" in motion.summary()
 
 
 @pytest.mark.parametrize(

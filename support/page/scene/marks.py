@@ -34,7 +34,7 @@ DARK = vector(0.15, 0.15, 0.17)  # of the belts
 # The direction from a bob to the camera (FORWARD in camera.js).
 TO_CAMERA = vector(0, 0.2, 1)
 # From a bob to its ghost, in radii: the bob hides the ghost if both are at the same angle.
-BEHIND = -2.2 * TO_CAMERA
+BEHIND = -0.5 * TO_CAMERA
 
 
 class Label(NamedTuple):

@@ -114,16 +114,12 @@ addEventListener("keydown", event => {
   const isAsking = state.question?.asking; // a stray digit must not end the question
   const answer = ["a", "b", "c", "d", "e"].indexOf(key);
   if (key in keys) keys[key]();
-  else if (digit && !isAsking) lift(digit);
+  else if (digit && !isAsking && state.controls) // a saved run has none
+    send("lifted", Math.min(digit, state.controls.lifted.max));
   else if (answer >= 0 && state.question) send("answer", state.question.key, answer);
   else return;
   event.preventDefault(); // no key scrolls the page
 });
-
-function lift(count) {
-  const most = state.controls?.lifted.max; // a saved run has no controls
-  if (most) send("lifted", Math.min(count, most));
-}
 
 // A control that you reach with the Tab key keeps the keys; one that you click does not.
 let byMouse = false;

@@ -1,15 +1,11 @@
 // The fold "Save and compare": the setup of the cradle as text or as a file, the run, the numbers
 // of the graph, and ghosts.
-for (const button of find(".keep pre + button")) button.onclick = () => {
-  getSelection().selectAllChildren(button.previousElementSibling);
-  document.execCommand("copy"); // navigator.clipboard is missing without https
-};
 one(".save-setup").onclick = () => save("my_cradle.txt", asFile(state.setup));
 one(".save-graph").onclick = () => {
   const { names, rows } = state.curves;
   save("graph.csv", asFile([names, ...rows].join("\n"))); // a row as text has commas
 };
-one(".save-run").onclick = () => save("run.html", `run.html${location.search}`);
+one(".save-run").onclick = () => save(`${state.experiment}.html`, `run.html${location.search}`);
 
 const asFile = text => URL.createObjectURL(new Blob([text]));
 const save = (download, href) => make("a", { download, href }).click();

@@ -1,6 +1,7 @@
 // A recorded run, in place of the line to the program: it plays the pictures in this file.
 // All values in a picture are absolute, and a whole picture has all. So a moment is the last whole
 // picture and all later ones up to it.
+const LONGEST = 0.1; // s of a picture: a browser that was busy, or hidden, goes on from there
 const FIXED = ["canvas", "texture"]; // of a shape: they never change in a run
 
 const files = JSON.parse(one(".textures").textContent); // of the textures, by VPython's names
@@ -26,7 +27,7 @@ async function load() {
     one(".unheard").textContent = "This browser is too old for this file: open it in another one.";
     return;
   }
-  slider.max = pictures.length - 1;
+  slider.max = pictures.at(-1).time;
   slider.hidden = false;
   jump(0);
   const isCalm = matchMedia("(prefers-reduced-motion)").matches;
@@ -42,13 +43,18 @@ async function unpack(text) {
 
 const commands = {
   pause() {
-    if (!isRunning && shown === pictures.length - 1) jump(0);
+    if (isRunning) jump(upTo(shown));
+    else if (shown === pictures.length - 1) jump(0);
     setRunning(!isRunning);
   },
-  step: () => isRunning || jump(shown + 1),
-  back: () => isRunning || jump(shown - 1),
+  step: () => isRunning || jump(Math.max(shown, from(shown + 1))),
+  back: () => isRunning || jump(upTo(shown - 1)),
   restart: () => jump(0),
 };
+
+// A page gets its numbers ten times a second: only a picture with them is right in all.
+const upTo = last => pictures.findLastIndex(({ state }, i) => i <= last && state.motion);
+const from = first => pictures.findIndex(({ state }, i) => i >= first && state.motion);
 
 shows.ended = message => one("[data-text=error]").textContent = message ?? "";
 
@@ -68,10 +74,10 @@ function play(now) {
     const [, place] = wanted.get("moment");
     wanted.clear();
     setRunning(false);
-    jump(place);
+    jump(upTo(pictures.findLastIndex(picture => picture.time <= place)));
   }
   if (isRunning) {
-    time += (now - lastDrawn) / 1000;
+    time += Math.min((now - lastDrawn) / 1000, LONGEST);
     show(pictures.findLastIndex(picture => picture.time <= time));
     if (shown === pictures.length - 1) setRunning(false);
   }
@@ -80,7 +86,7 @@ function play(now) {
 }
 
 function jump(number) {
-  show(Math.min(Math.max(number, 0), pictures.length - 1));
+  show(Math.max(number, 0));
   time = pictures[shown].time;
 }
 
@@ -96,8 +102,8 @@ function show(number) {
     state: Object.assign({}, ...some.map(picture => picture.state)),
   });
   shown = number;
-  slider.value = number;
-  slider.setAttribute("aria-valuetext", `t ${state.motion.t}`);
+  slider.value = pictures[number].time;
+  slider.setAttribute("aria-valuetext", `t ${state.motion?.t}`);
   for (const answer of find(".asked button")) answer.disabled = true;
 }
 
