@@ -27,8 +27,9 @@ from exact_cradle import apart, exact_outer_angles, outer_angles, SAMPLE
 from pages import ARGUMENTS, BOBS, CHROMIUM, draw, open_cradle, readout
 from playwright.sync_api import sync_playwright
 from programs import first_lines, ROOT, running
-from whole_cradles import advance, do_at_once, GOOD, HEADER, make_row
+from whole_cradles import do_at_once, GOOD, HEADER, make_row
 
+from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
 from support.start.options import OneLineParser
@@ -41,8 +42,14 @@ SPAN = 20.0  # s
 STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk
 
 
+def by_single_ticks(pend_list, seconds, dt) -> None:
+    """Advance the cradle by newton_cradle_tick."""
+    for _ in range(round(seconds / dt)):
+        newton_cradle_tick(pend_list, R_PARAM, dt, G, approaching_only=True)
+
+
 def by_the_fast_path(pend_list, seconds, dt) -> list[float]:
-    """Do what advance does, by many_ticks."""
+    """Advance the cradle by many_ticks; return its thetas (rad)."""
     do_at_once(pend_list, R_PARAM, dt, G, round(seconds / dt), approaching_only=True)
     return [pend["theta"] for pend in pend_list]
 
@@ -106,7 +113,7 @@ def speeds():
     """Yield rows with the ticks a second of single ticks and of the fast path."""
     for count in (5, 50, 500):
         few, many = 50_000 // count, 1_000_000 // count  # ticks
-        single = cpu_time(partial(our_cradle, DT, count, advance), few * DT) / few
+        single = cpu_time(partial(our_cradle, DT, count, by_single_ticks), few * DT) / few
         fast = cpu_time(partial(our_cradle, DT, count), many * DT) / many
         per_second = f"{1 / single:,.0f}", f"{1 / fast:,.0f}"
         yield count, *per_second, f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}"
