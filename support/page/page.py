@@ -103,10 +103,9 @@ def show_page(
     from support.page.recorder import NoTabs, Recorder, write_run  # while the browser starts
     from support.page.viewer import Viewer
 
-    folder = Path.cwd()
     texts = {
-        "command": command_line(cradle.page_program, folder, sys.argv[1:]),
-        "terminal": command_line("src/text_cradle_run.py", folder),
+        "command": command_line(cradle.page_program, sys.argv[1:]),
+        "terminal": command_line("src/text_cradle_run.py"),
     }
     kind = Viewer if server else Recorder
     tabs = server.tabs if server else NoTabs()

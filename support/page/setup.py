@@ -1,7 +1,6 @@
 """How to make the cradle of now again: with a command, or from the file of an experiment."""
 
 from math import degrees, pi, remainder
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from support.columns import SETTABLE
@@ -13,7 +12,6 @@ from support.start.options import command_line
 if TYPE_CHECKING:
     from support.page.viewer import Viewer
 
-FOLDER = Path.cwd()  # now: a student's function may leave it
 NAME = "My setup"  # of the experiment in the file
 FILE = "my_cradle.txt"  # keep.js has this name, too
 USE_IT = "This command starts the page with this cradle:"
@@ -36,7 +34,7 @@ def setup(viewer: "Viewer") -> dict[str, str]:
     csv = str(viewer.file.filepath)
     if csv != NC_FP:
         options = [csv, *options]
-    again = command_line(viewer.cradle.page_program, FOLDER, options)
+    again = command_line(viewer.cradle.page_program, options)
     return {"again": again, "advice": advice, "setup": file_text(viewer)}
 
 

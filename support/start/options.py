@@ -22,6 +22,7 @@ from support.pendulum import angle_to_outwards, outwards_to_angle
 from support.start.checks_command import ROOT
 from support.start.output import refuse
 
+FOLDER = Path.cwd()  # now: a student's function may leave it
 # VPython's environment variables; --port and --no-browser override them.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
 CLOSED_VARIABLE = "VPYTHON_NO_LAUNCH_BROWSER"
@@ -142,8 +143,17 @@ def cradle_options(description: str) -> OneLineParser:
     return parser
 
 
+def seconds_up_to(most: str) -> Callable[[str], Any]:
+    """Return a type for argparse: a time (s) above 0 and up to the number in this text."""
+    return type_of(
+        float,
+        lambda text: 0 < to_number(text) <= float(most),
+        f"a number above 0 and up to {most} (s)",
+    )
+
+
 RUN = 10.0  # s
-LONGEST_RUN = 600.0  # s
+FILE = type_of(str, bool, "the name of a file")
 PORT = "a whole number from 0 to 65535"
 
 
@@ -158,13 +168,12 @@ def page_options(description: str) -> OneLineParser:
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
     text = "file of an experiment, with which the page begins"
-    file = type_of(str, bool, "the name of a file")
-    add("--experiment", type=file, metavar="FILE", help=text)
+    add("--experiment", type=FILE, metavar="FILE", help=text)
     text = (
         "CSV of a motion that pale bobs show beside the cradle: "
         "columns t (s), theta_1 (rad), ..., as --record writes them"
     )
-    add("--ghosts", type=file, metavar="FILE", help=text)
+    add("--ghosts", type=FILE, metavar="FILE", help=text)
     text = "port of the page (default: any free one)"
     add("--port", type=type_of(int, is_port, PORT), metavar="N", help=text)
     text = (
@@ -177,11 +186,9 @@ def page_options(description: str) -> OneLineParser:
     opens = os.environ.get(CLOSED_VARIABLE, "") in ("", "0")
     add("--no-browser", action="store_false", dest="browser", default=opens, help=text)
     text = "write a run to FILE, one HTML page that any browser plays, and open no page"
-    add("--html", type=file, metavar="FILE", help=text)
+    add("--html", type=FILE, metavar="FILE", help=text)
     text = f"with --html: the seconds of the run (default: {RUN:g})"
-    allowed = f"a number above 0 and up to {LONGEST_RUN:g} (s)"
-    seconds = type_of(float, lambda text: 0 < to_number(text) <= LONGEST_RUN, allowed)
-    add("--seconds", type=seconds, metavar="S", help=text)
+    add("--seconds", type=seconds_up_to("600"), metavar="S", help=text)
     return parser
 
 
@@ -238,13 +245,10 @@ def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
         "Newton's cradle as moving text, in real time; or, with --record, its data in a file."
     )
     add = parser.add_argument
-    seconds = type_of(
-        float, lambda text: 0 < to_number(text) <= 1e6, "a number above 0 and up to 1e6 (s)"
-    )
     text = "end after S seconds (default: until Ctrl+C)"
-    add("--seconds", type=seconds, metavar="S", default=inf, help=text)
+    add("--seconds", type=seconds_up_to("1e6"), metavar="S", default=inf, help=text)
     text = "write the data of --seconds S to FILE, a CSV (- prints it), as fast as the machine can"
-    add("--record", type=type_of(str, bool, "the name of a file"), metavar="FILE", help=text)
+    add("--record", type=FILE, metavar="FILE", help=text)
     every = type_of(float, is_in_ticks, f"a multiple of {DT} (s), one tick, up to 1e6")
     text = f"with --record: a row for every T seconds (default: {round(EVERY / DT) * DT:g})"
     add("--every", type=every, metavar="T", help=text)
@@ -272,13 +276,13 @@ def require_lifted(lift: int | None, csv: Snapshot) -> None:
         )
 
 
-def command_line(program: str, folder: Path, arguments: Sequence[str] = ()) -> str:
+def command_line(program: str, arguments: Sequence[str] = ()) -> str:
     """Return the command that starts a program from this folder, with the running Python.
 
     program is its path in the project.
     """
     words = []
     for path in (Path(sys.executable), ROOT / program):
-        words.append(str(path.relative_to(folder) if path.is_relative_to(folder) else path))
+        words.append(str(path.relative_to(FOLDER) if path.is_relative_to(FOLDER) else path))
     words.extend(arguments)
     return subprocess.list2cmdline(words) if sys.platform == "win32" else shlex.join(words)

@@ -188,8 +188,9 @@ def test_options_that_do_not_go_together_or_are_none_are_refused(program, line, 
     assert refusal(program, line.split(), capsys).startswith(beginning)
 
 
-def test_the_command_of_a_program_names_python_the_program_and_its_options(tmp_path):
-    command = options.command_line("src/x.py", tmp_path, ["--e", "0.9", "my cradle.csv"])
+def test_the_command_of_a_program_names_python_the_program_and_its_options(monkeypatch, tmp_path):
+    monkeypatch.setattr(options, "FOLDER", tmp_path)
+    command = options.command_line("src/x.py", ["--e", "0.9", "my cradle.csv"])
     words = shlex.split(command)
     assert words[2:] == ["--e", "0.9", "my cradle.csv"]
     assert Path(words[1]) == options.ROOT / "src" / "x.py"
