@@ -35,9 +35,9 @@ class Ghosts:
         self.name = name
         self.keys = keys
         self.mistake = ""  # in a later file, which is not taken
-        self.start = 0.0  # s: the time in the file at which the bobs are let go
         self.angle: float | None = None  # rad: of the release, if the file says it
-        self.tracks: dict[str, tuple] = {}  # the times (s) and the angles (rad), by theta_1, ...
+        # The times (s) after the release and the angles (rad), by theta_1, ...
+        self.tracks: dict[str, tuple] = {}
         self.begin()
 
     def begin(self) -> None:
@@ -57,7 +57,7 @@ class Ghosts:
             angles = []
             for key in self.keys:
                 times, known = self.tracks.get(f"{key}_{index + 1}", UNKNOWN)
-                angles.append(np.interp(self.start + time, times, known, left=nan, right=nan))
+                angles.append(np.interp(time, times, known, left=nan, right=nan))
             cords = [*takewhile(isfinite, accumulate(angles))]
             if cords:
                 found[index] = cords
@@ -78,8 +78,8 @@ class Ghosts:
         if not self.tracks:
             return {}
         if not self.count:
-            first = min(times[0] for times, _ in self.tracks.values()) - self.start
-            last = max(times[-1] for times, _ in self.tracks.values()) - self.start
+            first = min(times[0] for times, _ in self.tracks.values())
+            last = max(times[-1] for times, _ in self.tracks.values())
             return {"ghosts": f"{first:.1f} to {last:.1f} s"}
         off = degrees(sqrt(self.squares / self.count))
         return {"off by": f"{off:.2f} degrees"}
@@ -92,6 +92,7 @@ def read_ghosts(file: Snapshot, keys: Sequence[str]) -> Ghosts:
     """
     ghosts = Ghosts(Path(file.filepath).name, keys)
     text = file.text()
+    release = 0.0  # s: the time in the file
     start = START.search(text)
     if start:
         separator, cells = start.groups()
@@ -104,14 +105,14 @@ def read_ghosts(file: Snapshot, keys: Sequence[str]) -> Ghosts:
                 f"{file}, line {line}: found {in_short(repr(start[0]))}, allowed is start, the "
                 "time (s) of the release, and its angle, from -180 to 0 (degrees)"
             )
-        ghosts.start = numbers[0]
+        release = numbers[0]
         ghosts.angle = radians(numbers[1])
         text = text.replace(start[0], "")
     names = NAMES.search(text)
     if not names:
         raise ValueError(f"{file}: found no line with the column t, such as t,theta_1")
     table = Snapshot(file.filepath, with_commas(text, names).encode())
-    ghosts.tracks = tracks_in(table, keys)
+    ghosts.tracks = tracks_in(table, keys, release)
     if not ghosts.tracks:
         raise ValueError(f"{file}: found no angle, allowed is at least one")
     return ghosts
@@ -130,10 +131,11 @@ def with_commas(text: str, names: re.Match) -> str:
     return above + table
 
 
-def tracks_in(file: Snapshot, keys: Sequence[str]) -> dict[str, tuple]:
+def tracks_in(file: Snapshot, keys: Sequence[str], release: float) -> dict[str, tuple]:
     """Return the times (s) and the angles (rad) of each column of angles, by its name.
 
-    The file has commas between cells.
+    The times are those after the release, whose time (s) in the file is given. The file has commas
+    between cells.
     """
     header, *rows = file.rows
     pattern = rf"t|t \(s\)|({'|'.join(keys)})_[1-9]\d*( \((rad|degrees|°)\))?"
@@ -159,7 +161,7 @@ def tracks_in(file: Snapshot, keys: Sequence[str]) -> dict[str, tuple]:
             if not isfinite(number) and text.lower() not in ("", "nan"):
                 raise ValueError(f"{found}, allowed is a number, or nothing")
         last = columns[time][-1]
-    times = np.array(columns.pop(time))
+    times = np.array(columns.pop(time)) - release
     tracks = {}
     for name, numbers in columns.items():
         angles = np.array(numbers)

@@ -25,7 +25,6 @@ KEYS = DoubleCradle.angle_keys
 @pytest.mark.parametrize(
     ("text", "time", "poses"),
     [
-        ("t,theta_1\n0,1\n2,3\n", 0.5, {0: [1.5]}),
         ("t,theta_1\n0,1\n2,3\n", 2.1, {}),
         ("t,theta_1\n1,1\n2,3\n", 0.9, {}),
         ("\ufeff# film; Tracker\n#\n\nt,theta_2,x,theta_1\r\n0,2,red,1\r\n", 0, {0: [1], 1: [2]}),
@@ -46,7 +45,6 @@ def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("", ": found no line with the column t, "),
         ("#\ntheta_1,x\n", ": found no line with the column t, "),
         ("#\nt,theta\n0,1\n", ", line 2: found 't, theta', allowed is a line with t, and theta_1 "),
         ("t,theta_1,theta_01\n0,,1\n", ": found no angle, allowed is at least one"),
