@@ -18,7 +18,7 @@ let isRunning = false;
 addEventListener("DOMContentLoaded", load); // all scripts are there
 
 async function load() {
-  for (const name in textures) textures[name] = files[textures[name]] ?? textures[name];
+  textures.wood = files[textures.wood]; // of the shadows
   keys.ArrowLeft = () => send("back");
   isOnBob = () => false; // nobody can drag one: a finger on it turns the camera
   try {
