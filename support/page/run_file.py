@@ -9,7 +9,7 @@ import base64
 import gzip
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Sequence
 from importlib.metadata import files
 from math import inf
 from typing import Any
@@ -41,7 +41,7 @@ def run_as_html(tabs: Tabs) -> str:
         return content_of(web[name]).decode()
 
     textures = {}
-    for name in {*TEXTURE.findall(run), "wood_texture.jpg"}:
+    for name in set(TEXTURE.findall(run)):
         textures[f":{name}"] = f"data:image/jpeg;base64,{in_letters(content_of(web[name]))}"
     player = [
         script(' type="application/json" class="textures"', json.dumps(textures)),
@@ -76,13 +76,11 @@ def in_letters(content: bytes) -> str:
     return base64.b64encode(content).decode()
 
 
-def shown_pictures(pictures: Iterable[Picture]) -> list[dict[str, Any]]:
+def shown_pictures(pictures: Sequence[Picture]) -> list[dict[str, Any]]:
     """Return pictures as run.js has them: with times (s), and numbers as exact as can be seen."""
-    start = None
     last_curves = -inf  # s
     shown = []
     for time, message, is_whole in pictures:
-        start = time if start is None else start
         picture = json.loads(message, parse_float=rounded)
         state = {name: value for name, value in picture["state"].items() if name in SHOWN}
         if is_whole or time - last_curves >= CURVES:
@@ -96,7 +94,7 @@ def shown_pictures(pictures: Iterable[Picture]) -> list[dict[str, Any]]:
             state["ended"] = QUOTED_PATH.sub(r"'\1'", state["ended"])
         shown.append(
             {
-                "time": time - start,
+                "time": time - pictures[0].time,
                 "whole": is_whole,
                 "cmds": picture["cmds"],
                 "attrs": [
