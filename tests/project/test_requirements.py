@@ -72,13 +72,9 @@ def test_the_lists_for_pip_have_what_pyproject_names_and_each_package_has_both_b
     of_tests = bounds("tests/requirements.txt")
     assert named.keys() == {"vpython", "pandas", "setuptools", "autobahn", *of_tests}
     assert named.items() <= {**LISTED, **of_tests}.items()
+    assert bounds("pyproject.toml", r'^dev = \["(\w+)(.*)"\]') == {"pytest": of_tests["pytest"]}
     for versions in [*LISTED.values(), *of_tests.values()]:
         assert re.fullmatch(r"==[\d.]+|>=[\d.]+,<[\d.]+", versions)
-
-
-def test_the_group_of_uv_has_the_pytest_of_pip():
-    [group] = re.findall(r'^dev = \["(.*)"\]', (ROOT / "pyproject.toml").read_text(), re.MULTILINE)
-    assert group == f"pytest{bounds('tests/requirements.txt')['pytest']}"
 
 
 def test_the_container_forwards_the_port_of_the_page_and_the_program_opens_no_browser():

@@ -1,13 +1,11 @@
 """With uv, a program and pytest install what they need: from PyPI, with an empty cache."""
 
-import os
 import shutil
 import signal
-import subprocess
 import sys
 
 import pytest
-from programs import copy_project, end, first_lines, needs_vpython, QUIETLY, ROOT, running, SECONDS
+from programs import copy_project, end, first_lines, needs_vpython, python, QUIETLY, ROOT, running
 from students import COUNTS
 from whole_cradles import FIVE_CSV
 
@@ -15,8 +13,7 @@ pytestmark = [pytest.mark.slow, *needs_vpython]
 
 
 def test_the_page_of_a_project_and_the_checks_of_a_starter_need_uv_alone(tmp_path, starter):
-    pip = [sys.executable, "-m", "pip", "install", "-q", "--target", tmp_path / "uv", "uv"]
-    done = subprocess.run(pip, capture_output=True, text=True)
+    done = python("-m", "pip", "install", "-q", "--target", tmp_path / "uv", "uv")
     if done.returncode != 0:
         pytest.skip(f"pip cannot install uv: {done.stderr.splitlines()[-1]}")
     uv = tmp_path / "uv" / "bin" / "uv"
@@ -36,13 +33,8 @@ def test_the_page_of_a_project_and_the_checks_of_a_starter_need_uv_alone(tmp_pat
     installed = [*project.glob(".venv/lib/*/site-packages/*.dist-info")]
     assert len(installed) <= 25  # with Jupyter, more than a hundred
 
-    done = subprocess.run(
-        [uv, "run", "-q", "pytest", "--tier", "D"],
-        cwd=starter,
-        env={**os.environ, **environment},
-        capture_output=True,
-        text=True,
-        timeout=2 * SECONDS,
-    )
-    assert done.stderr == ""
-    assert f"{COUNTS['D']} waiting" in done.stdout
+    checks = ("run", "-q", "pytest", "--tier", "D")
+    with running(*checks, folder=starter, python=uv, **environment) as process:
+        stdout, stderr = process.communicate()
+    assert stderr == ""
+    assert f"{COUNTS['D']} waiting" in stdout
