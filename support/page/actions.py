@@ -266,13 +266,8 @@ class Actions:
 
     def let_go(self) -> None:
         """Let the held bob, if there is one, swing on."""
-        viewer = self.viewer
         if self.cradle.held_bob.index is None:
             return
         self.cradle.held_bob.index = None
-        viewer.motion.set_start()
-        viewer.stopwatch.restart(viewer.motion.time())
-        viewer.note()
-        viewer.ghosts.begin()
-        viewer.marks.surround(self.cradle)
-        viewer.slow_hits.clear()
+        self.viewer.motion.set_start()
+        self.viewer.begin_swing()

@@ -199,15 +199,11 @@ class Viewer(Player):
         self.tabs.begin_run()
         self.actions.pose()
         self.is_dragged = False
-        self.slow_hits.clear()
         self.scenery.surround(cradle.axles(), cradle.bobs(), cradle.reach, cradle.values("mass"))
-        self.marks.surround(cradle)
         self.graph.begin(cradle.colors())
         self.last_hits = -inf
         self.after_hits = []
-        self.stopwatch.restart(self.motion.time())
-        self.ghosts.begin()
-        self.note()
+        self.begin_swing()
         self.before = None
         self.tick_lines = []
         self.next_refresh = 0.0
@@ -216,6 +212,14 @@ class Viewer(Player):
             self.tabs.is_seen.wait(FRAME)
             self.next_refresh = 0.0
             self.pace.restart()
+
+    def begin_swing(self) -> None:
+        """Measure from this moment on: bobs were let go."""
+        self.slow_hits.clear()
+        self.marks.surround(self.cradle)
+        self.stopwatch.restart(self.motion.time())
+        self.ghosts.begin()
+        self.note()
 
     def note(self) -> None:
         """Add this moment to the graph."""
