@@ -173,6 +173,13 @@ def press(page, name):
     button(page, name).click()
 
 
+def saved(page, name):
+    """Press the button with this name; return the name and the path of the file that it saves."""
+    with page.expect_download() as download:
+        press(page, name)
+    return download.value.suggested_filename, download.value.path()
+
+
 def tick(page, name):
     """Tick a box."""
     page.get_by_role("checkbox", name=name).check()

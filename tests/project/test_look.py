@@ -10,6 +10,7 @@ from pages import (
     menu,
     pause,
     press,
+    saved,
     slide,
     slider_texts,
     tick,
@@ -160,14 +161,6 @@ def test_the_cradle_in_a_sentence_is_told_when_you_pause_or_ask_never_by_itself(
     wait_until(lambda: told.text_content() == shared.evaluate("state.summary"))
 
 
-def saved(page, name):
-    """Press the button with this name; return the name and the lines of the file that it saves."""
-    with page.expect_download() as download:
-        press(page, name)
-    file, text = download.value.suggested_filename, download.value.path().read_text()
-    return file, text.splitlines()
-
-
 def test_the_setup_and_the_numbers_of_the_graph_are_selected_and_saved(shared):
     shared.locator(".keep summary").click()
     pause(shared)
@@ -176,14 +169,14 @@ def test_the_setup_and_the_numbers_of_the_graph_are_selected_and_saved(shared):
     assert violations(shared) == {}
     for name in ("again", "setup"):
         shared.locator(f"pre[data-text={name}]").click()
-        assert (
-            shared.evaluate("getSelection().toString()") == shared.evaluate(f"state.{name}").strip()
-        )
-    file, lines = saved(shared, "Save as a file")
-    assert (file, lines) == ("my_cradle.txt", shared.evaluate("state.setup").splitlines())
+        selected = shared.evaluate("getSelection().toString()")
+        assert selected == shared.evaluate(f"state.{name}").strip()
+    name, file = saved(shared, "Save as a file")
+    assert (name, file.read_text()) == ("my_cradle.txt", shared.evaluate("state.setup"))
     save = "Save the numbers of the graph"
-    file, (head, *rows) = saved(shared, save)
-    assert (file, head) == ("graph.csv", "theta_5,omega_5")
+    name, file = saved(shared, save)
+    head, *rows = file.read_text().splitlines()
+    assert (name, head) == ("graph.csv", "theta_5,omega_5")
     numbers = [[*map(float, row.split(","))] for row in rows]
     assert numbers == shared.evaluate("state.curves.rows")
     menu(shared, "Graph").select_option("no graph")

@@ -254,6 +254,7 @@ def test_a_program_of_single_pendula_has_one_angle_which_ghosts_can_have_too(
     [
         ("--lift 4", "--lift: found '4', allowed is at most 3, "),
         ("--ghosts no.csv", "no.csv: cannot be read: "),
+        ("--experiment no.txt", "no.txt: cannot be read: "),
         ("--html {csv}", "--html: found '"),
     ],
 )

@@ -6,7 +6,6 @@ from math import radians
 from unittest.mock import Mock
 
 import pytest
-from programs import call
 from rig import Rig
 from vpython import vector
 from whole_cradles import go_on, GOOD, HEADER
@@ -106,7 +105,7 @@ def test_a_bob_that_was_let_go_begins_there(options_of, rig):
     assert options_of(rig) == "--angle=30 --lift=1"
 
 
-def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, tmp_path, capsys):
+def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, tmp_path):
     """Without a question, nothing is asked."""
     viewer = start("--mass 0.1")
     assert setup(viewer)["again"].endswith("run.py --mass=0.1")
@@ -119,7 +118,3 @@ def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, t
         assert (viewer.chooser.name(), viewer.chooser.names()) == ("Two bobs", names)
         assert len(viewer.cradle.pend_list) == count
         assert viewer.questions.is_asking == (path == BUILT_IN)
-    (tmp_path / "two.txt").write_text("<s>")
-    status, out, err = call(lambda: start("--experiment two.txt"), capsys)
-    assert (status, out, err.count("\n")) == (2, "", 1)
-    assert err.startswith("two.txt, line 1: found '<s>', ")
