@@ -31,8 +31,9 @@ WORKBOOKS = b"PK\3\4", b"\xd0\xcf\x11\xe0"
 def read_file(filepath: str | Path) -> bytes:
     """Return the content of a file.
 
-    Raises an OSError if the file cannot be read, or is larger than LARGEST. It never waits: it also
-    raises one for a pipe, which may have no writer, and for a device, which may have no end.
+    Of one that is larger than LARGEST, return a part that is larger, too. Raises an OSError if the
+    file cannot be read. It never waits: it also raises one for a pipe, which may have no writer,
+    and for a device, which may have no end.
     """
     path = Path(filepath)  # it takes no number, which would be an open file
     if path.is_dir():  # Windows would only say that the permission is denied
@@ -45,16 +46,7 @@ def read_file(filepath: str | Path) -> bytes:
     with open(path, "rb", opener=open_at_once) as file:
         if not S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(errno.EINVAL, "found a pipe or a device, allowed is a file")
-        data = file.read(LARGEST + 1)
-    require_size(data)
-    return data
-
-
-def require_size(data: bytes) -> None:
-    """Raise an OSError if this is more than LARGEST."""
-    if len(data) > LARGEST:
-        most = f"{LARGEST // 10**6} MB"
-        raise OSError(errno.EFBIG, f"found more than {most}, allowed are at most {most}")
+        return file.read(LARGEST + 1)
 
 
 def reason(error: OSError) -> str:
@@ -82,7 +74,9 @@ class Snapshot:
         try:
             if data is None:
                 self.data = read_file(filepath)
-            require_size(self.data)
+            if len(self.data) > LARGEST:
+                most = f"{LARGEST // 10**6} MB"
+                raise OSError(errno.EFBIG, f"found more than {most}, allowed are at most {most}")
         except OSError as error:
             self.error = error
 

@@ -101,7 +101,11 @@ class Graph:
         the y axis from "bottom" to "top"; where these are missing, graph.js lets flot choose them.
         """
         choice = self.choices[self.chosen]
-        unit_name = " (%)" if self.chosen == ENERGY else ""
+        unit = 1.0
+        unit_name = ""
+        if self.chosen == ENERGY:
+            unit = (start_energy or 1) / 100
+            unit_name = " (%)"
         state: dict[str, Any] = {
             "x": choice.x,
             "y": choice.y,
@@ -110,9 +114,6 @@ class Graph:
             "rows": [],
         }
         if choice.curves and self.rows:
-            unit = 1.0
-            if self.chosen == ENERGY:
-                unit = (start_energy or 1) / 100
             state["rows"] = self.numbers(choice, unit)
             state |= self.limits(choice, state["rows"])
         return state
