@@ -15,9 +15,9 @@ from pages import bob_angles, pixel, press, readout, saved, wait_for_cradle
 from programs import PROGRAM, python, ROOT, with_vpython
 
 from support.files.data_file import is_run, require_replaceable
-from support.page.film import Film, KEPT, STILL, WHOLE
+from support.page.film import KEPT, STILL, WHOLE
 from support.page.recorder import NoTabs
-from support.page.tabs import Changes
+from support.page.tabs import Tabs
 
 OPTIONS = "--seconds", "2", "--e", "0.9"
 ADDRESS = "http://course.example/run.html"
@@ -25,57 +25,54 @@ ARROWS = "() => glowObjs.filter(o => o?.constructor.name === 'arrow' && o.visibl
 
 
 @pytest.fixture
-def film():
-    """A film of changes that a test makes at a time."""
-    film = Film(clock=lambda: film.now)
-    film.changes = Changes()
-
-    def show(now, **state):
-        film.now = now
-        film.changes.add(state)
-        film.take(film.changes)
-
-    film.show = show
-    return film
+def tabs():
+    """Tabs whose film has the time that a test sets."""
+    return NoTabs()
 
 
-def seen(film):
-    """Return the time of each picture, and the value of x in it."""
+def show(tabs, now, **state):
+    tabs.now = now
+    tabs.deliver(state, {})
+
+
+def seen(tabs):
+    """Return the time of each picture of the film, and the value of x in it."""
     found = []
-    for picture in film.pictures:
+    for picture in tabs.film.pictures:
         found.append((round(picture.time, 6), json.loads(picture.message)["state"].get("x")))
     return found
 
 
-def test_a_film_has_thirty_pictures_a_second_and_the_last_one_but_three_seconds_of_a_pause(film):
+def test_a_film_has_thirty_pictures_a_second_and_the_last_one_but_three_seconds_of_a_pause(tabs):
     for number in range(7):
-        film.show(number / 60, x=number)
-    assert [x for _, x in seen(film)] == [0, 2, 4, 6]
-    film.show(6.2 / 60, x=7)
-    film.take(film.changes, at_once=True)
-    assert seen(film)[-1] == (round(6.2 / 60, 6), 7)
-    film.take(film.changes, at_once=True)
-    assert len(seen(film)) == 5  # nothing has changed
-    film.show(600, x=8)
-    assert seen(film)[-1] == (round(6.2 / 60 + STILL, 6), 8)
+        show(tabs, number / 60, x=number)
+    assert [x for _, x in seen(tabs)] == [0, 2, 4, 6]
+    show(tabs, 6.2 / 60, x=7)
+    tabs.film.take(tabs.all, at_once=True)
+    assert seen(tabs)[-1] == (round(6.2 / 60, 6), 7)
+    tabs.film.take(tabs.all, at_once=True)
+    assert len(seen(tabs)) == 5  # nothing has changed
+    show(tabs, 600, x=8)
+    assert seen(tabs)[-1] == (round(6.2 / 60 + STILL, 6), 8)
 
 
-def test_a_film_begins_with_a_whole_picture_and_keeps_the_end_of_a_long_run(film):
-    film.show(0, x="old", y="never again")
-    film.begin()
-    for now in range(100):
-        film.show(now, x=now)
-    assert film.pictures[0].is_whole
-    first, last = film.pictures[0], film.pictures[-1]
+def test_the_film_of_a_page_begins_with_a_whole_picture_and_keeps_the_end_of_a_long_run(tabs):
+    tabs.film.kept = Tabs().film.kept
+    show(tabs, 0, x="old", y="never again")
+    for now in range(1, 100):
+        show(tabs, now, x=now)
+    first, *_, last = tabs.film.pictures
+    assert first.is_whole
     assert KEPT <= last.time - first.time < KEPT + 2 * WHOLE
     assert json.loads(first.message)["state"] == {"x": first.time, "y": "never again"}
 
 
-def test_the_film_of_a_long_file_keeps_its_start():
-    tabs = NoTabs()
-    for tabs.now in range(100):
-        tabs.deliver({"x": tabs.now}, {})
-    assert len(tabs.film.pictures) == 100
+def test_the_film_of_a_file_keeps_the_start_of_the_present_run(tabs):
+    show(tabs, -1, x="old")
+    tabs.begin_run()
+    for now in range(100):
+        show(tabs, now, x=now)
+    assert len(seen(tabs)) == 100
 
 
 # --- the file --------------------------------------------------------------------------------
@@ -182,9 +179,9 @@ def test_you_step_scrub_and_run_it_again(opened):
 
 
 def test_a_run_of_an_experiment_begins_with_its_question_and_ends_with_what_happened(
-    page, tmp_path_factory
+    page, tmp_path
 ):
-    file = tmp_path_factory.mktemp("double") / "run.html"
+    file = tmp_path / "run.html"
     experiment = ROOT / "support" / "experiments" / "double" / "2_two_pendula.txt"
     program = PROGRAM.with_name("visualize_double_cradle_run.py")
     options = "--html", file, "--experiment", experiment, "--seconds", "1.5"
