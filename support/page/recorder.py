@@ -58,7 +58,7 @@ class Recorder(Viewer):
         if self.questions.measurement:
             self.questions.answer(self.questions.measurement.experiment.key, None)
         done = self.motion.ticks / self.last
-        self.is_over = done == 1 and not self.is_resting()
+        self.is_over = done == 1
         if done:
             self.progress(done)
 
