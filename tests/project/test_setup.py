@@ -14,7 +14,7 @@ from src import special_cradles, visualize_cradle_run, visualize_double_cradle_r
 from support.cradle.double_cradle import DoubleCradle
 from support.files.experiments import EXPERIMENTS
 from support.page import page
-from support.page.setup import FILE, setup
+from support.page.setup import FILE, NO_RULE, setup
 
 BUILT_IN = str(EXPERIMENTS / "single" / "2_two_bobs.txt")
 BY_FILE = f"--experiment={FILE}"
@@ -87,6 +87,8 @@ def test_the_csv_is_that_of_the_cradle_or_no_options_make_it(options_of, rig):
     assert options_of(rig) == "--angle=30 --lift=2"
     rig.save("mistake")
     assert rig.state["again"].endswith(BY_FILE)
+    rig.give("separating", True)
+    assert rig.state["advice"].startswith(NO_RULE)
 
 
 def test_the_double_cradle_has_phi(options_of, csv):
