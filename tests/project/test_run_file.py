@@ -8,6 +8,7 @@ import csv
 import gzip
 import json
 import re
+import socket
 from math import degrees
 
 import pytest
@@ -17,6 +18,7 @@ from programs import PROGRAM, python, ROOT, with_vpython
 from support.files.data_file import is_run, require_replaceable
 from support.page.film import KEPT, STILL, WHOLE
 from support.page.recorder import NoTabs
+from support.page.run_file import CURVES
 from support.page.tabs import Tabs
 
 OPTIONS = "--seconds", "2", "--e", "0.9"
@@ -104,7 +106,9 @@ def test_a_file_has_the_licences_and_no_name_of_this_machine(run_file):
         assert licence in text
     for name in (str(run_file.parent), str(ROOT), "newton_cradle_pends"):
         assert name not in text + pictures_in(run_file)
+    assert not re.search(rf"\b{re.escape(socket.gethostname())}\b", pictures_in(run_file))
     assert 29 * 2 < len(json.loads(pictures_in(run_file))) <= 31 * 2
+    assert pictures_in(run_file).count('"curves"') < 2 / CURVES + 2  # the largest part
     assert len(text) < 1_200_000  # bytes
     require_replaceable("--html", run_file, is_run, "a run of a cradle")
 

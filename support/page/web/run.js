@@ -23,6 +23,7 @@ async function load() {
   isOnBob = () => false; // nobody can drag one: a finger on it turns the camera
   try {
     pictures = await unpack(one(".run").textContent);
+    upTo(0); // findLastIndex is newer than the rest
   } catch {
     one(".unheard").textContent = "This browser is too old for this file: open it in another one.";
     return;
