@@ -223,6 +223,7 @@ tracemalloc.start()
 for reload in range(1, reloads + 1):
     rig.save(texts[reload % len(texts)])
     assert len(rig.thetas()) == texts[reload % len(texts)].count("\\n") - 1
+    tabs.begin_run()
     tabs.show(rig.state)
     if reload in (10, reloads // 2, reloads):
         gc.collect()
