@@ -21,7 +21,7 @@ from support.page.recorder import NoTabs
 from support.page.run_file import CURVES
 from support.page.tabs import Tabs
 
-OPTIONS = "--seconds", "2", "--e", "0.9"
+OPTIONS = "--seconds", "1", "--e", "0.9"
 ADDRESS = "http://course.example/run.html"
 ARROWS = "() => glowObjs.filter(o => o?.constructor.name === 'arrow' && o.visible).length"
 
@@ -89,7 +89,7 @@ def write_run(program):
 @pytest.fixture(scope="module")
 def run_file(file):
     done, run = write_run(file.parent / "src" / PROGRAM.name)
-    assert (done.returncode, done.stdout, done.stderr) == (0, f"2 s are in {run}\n", "")
+    assert (done.returncode, done.stdout, done.stderr) == (0, f"1 s are in {run}\n", "")
     return run
 
 
@@ -107,8 +107,8 @@ def test_a_file_has_the_licences_and_no_name_of_this_machine(run_file):
     for name in (str(run_file.parent), str(ROOT), "newton_cradle_pends"):
         assert name not in text + pictures_in(run_file)
     assert not re.search(rf"\b{re.escape(socket.gethostname())}\b", pictures_in(run_file))
-    assert 29 * 2 < len(json.loads(pictures_in(run_file))) <= 31 * 2
-    assert pictures_in(run_file).count('"curves":{') < 2 / CURVES + 2  # the largest part
+    assert 29 < len(json.loads(pictures_in(run_file))) <= 31
+    assert pictures_in(run_file).count('"curves":{') < 1 / CURVES + 2  # the largest part
     assert len(text) < 1_200_000  # bytes
     require_replaceable("--html", run_file, is_run, "a run of a cradle")
 
