@@ -138,10 +138,7 @@ class Cradle:
         self.note_made_angles()
 
     def require_same_pendula(self) -> None:
-        """Raise a MistakeError if a tick has changed the number of pendula, or spoilt a coordinate.
-
-        A coordinate must be a number that has an energy.
-        """
+        """Raise a MistakeError if a tick has changed the number of pendula, or spoilt one."""
         now = len(self.pend_list)
         if now != self.count:
             message = f"made {now} pendula from {self.count}; it must keep their number."
@@ -162,7 +159,7 @@ class Cradle:
     def adopt(self, key: str, source: Source, csv: str) -> None:
         """Set pend[key] of each pendulum to that of the pendula of this source, from this CSV.
 
-        Raises a MistakeError if it makes no list of pendula, or if a value is no such number.
+        Raises a MistakeError if it makes no list of pendula, or if require_numbers does.
         """
         others = source.make(csv, *source.arguments)
         require_list(source.make, others, "return a list of dictionaries; it returned")
