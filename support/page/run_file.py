@@ -25,7 +25,7 @@ SHOWN = (
     "title", "question", "hit", "motion", "bars", "impacts", "colors", "curves", "view", "summary",
     "ended",
 )  # fmt: skip
-CURVES = 0.3  # s from one state of the graph to the next: it is most of the film
+CURVES = 0.4  # s from one state of the graph to the next: it is most of the film
 LONG_NUMBER = re.compile(r"-?\d+\.\d{5,}(?:e-?\d+)?")
 TEXTURE = re.compile(r'":(\w+\.jpg)"')  # a texture's name, as VPython has it
 QUOTED_PATH = re.compile(r"'[^']*[/\\]([^'/\\]+)'")  # in a message of Python's
