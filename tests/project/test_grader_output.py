@@ -209,9 +209,13 @@ def test_other(number): pass
     assert {*done} == {"test_others", *SUITES.values()}
 
 
+# An interrupt between the inner two lines is caught by the outer ones.
 STUBBORN = """while True:
     try:
-        while True: omega += 1
+        while True:
+            try:
+                while True: omega += 1
+            except: pass
     except: pass
 """
 IMPATIENT = """import sys
