@@ -8,7 +8,6 @@ from urllib.parse import parse_qs
 from autobahn.asyncio.websocket import WebSocketServerProtocol
 from autobahn.websocket.types import ConnectionDeny
 
-from support.page.run_file import run_as_html
 from support.page.tabs import LOOK
 from support.page.web_files import content_of, PAGE
 
@@ -113,6 +112,8 @@ class Protocol(WebSocketServerProtocol):
         if not site.has_key(parameters):
             return Response("403 Forbidden", "", NO_KEY.encode())
         if name == RUN:
+            from support.page.run_file import run_as_html  # not at the start: it takes a moment
+
             return Response("200 OK", ".html", run_as_html(site.tabs).encode())
         if name == "alive":
             return Response("200 OK", "", b"alive")

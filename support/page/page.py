@@ -100,25 +100,30 @@ def show_page(
             require_replaceable("--html", options.html, is_run, "a run of a cradle")
     except ValueError as error:
         refuse(error)
-    from support.page.recorder import NoTabs, Recorder, write_run  # while the browser starts
-    from support.page.viewer import Viewer
+    from support.page.viewer import Viewer  # while the browser starts
 
     texts = {
         "command": command_line(cradle.page_program, sys.argv[1:]),
         "terminal": command_line("src/text_cradle_run.py"),
     }
-    kind = Viewer if server else Recorder
-    tabs = server.tabs if server else NoTabs()
-    viewer = kind(cradle, file, angles, options.lift, tabs, remark, **texts)
-    if experiment:
-        viewer.chooser.add(experiment)
-        viewer.chooser.choose(experiment.name)
-    if ghosts:
-        viewer.actions.take_ghosts(ghosts, with_angle=options.angle is None)
-    if isinstance(viewer, Recorder):
-        write_run(loop, viewer, options.seconds, options.html)
-    elif server:
+
+    def prepare(viewer: Viewer) -> None:
+        if experiment:
+            viewer.chooser.add(experiment)
+            viewer.chooser.choose(experiment.name)
+        if ghosts:
+            viewer.actions.take_ghosts(ghosts, with_angle=options.angle is None)
+
+    if server:
+        viewer = Viewer(cradle, file, angles, options.lift, server.tabs, remark, **texts)
+        prepare(viewer)
         play(loop, viewer, server)
+    else:
+        from support.page.recorder import NoTabs, Recorder, write_run  # a page needs none of it
+
+        recorder = Recorder(cradle, file, angles, options.lift, NoTabs(), remark, **texts)
+        prepare(recorder)
+        write_run(loop, recorder, options.seconds, options.html)
 
 
 def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:
