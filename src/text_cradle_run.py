@@ -55,7 +55,7 @@ def main() -> None:
 
     try:
         stop_on_signals()
-        play(loop, cradle, csv, options, remark)
+        play(loop, cradle, csv, options, remark or cradle.slow_remark())
     except KeyboardInterrupt as stopped:
         end_stopped(stopped, options.record)
     except (Exception, SystemExit) as error:

@@ -63,10 +63,11 @@ def newton_cradle_tick(pend_list, r_param, dt, g, approaching_only=False) -> Non
     This swings all pendula, then lets each one collide with its right neighbour.
     """
     full_swing_update(pend_list, r_param, dt, g)
-    # A student's handle_two_bobs may not have this parameter: pass it only if it is True.
-    rule = {"approaching_only": True} if approaching_only else {}
     for pend1, pend2 in pairwise(pend_list):
-        handle_two_bobs(pend1, pend2, r_param, **rule)
+        if approaching_only:
+            handle_two_bobs(pend1, pend2, r_param, approaching_only=True)
+        else:  # the handout's call, which a student's function can take as well
+            handle_two_bobs(pend1, pend2, r_param)
 
 
 def main(page: Page) -> None:

@@ -112,6 +112,15 @@ class Cradle:
         """Return the way to collide in which all pendula have this e."""
         return Collision(name_with(e), Source(self.scope[UNIFORM_E], (e,)))
 
+    def slow_remark(self) -> str:
+        """Return why the program is slow although nobody has changed a function, or nothing."""
+        if not self.many_ticks:
+            return ""
+        from support.cradle.certainty import obstacle  # a starter has no fast path
+
+        found = obstacle(self.scope)
+        return found and f"{found} So the program does one tick at a time, which is much slower."
+
     # --- a new cradle --------------------------------------------------------------------------
 
     def give_back(self) -> None:

@@ -13,7 +13,7 @@ from typing import Any
 
 from vpython import mag, vector
 
-from support.cradle.certainty import are_plain, Constants, is_certain
+from support.cradle.certainty import are_plain, CONSTANT_NAMES, Constants, is_certain
 from support.cradle.hits import Hit
 from support.pendulum import arm, contact_distance, Pendulum, show_pendulum
 
@@ -34,7 +34,7 @@ def many_ticks(
     the function that causes it.
     """
     try:
-        constants = Constants(scope["R_PARAM"], scope["DT"], scope["G"])
+        constants = Constants(*(scope[name] for name in CONSTANT_NAMES))
         is_known = is_certain(scope) and rule.keys() <= {"approaching_only"}
         if not (is_known and are_plain(pend_list, constants)):
             return None

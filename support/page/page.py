@@ -51,7 +51,7 @@ def show_cradle(
     options = read_page_options()
     cradle = Cradle(main, special_cradles, options, many_ticks)
     loop, remark = what_there_is(main, cradle)
-    show_page(loop, cradle, options, [options.angle], remark)
+    show_page(loop, cradle, options, [options.angle], remark or cradle.slow_remark())
 
 
 @while_it_is_read()

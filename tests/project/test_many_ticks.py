@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 from hypothesis import example
-from programs import OF_TESTS, python, ROOT, slow_but_for, with_vpython
+from programs import OF_TESTS, python, slow_but_for, with_vpython
 from strategies import CALLS, DT, G, HAIRS, NEIGHBOURS, pendulum_rows, random_examples
 from vpython import mag, vector
 from whole_cradles import do_at_once, do_one_by_one
@@ -166,22 +166,34 @@ def test_the_fast_path_knows_the_shipped_files():
     assert is_taken()
 
 
-@pytest.mark.parametrize("number", range(3))
-def test_the_fast_path_steps_back_from_other_code_but_not_from_line_ends_and_comments(
-    number, tmp_path, monkeypatch
-):
-    files = list(module.FILES)
-    text = (ROOT / files[number]).read_bytes()
-    files[number] = tmp_path / "file.py"
-    monkeypatch.setattr(module, "FILES", files)
-    for other, same in (
-        (text.replace(b"\n", b"\r\n"), True),
-        (text + b"\n# a comment\n", True),
-        (text + b"x = 1\n", False),
-    ):
-        files[number].write_bytes(other)
-        monkeypatch.setattr(module, "shipped_code", cache(module.shipped_code.__wrapped__))
-        assert is_taken() == same
+SWING = "    omega_new = omega - g * sin(theta) / r_param * dt\n"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "is_same"),
+    [
+        ("\n", "\r\n", True),
+        ("\n\ndef ", "\n# a comment\n\ndef ", True),
+        ('    """Return (omega_new', '    """Return the new (omega_new', True),
+        (
+            SWING,
+            SWING.replace("omega - g", "(\n        omega - g").replace("dt\n", "dt\n    )\n"),
+            True,
+        ),
+        (SWING, SWING.replace("_new", "_new: float"), True),
+        ("angle_update(omega", "angle_update(omega: float", True),
+        ("from math import sin", "from math import pi, sin\n\nTURN: float = 2 * pi", True),
+        (SWING, SWING.replace("dt", "dt + 0"), False),
+        ("def swing_update", "@print\ndef swing_update", False),
+        ("(omega, theta, r_param, dt, g)", "(omega, theta, r_param, dt, g=10)", False),
+    ],
+)
+def test_the_digest_is_of_the_code_of_the_functions(old, new, is_same):
+    """A comment, a docstring, a line break, a type and a name for other code change nothing."""
+    pendulums, swings, run = module.texts_of_files()
+    assert old in swings
+    changed = [pendulums, swings.replace(old, new), run]
+    assert (module.digest_of(changed) == digest_now()) == is_same
 
 
 @pytest.mark.parametrize(
@@ -206,6 +218,7 @@ def test_the_fast_path_steps_back_from_other_code_but_not_from_line_ends_and_com
 def test_the_fast_path_steps_back_if_a_function_is_replaced(place, monkeypatch):
     monkeypatch.setattr(place, partial(resolve_name(place)))
     assert not is_taken()
+    assert place.rpartition(".")[2] in module.obstacle(vars(RUN))
 
 
 class Number(float):
@@ -230,8 +243,17 @@ TOOLS = SimpleNamespace(get_tool=lambda number: number == 5)  # of Python 3.12
     ],
 )
 def test_the_fast_path_steps_back_after_a_patch(owner, name, value, monkeypatch):
+    assert module.obstacle(vars(RUN)) == ""
     monkeypatch.setattr(owner, name, value, raising=False)
     assert not is_taken()
+    assert module.obstacle(vars(RUN))  # in words
+
+
+def test_of_a_changed_function_nothing_is_said(monkeypatch):
+    """Whoever has changed it knows it."""
+    monkeypatch.setattr(module, "shipped_code", dict)
+    assert not is_taken()
+    assert module.obstacle(vars(RUN)) == ""
 
 
 def test_the_fast_path_steps_back_from_an_unknown_keyword_and_from_a_tuple_of_pendula():
