@@ -4,18 +4,13 @@ It needs no VPython.
 """
 
 if __name__ == "__main__":
-    import os
-    import sys
-
-    sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/.."))  # the project's folder
-    from support.start import program
-
-    program.begin(needs_vpython=False)
+    from src import begin
 
 import sys
 
 import pandas as pd
 
+import support.headless_vpython  # first: it takes VPython's place
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.files.cradle_csv import clean_copy, Snapshot

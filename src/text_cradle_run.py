@@ -4,18 +4,13 @@ Needs no VPython.
 """
 
 if __name__ == "__main__":
-    import os
-    import sys
-
-    sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
-    from support.start import program
-
-    program.begin(needs_vpython=False)
+    import begin
 
 import sys
 from argparse import Namespace
 from typing import NoReturn
 
+import support.headless_vpython  # first: it takes VPython's place
 from src import special_cradles
 from src.visualize_cradle_run import main as cradle_main
 from support.cradle.cradle import Cradle

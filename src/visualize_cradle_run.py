@@ -1,13 +1,7 @@
 """Newton's cradle in the browser: collisions, the tick, and the program to play with."""
 
 if __name__ == "__main__":
-    import os
-    import sys
-
-    sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
-    from support.start import program
-
-    program.begin()
+    import begin_page
 
 from itertools import pairwise
 from math import cos

@@ -1,13 +1,7 @@
 """The double Newton's cradle in the browser: the program to play with."""
 
 if __name__ == "__main__":
-    import os
-    import sys
-
-    sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
-    from support.start import program
-
-    program.begin()
+    import begin_page
 
 from src.double_cradle import double_cradle_tick, make_double_newton_cradle
 from support.constants import DOUBLE_DT, G, PHI_INIT, R_PARAM, THETA_INIT

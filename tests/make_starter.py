@@ -20,8 +20,14 @@ FILES = [".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.to
 FILES += [".devcontainer/devcontainer.json"]
 FILES += [f"tests/{suite}.py" for suite in SUITES.values()]
 FOLDERS = ["src", "support", "tests/grading"]
-# src/README.md, the fast path, double cradles.
-WITH_ANSWERS = {"README.md", "many_ticks.py", "certainty.py", "double_collisions.py"}
+# src/README.md, the handout's loop, the fast path, double cradles.
+WITH_ANSWERS = {
+    "README.md",
+    "plain_cradle_run.py",
+    "many_ticks.py",
+    "certainty.py",
+    "double_collisions.py",
+}
 PICTURES = {"accuracy.png", "double.png", "experiment.png", "swing.png"}  # of the READMEs
 LEFT_OUT = {"__pycache__", *PICTURES, *WITH_ANSWERS}
 # Files whose functions lose their bodies, and these functions: also two of the honor roll without a
@@ -33,16 +39,20 @@ STUDENTS_FILES = {
 STUDENTS_FUNCTIONS = {*FUNCTIONS, "double_cradle_tick"}
 PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
 
-# What a file without a program says if a student starts it.
+# The first lines of a file without a program, and the module that they import.
 NO_PROGRAM = """if __name__ == "__main__":
-    import os
-    import sys
+    import no_program
 
-    sys.path.insert(0, os.path.realpath(f"{sys.argv[0]}/../.."))  # the project's folder
-    from support.start import program
+"""
+NO_PROGRAM_FILE = """# You have started a file that has only functions.
 
-    program.refuse_to_run()
+import os
+import sys
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+from support.start import program
+
+program.refuse_to_run()
 """
 
 # Patterns of what the files of src/ lose: imports, arguments and sentences that go beyond the
@@ -121,10 +131,9 @@ def texts_of_its_own() -> dict[Path, str]:
     ]
     project, _, _ = read("pyproject.toml").partition("\n# A plain pytest")
     return {
+        Path("src/no_program.py"): NO_PROGRAM_FILE,
         Path("README.md"): read("tests/starter.md").format(rows="\n".join(rows)),
-        Path("pyproject.toml"): project.replace(
-            " -m 'not browser and not slow' -n 2 --dist worksteal", ""
-        ),
+        Path("pyproject.toml"): project.replace(" -m 'not browser and not slow'", ""),
         Path(".github/workflows/classroom.yml"): read("tests/teacher/classroom.yml"),
     }
 
@@ -146,7 +155,7 @@ def for_students(path) -> str:
     source = path.read_text(encoding="utf-8")
     for pattern in CUT:
         source = re.sub(pattern, "", source)
-    if "__main__" not in source:
+    if f"src/{path.name}" in STUDENTS_FILES and "__main__" not in source:
         source = source.replace('"""\n\n', f'"""\n\n{NO_PROGRAM}', 1)
     if f"src/{path.name}" not in STUDENTS_FILES:
         return source

@@ -29,8 +29,7 @@ def checks_command() -> str:
 def command_in_root(python: str) -> str:
     """Return the command in the project's folder; python is the command that starts this Python."""
     if "UV" in os.environ:  # its path: uv run sets it
-        has_all_tests = (ROOT / "tests" / "project").exists()  # else it is a starter
-        return "uv run --extra tests pytest" if has_all_tests else "uv run pytest"
+        return "uv run pytest"
     script = sys.argv[0]
     on_path = shutil.which("pytest")
     if Path(script).stem == "pytest" and os.path.exists(script):

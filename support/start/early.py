@@ -9,8 +9,30 @@ import sys
 from collections.abc import Callable
 from importlib import import_module
 from importlib.machinery import ModuleSpec, PathFinder
+from pathlib import Path
 from types import ModuleType
 from typing import Any, NoReturn
+
+SRC = Path(__file__).resolve().parents[2] / "src"
+
+
+def is_in_session() -> bool:
+    """Return whether a prompt comes back after a program (IPython, python -i)."""
+    return hasattr(sys, "ps1") or bool(sys.flags.interactive)
+
+
+def forget_program() -> None:
+    """Let Python import again what a program has imported.
+
+    These are the files that you may change before the next program of a session, VPython with all
+    objects of the page (VPython forgets itself in the same way in Spyder), and the stand-in for
+    VPython.
+    """
+    # The files of src/ can also have been imported without "src.".
+    names = {"src", "support", "vpython", *(file.stem for file in SRC.glob("*.py"))}
+    for module in [*sys.modules]:
+        if module.partition(".")[0] in names:
+            del sys.modules[module]
 
 
 def on_signals(act: Callable[[int], object]) -> None:
@@ -21,9 +43,9 @@ def on_signals(act: Callable[[int], object]) -> None:
     already ignored, as by nohup, stays ignored. As the first process of a container, a program gets
     only the signals for which this is set.
 
-    In a session (IPython, python -i), nothing changes: with Ctrl+C, the prompt comes back.
+    In a session, nothing changes: with Ctrl+C, the prompt comes back.
     """
-    if hasattr(sys, "ps1") or sys.flags.interactive:
+    if is_in_session():
         return
     statuses: dict[int, int] = {}  # a signal's number -> the exit status
     for name in ("SIGINT", "SIGBREAK", "SIGQUIT", "SIGHUP", "SIGTERM"):

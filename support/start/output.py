@@ -9,6 +9,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from typing import NoReturn, TextIO, TypeAlias
 
+from support.start.early import forget_program, is_in_session
+
 Progress: TypeAlias = Callable[[float], object]
 
 BAR_AFTER = 2.0  # s before a bar shows the progress
@@ -44,6 +46,8 @@ def while_it_is_read() -> Iterator[None]:
                 stream.flush()
             except OSError:  # Python would try again, and fail
                 os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        if is_in_session():
+            forget_program()
 
 
 def is_unread(error: BaseException) -> bool:

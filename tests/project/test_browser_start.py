@@ -2,6 +2,7 @@
 
 import signal
 import sys
+from itertools import takewhile
 from types import SimpleNamespace
 from unittest.mock import Mock
 from urllib.parse import urlsplit
@@ -76,6 +77,7 @@ def test_what_a_browser_opens(monkeypatch, name, release, places):
 
 SESSION = """exec "{python}" -W ignore -i <<'END'
 import runpy, sys
+sys.path[0] = "{folder}/src"
 def start(name, *options):
     sys.argv = [f"{folder}/src/{{name}}.py", *options]
     try:
@@ -107,7 +109,7 @@ def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back
     with running("-c", session, python="sh") as process:
 
         def until_the_prompt():
-            return [*iter(process.stdout.readline, "the prompt\n")]
+            return [*takewhile("the prompt\n".__ne__, process.stdout)]
 
         assert [line[:3] for line in until_the_prompt()] == ["t ="] * 2
         assert [line[:3] for line in until_the_prompt()] == ["the", "t =", "t ="]

@@ -33,11 +33,7 @@ PAGES = "src/visualize_cradle_run", "src/visualize_double_cradle_run"
     ("program", "way"),
     [
         ("pds_tester", "file"),
-        ("pds_tester", "isolated"),
         (TEXT, "file"),
-        (TEXT, "isolated"),
-        (TEXT, "module"),
-        (TEXT, "pasted"),
         pytest.param(TEXT, "link", marks=on_posix),
         pytest.param(PAGES[0], "file", marks=with_vpython),
         pytest.param(PAGES[1], "file", marks=with_vpython),
@@ -60,15 +56,9 @@ def test_a_program_finds_its_own_project_from_any_folder_and_refuses_in_one_line
     link = tmp_path / "link"
     if way == "link":
         link.symlink_to(file)
-    arguments = {
-        "file": [file],
-        "isolated": ["-I", file],
-        "module": ["-m", program.replace("/", ".")],
-        "pasted": ["-c", file.read_text(encoding="utf-8")],
-        "link": [link],
-    }[way]
-    folder = os.sep if way == "file" else project
-    done = python(*arguments, folder=folder, PYTHONPATH=str(tmp_path / "hiding"))
+    done = python(
+        link if way == "link" else file, folder=os.sep, PYTHONPATH=str(tmp_path / "hiding")
+    )
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
     assert done.stderr.startswith(f"{project / 'newton_cradle_pends.csv'}: is empty, ")
 
@@ -106,14 +96,13 @@ FULL = "import tempfile; tempfile._candidate_tempdir_list = list"  # no folder i
 )
 def test_an_obstacle_is_named_before_a_program_stumbles(obstacle, status, part):
     run = "import runpy; runpy.run_path('src/visualize_cradle_run.py', run_name='__main__')"
-    done = python("-c", f"{obstacle}; {run}")
+    done = python("-c", f"{obstacle}; {run}", PYTHONPATH=str(ROOT / "src"))
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (status, "", 1)
     assert part in done.stderr
 
 
 DRAWN = """
-from support.start import program
-program.begin()
+import begin_page
 from vpython import *
 sphere().clone()
 for refused in {refused}.split():
@@ -130,7 +119,8 @@ scene.waitfor('click') scene.pause() scene.mouse.pick
 
 @with_vpython
 def test_a_program_with_a_page_draws_shapes_and_refuses_all_for_which_vpython_would_wait():
-    done = python("-W", "ignore", "-c", DRAWN.format(refused=repr(REFUSED)))
+    code = DRAWN.format(refused=repr(REFUSED))
+    done = python("-W", "ignore", "-c", code, PYTHONPATH=str(ROOT / "src"))
     assert (done.returncode, done.stdout.split(), done.stderr) == (0, REFUSED.split(), "")
 
 
@@ -263,3 +253,9 @@ def test_a_program_refuses_in_one_line_before_a_page_opens(start, csv, capsys, l
     status, stdout, stderr = call(show, capsys)
     assert (status, stdout, stderr.count("\n")) == (2, "", 1)
     assert stderr.startswith(message)
+
+
+def test_a_program_says_why_it_is_slow_if_no_function_has_changed(tmp_path):
+    profiler = ("-m", "cProfile", "-o", tmp_path / "profile")
+    done = python(*profiler, "src/text_cradle_run.py", "--seconds", 0.01)
+    assert done.stdout.startswith("A debugger, a tracer or a profiler watches each call. So ")

@@ -62,7 +62,8 @@ def test_the_lines_of_the_handout_are_there_as_it_has_them(made):
 
 
 def test_the_folder_has_the_handouts_files_the_programs_and_the_graded_tests_alone(made):
-    others = {"__init__", "text_cradle_run", "visualize_double_cradle_run"}
+    others = {"__init__", "begin", "begin_page", "no_program"}
+    others |= {"text_cradle_run", "visualize_double_cradle_run"}
     sources = {f"src/{path.name}" for path in made.glob("src/*")}
     assert sources == HANDOUTS | {f"src/{name}.py" for name in others}
     suites = {f"{suite}.py" for suite in SUITES.values()}
