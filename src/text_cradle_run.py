@@ -13,8 +13,8 @@ from typing import NoReturn
 import support.headless_vpython  # first: it takes VPython's place
 from src import special_cradles
 from src.visualize_cradle_run import main as cradle_main
+from support.cradle import many_ticks
 from support.cradle.cradle import Cradle
-from support.cradle.many_ticks import many_ticks
 from support.cradle.player import run
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import has_data, require_replaceable

@@ -78,7 +78,7 @@ def main(page: Page) -> None:
 
 if __name__ == "__main__":
     from src import special_cradles
-    from support.cradle.many_ticks import many_ticks
+    from support.cradle import many_ticks
     from support.page.page import show_cradle
 
     show_cradle(main, special_cradles, many_ticks)

@@ -53,12 +53,13 @@ class Cradle:
         main: Callable,
         special_cradles: ModuleType,
         options: Namespace,
-        many_ticks: Callable | None = None,
+        many_ticks: ModuleType | None = None,
     ):
         """Find the functions that make and move the pendula.
 
         They are in main's module, in special_cradles, and in all of src/. options has elastic,
-        inelastic, e and mass from support/start/options.py. many_ticks is the fast path, or None.
+        inelastic, e and mass from support/start/options.py. many_ticks is the module
+        of the fast path, or None.
         """
         self.scope = scope_of(main, special_cradles)
         self.many_ticks = many_ticks
@@ -114,12 +115,7 @@ class Cradle:
 
     def slow_remark(self) -> str:
         """Return why the program is slow although nobody has changed a function, or nothing."""
-        if not self.many_ticks:
-            return ""
-        from support.cradle.certainty import obstacle  # a starter has no fast path
-
-        found = obstacle(self.scope)
-        return found and f"{found} So the program does one tick at a time, which is much slower."
+        return self.many_ticks.slow_remark(self.scope) if self.many_ticks else ""
 
     # --- a new cradle --------------------------------------------------------------------------
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from vpython import mag, vector
 
-from support.cradle.certainty import are_plain, CONSTANT_NAMES, Constants, is_certain
+from support.cradle.certainty import are_plain, CONSTANT_NAMES, Constants, is_certain, obstacle
 from support.cradle.hits import Hit
 from support.pendulum import arm, contact_distance, Pendulum, show_pendulum
 
@@ -46,6 +46,12 @@ def many_ticks(
     if ticks:
         run.show()
     return run.hits
+
+
+def slow_remark(scope: Mapping[str, Any]) -> str:
+    """Return why the programs do single ticks although nobody has changed a function, or ""."""
+    found = obstacle(scope)
+    return found and f"{found} So the program does one tick at a time, which is much slower."
 
 
 class Run:

@@ -240,7 +240,7 @@ class Player(Page):
         cradle = self.cradle
         if not cradle.many_ticks:
             return False
-        hits = cradle.many_ticks(cradle.scope, cradle.pend_list, ticks, self.rule)
+        hits = cradle.many_ticks.many_ticks(cradle.scope, cradle.pend_list, ticks, self.rule)
         if hits is None:
             return False
         if cradle.held_bob.index is None:

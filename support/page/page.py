@@ -2,7 +2,7 @@
 
 import sys
 from argparse import Namespace
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from ipaddress import ip_address
 from pathlib import Path
 from types import ModuleType
@@ -40,13 +40,13 @@ UPPER_ONLY = (
 
 @while_it_is_read()
 def show_cradle(
-    main: Loop, special_cradles: ModuleType, many_ticks: Callable | None = None
+    main: Loop, special_cradles: ModuleType, many_ticks: ModuleType | None = None
 ) -> None:
     """Show the cradle of main in the browser until the tab is closed.
 
-    special_cradles is the handout's module, many_ticks is the fast path, or None. While functions
-    are missing, show the cradle without them. Exits with status 2 if an option or the CSV is wrong,
-    or if there is nothing to show yet.
+    special_cradles is the handout's module, many_ticks is the module of the fast path, or None.
+    While functions are missing, show the cradle without them. Exits with status 2 if an option or
+    the CSV is wrong, or if there is nothing to show yet.
     """
     options = read_page_options()
     cradle = Cradle(main, special_cradles, options, many_ticks)

@@ -42,8 +42,8 @@ def project(tmp_path, monkeypatch):
     monkeypatch.setattr(mistake, "ROOT", tmp_path.resolve())
     for name in [name for name in sys.modules if name.partition(".")[0] == "src"]:
         monkeypatch.delitem(sys.modules, name)
-    # It would forget what the tests have imported
-    monkeypatch.setitem(sys.modules, "support.start.program", Mock())
+    for name in ("begin", "begin_page"):
+        monkeypatch.setitem(sys.modules, name, Mock())
     monkeypatch.setattr("signal.signal", lambda *_: None)
     tabs = Mock(have_room=bool, are_gone=False)
     server = SimpleNamespace(tabs=tabs, close=lambda *_: None)

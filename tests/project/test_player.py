@@ -2,6 +2,7 @@
 
 import re
 from collections import ChainMap
+from types import SimpleNamespace
 from unittest.mock import patch
 
 import pytest
@@ -31,7 +32,7 @@ class Timed(Player):
         self.frames = 0
         self.pace = RealTime(DT, lambda: self.now, self.sleep)
         self.pace.speed = speed
-        self.cradle.many_ticks = self.do_call if call else None
+        self.cradle.many_ticks = SimpleNamespace(many_ticks=self.do_call) if call else None
 
     def do_tick(self, *_, **__):
         self.now += self.tick

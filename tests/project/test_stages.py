@@ -50,7 +50,7 @@ PAGE = """
 import runpy, sys
 from unittest.mock import Mock
 import grading.begin
-sys.modules["support.start.program"] = Mock()  # it would forget the next line
+sys.modules["begin_page"] = Mock()
 from support.page import page
 page.show_page = lambda *given: print(given[-1])
 runpy.run_path("src/visualize_cradle_run.py", run_name="__main__")

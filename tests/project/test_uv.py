@@ -12,7 +12,7 @@ from whole_cradles import FIVE_CSV
 pytestmark = [pytest.mark.slow, *needs_vpython]
 
 
-def test_the_page_of_a_project_and_the_checks_of_a_starter_need_uv_alone(tmp_path, starter):
+def test_the_page_and_the_checks_of_a_project_and_of_a_starter_need_uv_alone(tmp_path, starter):
     done = python("-m", "pip", "install", "-q", "--target", tmp_path / "uv", "uv")
     if done.returncode != 0:
         pytest.skip(f"pip cannot install uv: {done.stderr.splitlines()[-1]}")
@@ -25,6 +25,7 @@ def test_the_page_of_a_project_and_the_checks_of_a_starter_need_uv_alone(tmp_pat
 
     project = copy_project(tmp_path / "project", FIVE_CSV)
     shutil.copy(ROOT / "pyproject.toml", project)
+    shutil.copytree(ROOT / "tests", project / "tests")
     page = ("src/visualize_cradle_run.py", "--no-browser")
     with running("run", "-q", *page, folder=project, python=uv, **environment) as process:
         first_lines(process)
@@ -32,6 +33,13 @@ def test_the_page_of_a_project_and_the_checks_of_a_starter_need_uv_alone(tmp_pat
         assert end(process) == QUIETLY
     installed = [*project.glob(".venv/lib/*/site-packages/*.dist-info")]
     assert 0 < len(installed) <= 25  # with Jupyter, more than a hundred
+
+    checks = ("run", "-q", "pytest")
+    with running(*checks, folder=project, python=uv, **environment) as process:
+        stdout, stderr = process.communicate()
+    assert stderr == ""
+    assert "type uv run --extra tests pytest -n 2 tests\n" in stdout
+    assert "\nGrade: Honor roll.\n" in stdout
 
     checks = ("run", "-q", "pytest", "--tier", "D")
     with running(*checks, folder=starter, python=uv, **environment) as process:

@@ -13,8 +13,8 @@ from grading.cradles import hang, R
 from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from src.double_cradle import make_double_pendulum
 from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
+from support.cradle import many_ticks
 from support.cradle.cradle import Cradle
-from support.cradle.many_ticks import many_ticks
 from support.cradle.player import Player
 from support.energy import energies
 from support.files.cradle_csv import Snapshot
@@ -177,7 +177,7 @@ def make_row(count, theta=0.0, **values) -> list[dict]:
 def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False):
     """Return the hits of many_ticks with these constants, as numbers, or None."""
     scope = {**vars(visualize_cradle_run), "R_PARAM": r_param, "DT": dt, "G": g}
-    hits = many_ticks(scope, pend_list, ticks, {"approaching_only": approaching_only})
+    hits = many_ticks.many_ticks(scope, pend_list, ticks, {"approaching_only": approaching_only})
     return None if hits is None else [hit[:5] for hit in hits]
 
 
