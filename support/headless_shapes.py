@@ -9,6 +9,7 @@ from operator import attrgetter
 from typing import Any
 
 from support.headless_vector import nothing, vector
+from support.waits import heard
 
 # The vectors of a thing before a program sets them.
 FIRST = {
@@ -178,6 +179,8 @@ class canvas(baseObj):
     height = 400
     range = 1
     fov = pi / 3
+    pause = heard("scene.pause", baseObj)
+    waitfor = heard("scene.waitfor", baseObj)
 
     def __init__(self, **attributes: Any) -> None:
         self.center = vector(0, 0, 0)

@@ -43,13 +43,17 @@ from support.headless_vector import (
 from support.headless_vector import (
     nothing as _nothing,
 )
+from support.waits import heard as _heard
 
 sys.modules["vpython"] = sys.modules[__name__]
 
 _TEXTURES = "flower granite gravel earth metal rock rough rug stones stucco wood wood_old"
 textures = type("textures", (), {name: f":{name}_texture.jpg" for name in _TEXTURES.split()})
 
-rate = sleep = set_browser = _nothing  # nothing is shown, so there is nothing to wait for
+# Nothing is shown, so there is nothing to wait for
+rate = _heard("rate")
+sleep = _heard("sleep")
+set_browser = _nothing
 version = ["7.6.5", "jupyter"]
 GSversion = ["3.2", "glowscript"]
 

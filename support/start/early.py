@@ -9,11 +9,11 @@ import sys
 from collections.abc import Callable
 from importlib import import_module
 from importlib.machinery import ModuleSpec, PathFinder
-from pathlib import Path
 from types import ModuleType
 from typing import Any, NoReturn
 
-SRC = Path(__file__).resolve().parents[2] / "src"
+from support.start.checks_command import ROOT
+from support.waits import heard, SRC
 
 
 def is_in_session() -> bool:
@@ -135,8 +135,15 @@ def draw_without_its_page() -> None:
 
     Its own page, and a server for it, would come with the first object. An object that needs an
     answer of VPython's page, or a place on it, raises a RuntimeError: VPython would wait for ever.
+    rate and sleep do not wait, and are noted: the program keeps the time.
+
+    Raises a ModuleNotFoundError for another version: the page uses private names.
     """
     vpython = import_module("vpython.vpython")
+    requirements = (ROOT / "support" / "requirements.txt").read_text(encoding="utf-8")
+    if f"vpython=={vpython.__version__}\n" not in requirements:
+        found = f"{vpython.__version__} in {vpython.__file__}"
+        raise ModuleNotFoundError(f"the page needs another VPython than {found}", name="vpython")
     vpython.baseObj._view_constructed = True  # its own page is there: it believes so
     # Nothing is on its way to that page: clone() would wait for it
     vpython.baseObj.empty = lambda: True
@@ -150,3 +157,5 @@ def draw_without_its_page() -> None:
     for name in ("text", "compound", "extrusion", "graph", "gobj", "controls"):
         getattr(vpython, name).__new__ = refuse
     vpython._wait = refuse  # type: ignore[attr-defined]
+    for name in ("rate", "sleep"):
+        setattr(sys.modules["vpython"], name, heard(name))

@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from support.start.checks_command import checks_command, ROOT
-from support.start.output import say
+from support.start.other_tools import of_other_tool
+from support.start.output import complain, say
+from support.start.packages import report_of_package
 
 LARGEST = 1e100  # a larger number has no energy: its square is too large
 # A frame of this file below one of main: the player works, or waits for the clock.
@@ -60,9 +62,13 @@ def report_mistake(error: BaseException) -> str:
     """Print the traceback of an error on stderr, and return the error in one line, with its place.
 
     The traceback has only lines of the handout's files: what they call is right, but got a wrong
-    argument.
+    argument. An error of a package, or for want of input, is printed in one line.
     """
     frames = handout_frames(error)
+    line = report_of_package(error) or report_of_input(error, frames)
+    if line:
+        complain(line)
+        return line
     report = traceback.TracebackException.from_exception(error)
     report.stack[:] = frames or report.stack
     if isinstance(error, MistakeError):
@@ -71,6 +77,8 @@ def report_mistake(error: BaseException) -> str:
     else:
         message = " ".join("".join(report.format_exception_only()).split())
         text = "".join(report.format())
+    if isinstance(error, SyntaxError):
+        text += f"{of_other_tool(error.text or '')}\n".lstrip()
     if frames:
         text += f"Type {checks_command()}: it says more about mistakes.\n"
     say(text, sys.stderr, end="")  # the page says it, too
@@ -78,6 +86,17 @@ def report_mistake(error: BaseException) -> str:
     path = Path(last.filename).resolve()
     place = path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else path.name
     return f"{message} ({place}, line {last.lineno})"
+
+
+def report_of_input(error: BaseException, frames: list[traceback.FrameSummary]) -> str:
+    """Return in one line that a line of a student's file finds nobody who types, or ""."""
+    words = {
+        "BdbQuit": "the debugger has ended the program. Delete the line that starts it.",
+        "EOFError": "this line waits for input, but nobody can type here. Delete it.",
+    }.get(type(error).__name__)
+    if not words or not frames:
+        return ""
+    return f"{Path(frames[-1].filename).name}, line {frames[-1].lineno}: {words}"
 
 
 def report_endless_loop(error: KeyboardInterrupt) -> None:

@@ -6,7 +6,7 @@ An older Python can compile this module, too.
 import os
 import sys
 
-NEEDED = {"numpy", "pandas", "pytest", "vpython"}
+NEEDED = {"autobahn", "numpy", "pandas", "pytest", "txaio", "vpython"}
 
 
 def refuse_unfit() -> None:
@@ -20,10 +20,19 @@ def refuse_unfit() -> None:
             f"{sys.executable} is {sys.version.split()[0]}."
         )
     # The first one first: the others import what a file can hide.
-    message = hidden_module() or missing_package() or missing_folder()
+    message = missing_working_folder() or hidden_module() or missing_package() or missing_folder()
     if message:
         print(message, file=sys.stderr)
         sys.exit(2)
+
+
+def missing_working_folder() -> str:
+    """Return a line if the folder in which Python was started is gone, or ""."""
+    try:
+        os.getcwd()
+    except OSError:
+        return "The folder in which you started Python is gone. Change to another one, with cd."
+    return ""
 
 
 def hidden_module() -> str:
@@ -52,7 +61,8 @@ def missing_package() -> str:
     """Return a line if there is no pandas, or ""."""
     from importlib.util import find_spec
 
-    if find_spec("pandas"):
+    spec = find_spec("pandas")
+    if spec and spec.origin:  # a folder that was left over has none
         return ""
     return (
         f"{sys.executable} has no pandas. "

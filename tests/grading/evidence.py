@@ -21,6 +21,7 @@ from typing import Any
 
 from grading.handout import FUNCTIONS, IMPORTS, is_students
 from grading.hints import BOTH_VERSIONS, CONFLICT, ERRORS, MEANING, NEWER, OTHER_FORMS
+from support.start.other_tools import of_other_tool
 
 MAPS = "COLOR_MAP", "TEXTURE_MAP"
 
@@ -57,6 +58,10 @@ class Evidence:
         self.locals = frame.f_locals if frame else {}
         self.nearest = nearest_name(error)
         self.nodes = nodes_of(frame, line) if frame else []
+        # The line that Python cannot read, or that raised the error
+        self.code = (getattr(error, "text", None) or "").strip()
+        if frame and not self.code:
+            self.code = linecache.getline(frame.f_code.co_filename, line).strip()
         self.subscripts = [node for node in self.nodes if isinstance(node, ast.Subscript)]
 
     def found_subject_name(self) -> str:
@@ -140,9 +145,9 @@ class Evidence:
         return ""
 
     @property
-    def code(self) -> str:
-        """The line that Python cannot read."""
-        return (self.error.text or "").strip()
+    def other_tool_in_words(self) -> str:
+        """A sentence that says for which other tool the line is, or ""."""
+        return of_other_tool(self.code)
 
     @property
     def newer_python_in_words(self) -> str:

@@ -70,14 +70,16 @@ class Hint(NamedTuple):
 # A row is a line:
 # fmt: off
 ERRORS = {
-    "look-alike": Hint(SyntaxError, pattern=r"invalid (?:non-printable )?character", hint="This character only looks like the right one. Delete it, and type it on your keyboard."),
+    "unseen": Hint(SyntaxError, pattern="invalid non-printable character", hint="A character that you cannot see stands at the mark. Delete it, and type a space if one belongs there."),
+    "sign": Hint(SyntaxError, pattern="invalid character", hint="Python reads this character only in comments and in quotes. Type quotes, a minus or a comma on your keyboard. In Python, * multiplies, and ** is a power."),
     "encoding": Hint((SyntaxError, ValueError), pattern="null bytes|codec can't decode", hint="This file is not saved in UTF-8. Save it with the encoding UTF-8."),
     "no Python": Hint(SyntaxError, fits=lambda evidence: evidence.other_form_in_words, hint="This file is no Python: it is {evidence.other_form_in_words}."),
+    "other tool": Hint((SyntaxError, NameError), fits=lambda evidence: evidence.other_tool_in_words, hint="{evidence.other_tool_in_words}"),
     "newer": Hint(SyntaxError, fits=lambda evidence: evidence.newer_python_in_words, hint="{evidence.newer_python_in_words}"),
     "plus plus": Hint(SyntaxError, fits=lambda evidence: re.search(r"\+ \+( |$)", " ".join(evidence.tokens)), hint="Python has no ++: i += 1 adds 1."),
     "no brackets": Hint(SyntaxError, fits=lambda evidence: evidence.side_by_side and evidence.side_by_side[0] in CALLED, hint="A function needs ( ) around its values: {evidence.side_by_side[0]}({evidence.side_by_side[1]})."),
     "misspelled": Hint(SyntaxError, fits=lambda evidence: evidence.misspelled, hint="Python has no word {evidence.misspelled[0]}. Is it {evidence.misspelled[1]}?"),
-    "no sign": Hint(SyntaxError, fits=lambda evidence: evidence.side_by_side, hint="A sign is missing between {evidence.side_by_side[0]} and {evidence.side_by_side[1]}: * multiplies them, a comma separates them."),
+    "no sign": Hint(SyntaxError, fits=lambda evidence: evidence.side_by_side, hint="There is no sign between {evidence.side_by_side[0]} and {evidence.side_by_side[1]}: * multiplies two values, a comma separates them."),
     "turned sign": Hint(SyntaxError, fits=lambda evidence: re.search("= [<>]", " ".join(evidence.tokens)), hint="In Python, = comes last in this sign: <= or >=."),
     "curly": Hint(SyntaxError, fits=lambda evidence: re.search(r"[\])] {", " ".join(evidence.tokens)), hint="A key stands in [ ], not in {{ }}."),
     "indent": Hint((IndentationError, SyntaxError), pattern=r"indent|'return' outside|\btabs?\b", hint="The lines of a function begin with four spaces, those of a loop or an if in it with four more."),

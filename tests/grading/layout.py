@@ -8,6 +8,7 @@ from grading.notes import ValueInWords
 
 INDENT = 4  # spaces in front of each row
 CODE = 34  # columns of a short line of code; the values of all short lines stand below each other
+MOST_CODE = 2  # lines of the code of a row
 MOST_LINES = 3  # of the values of a row
 
 
@@ -38,8 +39,8 @@ def laid_out(number: str, code: str, remark: Remark) -> list[str]:
     if not beside or has_room(start, beside):
         lines = [f"{start}  {beside}".rstrip()]
     else:
-        lines = wrap(start.rstrip(), COLUMNS, subsequent_indent=" " * (INDENT + 10))[:2]
-        lines += indented(beside)
+        code_lines = wrap(start.rstrip(), COLUMNS, subsequent_indent=" " * (INDENT + 10))
+        lines = cut(code_lines, MOST_CODE) + indented(beside)
     for text in remark.below:
         lines += indented(text)
     return lines
@@ -53,16 +54,23 @@ def has_room(start: str, beside: str) -> bool:
 def indented(text: str) -> list[str]:
     """Return what is said below a line of code, cut after MOST_LINES."""
     space = " " * (INDENT + 8)
-    lines = wrap(text, COLUMNS, initial_indent=space, subsequent_indent=space)
-    if len(lines) > MOST_LINES:
-        return [*lines[: MOST_LINES - 1], shortened(lines[MOST_LINES - 1])]
-    return lines
+    return cut(wrap(text, COLUMNS, initial_indent=space, subsequent_indent=space), MOST_LINES)
+
+
+def cut(lines: list[str], most: int) -> list[str]:
+    """Return at most this number of lines; if more are left out, the last one ends with ... ."""
+    if len(lines) <= most:
+        return lines
+    return [*lines[: most - 1], shortened(lines[most - 1])]
 
 
 def shortened(line: str) -> str:
     """Return a line with ... at its end, and without the words that have no room then."""
-    while len(line) > COLUMNS - 4:
-        line = line.rpartition(" ")[0]
+    if len(line) > COLUMNS - 4:
+        line = line[: COLUMNS - 4]
+        whole_words = line.rpartition(" ")[0]
+        if whole_words.strip():
+            line = whole_words
     return f"{line} ..."
 
 

@@ -20,6 +20,8 @@ from unittest.mock import patch
 from grading.begin import ROOT
 
 from grading.present import present
+from support.constants import NC_FP
+from support.waits import heard
 
 PATIENCE = 5.0  # s of processor time; then the grader stops a function
 WAITING = 10  # a function that only waits is stopped after this many times PATIENCE, by the clock
@@ -69,12 +71,25 @@ def limited_memory(megabytes: int | None = None) -> Iterator[None]:
         resource.setrlimit(resource.RLIMIT_DATA, before)
 
 
+def refuse_real_csv(event: str, arguments: tuple) -> None:
+    """Raise a PermissionError if something opens, moves or deletes the real CSV in a check."""
+    if not present.is_in_check or event not in ("open", "os.rename", "os.remove", "os.truncate"):
+        return
+    for path in arguments:
+        if isinstance(path, (str, os.PathLike)) and os.path.realpath(path) == NC_FP:
+            message = "checks have a CSV of their own: use the path that they give"
+            raise PermissionError(errno.EACCES, message)
+
+
+sys.addaudithook(refuse_real_csv)
+
+
 @contextmanager
 def without_ends() -> Iterator[None]:
     """In the body of the with statement, os._exit raises a SystemExit, and input an EOFError.
 
-    The output stays open. A process that the body starts can end as it likes. A debugger has its
-    prompt in a terminal; without one, breakpoint does nothing.
+    The output stays open, and the real CSV is out of reach. A process that the body starts can end
+    as it likes. A debugger has its prompt in a terminal; without one, breakpoint does nothing.
     """
     process = os.getpid()
     answer = input
@@ -96,6 +111,8 @@ def without_ends() -> Iterator[None]:
     changed = {
         "builtins.input": refused_input,
         "os._exit": refused_exit,
+        "time.sleep": heard("sleep", time.sleep),
+        "grading.present.present.is_in_check": True,
         "sys.stdout.close": nothing,  # pytest prints there later
         "sys.stderr.close": nothing,
     }

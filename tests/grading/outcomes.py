@@ -11,8 +11,6 @@ from io import StringIO
 from textwrap import wrap
 from typing import Any, NamedTuple
 
-import pandas  # noqa: F401  its first import is slow, and would count as time of a solution
-
 from grading import limits
 from grading.choosing import hint_for
 from grading.grader import Check, checks, place_of, runner, WaitError, WrongError
@@ -25,6 +23,7 @@ from grading.present import present
 from grading.raised import StoppedError
 from grading.students_code import Code, code_of, working_in
 from grading.watch import Watch
+from support import waits
 from support.start.output import in_one_line
 
 DEEPER = 4  # times more calls within each other, for code that is watched
@@ -136,7 +135,7 @@ class Grading:
             if present.is_pressed or present.is_debugged or is_full:
                 raise
             return Outcome(FAULT, fault_message())
-        return Outcome(PASSED, note=" ".join(present.notes))
+        return Outcome(PASSED, note=" ".join([*present.notes, waits.remark()]).strip())
 
     def failed(self, check: Check, error: WrongError) -> Outcome:
         """Return the outcome of a check that raised this WrongError.

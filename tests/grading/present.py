@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING
 
+from support import waits
+
 if TYPE_CHECKING:
     from grading.watch import Watch
 
@@ -13,10 +15,12 @@ class PresentCheck:
         # Whether a call, of any check, failed for want of something that other programs use as
         # well: time by the clock, memory, the disk
         self.shared_was_short = False
+        self.is_in_check = False
         self.begin()
 
     def begin(self, watch: "Watch | None" = None) -> None:
         """A check begins. A watch is for one of its calls."""
+        waits.calls.clear()
         self.watch = watch
         self.calls = 0  # of students' functions
         self.notes: list[str] = []  # sentences for a student whose solution is right

@@ -19,6 +19,14 @@ import grading.begin  # noqa: F401
 
 import pytest
 
+try:
+    import pandas  # noqa: F401  pytest would print all of its files
+except Exception as error:
+    from support.start.program import end_uncaught
+
+    end_uncaught(None, error, None)
+
+
 from grading.grade import checks_with_outcome, grade
 from grading.grader import Check, CHECKS
 from grading.handout import SUITES

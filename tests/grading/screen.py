@@ -97,7 +97,7 @@ def table(
     lines = [*tier_lines(graded["tiers"]), *waiting_lines(outcomes)]
     sentences = verdict(graded)
     hints = [outcome.note for outcome in outcomes.values() if outcome.state == PASSED]
-    for hint in [*hints, note]:
+    for hint in dict.fromkeys([*hints, note]):  # each once
         sentences += wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=MORE)
     sentences += next_step_rows(outcomes, columns, height - len(lines) - len(sentences))
     return [*lines, *(Line(sentence, "bold") for sentence in sentences)]

@@ -42,6 +42,17 @@ ROWS = {
             "8 pend1['omega'] = new_omega1 0",
         ],
     ),
+    "as much of a long line as there is room for, and a sign that it goes on": (
+        "handle_collision",
+        f"""\
+        w = {"+".join(["omega1"] * 30)}
+        w = {" + ".join(["omega1"] * 30)}
+        return omega1, omega2""",
+        [
+            "+omega1+omega1+omega ... w = 90",
+            "+ omega1 + omega1 + ... w = 90",
+        ],
+    ),
     "what a called function has changed": (
         "newton_cradle_tick",
         ("pend_list[i + 1]", "pend_list[i]"),

@@ -7,6 +7,7 @@ from programs import slow_but_for
 from students import change, pytest_in, write
 
 from grading.handout import FUNCTIONS
+from support.start.other_tools import of_other_tool
 
 CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
 MAIN = 'if __name__ == "__main__":\n    from'
@@ -60,6 +61,8 @@ NO_PYTHON = {  # the content of a file, and what pytest says about it
     "{\\rtf1 def": "This file is no Python: it is a text of a word processor (RTF).",
     "x = 1\n<<<<<<< HEAD\nx = 2\n=======\n": "This file is no Python: it is two versions",
     "d = {'a': 1}\nx = f'{d['a']}'\n": "Python 3.12 and later ones read the same quotes inside",
+    "In [1]: x = 1\n": "In [1]: is a prompt, and no part of a program.",
+    "x = 45°\n": "(U+00B0) Python reads this character only in comments",
     "x = sin 2\n": "A function needs ( ) around its values: sin(2).",
 }
 
@@ -68,6 +71,35 @@ NO_PYTHON = {  # the content of a file, and what pytest says about it
 def test_a_file_that_is_no_python_is_named_as_what_it_is(starter, content):
     if "f'" in content and sys.version_info >= (3, 12):
         pytest.skip("this Python reads it")
-    (starter / "src/swinging.py").write_text(content)
+    (starter / "src/swinging.py").write_text(content, encoding="utf-8")
     _, rows = pytest_in(starter, "--tier", "C")
     assert NO_PYTHON[content] in " ".join(rows)
+
+
+WEB = "This line is for Web VPython (GlowScript). Delete it."
+NOTEBOOK = "This line is for a notebook (Jupyter, Colab). Delete it."
+TERMINAL = "This line is a command for a terminal. Delete it."
+PROMPT = "{} is a prompt, and no part of a program. Delete it in front of each line."
+OTHER_TOOLS = {
+    "Web VPython 3.2": WEB,
+    "GlowScript 3.0 RapydScript": WEB,
+    "!pip install vpython": NOTEBOOK,
+    "    %matplotlib inline": NOTEBOOK,
+    "%%writefile swinging.py": NOTEBOOK,
+    "get_ipython().system('ls')": NOTEBOOK,
+    "pip install vpython": TERMINAL,
+    "(base) ann@laptop:~$ python src/swinging.py": TERMINAL,
+    ">>> x = 1": PROMPT.format(">>>"),
+    "...     return x": PROMPT.format("..."),
+    "   ...:     return x": PROMPT.format("...:"),
+    "In [1]: x = 1": PROMPT.format("In [1]:"),
+    "```python": "``` marks code in a chat or a web page. Delete this line.",
+    "x = !found": "",
+    "pip = omega dt": "",
+    "Python stands here": "",
+}
+
+
+@pytest.mark.parametrize("line", OTHER_TOOLS)
+def test_a_line_of_another_tool_is_named(line):
+    assert of_other_tool(line) == OTHER_TOOLS[line]

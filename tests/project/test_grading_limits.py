@@ -118,6 +118,14 @@ def test_a_solution_that_writes_the_shipped_file_fails_and_the_file_is_put_back(
     assert Path(NC_FP).read_bytes() == before
 
 
+def test_a_solution_cannot_reach_the_real_csv(solve):
+    """Nor when a test of the student's has imported its function before."""
+    opens = f"open({NC_FP!r}, 'a')\n        return"
+    solve("uniform_mass_newton_cradle", ("return", opens))
+    wrong = failures("uniform_mass_newton_cradle")[0].wrong
+    assert wrong.endswith("checks have a CSV of their own: use the path that they give")
+
+
 def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
     monkeypatch.setattr(grader, "CHECKS", {})
 

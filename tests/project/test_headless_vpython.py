@@ -8,10 +8,10 @@ on VPython alone.
 import json
 
 import pytest
-from programs import OF_TESTS, python, with_vpython
+from programs import OF_TESTS, python, ROOT, with_vpython
 from whole_cradles import GOOD, HEADER
 
-from support import headless_vpython
+from support import headless_vpython, waits
 
 
 def programs(table):
@@ -203,6 +203,14 @@ def test_nothing_waits():
     headless_vpython.scene.waitfor("click").pos.x = 5
     headless_vpython.scene.pause()
     assert headless_vpython.scene.mouse.pick is None
+
+
+@pytest.mark.parametrize("name", ["rate", "sleep", "scene.pause", "scene.waitfor"])
+def test_a_call_in_src_that_waits_is_named(monkeypatch, name):
+    monkeypatch.setattr(waits, "calls", {})
+    for file in ("support", "src"):
+        exec(compile(f"\n{name}(9)", ROOT / file / "swinging.py", "exec"), vars(headless_vpython))
+    assert waits.remark().startswith(f"src/swinging.py, line 2 calls {name}. ")
 
 
 # There is no tab; what a later one would get is kept.

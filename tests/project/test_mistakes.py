@@ -1,10 +1,10 @@
 """The programs run your functions as they are: a change shows, a mistake is named in its place."""
 
 import csv
-import os
 import re
 import runpy
 import sys
+from bdb import BdbQuit
 from importlib import import_module
 from pathlib import Path
 from types import SimpleNamespace
@@ -163,35 +163,32 @@ def test_a_mistake_ends_the_process_of_the_browser_program_and_its_page_says_so(
     assert page.locator(".canvas").evaluate("canvas => canvas.inert")
 
 
-PYTHON = sys.executable
-BESIDE = os.path.join(os.path.dirname(PYTHON), "pytest")
+NAMED = {  # what a line of a student's does, and how what is printed about it ends
+    "raise EOFError": "line 1: this line waits for input, but nobody can type here. Delete it.\n",
+    "import bdb; raise bdb.BdbQuit": "the debugger has ended the program. Delete the line that ",
+    "Web VPython 3.2": "\nThis line is for Web VPython (GlowScript). Delete it.\n",
+}
+
+
+@pytest.mark.parametrize("line", NAMED)
+def test_a_line_for_another_tool_or_for_input_that_nobody_types_is_named(capsys, line):
+    with pytest.raises((EOFError, BdbQuit, SyntaxError)) as caught:
+        exec(compile(line, ROOT / "src" / "no_file.py", "exec"))
+    mistake.report_mistake(caught.value)
+    assert NAMED[line] in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
-    ("start", "command"),
+    ("python", "command"),
     [
-        ({"python": ".venv/bin/python"}, ".venv/bin/python -m pytest"),
-        ({"python": "/a b/python"}, '"/a b/python" -m pytest'),
-        ({"on_path": BESIDE}, "pytest"),  # an environment that is switched on
-        ({"on_path": "/usr/bin/pytest"}, "python3 -m pytest"),  # of another Python
-        ({"script": "./pytest"}, "./pytest"),
-        ({"script": "./pytest", "on_path": "./pytest"}, "pytest"),
-        ({"has_pytest": False}, ".venv/bin/pytest"),
-        ({"folder": ROOT / "src"}, f"cd {ROOT} && {PYTHON} -m pytest"),
-        ({"uv": "/usr/bin/uv", "on_path": BESIDE}, "uv run pytest"),
+        (ROOT / ".venv" / "python", f"{Path('.venv/python')} -m pytest"),
+        ("/a b/python", '"/a b/python" -m pytest'),
     ],
 )
-def test_the_command_for_the_checks_is_one_that_works_as_python_was_started(
-    monkeypatch, start, command
-):
-    monkeypatch.chdir(start.get("folder", ROOT))
-    if "uv" in start:
-        monkeypatch.setenv("UV", start["uv"])
-    monkeypatch.setattr(sys, "orig_argv", [start.get("python", "python3")])
-    monkeypatch.setattr(sys, "argv", [start.get("script", "pds_tester.py")])
-    monkeypatch.setattr("shutil.which", lambda name: start.get("on_path"))
-    monkeypatch.setattr(checks, "find_spec", lambda name: start.get("has_pytest", True))
-    exists = os.path.exists
-    monkeypatch.setattr("os.path.exists", lambda path: path == "./pytest" or exists(path))
-    monkeypatch.setattr(Path, "exists", lambda path: path.name == "pytest")
+def test_the_command_for_the_checks_is_that_of_this_python_or_of_uv(monkeypatch, python, command):
+    monkeypatch.chdir(ROOT)
+    monkeypatch.setattr(sys, "executable", str(python))
     assert checks.checks_command() == command
+    monkeypatch.setenv("UV", "/usr/bin/uv")
+    monkeypatch.chdir(ROOT / "src")
+    assert checks.checks_command() == f"cd {ROOT} && uv run pytest"

@@ -90,21 +90,49 @@ BARE = "import sys; sys.path[:] = [path for path in sys.path if 'site-packages' 
 FULL = "import tempfile; tempfile._candidate_tempdir_list = list"  # no folder is left to write to
 
 
+GONE = "import os, tempfile; os.chdir(tempfile.mkdtemp()); os.rmdir(os.getcwd())"
+NO_NUMPY = "import os, sys; os.environ['PYTHONPATH'] = '/other'; sys.modules['numpy'] = None"
+NO_AUTOBAHN = "import sys; sys.modules['autobahn'] = None"
+OTHER = """
+import pkg_resources
+pkg_resources.get_distribution = lambda name: pkg_resources.Distribution(version='7.6.4')
+"""
+UNSET = "First unset PYTHONPATH, which is /other. Install the packages as README.md says.\n"
+
+
 @pytest.mark.parametrize(
     ("obstacle", "status", "part"),
-    [(OLD, 1, "needs Python 3.10 or later"), (FULL, 2, "Set TMPDIR"), (BARE, 2, "has no pandas")],
+    [
+        (OLD, 1, "needs Python 3.10 or later"),
+        (FULL, 2, "Set TMPDIR"),
+        (BARE, 2, "has no pandas"),
+        pytest.param(GONE, 2, "The folder in which you started Python is gone.", marks=on_posix),
+        pytest.param(NO_NUMPY, 1, "__init__.py (ModuleNotFoundError: ", marks=with_vpython),
+        pytest.param(NO_NUMPY, 1, UNSET, marks=with_vpython),
+        pytest.param(NO_AUTOBAHN, 1, ": No module named 'autobahn.", marks=with_vpython),
+        pytest.param(OTHER, 1, "the page needs another VPython than 7.6.4 in ", marks=with_vpython),
+    ],
 )
 def test_an_obstacle_is_named_before_a_program_stumbles(obstacle, status, part):
-    run = "import runpy; runpy.run_path('src/visualize_cradle_run.py', run_name='__main__')"
-    done = python("-c", f"{obstacle}; {run}", PYTHONPATH=str(ROOT / "src"))
+    program = str(ROOT / "src" / "visualize_cradle_run.py")
+    run = f"import runpy; runpy.run_path({program!r}, run_name='__main__')"
+    done = python("-W", "ignore", "-c", f"{obstacle}\n{run}", PYTHONPATH=str(ROOT / "src"))
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (status, "", 1)
     assert part in done.stderr
+
+
+def test_ctrl_c_at_the_imports_of_a_program_prints_nothing():
+    does = "from support.start.program import begin; begin(); raise KeyboardInterrupt"
+    done = python("-c", does)
+    assert (done.returncode, done.stderr) == (130, "")
 
 
 DRAWN = """
 import begin_page
 from vpython import *
 sphere().clone()
+rate(1e-9)
+sleep(1e9)
 for refused in {refused}.split():
     try:
         eval(refused)

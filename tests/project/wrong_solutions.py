@@ -15,7 +15,9 @@ from right_solutions import PLAIN
 HINTED = {
     "extract_and_convert": {
         "The path of a file belongs": ("read_csv(relative_filepath)", "read_csv(3)"),
-        "This character only looks like the": "exec('x = \u201ca\u201d')",
+        "A character that you cannot see": "exec('x = 5\u200b')",
+        "Python reads this character only in": "exec('x = 45\u00b0')",
+        "This line is for Web VPython": "exec('Web VPython 3.2')",
         "This file is not saved in": "exec('x\\0')",
         "Python has no word retrun. Is": "exec('retrun 5')",
         "In Python, = comes last in": "exec('if 1 =< 2: pass')",
@@ -36,7 +38,7 @@ HINTED = {
         "There is no element with this": ("append(pend)", "__getitem__(0); pend_list[0].append(pend)"),
         "The result must be the list of": ("return pend_list", "return pend_list[0]"),
         "A function needs ( ) around": "exec('a = sin theta')",
-        "A sign is missing between omega": "exec('a = omega dt')",
+        "There is no sign between omega and": "exec('a = omega dt')",
         "Python has no ++: i +=": "exec('a++')",
         "A list has append: it puts": ("append", "add"),
         "These are the keys of bad_rep.": ("bad_rep.values()", "bad_rep"),
