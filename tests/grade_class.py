@@ -20,6 +20,7 @@ from tempfile import TemporaryDirectory
 
 import grading.begin  # noqa: F401
 
+from support.files.cradle_csv import naming
 from support.files.data_file import whole_file
 from support.start.early import on_signals
 from support.start.options import OneLineParser
@@ -180,10 +181,7 @@ class Grading:
             finish([workers.submit(self.sandbox.open)])
             if not self.sandbox.has_bubblewrap:
                 complain(LEFT_OPEN)
-            with (
-                open(self.file, "a", encoding="utf-8") as self.kept,
-                progress_bar() as self.progress,
-            ):
+            with progress_bar() as self.progress:
                 self.begin = time.monotonic()
                 self.most = len(left)
                 students = iter(left)
@@ -255,8 +253,8 @@ class Grading:
         So a run without one is made again.
         """
         if has_grade:
-            self.kept.write(line_of(result))
-            self.kept.flush()
+            with naming(self.file), open(self.file, "a", encoding="utf-8") as kept:
+                kept.write(line_of(result))
         else:
             self.without_grade.append(result)
         self.done += 1

@@ -12,6 +12,7 @@ from grading.begin import ROOT
 
 from make_starter import make_starter
 
+from support.files.data_file import whole_file
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 
@@ -24,27 +25,22 @@ def main() -> None:
     file = parser.parse_args().file
     if file.suffix != ".zip" or file.exists():
         parser.error(f"argument FILE.zip: found '{file}', allowed is a new file that ends in .zip")
-    try:
-        with TemporaryDirectory() as work:
-            folder = Path(work, "autograder")
-            make_starter(folder)
-            shutil.copy(ROOT / "tests" / "grade_class.py", folder / "tests")
-            shutil.copytree(ROOT / "tests" / "teacher", folder / "tests" / "teacher")
-            # https://gradescope-autograders.readthedocs.io/en/latest/specs/
-            for name in ("setup.sh", "run_autograder"):
-                script = (ROOT / "tests" / "teacher" / name).read_bytes()
-                (folder / name).write_bytes(script.replace(b"\r", b""))
-                (folder / name).chmod(0o755)
-            archive = Path(work, "autograder.zip")
-            pack(folder, archive)
-            shutil.copy(archive, file)
-    except OSError as error:
-        parser.error(f"argument FILE.zip: {file} cannot be made: {error.strerror}")
+    with whole_file(file) as archive, TemporaryDirectory() as work:
+        folder = Path(work, "autograder")
+        make_starter(folder)
+        shutil.copy(ROOT / "tests" / "grade_class.py", folder / "tests")
+        shutil.copytree(ROOT / "tests" / "teacher", folder / "tests" / "teacher")
+        # https://gradescope-autograders.readthedocs.io/en/latest/specs/
+        for name in ("setup.sh", "run_autograder"):
+            script = (ROOT / "tests" / "teacher" / name).read_bytes()
+            (folder / name).write_bytes(script.replace(b"\r", b""))
+            (folder / name).chmod(0o755)
+        pack(folder, archive.buffer)
     print(in_one_line(f"{file} is ready. On Gradescope, upload it under Configure Autograder."))
 
 
 def pack(folder, archive) -> None:
-    """Pack a folder into a .zip.
+    """Pack a folder into a .zip, a file to write to.
 
     All files have one date: a .zip has none before 1980, as files of 1970 need.
     """

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from grading.begin import ROOT
 
 from grading.handout import FUNCTIONS, SUITES
+from support.files.cradle_csv import naming
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 
@@ -73,10 +74,7 @@ def main() -> None:
     folder = parser.parse_args().folder
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         parser.error(f"argument FOLDER: found '{folder}', allowed is a new or an empty folder")
-    try:
-        make_starter(folder)
-    except OSError as error:
-        parser.error(f"argument FOLDER: {folder} cannot be made: {error.strerror}")
+    make_starter(folder)
     functions = f"Students write {len(FUNCTIONS)} functions that pytest checks."
     print(in_one_line(f"{folder} is ready. {functions} Its README.md says more."))
 
@@ -93,12 +91,13 @@ def make_starter(folder) -> None:
             texts[file] = for_students(ROOT / file)
     new = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
-        for file in files:
-            (folder / file).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / file, folder / file)
-        for file, text in texts.items():
-            (folder / file).parent.mkdir(parents=True, exist_ok=True)
-            (folder / file).write_text(text, encoding="utf-8", newline="\n")
+        with naming(folder):
+            for file in files:
+                (folder / file).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(ROOT / file, folder / file)
+            for file, text in texts.items():
+                (folder / file).parent.mkdir(parents=True, exist_ok=True)
+                (folder / file).write_text(text, encoding="utf-8", newline="\n")
     except BaseException:
         for path in new[-1:] or folder.iterdir():
             if path.is_dir():

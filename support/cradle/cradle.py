@@ -16,7 +16,6 @@ from support.cradle.dragging import HeldBob, move, push_others
 from support.cradle.functions import scope_of, takes_rule
 from support.cradle.hits import Hits
 from support.energy import bob_motions, energies, momentum
-from support.files.cradle_csv import Snapshot
 from support.pendulum import cord_angles, discard, Pendulum
 from support.start.mistake import MistakeError, require_list, require_numbers, require_pendula
 from support.start.preview import unwritten_in
@@ -127,8 +126,8 @@ class Cradle:
         self.pend_list = []
         self.held_bob.index = None
 
-    def accept(self, pend_list: list[Pendulum], csv: str) -> None:
-        """Take pend_list, made from the file at the path csv, as the new cradle.
+    def accept(self, pend_list: list[Pendulum], columns: Sequence[str]) -> None:
+        """Take pend_list, made from a CSV with these columns, as the new cradle.
 
         It is the list of main, which the ticks change. Raises a MistakeError if it is no list of
         complete pendula.
@@ -138,8 +137,7 @@ class Cradle:
         self.pend_list = pend_list
         self.places = {tuple(axle.pos.value): index for index, axle in enumerate(self.axles())}
         self.count = len(pend_list)
-        header = Snapshot(csv).rows[0].cells
-        self.known_keys = {*header, *keys, "objects"}
+        self.known_keys = {*columns, *keys, "objects"}
         self.made_es = self.values("e")
         self.note_made_angles()
 

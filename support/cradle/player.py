@@ -167,7 +167,7 @@ class Player(Page):
             message = "called page.show again. Show the cradle once, before the loop."
             raise MistakeError(self.loop, message)
         with self.copy:
-            self.cradle.accept(pend_list, self.path)
+            self.cradle.accept(pend_list, self.settings.csv.rows[0].cells)
             self.cradle.use_mass(self.settings.mass, self.path)
             self.cradle.use_collision(self.settings.collision, self.path)
         self.is_shown = True

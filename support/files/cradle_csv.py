@@ -21,11 +21,15 @@ from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
 from support.columns import CHECKED, to_number
+from support.signs import MINUS, odd_sign
 
 LARGEST = 10_000_000  # bytes of a file
 POLL = 0.2  # s between two looks at a file while you edit it
 # The first bytes of .xlsx, .ods and .numbers, and of .xls
 WORKBOOKS = b"PK\3\4", b"\xd0\xcf\x11\xe0"
+SEPARATOR = re.compile("[,;\t]")  # between the cells of a CSV
+# The line with the names, or the end: the first one with a letter, without `sep=;` for Excel
+NAMES = re.compile(r"(?im)^(?![^\w\n]*sep=).*\w.*|\Z")
 
 
 def read_file(filepath: str | Path) -> bytes:
@@ -54,6 +58,20 @@ def reason(error: OSError) -> str:
     if sys.platform == "win32" and isinstance(error, PermissionError):
         return f"{error.strerror}; another program may have it open"
     return str(error.strerror)
+
+
+@contextmanager
+def naming(filepath: str | Path, *other_names: object) -> Iterator[None]:
+    """Let an OSError of the body say that filepath cannot be written.
+
+    It stays as it is if it names another file, which is none of other_names.
+    """
+    try:
+        yield
+    except OSError as error:
+        if error.filename not in (None, *map(str, other_names)):
+            raise
+        raise OSError(error.errno, f"cannot be written: {reason(error)}", str(filepath)) from error
 
 
 class Row(NamedTuple):
@@ -91,40 +109,43 @@ class Snapshot:
     def rows(self) -> list[Row]:
         """The rows, the header first.
 
-        Left out are rows without a value, last columns without a name, spaces around a cell,
-        byte-order marks, ^Z at the end, and `sep=,` in line 1. Raises a ValueError that names the
-        mistake and its place if the file cannot be read, is not UTF-8 text, is empty, or has a row
-        with more cells than the header.
+        The first line with names decides what separates cells; a number has a decimal point and a
+        plain minus. Left out are rows without a value, last cells without one, spaces around a
+        cell, byte-order marks, ^Z at the end, and `sep=,` in line 1. Raises a ValueError that names
+        the mistake and its place if the file cannot be read, is not UTF-8 text, is empty, or has a
+        row with more cells than the header.
         """
-        rows = list(self.each_row())
-        if not rows:
-            raise ValueError(f"{self}: is empty, the first line must name the columns")
-        header = rows[0]
-        width = max(number for number, name in enumerate(header.cells, start=1) if name)
-        for row in rows:
-            if any(row.cells[width:]):
-                raise ValueError(
-                    f"{self}, line {row.line}: found {len(row.cells)} cells, allowed are at most "
-                    f"{width}, as in line {header.line}; "
-                    "a comma starts a new cell, also inside a number"
-                )
-            del row.cells[width:]
-        return rows
+        return list(self.each_row())
 
     def each_row(self) -> Iterator[Row]:
-        """Yield the rows one by one, of any width."""
-        reader = csv.reader(io.StringIO(self.text(), newline=""), skipinitialspace=True)
+        """Yield the rows one by one. Raises the same ValueErrors as rows."""
+        text = self.text()
+        names = next(NAMES.finditer(text))
+        separator = separator_in(names[0])
+        above = text.count("\n", 0, names.start())  # lines, which are then blank
+        lines = io.StringIO("\n" * above + text[names.start() :], newline="")
+        reader = csv.reader(lines, delimiter=separator, skipinitialspace=True)
         line = 1
+        width = 0  # of the header
         try:
             for row in reader:
-                cells = [cell.strip() for cell in row]
-                text = "".join(cells)
-                is_for_excel = line == 1 and re.fullmatch("(?i)sep=.?", text)
-                if text and not is_for_excel:
+                cells = [plain_cell(cell.strip(), separator) for cell in row]
+                while cells and not cells[-1]:
+                    cells.pop()
+                width = width or len(cells)
+                if len(cells) > width:
+                    raise ValueError(
+                        f"{self}, line {line}: found {len(cells)} cells, allowed are at most "
+                        f"{width}, as in line {above + 1}; "
+                        "a decimal comma needs semicolons or tabs between cells"
+                    )
+                if cells:
                     yield Row(line, cells)
                 line = reader.line_num + 1
         except csv.Error as error:
             raise ValueError(f"{self}, line {line}: {error}") from error
+        if not width:
+            raise ValueError(f"{self}: is empty, or has no letter; line 1 must name the columns")
 
     def text(self) -> str:
         """Return the text, without byte-order marks: pandas leaves out only one.
@@ -132,7 +153,8 @@ class Snapshot:
         DOS may end it with ^Z, 0x1a.
         """
         if self.error:
-            raise ValueError(f"{self}: cannot be read: {reason(self.error)}") from self.error
+            hint = odd_sign(str(self)) if isinstance(self.error, FileNotFoundError) else ""
+            raise ValueError(f"{self}: cannot be read: {reason(self.error)}{hint}") from self.error
         if self.data.startswith(WORKBOOKS):
             raise ValueError(
                 f"{self}: is a workbook; open it in Excel or the like, and save it as CSV"
@@ -150,6 +172,23 @@ class Snapshot:
                 f"{self}, line {line}: found {found}, allowed is text only, saved as UTF-8"
             )
         return text.replace("\ufeff", "").rstrip("\x1a\r\n")
+
+
+def separator_in(line: str) -> str:
+    """Return the sign that separates the cells of this line: the first one outside of quotes."""
+    first = SEPARATOR.search(re.sub('"[^"]*"', "", line))
+    return first[0] if first else ","
+
+
+def plain_cell(text: str, separator: str) -> str:
+    """Return the text of a cell; a number has a decimal point, and a plain minus.
+
+    It can have a decimal comma if something else separates cells.
+    """
+    number = text.replace(MINUS, "-")
+    if separator != ",":
+        number = number.replace(",", ".")
+    return number if isfinite(to_number(number)) else text
 
 
 class LiveFile:
@@ -192,7 +231,7 @@ def clean_copy(snapshot: Snapshot) -> Iterator[str]:
     header, *pendula = snapshot.rows
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         copy = Path(folder) / Path(snapshot.filepath).name
-        with open(copy, "w", encoding="utf-8", newline="") as file:
+        with naming(copy), open(copy, "w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file)
             writer.writerow(header.cells)
             for row in pendula:

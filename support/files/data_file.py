@@ -10,7 +10,7 @@ from secrets import token_hex
 from stat import S_ISREG
 from typing import TextIO
 
-from support.files.cradle_csv import LARGEST, reason
+from support.files.cradle_csv import LARGEST, naming, reason
 
 RUN_LINE = "<!doctype html><!-- A run of Newton's cradle -->"  # the first one of a saved run
 EVERY = 0.01  # s from sample to sample, or the nearest whole number of ticks
@@ -25,20 +25,19 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
     target = Path(os.path.realpath(filepath))  # the file behind a link: the link must stay
     unfinished = target.parent / f".{target.name}.{token_hex(4)}.tmp"
     try:
-        can_be_written = target.is_file() and os.access(target, os.W_OK)
-        if target.exists() and not can_be_written:
-            raise OSError(errno.EACCES, "it is not a file, or is write-protected")
-        # Not tempfile: a new file of that module is for you alone, and stays so under its final
-        # name.
-        with open(unfinished, "x", encoding="utf-8", newline="") as file:
-            yield file
-            file.flush()
-            os.fsync(file.fileno())
-        if target.exists():
-            shutil.copymode(target, unfinished)
-        os.replace(unfinished, target)
-    except OSError as error:
-        raise OSError(error.errno, f"cannot be written: {reason(error)}", str(filepath)) from error
+        with naming(filepath, target, unfinished):
+            can_be_written = target.is_file() and os.access(target, os.W_OK)
+            if target.exists() and not can_be_written:
+                raise OSError(errno.EACCES, "it is not a file, or is write-protected")
+            # Not tempfile: a new file of that module is for you alone, and stays so under its final
+            # name.
+            with open(unfinished, "x", encoding="utf-8", newline="") as file:
+                yield file
+                file.flush()
+                os.fsync(file.fileno())
+            if target.exists():
+                shutil.copymode(target, unfinished)
+            os.replace(unfinished, target)
     finally:
         with suppress(OSError):  # it already has its final name, or was never there
             unfinished.unlink()

@@ -10,7 +10,8 @@ from typing import NamedTuple
 
 from support.columns import CHECKED, COLUMNS, SETTABLE, to_number
 from support.files.cradle_csv import Snapshot
-from support.files.valid_cradle import are_in_range, IN_RANGE, in_short, MOST_PENDULA
+from support.files.valid_cradle import are_in_range, IN_RANGE, MOST_PENDULA
+from support.signs import found
 
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
@@ -138,10 +139,9 @@ class ExperimentText:
             name = name.strip()
             is_known = name in NAMES or re.match("[-*].", name)
             if not equals or not is_known or name in self.texts:
-                raise ValueError(
-                    f"{file}, line {number}: found {in_short(repr(line.strip()))}, allowed before "
-                    f"= is, once each, {', '.join(NAMES)}, or an answer after - or *"
-                )
+                names = f"{', '.join(NAMES)}, or an answer after - or *"
+                allowed = f"a line with =, and before it, once each, {names}"
+                raise ValueError(f"{file}, line {number}: {found(line.strip(), allowed)}")
             self.texts[name] = text
         thetas = self.text("theta", allowed=ANGLE).split()
         self.count = min(len(thetas), MOST_PENDULA)  # of the pendula
@@ -155,8 +155,7 @@ class ExperimentText:
         """
         text = " ".join(self.texts.get(name, "").split())
         if not (text and is_allowed(text)):
-            found = in_short(repr(text)) if text else "nothing"
-            raise ValueError(f"{self.file}, {name}: found {found}, allowed is {allowed}")
+            raise ValueError(f"{self.file}, {name}: {found(text, allowed)}")
         return text
 
     def numbers(self, name: str, is_allowed: Callable[[str], bool], allowed: str) -> list[float]:

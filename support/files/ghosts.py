@@ -6,25 +6,30 @@ but for one: start,0.533,-41.5 says that the bobs were let go at t = 0.533 s, th
 = -41.5 degrees. An empty cell, or NaN, stands for a moment at which the bob was not found.
 """
 
+import io
 import re
 from collections.abc import Sequence
-from itertools import accumulate, takewhile
-from math import degrees, inf, isfinite, nan, radians, remainder, sqrt, tau
+from itertools import accumulate, pairwise, takewhile
+from math import degrees, isfinite, nan, radians, remainder, sqrt, tau
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
 from support.columns import to_number
-from support.files.cradle_csv import Snapshot
-from support.files.valid_cradle import in_short
+from support.files.cradle_csv import plain_cell, separator_in, Snapshot
 from support.pendulum import cord_angles, Pendulum
+from support.signs import found, in_short
 
-IN_DEGREES = " (degrees)", " (°)"  # the end of a column's name
-# The line with the names of the columns
-NAMES = re.compile(r'(?m)^(.*[,;\t])?"?t( \(s\))?"?([,;\t].*)?$')
-# A line with the time (s) of the release, and its angle (degrees)
-START = re.compile(r"(?m)^start([,;\t])(.*?)\1*\r?$")
+# The units of a time (s) and of an angle (rad), by their names in a file
+UNITS = dict.fromkeys((None, "s", "sec", "seconds", "rad", "radians"), 1.0)
+UNITS |= dict.fromkeys(("degrees", "deg", "°"), radians(1))
 UNKNOWN = [0.0], [nan]  # the times, and the angles, of a column that is not there
+
+
+class Column(NamedTuple):
+    place: int  # in a row
+    unit: float  # of its numbers (s or rad)
 
 
 class Ghosts:
@@ -91,83 +96,102 @@ def read_ghosts(file: Snapshot, keys: Sequence[str]) -> Ghosts:
     Raises a ValueError with a one-line message that names the first mistake in it.
     """
     ghosts = Ghosts(Path(file.filepath).name, keys)
-    text = file.text()
+    lines = [*io.StringIO(file.text(), newline=None)]
+    above = count_above_names(file, lines, keys)
     release = 0.0  # s: the time in the file
-    start = START.search(text)
-    if start:
-        separator, cells = start.groups()
-        if separator != ",":
-            cells = cells.replace(",", ".")
-        numbers = [*map(to_number, cells.split(separator))]
-        if not (len(numbers) == 2 and isfinite(numbers[0]) and -180 <= numbers[1] <= 0):
-            line = text.count("\n", 0, start.start()) + 1
-            raise ValueError(
-                f"{file}, line {line}: found {in_short(repr(start[0]))}, allowed is start, the "
-                "time (s) of the release, and its angle, from -180 to 0 (degrees)"
-            )
-        release = numbers[0]
-        ghosts.angle = radians(numbers[1])
-        text = text.replace(start[0], "")
-    names = NAMES.search(text)
-    if not names:
-        raise ValueError(f"{file}: found no line with the column t, such as t,theta_1")
-    table = Snapshot(file.filepath, with_commas(text, names).encode())
-    ghosts.tracks = tracks_in(table, keys, release)
+    for number, line in enumerate(lines[:above], start=1):
+        name, *cells = cells_in(line)
+        if name == "start":
+            release, angle = release_in(f"{file}, line {number}", cells)
+            ghosts.angle = radians(angle)
+    table = "\n" * above + "".join(lines[above:])
+    ghosts.tracks = tracks_in(Snapshot(file.filepath, table.encode()), keys, release)
     if not ghosts.tracks:
         raise ValueError(f"{file}: found no angle, allowed is at least one")
     return ghosts
 
 
-def with_commas(text: str, names: re.Match) -> str:
-    """Return the text of a CSV with commas between cells, and blank lines before the names."""
-    above = "\n" * text.count("\n", 0, names.start())
-    table = text[names.start() :]
-    separator = ","
-    for sign in ";\t":
-        if names[0].count(sign) > names[0].count(separator):
-            separator = sign
-    if separator != ",":
-        table = table.replace(",", ".").replace(separator, ",")
-    return above + table
+def cells_in(line: str) -> list[str]:
+    """Return the cells of a line, without quotes, and without empty cells at its end."""
+    separator = separator_in(line)
+    cells = line.strip().rstrip(separator).split(separator)
+    return [plain_cell(cell.strip(' "'), separator) for cell in cells]
+
+
+def release_in(place: str, cells: list[str]) -> list[float]:
+    """Return the time (s) and the angle (degrees) of the release from the cells after start.
+
+    Raises a ValueError if they say something else; place is their line.
+    """
+    numbers = [*map(to_number, cells)]
+    if not (len(numbers) == 2 and isfinite(numbers[0]) and -180 <= numbers[1] <= 0):
+        allowed = "the time (s) of the release, and its angle, from -180 to 0 (degrees)"
+        raise ValueError(f"{place}, after start: {found(', '.join(cells), allowed)}")
+    return numbers
+
+
+def columns_in(names: Sequence[str], keys: Sequence[str]) -> dict[str, Column]:
+    """Return the columns of the time, t, and of angles, theta_1, ..., from the names in a file."""
+    angle = rf"(?:{'|'.join(keys)})_[1-9]\d*"
+    # `t`, `# t`, `Time (s)`, `theta_1 [rad]`, `theta_1 / degrees`
+    pattern = re.compile(rf"#?\s*(t|time|{angle})\s*(?:[([/]\s*(.+?)[)\]]?)?")
+    columns = {}
+    for place, text in enumerate(names):
+        match = pattern.fullmatch(text.lower())
+        if match and match[2] in UNITS:
+            columns[match[1].replace("time", "t")] = Column(place, UNITS[match[2]])
+    return columns
+
+
+def count_above_names(file: Snapshot, lines: Sequence[str], keys: Sequence[str]) -> int:
+    """Return how many lines are above the one with the names of columns.
+
+    Raises a ValueError if there is none.
+    """
+    nearly = ": found no line with the column t"
+    for number, line in enumerate(lines):
+        names = cells_in(line)
+        columns = columns_in(names, keys)
+        if "t" in columns and len(columns) > 1:
+            return number
+        if columns:
+            nearly = f", line {number + 1}: found {in_short(repr(', '.join(names)))}"
+    raise ValueError(
+        f"{file}{nearly}, allowed is a line with t, and {keys[0]}_1 (rad), or {keys[0]}_1 "
+        "(degrees), ..., with a comma, a semicolon or a tab between them"
+    )
 
 
 def tracks_in(file: Snapshot, keys: Sequence[str], release: float) -> dict[str, tuple]:
     """Return the times (s) and the angles (rad) of each column of angles, by its name.
 
-    The times are those after the release, whose time (s) in the file is given. The file has commas
-    between cells.
+    The times are those after the release, whose time (s) in the file is given.
     """
     header, *rows = file.rows
-    pattern = rf"t|t \(s\)|({'|'.join(keys)})_[1-9]\d*( \((rad|degrees|°)\))?"
-    columns: dict[str, list[float]]
-    columns = {name: [] for name in header.cells if re.fullmatch(pattern, name)}
-    time = "t" if "t" in columns else "t (s)"
-    if time not in columns or len(columns) < 2:
-        names = in_short(repr(", ".join(header.cells)))
-        raise ValueError(
-            f"{file}, line {header.line}: found {names}, allowed is a line with t, and "
-            f"{keys[0]}_1 (rad), or {keys[0]}_1 (degrees), ..."
-        )
-    last = -inf
+    columns = columns_in(header.cells, keys)
+    numbers: dict[str, list[float]] = {name: [] for name in columns}
     for row in rows:
-        cells = dict(zip(header.cells, row.cells, strict=False))
-        for name, numbers in columns.items():
-            text = cells.get(name, "")
+        cells = dict(enumerate(row.cells))
+        for name, column in columns.items():
+            text = cells.get(column.place, "")
             number = to_number(text)
-            numbers.append(number)
-            found = f"{file}, line {row.line}, column {name}: found {in_short(repr(text))}"
-            if name == time and not number > last:
-                raise ValueError(f"{found}, allowed is a time (s) after that of the line before")
-            if not isfinite(number) and text.lower() not in ("", "nan"):
-                raise ValueError(f"{found}, allowed is a number, or nothing")
-        last = columns[time][-1]
-    times = np.array(columns.pop(time)) - release
+            may_be_missing = name != "t" and text.lower() in ("", "nan")
+            if not isfinite(number) and not may_be_missing:
+                allowed = "a time (s)" if name == "t" else "a number, or nothing"
+                place = f"{file}, line {row.line}, column {header.cells[column.place]}"
+                raise ValueError(f"{place}: {found(text, allowed)}")
+            numbers[name].append(number * column.unit)
+    times = numbers.pop("t")
+    for (row, time), (next_row, next_time) in pairwise(zip(rows, times, strict=True)):
+        if next_time <= time:
+            raise ValueError(
+                f"{file}, line {next_row.line}: found t = {next_time:.15g} s after {time:.15g} s "
+                f"in line {row.line}, allowed are times that grow from line to line; "
+                "of two runs in a file, keep one"
+            )
     tracks = {}
-    for name, numbers in columns.items():
-        angles = np.array(numbers)
-        if name.endswith(IN_DEGREES):
-            angles = np.radians(angles)
+    for name, angles in numbers.items():
         known = np.isfinite(angles)
         if any(known):
-            tracks[name.partition(" ")[0]] = (times[known], np.unwrap(angles[known]))
+            tracks[name] = (np.array(times)[known] - release, np.unwrap(np.array(angles)[known]))
     return tracks

@@ -18,6 +18,7 @@ from support.files.experiments import (
 )
 from support.files.valid_cradle import are_in_range, IN_RANGE, require_cradle
 from support.page.pictures import at_rest, picture
+from support.signs import odd_sign
 
 Numbers = dict[str, list[float]]  # the numbers of all pendula, by their column
 
@@ -151,7 +152,7 @@ class Chooser:
                 allowed = IN_RANGE
                 fits = are_in_range(numbers[column])
         if not fits:
-            self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}")
+            self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}{odd_sign(text)}")
             return False
         edited = with_numbers(self.player.settings.csv, numbers)
         self.player.change(csv=edited, mass=None, collision=AS_MADE)

@@ -9,7 +9,7 @@ import shlex
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
-from math import inf, sqrt
+from math import inf, isfinite, isnan, sqrt
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
@@ -19,6 +19,7 @@ from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import EVERY
 from support.pendulum import angle_to_outwards, outwards_to_angle
+from support.signs import found, in_plain_signs, odd_sign
 from support.start.checks_command import ROOT
 from support.start.output import refuse
 
@@ -54,6 +55,12 @@ class OneLineParser(argparse.ArgumentParser):
 
     def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
         for word in sys.argv[1:] if args is None else args:
+            # It would be taken for a file; in the name of a file, such signs may be right
+            name = word.partition("=")[0]
+            plain = in_plain_signs(name)
+            if plain != name and plain.startswith("-") and isnan(to_number(plain)):
+                allowed = f"--{plain.lstrip('-')}"
+                self.error(f"found {word!r}{odd_sign(name)}; allowed is {allowed}")
             # Up to Python 3.12, its value would be an empty list
             if word.startswith("-") and word.endswith("=--"):
                 self.error(f"found {word!r}, allowed is no -- after =")
@@ -73,7 +80,7 @@ def type_of(
 
     def convert_allowed(text: str) -> Any:
         if not is_allowed(text):
-            raise argparse.ArgumentTypeError(f"found {text!r}, allowed is {allowed}")
+            raise argparse.ArgumentTypeError(found(text, allowed))
         return convert(text)
 
     return convert_allowed
@@ -137,7 +144,7 @@ def cradle_options(description: str) -> OneLineParser:
         f"(default: {angle_to_outwards(THETA_INIT):g})"
     )
     add("--angle", type=angle_from(0), metavar="DEGREES", help=text)
-    count = type_of(int, str.isdecimal, "a whole number, 0 or more")
+    count = type_of(int, is_whole, "a whole number, 0 or more")
     text = "number of lifted bobs, from the left (default: 1)"
     add("--lift", type=count, metavar="K", help=text)
     return parser
@@ -157,10 +164,14 @@ FILE = type_of(str, bool, "the name of a file")
 PORT = "a whole number from 0 to 65535"
 
 
+def is_whole(text: str) -> bool:
+    """Return whether the text is a whole number, 0 or more."""
+    return text.isdecimal() and isfinite(to_number(text))
+
+
 def is_port(text: str) -> bool:
     """Return whether the text is the number of a port."""
-    is_short_number = text.isascii() and text.isdecimal() and len(text) < 6
-    return is_short_number and int(text) <= 65535
+    return is_whole(text) and int(text) <= 65535
 
 
 def page_options(description: str) -> OneLineParser:

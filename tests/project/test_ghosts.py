@@ -35,6 +35,9 @@ KEYS = DoubleCradle.angle_keys
         ("t,phi_1,theta_1,phi_2\n0,-1,3,1\n", 0, {0: [3, 2]}),  # of cord 2, only half is known
         ("t,theta_1,theta_3\n0,,1\n", 0, {}),  # bob 1 was never found, and there is no bob 3
         ("mass A\nstart,0.5,-9\nt (s)\ttheta_1 (°)\n0,5\t90\n", 0, {0: [90 / RAD]}),
+        ('# t, in s\nstart;0;\u22129\n# t ;"Theta_1 [deg]"\n0;\u221290\n', 0, {0: [-90 / RAD]}),
+        ("theta_1 / degrees\t T\r90\t0\r", 0, {0: [90 / RAD]}),
+        ("\ufeffTime (s),theta_1(rad)\n0,1\n", 0, {0: [1]}),
     ],
 )
 def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
@@ -45,15 +48,27 @@ def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("#\ntheta_1,x\n", ": found no line with the column t, "),
+        ("#\ntheta,x\n", ": found no line with the column t, "),
+        ("#\ntheta_1,x\n", ", line 2: found 'theta_1, x', allowed is a line with t, and theta_1 "),
         ("#\nt,theta\n0,1\n", ", line 2: found 't, theta', allowed is a line with t, and theta_1 "),
         ("t,theta_1,theta_01\n0,,1\n", ": found no angle, allowed is at least one"),
-        ("t,theta_1\n0,1\n0,2\n", ", line 3, column t: found '0', allowed is a time (s) after "),
-        ("t,theta_1\n,1\n", ", line 2, column t: found '', allowed is a time (s) after "),
+        (
+            "t,theta_1\n0,1\n0,2\n",
+            ", line 3: found t = 0 s after 0 s in line 2, allowed are times ",
+        ),
+        (
+            "t;theta_1\n\n0,1;1\n0;1\n",
+            ", line 4: found t = 0 s after 0.1 s in line 3, allowed are ",
+        ),
+        ("t,theta_1\n,1\n", ", line 2, column t: found nothing, allowed is a time (s)"),
+        (
+            "t;theta_1\n0;\u20131\n",
+            ", line 2, column theta_1: found '\u20131', allowed is a number, ",
+        ),
         ("t,theta_1\n0,red\n", ", line 2, column theta_1: found 'red', allowed is a number, or "),
         ("t,theta_1\n0,0,5\n", ", line 2: found 3 cells, allowed are at most 2, as in line 1;"),
-        ("\nstart;1\nt;theta_1\n", ", line 2: found 'start;1', allowed is start, the time (s) of"),
-        ("start,1,41.5\nt,theta_1\n", ", line 1: found 'start,1,41.5', allowed is start, the "),
+        ("\nstart;1\nt;theta_1\n", ", line 2, after start: found '1', allowed is the time (s) of"),
+        ("start,1,41.5\nt,theta_1\n", ", line 1, after start: found '1, 41.5', allowed is "),
         ("t" * LARGEST + ",", ": cannot be read: found more than 10 MB, allowed are at most 10 MB"),
     ],
 )

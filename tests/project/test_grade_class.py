@@ -1,5 +1,6 @@
 """A class from its submissions to its grades: what a teacher gets, and a class that is stopped."""
 
+import errno
 import json
 import os
 import re
@@ -9,6 +10,7 @@ import stat
 import subprocess
 import sys
 import zipfile
+from unittest.mock import Mock
 
 import grade_class
 import make_autograder
@@ -202,9 +204,9 @@ def run(monkeypatch, capsys):
         (grade_class, "class --out file.zip", "file.zip: allowed is a new folder"),
         (make_autograder, "file.zip", "FILE.zip: found 'file.zip'"),
         (make_autograder, "cradle.tar", "FILE.zip: found 'cradle.tar'"),
-        (make_autograder, "nowhere/cradle.zip", "nowhere/cradle.zip cannot be made: "),
+        (make_autograder, "nowhere/cradle.zip", "nowhere/cradle.zip: cannot be written: "),
         (make_starter, "class", "FOLDER: found 'class'"),
-        (make_starter, "file.zip/new", "FOLDER: file.zip/new cannot be made: "),
+        (make_starter, "file.zip/new", "file.zip/new: "),
     ],
 )
 def test_wrong_arguments_are_refused_in_one_line(
@@ -219,6 +221,15 @@ def test_wrong_arguments_are_refused_in_one_line(
     assert message in errors.replace(os.sep, "/")
     assert "None" not in errors
     assert (tmp_path / "file.zip").read_text() == "mine"
+
+
+def test_a_full_disk_leaves_no_half_of_a_zip_and_it_is_named(tmp_path, monkeypatch, run):
+    monkeypatch.chdir(tmp_path)
+    full = Mock(side_effect=OSError(errno.ENOSPC, "No space left on device"))
+    monkeypatch.setattr("zipfile.ZipFile.writestr", full)
+    message = "a.zip: cannot be written: No space left on device\n"
+    assert run(make_autograder, "a.zip") == (2, "", message)
+    assert [*tmp_path.iterdir()] == []
 
 
 @on_posix

@@ -143,11 +143,10 @@ def refusal(program, words, capsys):
         ("page", "--e", ["1.1", "-0.1", "nan", "0,9"], "from 0 to 1,"),
         ("page", "--mass", ["0", "inf", "1kg"], "from 1e-300 to 1e6 (kg)"),
         ("page", "--angle", ["-30", "181"], "from 0 to 180 (degrees)"),
-        ("page", "--lift", ["-1", "1.5", "²"], "0 or more"),
-        ("page", "--port", ["65536", "web", "", "\u0663"], "from 0 to 65535"),
+        ("page", "--lift", ["-1", "1.5", "²", "9" * 5000, "\u0663"], "0 or more"),
+        ("page", "--port", ["65536", "web", "\u0663"], "from 0 to 65535"),
         ("double", "--phi", ["181", "-180.5", "nan", "right"], "from -180 to 180 (degrees)"),
         ("text", "--seconds", ["0", "inf"], "above 0 and up to 1e6 (s)"),
-        ("text", "--record", [""], "the name of a file"),
         ("text", "--every", ["1e-11", str(DT / 2), str(DT * 1.5), "1e7", "nan"], f"of {DT:g} (s)"),
     ],
 )
@@ -156,7 +155,7 @@ def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
 ):
     for value in values:
         message = refusal(program, [f"{option}={value}"], capsys)
-        assert message.startswith(f"argument {option}: found {value!r}, ")
+        assert message.startswith(f"argument {option}: found {value!r}"[:300])
         assert allowed in message
 
 
@@ -167,6 +166,18 @@ def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
         ("page", "--elast", "unrecognized arguments: --elast"),
         ("page", "--angle=--", "found '--angle=--', allowed is no -- after ="),
         ("text", "--no-browser", "unrecognized arguments: --no-browser"),
+        ("text", "--record=", "argument --record: found nothing, allowed is the name of a file"),
+        (
+            "text",
+            "\u2013elastic",
+            "found '\u2013elastic'; sign 1 is en dash (U+2013): type -; allowed is --elastic",
+        ),
+        (
+            "text",
+            "a.csv --\uff45=1",
+            "found '--\uff45=1'; sign 3 is fullwidth latin small letter e",
+        ),
+        ("double", "--phi \u221230", "argument --phi: found '\u221230', allowed is a number from"),
         (
             "page",
             "--experiment a.txt --e 0",

@@ -148,7 +148,8 @@ class Report:
             ]
         )
         text = "\n".join([student, *problems, "", result["text"], ""])
-        (folder / f"{student}.txt").write_text(text, encoding="utf-8", errors="backslashreplace")
+        with whole_file(folder / f"{student}.txt") as out:
+            out.write(text.encode(errors="backslashreplace").decode())
         self.grades[grade] += 1
         is_first = True
         for name, check in result["checks"].items():
