@@ -24,13 +24,12 @@ class Column(NamedTuple):
     """A column, with the values that its cells may have."""
 
     name: str
-    default: str = ""  # of an experiment that does not say it; "" leaves the column out
+    default: str  # of an experiment that does not say it
     example: str = ""  # of its numbers, in a message
     unit: str = ""  # of its numbers
     # The least and the greatest number, as a message shows them
     limits: tuple[str, str] | None = None
     choices: Collection[str] = ()  # names
-    is_required: bool = True  # if it has limits or choices
 
     def allows(self, text: str) -> bool:
         """Return whether a cell may have this text."""
@@ -60,10 +59,8 @@ COLUMNS = (
 )
 
 # The names of the columns of the CSVs that the programs write.
-COLUMN_NAMES = [column.name for column in COLUMNS if column.default]
-# The columns whose cells are checked, if a CSV has them, by name.
+COLUMN_NAMES = [column.name for column in COLUMNS]
+# The columns without which a CSV is no cradle, by name; their cells are checked.
 CHECKED = {column.name: column for column in COLUMNS if column.limits or column.choices}
-# The names of those without which a CSV is no cradle.
-REQUIRED = [name for name, column in CHECKED.items() if column.is_required]
 # The names of the numbers of each pendulum that you can set.
-SETTABLE = [name for name in REQUIRED if CHECKED[name].limits]
+SETTABLE = [name for name, column in CHECKED.items() if column.limits]

@@ -108,8 +108,7 @@ def csv_of(columns: dict[str, list[float]]) -> bytes:
     count = len(columns["mass"])
     table: dict[str, list] = {}
     for column in COLUMNS:
-        if column.default:
-            table[column.name] = [column.default] * count
+        table[column.name] = [column.default] * count
     table |= columns
     table["color"] = list(islice(cycle(COLORS), count))
     rows = [tuple(table), *zip(*table.values(), strict=True)]

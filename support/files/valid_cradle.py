@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from support.columns import CHECKED, REQUIRED, to_number
+from support.columns import CHECKED, to_number
 from support.files.cradle_csv import Row, SEPARATOR, Snapshot
 from support.signs import found, in_short, odd_sign
 
@@ -50,13 +50,12 @@ def require_columns(place: str, names: list[str]) -> None:
         hint = "; delete the quotes around each line"
     for column in CHECKED:
         count = names.count(column)
-        is_missing = count == 0 and column in REQUIRED
-        if count > 1 or is_missing:
+        if count != 1:
             columns = f"{count} columns" if count else "no column"
             all_names = in_short(", ".join(repr(name) for name in names if name))
             raise ValueError(
                 f"{place} must name the columns: found {columns} {column} in {all_names}; "
-                f"a cradle needs one column of each of {', '.join(REQUIRED)}{hint}"
+                f"a cradle needs one column of each of {', '.join(CHECKED)}{hint}"
             )
 
 

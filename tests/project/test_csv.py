@@ -15,7 +15,6 @@ from whole_cradles import GOOD, HEADER
 
 from grading.cradles import MIXED, MIXED_CSV
 from src.pds_helper import extract_and_convert
-from support.columns import CHECKED, Column
 from support.constants import COLOR_MAP, TEXTURE_MAP
 from support.files.cradle_csv import clean_copy, Snapshot
 from support.files.valid_cradle import require_cradle
@@ -133,31 +132,6 @@ def test_the_smallest_and_the_largest_cradle_are_allowed(save):
     require_cradle(Snapshot(save(HEADER + GOOD * 1000)))
     for column, text in [("e", "0"), ("e", "1"), ("mass", "1e-300"), ("mass", "1e6")]:
         require_cradle(Snapshot(save(LINES[column].format(text))))
-
-
-@pytest.mark.parametrize(
-    ("names", "cells", "refused"),
-    [
-        ("", "", ""),
-        ("size,", "0.02,", ""),
-        (
-            "size,",
-            "9,",
-            ", line 2, column size: found '9', allowed is a number from 0.01 to 0.1",
-        ),
-        ("size,size,", "0.02,0.02,", f"{NAMES}2 columns size"),
-    ],
-)
-def test_a_column_that_is_not_required_is_checked_where_it_is(
-    names, cells, refused, save, monkeypatch
-):
-    size = Column("size", limits=("0.01", "0.1"), is_required=False)
-    monkeypatch.setitem(CHECKED, "size", size)
-    file = save(names + HEADER + cells + GOOD)
-    if refused:
-        assert refusal(file).startswith(refused)
-    else:
-        require_cradle(Snapshot(file))
 
 
 def test_the_masses_of_a_double_cradle_may_differ_by_a_factor_of_a_million(save):
