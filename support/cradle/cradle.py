@@ -290,6 +290,17 @@ class Cradle:
             for pend in self.pend_list
         ]
 
+    def most_momentum(self) -> float:
+        """Return a limit (kg m/s): no pendulum, and no sum of them, gets more momentum.
+
+        Equal bobs only pass their speeds on. Of other bobs, one knows the energy E and the mass M:
+        their momenta have at most the sum sqrt(2 M E), however both are shared out.
+        """
+        masses = [self.whole_mass(pend) for pend in self.pend_list]
+        if self.cord_count == 1 and len({*masses}) == 1:
+            return masses[0] * sum(self.top_speeds())
+        return sqrt(2 * sum(masses) * sum(self.energies()))
+
     def heights(self) -> list[float]:
         """Return the height of each pendulum (m)."""
         return [self.height(pend) for pend in self.pend_list]

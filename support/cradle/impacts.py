@@ -7,7 +7,7 @@ support/__init__.py says what a series and a chain are. Two bobs that come in ma
 from collections import Counter, deque
 
 MOST_CHAINS = 12  # in a series
-TOGETHER = 20  # two bobs with more hits than this in one series stay together
+TOUCHES = 20  # two bobs with more hits than this in one series keep touching
 LINE = 44  # characters of a line on the page
 LONGEST_CHAIN = 9  # bobs: of a longer chain, only the ends are written
 
@@ -23,7 +23,7 @@ class Series:
         self.chains: list[list[int]] = []
         self.hits: Counter[Pair] = Counter()
         self.last: Pair = (0, 0)  # the bobs of the last fast hit
-        self.together: set[Pair] = set()  # the pairs that stay together
+        self.touching: set[Pair] = set()  # the pairs that keep touching
 
     def add(self, time: float, pair: Pair, rightwards: bool, is_fast: bool) -> None:
         """Add a hit; see Impacts. A chain has only fast hits."""
@@ -36,8 +36,8 @@ class Series:
         self.end = time
         self.hits[pair] += 1
         # n lifted bobs of a row hit the next one n times.
-        if self.hits[pair] > max(TOGETHER, len(self.hits)):
-            self.together.add(pair)
+        if self.hits[pair] > max(TOUCHES, len(self.hits)):
+            self.touching.add(pair)
 
     def pass_on(self, pair: Pair, rightwards: bool) -> None:
         """Continue the first chain that ends at each bob of the pair; if none does, begin one."""
@@ -59,19 +59,19 @@ class Series:
         return None
 
     def is_written(self) -> bool:
-        """Return whether a hit was fast, or bobs stay together."""
-        return bool(self.chains or self.together)
+        """Return whether a hit was fast, or bobs keep touching."""
+        return bool(self.chains or self.touching)
 
     def join(self, later: "Series") -> None:
-        """Take over a later series; the bobs of both stay together."""
-        self.together |= later.together
+        """Take over a later series; the bobs of both keep touching."""
+        self.touching |= later.touching
         self.end = later.end
         self.last = later.last
         self.hits = later.hits
 
     def __str__(self) -> str:
-        if self.together:
-            return ", ".join(map(group_as_text, groups_of(self.together))) + " stay together"
+        if self.touching:
+            return ", ".join(map(group_as_text, groups_of(self.touching))) + " keep touching"
         return "  ".join(map(chain_as_text, self.chains))
 
 
@@ -98,7 +98,7 @@ class Impacts:
         self.latest.add(time, (left + 1, right + 1), rightwards, is_fast)
         if self.latest.is_written() and self.latest not in self.series:
             self.series.append(self.latest)
-        if self.latest.together and len(self.series) > 1 and self.series[-2].together:
+        if self.latest.touching and len(self.series) > 1 and self.series[-2].touching:
             self.series.pop()
             self.series[-1].join(self.latest)
             self.latest = self.series[-1]
@@ -134,7 +134,7 @@ def group_as_text(group: Pair) -> str:
 
 
 def groups_of(pairs: set[Pair]) -> list[Pair]:
-    """Return the first and the last number of each group of bobs that stay together."""
+    """Return the first and the last number of each group of bobs that keep touching."""
     groups: list[Pair] = []
     for left, right in sorted(pairs):
         if groups and left <= groups[-1][1]:

@@ -6,7 +6,7 @@ from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
 from support.cradle.impacts import Impacts
-from support.energy import energies
+from support.energy import energies, momentum
 from support.pendulum import Pendulum
 
 Sample = dict[str, float]  # the data of a moment, by the names of the columns of a data file
@@ -14,6 +14,7 @@ Sample = dict[str, float]  # the data of a moment, by the names of the columns o
 # Of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang.
 FAST_PART = 0.1
 ALIKE = 0.1  # bobs whose angles differ by less than this part swing together
+KEPT = 1e-3  # of the momenta in a hit: a smaller change of their sum is none
 
 
 class Motion:
@@ -30,6 +31,7 @@ class Motion:
         self.ticks = 0
         self.loudest = 0.0  # m/s: the speed of the fastest hit that the page has not sounded yet
         self.hit_count = 0  # the number of hits
+        self.has_kept_momentum = True  # whether each hit has kept the momentum of its pendula
         self.last_fast = -inf  # s: the time of the last fast hit
         self.impacts.clear()
         self.set_start()
@@ -49,6 +51,7 @@ class Motion:
         time = hit.tick * self.cradle.dt
         is_fast = hit.speed >= self.fast_speed
         self.hit_count += 1
+        self.has_kept_momentum = self.has_kept_momentum and keeps_momentum(hit)
         if is_fast:
             self.last_fast = time
         self.loudest = max(self.loudest, hit.speed)
@@ -107,6 +110,16 @@ class Motion:
             "total": kinetic + potential,
             "momentum": self.cradle.momentum(),
         }
+
+
+def keeps_momentum(hit: Hit) -> bool:
+    """Return whether a hit has kept the momentum of its pendula.
+
+    The fast path, which copies no pendula, has only hits of handle_collision as shipped: these do.
+    """
+    size = sum(abs(momentum([pend], R_PARAM)) for pend in (*hit.before, *hit.after))
+    change = momentum([*hit.after], R_PARAM) - momentum([*hit.before], R_PARAM)
+    return abs(change) <= KEPT * size
 
 
 def percent_as_text(percent: float) -> str:

@@ -3,7 +3,7 @@
 from array import array
 from collections import deque
 from collections.abc import Sequence
-from math import isfinite
+from math import degrees, isfinite
 from typing import Any, NamedTuple
 
 from vpython import vector
@@ -27,6 +27,7 @@ MOST_DRAWN = 20  # pendula in the graph: more curves could not be told apart
 ENERGIES = {"kinetic": "rgb(213, 94, 0)", "potential": "rgb(0, 114, 178)", "total": "rgb(0, 0, 0)"}
 ENERGY, NOTHING = "Energies", "no graph"
 TIME = "t (s)"
+DEGREES = degrees(1)  # in a rad
 
 
 class Curve(NamedTuple):
@@ -44,6 +45,9 @@ class Choice(NamedTuple):
     y: str
     along: str  # the name of the numbers along x in a sample
     curves: list[Curve]
+    # The drawn numbers are those of the sample times these.
+    x_scale: float = 1.0
+    y_scale: float = 1.0
 
 
 class Graph:
@@ -67,9 +71,9 @@ class Graph:
         # By the name in the menu.
         self.choices = {ENERGY: Choice(TIME, "%", "t", energies)}
         for key in self.angle_keys:
-            self.choices[f"Angles {key}"] = over_time(key, "rad", hues)
+            self.choices[f"Angles {key}"] = over_time(key, "degrees", hues)
         for key in self.rate_keys:
-            self.choices[f"Velocities {key}"] = over_time(key, "rad/s", hues)
+            self.choices[f"Velocities {key}"] = over_time(key, "degrees/s", hues)
         for number, hue in enumerate(hues, start=1):
             for angle, rate in zip(self.angle_keys, self.rate_keys, strict=True):
                 name = f"Phase {number}"
@@ -97,7 +101,8 @@ class Graph:
     def state(self, start_energy: float) -> dict[str, Any]:
         """Return the axes, the curves, and the rows with their names; start_energy (J) is 100 %.
 
-        A row has the number along x, and one for each curve. The x axis goes from "from" to "to",
+        A row has the number along x, and one for each curve, in rad as in a data file. graph.js
+        multiplies them by the scales, and so draws degrees. The x axis goes from "from" to "to",
         the y axis from "bottom" to "top"; where these are missing, graph.js lets flot choose them.
         """
         choice = self.choices[self.chosen]
@@ -112,6 +117,7 @@ class Graph:
             "curves": [curve._asdict() for curve in choice.curves],
             "names": [choice.along, *(curve.name + unit_name for curve in choice.curves)],
             "rows": [],
+            "scales": [choice.x_scale, choice.y_scale],
         }
         if choice.curves and self.rows:
             state["rows"] = self.numbers(choice, unit)
@@ -135,8 +141,8 @@ class Graph:
     def limits(self, choice: Choice, rows: list[list[float]]) -> dict[str, float]:
         """Return the ends of the axes that flot must not choose."""
         if choice.along != "t":  # a phase picture: the bob at rest is in its middle
-            right = most(rows, 0)
-            top = most(rows, 1)
+            right = most(rows, 0) * choice.x_scale
+            top = most(rows, 1) * choice.y_scale
             return {"from": -right, "to": right, "bottom": -top, "top": top}
         seconds = self.span_of(choice).seconds
         end = max(seconds, self.rows[-1][0])
@@ -162,14 +168,14 @@ def over_time(key: str, unit: str, hues: Sequence[str]) -> Choice:
     curves = []
     for number, hue in enumerate(hues, start=1):
         curves.append(Curve(str(number), f"{key}_{number}", hue))
-    return Choice(TIME, f"{key} ({unit})", "t", curves)
+    return Choice(TIME, f"{key} ({unit})", "t", curves, y_scale=DEGREES)
 
 
 def phase_picture(angle: str, rate: str, number: int, hue: str) -> Choice:
     """Return the graph of an angle and its rate, of the pendulum with this number."""
     curve = Curve("", f"{rate}_{number}", hue)
-    x, y = f"{angle} (rad)", f"{rate} (rad/s)"
-    return Choice(x, y, f"{angle}_{number}", [curve])
+    x, y = f"{angle} (degrees)", f"{rate} (degrees/s)"
+    return Choice(x, y, f"{angle}_{number}", [curve], DEGREES, DEGREES)
 
 
 def last_rows(rows: Sequence[array], span: Span) -> list[array]:

@@ -16,12 +16,25 @@ from support.pendulum import Pendulum
 
 
 def readout(motion: Motion, pace: RealTime, pend_list: list[Pendulum]) -> dict[str, str]:
-    """Return the time, and the energy and the momentum of these pendula, as text."""
+    """Return the time, and the energy and the momentum of these pendula, as text.
+
+    A second line of a text is a note, which the page writes small.
+    """
+    p = momentum_as_text(momentum(pend_list, R_PARAM))
     return {
-        "t": f"{motion.time():.2f} s {pace.remark()}".strip(),
+        "t": f"{motion.time():.2f} s\n{pace.remark()}",
         "energy": percent_as_text(motion.percents(pend_list)["energy"]).strip(),
-        "momentum": momentum_as_text(momentum(pend_list, R_PARAM)),
+        "momentum": f"{p}\n{what_changes_momentum(motion)}",
     }
+
+
+def what_changes_momentum(motion: Motion) -> str:
+    """Return what changes the momentum of the bobs, and what the hits since the start have done."""
+    if not motion.hit_count:
+        return "gravity changes it"
+    if motion.has_kept_momentum:
+        return "gravity changes it, hits keep it"
+    return "gravity and hits change it"
 
 
 class Bar(NamedTuple):
@@ -31,25 +44,26 @@ class Bar(NamedTuple):
     text: str
     color: str  # as CSS has it
     part: float  # -1 to 1: of the full length, negative to the left
+    zero: float  # where the bar begins: 0 at the left end of its place, 0.5 in the middle
 
 
 def momentum_bars(momenta: Sequence[float], largest: float, colors: Sequence[vector]) -> list[Bar]:
     """Return a bar for the momentum (kg m/s) of each pendulum, and one for the sum.
 
-    A full bar is the largest momentum.
+    A full bar is the largest momentum (kg m/s).
     """
     names = [*map(str, range(1, len(colors) + 1)), "sum"]
     bars = []
     for name, p, color in zip(names, [*momenta, sum(momenta)], [*colors, GREY], strict=True):
         part = max(-1.0, min(1.0, p / largest))
-        bars.append(Bar(name, signed(p), to_css(color), round(part, 3)))
+        bars.append(Bar(name, signed(p), to_css(color), round(part, 3), zero=0.5))
     return bars
 
 
 def energy_bar(percent: float) -> Bar:
     """Return a bar of the energy, in percent of that at the start."""
     text = percent_as_text(percent).strip()
-    return Bar("energy", text, ENERGIES["total"], min(1.0, percent / 100))
+    return Bar("energy", text, ENERGIES["total"], min(1.0, percent / 100), zero=0.0)
 
 
 def momentum_as_text(p: float) -> str:

@@ -94,13 +94,13 @@ def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch, ki
 
 
 @pytest.mark.parametrize(
-    ("kind", "separating", "stay_together"),
+    ("kind", "separating", "keep_touching"),
     [(Cradle, True, True), (Cradle, False, False), (DoubleCradle, True, False)],
 )
 def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(
-    swing, kind, separating, stay_together
+    swing, kind, separating, keep_touching
 ):
-    """With e below 1, bobs stay together if separating ones collide too."""
+    """With e below 1, bobs keep touching if separating ones collide too."""
     player = swing(kind=kind, e=0.8)
     same = swing(kind=kind, e=0.8).cradle
     player.separating = separating
@@ -112,7 +112,7 @@ def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(
     assert player.cradle.coordinates() == same.coordinates()
     impacts = player.impacts()
     assert " s  1" in impacts[-1]
-    assert ("stay together" in " ".join(impacts)) == stay_together
+    assert ("keep touching" in " ".join(impacts)) == keep_touching
 
 
 @pytest.mark.parametrize(("kind", "lengths"), [(Cradle, 1), (DoubleCradle, 1.5)])

@@ -11,7 +11,7 @@ from whole_cradles import GOOD, HEADER
 
 from support.cradle.cradle import Cradle
 from support.files.data_file import EVERY
-from support.page.graph import ENERGIES, ENERGY, MOST_DRAWN, NOTHING, PHASE_SPAN, SPANS
+from support.page.graph import DEGREES, ENERGIES, ENERGY, MOST_DRAWN, NOTHING, PHASE_SPAN, SPANS
 
 ANGLES = "Angles theta"
 # Of the bobs, as a page has them
@@ -53,9 +53,9 @@ def test_the_time_axis_is_full_with_any_tick(csv, monkeypatch, dt):
 @pytest.mark.parametrize(
     ("choice", "x", "y", "curves"),
     [
-        (ANGLES, "t (s)", "theta (rad)", {"1": RED, "2": CYAN}),
-        ("Velocities omega", "t (s)", "omega (rad/s)", {"1": RED, "2": CYAN}),
-        ("Phase 2", "theta (rad)", "omega (rad/s)", {"": CYAN}),
+        (ANGLES, "t (s)", "theta (degrees)", {"1": RED, "2": CYAN}),
+        ("Velocities omega", "t (s)", "omega (degrees/s)", {"1": RED, "2": CYAN}),
+        ("Phase 2", "theta (degrees)", "omega (degrees/s)", {"": CYAN}),
     ],
 )
 def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
@@ -77,6 +77,8 @@ def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
         "Phase 2": [thetas[1], omegas[1]],
     }
     assert graph["rows"][-1] == pytest.approx(moments[choice], abs=1e-6)
+    # The page draws degrees; the rows, which you can save, have rad
+    assert graph["scales"] == [1 if x == "t (s)" else DEGREES, DEGREES]
 
 
 def test_the_phase_picture_has_rest_in_its_middle_and_an_end(rig):
@@ -85,7 +87,7 @@ def test_the_phase_picture_has_rest_in_its_middle_and_an_end(rig):
     graph = rig.state["curves"]
     for first, last, column in (("from", "to", 0), ("bottom", "top", 1)):
         farthest = max(abs(row[column]) for row in graph["rows"])
-        assert graph[first] == -graph[last] == pytest.approx(-1.05 * farthest)
+        assert graph[first] == -graph[last] == pytest.approx(-1.05 * DEGREES * farthest)
     assert len(graph["rows"]) == pytest.approx(PHASE_SPAN[0] / EVERY, abs=2)
 
 

@@ -95,11 +95,11 @@ def test_a_series_begins_with_its_first_fast_hit():
             [[SLOW[0]], [0, SLOW[3], 1], [SLOW[2]], [SLOW[1]], [SLOW[0], 0, 1, 2]],
             ["0.40 s  1-2-3-4", "0.10 s  1-2-3"],
         ),
-        # Bobs that stay together from swing to swing take one line, with those that join them.
-        ([[0, 1], LIE, [*LIE, *[2] * 100], LIE], ["0.10 s  1 to 4 stay together", "0.00 s  1-2-3"]),
-        ([LIE, [SLOW[0]], LIE], ["0.00 s  1 to 3 stay together"]),
-        ([LIE, [SLOW[3]] * 21], ["0.00 s  1 to 3, 4 and 5 stay together"]),
-        ([[*LIE, 3]] * 25, ["0.00 s  1 to 3 stay together"]),  # 4 hits 5 once in each swing
+        # Bobs that keep touching from swing to swing take one line, with those that join them.
+        ([[0, 1], LIE, [*LIE, *[2] * 100], LIE], ["0.10 s  1 to 4 keep touching", "0.00 s  1-2-3"]),
+        ([LIE, [SLOW[0]], LIE], ["0.00 s  1 to 3 keep touching"]),
+        ([LIE, [SLOW[3]] * 21], ["0.00 s  1 to 3, 4 and 5 keep touching"]),
+        ([[*LIE, 3]] * 25, ["0.00 s  1 to 3 keep touching"]),  # 4 hits 5 once in each swing
         ([*[[0, 1]] * 5, *[[SLOW[1]]] * 20], [f"0.{i}0 s  1-2-3" for i in (4, 3, 2, 1, 0)]),
     ],
 )

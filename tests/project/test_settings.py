@@ -175,7 +175,7 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
         NOTHING,
     ]
     rig.give("graph", "Angles phi")
-    assert rig.state["curves"]["y"] == "phi (rad)"
+    assert rig.state["curves"]["y"] == "phi (degrees)"
     phi = outwards_to_angle(-12.5)
     assert rig.state["curves"]["rows"][0] == pytest.approx([0, phi, 0], abs=1e-6)
 

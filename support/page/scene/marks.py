@@ -60,9 +60,7 @@ class Marks:
     def surround(self, cradle: Cradle) -> None:
         """Take a cradle: a new one, or one in which a bob was dragged."""
         self.cradle = cradle
-        # The largest momentum (kg m/s): its bar has the full length.
-        speeds = zip(cradle.pend_list, cradle.top_speeds(), strict=True)
-        self.largest = sum(cradle.whole_mass(pend) * speed for pend, speed in speeds) or 1.0
+        self.largest = cradle.most_momentum() or 1.0  # kg m/s: its bar has the full length
         self.place_dial()
 
     def take(self, name: str, count: int, kind: type, **attributes: Any) -> list:
@@ -98,7 +96,7 @@ class Marks:
             pointer.axis = ARROW_TIME * velocity
             pointer.shaftwidth = bob.radius / 3
         self.momenta = self.momenta_of(pend_list)
-        # A light bob that bounces back gives more than it had.
+        # Only functions that add energy go beyond it.
         self.largest = max(self.largest, *map(abs, self.momenta))
 
     def momenta_of(self, pend_list: Sequence[Pendulum]) -> list[float]:
@@ -139,8 +137,8 @@ class Marks:
                 lines = []
                 if has_masses:
                     lines.append(f"{pend['mass']:g} kg")
-                if self.measures:
-                    lines += [f"{abs(degrees(angle)):.0f}°", f"{hypot(vx, vy):.2f} m/s"]
+                if self.measures:  # bobs are near each other: the unit has its own line
+                    lines += [f"{abs(degrees(angle)):.0f}°", f"{hypot(vx, vy):.2f}", "m/s"]
                 below = bob.pos.y - 1.15 * bob.radius
                 if lines:
                     labels.append(Label(bob.pos.x, below, "\n".join(lines), "bob"))

@@ -6,7 +6,7 @@ const NEAREST = 0.1; // of the range with which the whole cradle fills the canva
 const FARTHEST = 3;
 const MOVED = 1e-3; // the least part of the range, or turn (rad), by which a camera has moved
 const INK = vec(0.5, 0.5, 0.53); // of the texts, on a pale and on a dark page
-const SMALLEST = 0.75; // height of the numbers, in heights of the page's text
+const SMALLEST = 0.875; // height of the numbers, in heights of the page's text
 const LETTER = 0.55; // width of a letter, in heights
 
 // How the texts look, by their kind; yoffset 1 is above a place, -1 below it.
@@ -86,8 +86,7 @@ function writeTexts() {
   const { numbers, top, text_height } = state.view;
   const { width, height, range } = scene();
   const ofPage = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
-  const smallest = SMALLEST * ofPage;
-  const size = Math.max(smallest, text_height * height);
+  const size = Math.max(SMALLEST * ofPage, text_height * height);
   const pixel = 2 * range / Math.min(width, height); // m
   const span = (numbers.at(-1).x - numbers[0].x) / pixel;
   const apart = span / (numbers.length - 1) || Infinity; // pixels from axle to axle
@@ -96,8 +95,6 @@ function writeTexts() {
   const fitting = numbers.filter((_, i) => i === 0 || (i + 1) % step === 0);
   const above = ({ x, text }) => ({ pos: vec(x, top, 0), text, height: size, ...STYLES.number });
   const inside = ({ x, y, text, kind }) => {
-    const isNarrow = kind === "bob" && apart < smallest * widthOf(text);
-    if (isNarrow) text = text.replace(/ (kg|m\/s)/g, "");
     const height = kind === "bob" ? Math.min(size, apart / widthOf(text)) : size;
     return { pos: vec(x, y, 0), text, height, ...STYLES[kind] };
   };

@@ -1,5 +1,6 @@
 // The graph of the state's rows: below the cradle; in a tall window, in the panel.
 const tall = matchMedia("(max-aspect-ratio: 14/10)"); // as in windows.css
+const ENTRY = 44; // pixels: the width of a number in the legend
 
 shows.curves = drawGraph;
 new ResizeObserver(drawGraph).observe(one(".plot"));
@@ -14,7 +15,7 @@ function placeGraph() {
 }
 
 function drawGraph() {
-  const { x, y, curves, rows, from, to, bottom, top } = state.curves ?? { curves: [] };
+  const { x, y, curves, rows, scales, from, to, bottom, top } = state.curves ?? { curves: [] };
   const place = $(".plot");
   one(".graph").classList.toggle("none", !curves.length);
   one(".save-graph").disabled = !curves.length;
@@ -25,7 +26,7 @@ function drawGraph() {
   const data = curves.map(({ label, color }, i) => ({
     label,
     color: legible(color),
-    data: rows.map(row => [row[0], row[i + 1]]),
+    data: rows.map(row => [scales[0] * row[0], scales[1] * row[i + 1]]),
   }));
   const line = css("--line");
   $.plot(place, data, {
@@ -33,8 +34,8 @@ function drawGraph() {
     xaxis: { min: from, max: to, tickFormatter },
     yaxis: { min: bottom, max: top, labelWidth: 44 },
     legend: {
-      show: curves.length < 9,
-      noColumns: 8,
+      show: curves.length * ENTRY < place.width(),
+      noColumns: curves.length,
       position: "ne",
       margin: [0, -24],
       backgroundOpacity: 0,

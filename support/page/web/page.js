@@ -50,8 +50,10 @@ function notice(id) {
   for (const part of find(".canvas, .graph, .panel > :not(.messages, .head)")) part.inert = true;
 }
 
-function readoutRow([name, text]) {
-  return make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, text));
+function readoutRow([name, text]) { // its second line is a note
+  const [number, ...notes] = text.split("\n");
+  const cell = make("td", {}, `${number} `, ...notes.map(note => make("small", {}, note)));
+  return make("tr", { className: name }, make("th", { scope: "row" }, name), cell);
 }
 
 shows.ended = message => {
@@ -84,13 +86,14 @@ shows.hit = hit => {
   place.append(make("small", {}, hit.note));
 };
 
-// A bar to the left or to the right of a line in the middle, which stands for 0.
-function makeBar({ name, text, color, part }) {
+// A bar to the left or to the right of a line, which stands for 0.
+function makeBar({ name, text, color, part, zero }) {
   const bar = make("i");
-  const width = 50 * Math.abs(part);
-  const left = part < 0 ? 50 - width : 50;
+  const width = 100 * Math.abs(part) * (1 - zero);
+  const left = 100 * zero - (part < 0 ? width : 0);
   Object.assign(bar.style, { left: `${left}%`, width: `${width}%`, background: legible(color) });
   const track = make("span", { className: "track" }, bar);
+  track.style.backgroundPosition = `${100 * zero}%`;
   return make("div", {}, make("span", {}, name), track, make("output", {}, text));
 }
 
@@ -101,6 +104,7 @@ function impact(line) {
 }
 
 // A word; of a chain, 1-2-3, its numbers for a screen reader, and a dot in the color of each bob.
+// The dot has the bob's number, if another bob has the same color.
 function wordOrDots(word) {
   const isChain = /^\d+(-|\.{3})/.test(word); // a long line may end after its first number
   if (!isChain) return [word];
@@ -109,7 +113,9 @@ function wordOrDots(word) {
   word.split("-").forEach((number, place) => {
     const color = state.colors[number - 1]; // undefined for what is no whole number
     if (place) dots.append("-");
-    dots.append(color ? make("i", { style: `background: ${color}` }) : "...");
+    const isTwice = state.colors.indexOf(color) !== state.colors.lastIndexOf(color);
+    const dot = make("i", { style: `background: ${color}` }, isTwice ? number : "");
+    dots.append(color ? dot : "...");
   });
   return [numbers, dots];
 }

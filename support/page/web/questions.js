@@ -60,7 +60,7 @@ function makeBars(votes) {
   votes.forEach((count, number) => {
     const line = make("div", { role: "img", ariaLabel: `${LETTERS[number]}: ${inHands(count)}` });
     const bar = make("i", { style: `width: ${100 * count / most}%` });
-    line.append(make("b", {}, LETTERS[number]), make("span", {}, bar), String(count));
+    line.append(make("b", {}, LETTERS[number]), make("span", {}, bar), make("output", {}, count));
     chart.append(line);
   });
   return chart;

@@ -104,7 +104,7 @@ function show(number) {
   });
   shown = number;
   slider.value = pictures[number].time;
-  slider.setAttribute("aria-valuetext", `t ${state.motion?.t}`);
+  slider.setAttribute("aria-valuetext", `t ${state.motion?.t}`.trim());
   for (const answer of find(".asked button")) answer.disabled = true;
 }
 
