@@ -42,7 +42,7 @@ def run_as_html(tabs: Tabs) -> str:
 
     textures = {}
     for name in set(TEXTURE.findall(run)):
-        textures[f":{name}"] = f"data:image/jpeg;base64,{in_letters(content_of(web[name]))}"
+        textures[name] = in_letters(content_of(web[name]))
     player = [
         script(' type="application/json" class="textures"', json.dumps(textures)),
         script(' type="text/plain" class="run"', in_letters(gzip.compress(run.encode(), mtime=0))),
@@ -53,6 +53,7 @@ def run_as_html(tabs: Tabs) -> str:
     html = html.replace("<!doctype html>", f"{RUN_LINE}\n<!--\n{licence()}\n-->", 1)
     html = html.replace('<html lang="en">', '<html lang="en" class="recorded">', 1)
     html = html.replace('<script src="line.js" data-served></script>', "\n".join(player), 1)
+    html = re.sub(r"(?s)<main.*</template>", lambda places: filled_at_start(places[0]), html)
     html = re.sub(r"(?s)<script[^>]* data-served>.*?</script>\n", "", html)
     html = re.sub(
         r'<link rel="stylesheet" href="(.*?)">',
@@ -64,6 +65,12 @@ def run_as_html(tabs: Tabs) -> str:
         lambda found: script(found[1] or "", text_of(found[2])),
         html,
     )
+
+
+def filled_at_start(places: str) -> str:
+    """Return an element that a script of the page fills with these places."""
+    text = script(' type="text/html" class="empty-places"', places)
+    return f'{text}\n<div class="places"></div>\n<script src="places.js"></script>'
 
 
 def script(attributes: str, text: str) -> str:

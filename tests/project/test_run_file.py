@@ -6,13 +6,14 @@ The examples of the film are numbers of pictures; what a picture shows is in the
 import base64
 import csv
 import gzip
+import html
 import json
 import re
 import socket
 from math import degrees
 
 import pytest
-from pages import bob_angles, pixel, press, readout, saved, wait_for_cradle
+from pages import bob_angles, new_page, pixel, press, readout, saved, wait_for_cradle
 from programs import PROGRAM, python, ROOT, with_vpython
 
 from support.files.data_file import is_run, require_replaceable
@@ -22,7 +23,11 @@ from support.page.run_file import CURVES
 from support.page.tabs import Tabs
 
 OPTIONS = "--seconds", "1", "--e", "0.9"
-ADDRESS = "http://course.example/run.html"
+ADDRESS = "http://course.example/"
+STRICT = {
+    "Content-Type": "text/html; charset=utf-8",
+    "Content-Security-Policy": "default-src 'self' 'unsafe-inline'",
+}
 ARROWS = "() => glowObjs.filter(o => o?.constructor.name === 'arrow' && o.visible).length"
 
 
@@ -145,9 +150,7 @@ def opened(page, run_file):
 
 
 @pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
-def test_a_run_plays_by_itself_and_shows_what_the_program_computes_also_from_a_course_page(
-    opened, run_file
-):
+def test_a_run_plays_by_itself_and_shows_what_the_program_computes(opened):
     rows = python(
         ROOT / "src" / "text_cradle_run.py", "--record", "-", *OPTIONS
     ).stdout.splitlines()
@@ -160,10 +163,29 @@ def test_a_run_plays_by_itself_and_shows_what_the_program_computes_also_from_a_c
     assert opened.locator(".plot canvas").count() > 0
     buttons = opened.locator("button:visible").all_inner_texts()
     assert buttons == ["Present", "Run", "Step", "Restart"]
-    opened.route(ADDRESS, lambda route: route.fulfill(path=run_file, content_type="text/html"))
+
+
+@pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
+def test_a_run_that_a_browser_saved_again_plays_in_a_strict_course_page_without_an_address(opened):
+    again = html.escape(opened.content())
+    body = f'<iframe sandbox="allow-scripts" srcdoc="{again}"></iframe>'
+    opened.route(ADDRESS, lambda route: route.fulfill(body=body, headers=STRICT))
     opened.goto(ADDRESS)
-    wait_for_cradle(opened)
-    opened.wait_for_function("() => shown > 0")
+    frame = opened.frames[1]
+    wait_for_cradle(frame)
+    frame.wait_for_function("() => shown > 0 && bobs().every(bob => bob.ready)")
+    assert frame.locator(".canvas canvas").count() == 2  # VPython makes two for a cradle
+
+
+def test_a_page_without_scripts_and_a_copy_of_the_page_say_so(chromium, run_file, shared, tmp_path):
+    copy = tmp_path / "copy.html"
+    copy.write_text(shared.content(), encoding="utf-8")
+    with new_page(chromium) as page:
+        page.goto(copy.as_uri())
+        page.get_by_text("That file plays in any browser.").wait_for()
+    with new_page(chromium, java_script_enabled=False) as page:
+        page.goto(run_file.as_uri())
+        page.get_by_text("the scripts of this page do not run").wait_for()
 
 
 def test_you_step_scrub_and_run_it_again(opened):

@@ -84,7 +84,7 @@ def test_files_that_everybody_can_download_come_whole_without_the_key(site):
     vpython = Path(PathFinder.find_spec("vpython").origin).parent
     libraries = vpython / "vpython_libraries"
     picture = vpython / "vpython_data/wood_texture.jpg"
-    for file in (WEB / "page.js", libraries / "glow.min.js", picture):
+    for file in (WEB / "page.js", libraries / "jquery.min.js", picture):
         assert get(site, BELOW + file.name, "")[::2] == (200, file.read_bytes())
     script = get(site, "/vpython.js", "")[2]
     assert b"function decode(" in script

@@ -23,6 +23,7 @@ COVERED = """() => {
 }"""
 
 PHONE, TABLET, LAPTOP, BOARD = (390, 844), (768, 1024), (1366, 625), (2560, 1440)
+FRAME = (700, 200)  # in a course page
 
 # At once: it is replaced
 LETTERS = "() => parseFloat(getComputedStyle(document.querySelector('.readout')).fontSize)"
@@ -57,11 +58,12 @@ def is_whole_after_scrolling(page, selector):
     return is_whole(page, selector)
 
 
-@pytest.mark.parametrize("size", [PHONE, TABLET, LAPTOP, BOARD])
+@pytest.mark.parametrize("size", [PHONE, TABLET, LAPTOP, BOARD, FRAME])
 def test_the_whole_swing_is_in_view_and_no_part_of_the_panel_covers_another(at_rest, size):
     resize(at_rest, size)
     assert is_whole(at_rest, "canvas")
-    left, _, right, _ = edges(at_rest, "canvas")
+    left, _, right, bottom = edges(at_rest, "canvas")
+    assert bottom > min(size) / 2
     wait_until(lambda: left < pixel(at_rest, 0, -45)[0] < pixel(at_rest, 4, 45)[0] < right)
     # The graph follows the window, too
     wait_until(lambda: edges(at_rest, ".graph")[2] <= size[0])

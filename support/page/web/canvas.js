@@ -1,7 +1,7 @@
 // VPython's canvas in this tab: its size, its color, its name, and the loss of the graphics driver.
 // It has a camera (camera.js), it can be touched (mouse.js), and printed (picture.js).
 window.__context = { glowscript_container: $(".canvas") };
-window.Jupyter_VPython = new URL(".", location.href).pathname; // where VPython finds its textures
+window.Jupyter_VPython = ""; // before the names of textures: they are beside the page
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const scene = () => glowObjs[0];

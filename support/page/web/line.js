@@ -16,7 +16,7 @@ let retry; // the timer of the next try
 let delay = 0; // ms until it
 let silence = 0; // looks without a sign of life
 let isHeard = true;
-let isDone = false; // whether the page wants no line any more
+let isDone = isCopy; // whether the page wants no line any more
 let unreported = 0; // messages that the program does not know to be drawn
 let seen = 0; // messages whose picture the program does not know of
 let nextWord = 0; // ms: the time of the next word to the program

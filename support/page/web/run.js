@@ -4,7 +4,7 @@
 const LONGEST = 0.1; // s of a picture: a browser that was busy, or hidden, goes on from there
 const FIXED = ["canvas", "texture"]; // of a shape: they never change in a run
 
-const files = JSON.parse(one(".textures").textContent); // of the textures, by VPython's names
+const files = JSON.parse(one(".textures").textContent); // of the textures, by their names
 const wanted = new Map(); // the place of the slider
 const isOpen = () => true;
 const slider = one(".moment");
@@ -18,28 +18,47 @@ let isRunning = false;
 addEventListener("DOMContentLoaded", load); // all scripts are there
 
 async function load() {
-  textures.wood = files[textures.wood]; // of the shadows
   keys.ArrowLeft = () => send("back");
   isOnBob = () => false; // nobody can drag one: a finger on it turns the camera
   try {
+    if (!css("--back")) throw new Error("its styles are missing");
     pictures = await unpack(one(".run").textContent);
-    upTo(0); // findLastIndex is newer than the rest
-  } catch {
-    one(".unheard").textContent = "This browser is too old for this file: open it in another one.";
+    jump(0);
+  } catch ({ message }) { // the browser is too old, or a site forbids a part of the file
+    const advice = "Open the file in another browser, or from your disk.";
+    one(".instead").textContent = `This run does not play here: ${message}. ${advice}`;
+    document.documentElement.classList.remove("opened");
     return;
   }
   slider.max = pictures.at(-1).time;
   slider.hidden = false;
-  jump(0);
   const isCalm = matchMedia("(prefers-reduced-motion)").matches;
   setRunning(!isCalm && !state.question); // else you read the question first
   requestAnimationFrame(play);
 }
 
 async function unpack(text) {
-  const bytes = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return JSON.parse(await new Response(stream).text(), (_, value) => files[value] ?? value);
+  const stream = contentOf(text).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).json();
+}
+
+function contentOf(letters) {
+  return new Blob([Uint8Array.from(atob(letters), letter => letter.charCodeAt(0))]);
+}
+
+// VPython takes a texture from an image. A site may forbid images that are a part of the page, but not
+// what the page draws: so VPython gets a canvas with the picture.
+window.Image = function () {
+  const canvas = make("canvas");
+  setTimeout(drawTexture, 0, canvas); // VPython first sets its src and onload
+  return canvas;
+};
+
+async function drawTexture(canvas) {
+  const picture = await createImageBitmap(contentOf(files[canvas.src]));
+  Object.assign(canvas, { width: picture.width, height: picture.height });
+  canvas.getContext("2d").drawImage(picture, 0, 0);
+  canvas.onload();
 }
 
 const commands = {

@@ -6,12 +6,17 @@ const wave = t => Math.sin(2 * Math.PI * 3700 * t) * Math.exp(-t / 0.006); // as
 const click = new AudioBuffer({ length: 0.04 * RATE, sampleRate: RATE });
 const samples = click.getChannelData(0).map((_, i) => wave(i / RATE));
 click.copyToChannel(samples, 0);
-let audio; // it comes when you tick the box: a browser allows sound only after a click or a key
+let audio;
 
-one("#sound").addEventListener("change", ({ target }) => {
-  audio ??= new AudioContext();
-  audio[target.checked ? "resume" : "suspend"]();
-});
+// A browser allows sound only after a click or a key. It may have ticked the box itself, when it
+// loaded the page again: then any click or key brings the sound.
+for (const type of ["click", "keydown"]) addEventListener(type, followBox, true);
+
+function followBox() {
+  const isOn = one("#sound").checked;
+  if (isOn) audio ??= new AudioContext();
+  audio?.[isOn ? "resume" : "suspend"]();
+}
 
 shows.sound = ({ speed }) => {
   if (audio?.state !== "running" || !speed) return;
