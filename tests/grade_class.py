@@ -7,8 +7,9 @@ import os
 import signal
 import sys
 
-if __name__ == "__main__":  # while the modules are imported
-    signal.signal(signal.SIGINT, lambda *_: os._exit(130))
+if __name__ == "__main__":
+    signal.signal(signal.SIGINT, lambda *_: os._exit(130))  # while the modules are imported
+    sys.path.insert(0, os.path.dirname(__file__))  # with PYTHONSAFEPATH, Python does not
 
 import compileall
 import shutil
@@ -24,12 +25,11 @@ from support.files.cradle_csv import naming
 from support.files.data_file import whole_file
 from support.start.early import on_signals
 from support.start.options import OneLineParser
-from support.start.output import complain, in_one_line, progress_bar, say, while_it_is_read
+from support.start.output import complain, in_one_line, progress_bar, while_it_is_read
 from teacher.report import digest_of, line_of, own_folder, Report, results_in, write_gradescope
 from teacher.sandbox import Sandbox
 from teacher.submissions import read_submission, submissions_in
 
-SOME = 20  # solutions, after which a line says how long the others take
 LEFT_OPEN = (
     "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
 )
@@ -56,10 +56,10 @@ def main() -> None:
     file = options.out / "results.jsonl"
     with TemporaryDirectory(prefix="cradle-") as work:
         mask = os.umask(0o022)  # other users, if there are any, read the starter
-        version = copy_starter(options.starter, Path(work, "starter"))
+        starter = copy_starter(options.starter, Path(work, "starter"))
         os.umask(mask)
         sandbox = Sandbox(Path(work, "starter"), Path(work), options.bubblewrap, stopped)
-        grading = Grading(submitted, version, file, sandbox, stopped)
+        grading = Grading(submitted, starter, file, sandbox, stopped)
         left = grading.keep_old()
         if stopped.is_set():
             sys.exit(*status)
@@ -70,7 +70,7 @@ def main() -> None:
             report.add(options.out, result)
             if options.gradescope:
                 write_gradescope(options.gradescope / result["student"], result)
-    report.write(options.out / "grades.csv")
+    report.write(options.out)
     count = len(report.rows)
     if status:
         graded = f"{count} of {len(submitted)} solutions are graded."
@@ -138,8 +138,8 @@ def read_options():
     return options, submitted, others
 
 
-def copy_starter(starter, folder) -> str:
-    """Copy a starter to this folder, or make one there; return its hash.
+def copy_starter(starter, folder) -> dict[str, bytes]:
+    """Copy a starter to this folder, or make one there; return its files by their paths.
 
     It is compiled, so that Python starts faster.
     """
@@ -150,9 +150,12 @@ def copy_starter(starter, folder) -> str:
         from make_starter import make_starter
 
         make_starter(folder)
+    files = {}
+    for path in filter(Path.is_file, sorted(folder.rglob("*"))):
+        files[path.relative_to(folder).as_posix()] = path.read_bytes()
     for name in ("support", "tests"):
         compileall.compile_dir(folder / name, quiet=2)
-    return digest_of(*((path.name, path.read_bytes()) for path in sorted(folder.rglob("*.py"))))
+    return files
 
 
 class Grading:
@@ -161,9 +164,10 @@ class Grading:
     results.jsonl keeps each whole one, so the next run grades only what is new or changed.
     """
 
-    def __init__(self, submitted, version, file, sandbox, stopped):
+    def __init__(self, submitted, starter, file, sandbox, stopped):
         self.submitted = submitted  # by the student's key
-        self.version = version  # of the grader
+        self.starter = starter  # its files by their paths
+        self.version = digest_of(starter)  # of the grader
         self.file = file
         self.sandbox = sandbox
         self.stopped = stopped  # set once no more solutions are graded
@@ -182,7 +186,6 @@ class Grading:
             if not self.sandbox.has_bubblewrap:
                 complain(LEFT_OPEN)
             with progress_bar() as self.progress:
-                self.begin = time.monotonic()
                 self.most = len(left)
                 students = iter(left)
                 finish([workers.submit(self.work, students, jobs) for _ in range(jobs)])
@@ -198,7 +201,9 @@ class Grading:
         for student in self.submitted:
             if self.stopped.is_set():
                 return []
-            digests[student] = self.digest(student, read_submission(self.submitted[student]))
+            digests[student] = self.digest(
+                student, read_submission(self.submitted[student], self.starter)
+            )
         old = results_in(self.file)
         with whole_file(self.file) as kept:
             for result in old:
@@ -227,7 +232,7 @@ class Grading:
     def grade(self, student, jobs, is_last) -> None:
         """Grade a student, and keep the result if it is sure, or is the last one."""
         with self.lock:  # reading limits the memory of this whole process
-            submission = read_submission(self.submitted[student])
+            submission = read_submission(self.submitted[student], self.starter)
         files, problems = submission
         begin = time.monotonic()
         run = self.sandbox.run(files, jobs, is_alone=is_last)
@@ -259,20 +264,6 @@ class Grading:
             self.without_grade.append(result)
         self.done += 1
         self.progress(self.done / self.most)
-        if self.done == SOME < self.most:
-            left = self.most - SOME
-            seconds = (time.monotonic() - self.begin) / SOME * left
-            bar_away = "\r\x1b[K" if sys.stderr.isatty() else ""
-            pace = f"At this pace, the other {left} take {how_long(seconds)}."
-            say(f"{bar_away}{SOME} solutions are graded. {pace}")
-
-
-def how_long(seconds) -> str:
-    """Return a time in words."""
-    minutes = round(seconds / 60)
-    if minutes >= 60:
-        return f"{minutes // 60} h {minutes % 60} min"
-    return f"{minutes} min" if minutes > 1 else f"{seconds:.0f} s"
 
 
 def finish(futures) -> None:

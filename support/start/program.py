@@ -2,6 +2,7 @@
 
 import os
 import sys
+import warnings
 
 
 def begin() -> None:
@@ -12,6 +13,9 @@ def begin() -> None:
     """
     if not sys.flags.interactive:
         sys.excepthook = end_uncaught
+    if any("error" in option for option in sys.warnoptions):
+        # VPython's imports warn: with PYTHONWARNINGS=error, they would fail
+        warnings.simplefilter("ignore")
     from support.start.unfit import refuse_unfit
 
     refuse_unfit()

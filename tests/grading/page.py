@@ -1,5 +1,6 @@
 """The page that the checks of main give to it."""
 
+import atexit
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -8,6 +9,7 @@ from typing import Any
 from grading.cradles import MIXED_CSV
 
 TEMPORARY = TemporaryDirectory(ignore_cleanup_errors=True)
+atexit.register(TEMPORARY.cleanup)  # or Python warns of it at the end
 FOLDER = Path(TEMPORARY.name)  # for CSV files, until the process ends
 CRADLE = FOLDER / "cradle.csv"
 CRADLE.write_text(MIXED_CSV)

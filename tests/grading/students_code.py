@@ -1,5 +1,6 @@
 """The student's functions, as the grader finds and calls them."""
 
+import atexit
 import importlib
 import os
 import sys
@@ -49,6 +50,7 @@ class StudentsCode:
     def __init__(self) -> None:
         # A solution may leave a file open
         self.folder = TemporaryDirectory(ignore_cleanup_errors=True)
+        atexit.register(self.folder.cleanup)  # or Python warns of it at the end
         self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
         self.shipped.write_text(SHIPPED_CSV)
         # Whether the last call has changed this CSV, which was then put back

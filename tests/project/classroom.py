@@ -15,6 +15,8 @@ import pytest
 from programs import ROOT, SECONDS
 from students import put_files
 
+from teacher.report import TABLES
+
 UNBOXED = "--without-bubblewrap"
 needs_bwrap = pytest.mark.skipif(
     shutil.which("bwrap") is None, reason="bubblewrap is not installed"
@@ -51,9 +53,13 @@ def left_processes() -> list[Path]:
 
 
 def rows_in(folder) -> dict[str, dict]:
-    """Return the rows of grades.csv by student."""
-    lines = (folder / "grades.csv").read_text(encoding="utf-8-sig").splitlines()
-    return {row["student"]: row for row in csv.DictReader(lines)}
+    """Return the rows of grades.csv by student; those of the table with semicolons are the same."""
+    commas, semicolons = [
+        [*csv.DictReader((folder / name).read_text("utf-8-sig").splitlines(), delimiter=delimiter)]
+        for name, delimiter in TABLES.items()
+    ]
+    assert commas == semicolons
+    return {row["student"]: row for row in commas}
 
 
 class Classroom:

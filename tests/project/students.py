@@ -57,7 +57,9 @@ def files_of(folder) -> dict[str, bytes]:
 def graded_in(starter) -> dict:
     """Return what pytest writes for a gradebook in this starter."""
     command = f"{PYTEST} --grade-json grade.json"
-    done = python(*command.split(), folder=starter, PYTEST_ADDOPTS="", COLUMNS="100")
+    done = python(
+        *command.split(), folder=starter, PYTEST_ADDOPTS="", COLUMNS="100", PYTHONWARNINGS="error"
+    )
     grade = json.loads((starter / "grade.json").read_text())
     (starter / "grade.json").unlink()  # or pytest would take it for a folder of tests
     assert done.stderr == ""

@@ -37,7 +37,7 @@ def test_a_class_is_graded_in_tables_and_texts(classroom, solved):
     classroom.hand_in("dan", {"a.txt": b""})
     utf_16 = solved["swinging.py"].decode().encode("utf-16")
     classroom.hand_in("eve", {**solved, "swinging.py": utf_16})
-    status, printed, errors = classroom.grade(first="grade_class.SOME = 2")
+    status, printed, errors = classroom.grade()
     assert status == 0, errors
 
     rows = classroom.rows()
@@ -51,7 +51,7 @@ def test_a_class_is_graded_in_tables_and_texts(classroom, solved):
             assert points == (0 if tier == "A" else count)
     assert int(rows["ann"]["points"]) == sum(COUNTS.values())
     assert rows["bea"]["next"].startswith("angle_update in src/swinging.py, line ")
-    problem = "none of the handout's files is there, found: src/a.txt"
+    problem = "none of the handout's files is there, found src/a.txt"
     assert [row["problems"] for row in rows.values()] == ["", "", problem, ""]
 
     texts = {path.stem: path.read_text(encoding="utf-8") for path in classroom.grades.glob("*.txt")}
@@ -62,8 +62,6 @@ def test_a_class_is_graded_in_tables_and_texts(classroom, solved):
     hint = r"^    1  This is the result with \+ in front .*\. \(angle_update\)$"
     assert re.search(hint, printed, re.MULTILINE)
     assert "Honor roll           1\n" in printed
-    pace = r"^2 solutions are graded\. At this pace, the other 2 take \d+ s\.$"
-    assert re.search(pace, printed, re.MULTILINE)
     classroom.require_clean()
 
 
@@ -94,8 +92,8 @@ run_files = sandbox.Sandbox.run_files
 runs = []
 def spoiled(self, files, seconds, jobs):
     runs.append((seconds, jobs))
-    if "spoiled.py" in files and jobs > 1:
-        return int(files["spoiled.py"]), b""
+    if "src/spoiled.py" in files and jobs > 1:
+        return int(files["src/spoiled.py"]), b""
     return run_files(self, files, seconds, jobs)
 sandbox.Sandbox.run_files = spoiled
 atexit.register(lambda: print(runs[-3:]))
@@ -114,7 +112,7 @@ def test_a_run_that_is_not_final_is_made_once_more_alone_and_only_a_grade_is_kep
     rows = classroom.rows()
     assert {row["grade"] for row in rows.values()} == {"Honor roll", "none"}
     assert rows["dan"]["grade"] == "none"
-    assert rows["dan"]["problems"] == "no grade: pytest ended with status 134"
+    assert rows["dan"]["problems"].endswith("no grade: pytest ended with status 134")
     assert sorted(classroom.results()) == ["ann", "bea", "cem"]
     assert printed.endswith(f"{[(8, 1)] * 3}\n")
 
@@ -266,6 +264,8 @@ def test_the_autograder_grades_a_solution_and_holds_no_answers(
         python.parent.mkdir(parents=True)
         python.write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
         python.chmod(0o755)
+    monkeypatch.setenv("PYTHONSAFEPATH", "1")
+    monkeypatch.setenv("PYTHONWARNINGS", "error")
     subprocess.run(
         ["bash", tmp_path / "run_autograder"], check=True, capture_output=True, timeout=2 * SECONDS
     )

@@ -97,7 +97,7 @@ def test_what_a_solution_says_is_short_and_has_no_codes_of_a_terminal(empty, tmp
     grade = report.read_grade(empty, json.dumps(output).encode())
     table = report.Report()
     table.add(tmp_path, {"student": "@a;b", "seconds": 1.0, "problems": [], **grade})
-    table.write(tmp_path / "grades.csv")
+    table.write(tmp_path)
     (row,) = rows_in(tmp_path).values()
     assert row["student"] == "'@a,b"
     assert row["next"].startswith("\\t=1,2\\x")

@@ -18,7 +18,8 @@ HANDOUTS = {function.file for function in FUNCTIONS.values()}
 
 def test_a_starter_is_made_all_waits_and_with_the_solutions_all_is_green(tmp_path):
     folder = tmp_path / "starter"
-    done = python(ROOT / "tests" / "make_starter.py", folder, folder=tmp_path)
+    program = ROOT / "tests" / "make_starter.py"
+    done = python(program, folder, folder=tmp_path, PYTHONSAFEPATH="1", PYTHONWARNINGS="error")
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith(f"{folder} is ready")
 

@@ -14,9 +14,17 @@ from grading.handout import FUNCTIONS
 from teacher.keys import keys_of, Student
 from teacher.submissions import read_submission, submissions_in
 
-SOLUTION = {function.file: f"# {function.file}\n" for function in FUNCTIONS.values()}
-# The same as it is read: by the paths below src/
-READ = {file.removeprefix("src/"): text.encode() for file, text in SOLUTION.items()}
+SOLUTION = {function.file: f"{name} = 1\n" for name, function in FUNCTIONS.items()}
+READ = {file: text.encode() for file, text in SOLUTION.items()}
+SWINGING = "src/swinging.py"
+NOT_WRITTEN = b"full_swing_update is not written yet"
+STARTER = {
+    **dict.fromkeys(SOLUTION, NOT_WRITTEN),
+    "newton_cradle_pends.csv": b"",
+    "support/constants.py": b"",
+    "support/pendulum.py": b"",
+    "pyproject.toml": b"",
+}
 
 
 def below(folder, files):
@@ -39,12 +47,12 @@ def zip_of(files) -> bytes:
 def read_zip(folder, data):
     """Read a submission that is a .zip with this content."""
     (folder / "a.zip").write_bytes(data)
-    return read_submission([("", folder / "a.zip")])
+    return read_submission([("", folder / "a.zip")], STARTER)
 
 
 PROJECT = {
     **SOLUTION,
-    "src/helpers/angles.py": "a",
+    "src/helpers/angles.py": "",
     "src/notes.txt": "n",
     "src/__pycache__/x.py": "x",
     "README.md": "text",
@@ -55,11 +63,51 @@ PROJECT = {
 MAC = {**below("cradle", PROJECT), **below("__MACOSX/cradle", SOLUTION)}
 TWO_SWINGS = {**renamed("swinging", "my_swinging", SOLUTION), "src/swinging_old.py": "o"}
 LONG_NUMBER = f"a-{'9' * 200}.py"
+# What files ask for counts, except what belongs to the starter
+ASKS = {
+    **SOLUTION,
+    SWINGING: "full_swing_update = helpers, 'my data.csv', support, constants, pendulum",
+    "helpers/__init__.py": "from .angles import *; import tests.mine",
+    "helpers/angles.py": "",
+    "src/my data.csv": "",
+    "support/constants.py": "NC_FP = 'newton_cradle_pends.csv'",
+    "newton_cradle_pends.csv": "mine",
+    "conftest.py": "",
+}
+LEFT = {"pyproject.toml": "mine", "support/pendulum.py": "mine", "tests/mine.py": "mine"}
 NEWER = ["src/swinging (3).py", "src/swinging-12.py", "src/swinging-3 (1).py"]
 # The files of a submission, those that are read, and how the messages about it begin
 FORMS = {
-    "the files of src": (READ, READ, []),
-    "a project of macOS": (MAC, {**READ, "helpers/angles.py": b"a"}, []),
+    "the files of src": (renamed("src/", "", SOLUTION), READ, []),
+    "a project of macOS": (MAC, {**READ, "src/helpers/angles.py": b""}, []),
+    "what files ask for": (
+        {**ASKS, **LEFT, "notes.csv": "", "tests/test_mine.py": ""},
+        {file: text.encode() for file, text in ASKS.items()},
+        [
+            "left out pyproject.toml, which pytest asks for: it is not the starter's",
+            f"left out support/pendulum.py, which {SWINGING} asks for: it is not the starter's",
+            "left out tests/mine.py, which helpers/__init__.py asks for: it is not the starter's",
+        ],
+    ),
+    "files without folders": (
+        {**renamed("src/", "", SOLUTION), "constants.py": "NC_FP = 'a.csv'", "a.csv": ""},
+        {
+            **READ,
+            **dict.fromkeys(["src/constants.py", "support/constants.py"], b"NC_FP = 'a.csv'"),
+            **dict.fromkeys(["src/a.csv", "a.csv"], b""),
+        },
+        [],
+    ),
+    "a program beside a missing file": (
+        renamed("src/double_cradle", "src/visualize_double_cradle_run", SOLUTION),
+        renamed("src/double_cradle", "src/visualize_double_cradle_run", READ),
+        ["src/double_cradle.py is missing"],
+    ),
+    "nothing written": (
+        dict.fromkeys(SOLUTION, NOT_WRITTEN),
+        dict.fromkeys(SOLUTION, NOT_WRITTEN),
+        [f"{file} is as in the starter" for file in sorted(SOLUTION)],
+    ),
     "two projects": (
         {**below("new", SOLUTION), "old/src/swinging.py": "old"},
         READ,
@@ -72,44 +120,60 @@ FORMS = {
     ),
     "two candidates": (
         TWO_SWINGS,
-        {**renamed("swinging", "my_swinging", READ), "swinging_old.py": b"o"},
-        ["src/swinging.py is missing, found 'my_swinging.py' and 'swinging_old.py'"],
+        {**renamed("swinging", "my_swinging", READ), "src/swinging_old.py": b"o"},
+        [f"{SWINGING} is missing, found src/my_swinging.py, found src/swinging_old.py"],
     ),
     "a file again and again": (
-        {**SOLUTION, **dict.fromkeys(NEWER, "2"), NEWER[1]: "12"},
-        {**READ, "swinging.py": b"12"},
+        {**SOLUTION, **dict.fromkeys(NEWER, "2"), SWINGING: "1", NEWER[1]: SOLUTION[SWINGING]},
+        READ,
         [f"took {NEWER[1]} as swinging.py, left src/swinging.py, {NEWER[0]}, {NEWER[2]}"],
     ),
-    "a long number": ({**SOLUTION, f"src/{LONG_NUMBER}": ""}, {**READ, LONG_NUMBER: b""}, []),
+    "a long number": (
+        {**SOLUTION, f"src/{LONG_NUMBER}": ""},
+        {**READ, f"src/{LONG_NUMBER}": b""},
+        [],
+    ),
     "a long path": (
         {**SOLUTION, f"src/{'a/' * 120}long.py": ""},
         READ,
         [f"left out {'/a' * 21}/long.py: allowed is a path of at most 250 letters"],
     ),
-    "nothing": ({}, {}, ["none of the handout's files is there, found: "]),
+    "nothing": ({}, {}, ["none of the handout's files is there"]),
     "much": (
         {**SOLUTION, "src/big.py": "#" * 1_000_000},
-        {},
-        ["too large: allowed are at most 200"],
+        READ,
+        ["left out src/big.py: allowed are at most 200 files with 1,000,000 bytes"],
     ),
     "many": (
-        {**SOLUTION, **{f"src/a{i}.py": "" for i in range(200)}},
-        {},
-        ["too large: allowed are at most 200"],
+        {**SOLUTION, **{f"src/a{i:03}.py": "" for i in range(196)}},
+        {**READ, **{f"src/a{i:03}.py": b"" for i in range(195)}},
+        ["left out src/a195.py: allowed are at most 200 files with 1,000,000 bytes"],
     ),
 }
-CANDIDATES = [
-    "Swinging.py",
-    "swinging.PY",
-    "swinging copy.py",
-    "Copy of swinging.py",
-    "swinging - Copy.py",
-]
-for name in CANDIDATES:
+for name in ("Swinging.py", "swinging.PY", "Copy of swinging.py", "swinging - Copy.py"):
     FORMS[name] = (
         renamed("swinging.py", name, SOLUTION),
-        {**READ, name: READ["swinging.py"]},
+        {**READ, f"src/{name}": READ[SWINGING]},
         [f"took src/{name} as swinging.py"],
+    )
+for name in (".swinging.py.icloud (not downloaded yet)", "._swinging.py", "swinging.py.lnk"):
+    FORMS[name] = (
+        renamed("swinging.py", name.partition(" ")[0], SOLUTION),
+        {file: content for file, content in READ.items() if file != SWINGING},
+        [f"{SWINGING} is missing, found src/{name}"],
+    )
+POINTER = b"version https://git-lfs.github.com/spec/v1\nsize 3"
+for problem, content in {
+    "is empty": b"",
+    "is empty ": b"\xef\xbb\xbf\n \n",
+    "has none of its functions, and begins with '# full_swing_update'": b"# full_swing_update\n",
+    "has none of its functions, and begins with 'version https:": POINTER,
+    "is as in the starter": NOT_WRITTEN,
+}.items():
+    FORMS[problem] = (
+        {**SOLUTION, SWINGING: content},
+        {**READ, SWINGING: content},
+        [f"{SWINGING} {problem.strip()}"],
     )
 
 
@@ -127,7 +191,7 @@ def test_the_files_of_src_are_found_and_problems_named(
         put_files(tmp_path / "ann", files)
     else:
         (tmp_path / "ann.zip").write_bytes(zip_of(files))
-    read, messages = read_submission([("", tmp_path / place)])
+    read, messages = read_submission([("", tmp_path / place)], STARTER)
     assert read == found
     for message, beginning in zip(sorted(messages), beginnings, strict=True):
         assert message.replace("cradle.zip/", "").startswith(beginning)
@@ -165,7 +229,7 @@ def test_an_encrypted_and_a_damaged_entry_are_named_and_the_rest_is_taken(tmp_pa
     flags = data.rfind(b"src/pds_helper.py") - 38
     data[flags] |= 1  # encrypted
     files, problems = read_zip(tmp_path, data)
-    assert files.keys() == READ.keys() - {"swinging.py", "pds_helper.py"}
+    assert files.keys() == READ.keys() - {SWINGING, "src/pds_helper.py"}
     encrypted, missing, damaged, *_ = problems
     assert encrypted.startswith("left out src/pds_helper.py: allowed is no link, no password")
     assert missing == "src/pds_helper.py is missing"
@@ -193,15 +257,18 @@ def test_problems_are_few_and_short(tmp_path):
 @on_posix
 def test_pipes_and_links_are_not_read(tmp_path):
     """A link could lead to another student's files."""
-    put_files(tmp_path, {"secret.py": "secret", "ann/src/pds_helper.py": "a"})
-    src = tmp_path / "ann" / "src"
+    put_files(tmp_path, {"secret.py": "secret", "class/ann/src/pds_helper.py": "a"})
+    src = tmp_path / "class" / "ann" / "src"
     (src / "swinging.py").symlink_to(tmp_path / "secret.py")
     (src / "folder").symlink_to(tmp_path)
     os.mkfifo(src / "special_cradles.py")
-    files, problems = read_submission([("", tmp_path / "ann")])
-    assert files == {"pds_helper.py": b"a"}
-    assert "src/special_cradles.py is missing" in problems
-    assert "src/swinging.py is missing" in problems
+    (tmp_path / "class" / "link").symlink_to(src)
+    submissions, others = submissions_in(tmp_path / "class")
+    assert others == ["link"]
+    files, problems = read_submission(submissions["ann"], STARTER)
+    assert [*files] == ["src/pds_helper.py"]
+    for name in ("special_cradles.py", "swinging.py"):
+        assert f"left out src/{name}: it is a link, a pipe or a device" in problems
 
 
 # What is in the folder, and the student's key and the own name of the file: "" is a folder or an
@@ -211,6 +278,7 @@ CLASS = {
     "a\x7fb/c\x85d/e\x85f": ("a_x7fb", ""),
     "cem.ZIP": ("cem", ""),
     "dan.rar": ("dan", ""),
+    "lab_1_2_x/a.py": ("lab_1_2_x", ""),
     "li_1_5_swinging.py": ("li_1", "swinging.py"),
     "li_1_6_pds_helper-1.py": ("li_1", "pds_helper-1.py"),
     "li_2_7_swinging.py": ("li_2", "swinging.py"),
@@ -219,34 +287,39 @@ CLASS = {
     "Fay F_9_assignsubmission_file_swinging.py": ("Fay F", "swinging.py"),
     "Fay F_9_assignsubmission_onlinetext_/onlinetext.html": ("Fay F", ""),
     "Gus_7_assignsubmission_file/swinging.py": ("Gus", ""),
+    "Lab_1_2_hal_attempt_2026-11-25-13-14-00_swinging.py": ("hal", "swinging.py"),
+    "13-345 - Ida I - Nov 3, 2026 1144 PM/swinging.py": ("Ida I", ""),
+    "13-345 - Ida I - Nov 25, 2026 114 PM/swinging.py": ("Ida I", ""),
+    "14-345 - Jo - Nov 25, 2026 114 PM - swinging.py": ("Jo_14", "swinging.py"),
+    "14-345 - Jo - Nov 25, 2026 1114 AM - swinging.py": ("Jo_14", "swinging.py"),
+    "15-345 - Jo - 25. November 2026 1314 - swinging.py": ("Jo_15", "swinging.py"),
+    "Kim - swinging.py": ("Kim", "swinging.py"),
 }
 
 
 def test_each_folder_each_archive_and_each_name_of_a_flat_download_is_a_student(tmp_path):
     """Letters of a name that cannot be printed are spelled out."""
-    put_files(tmp_path, dict.fromkeys([*CLASS, ".git/a", "__MACOSX/a", "index.html"], ""))
+    names = [*CLASS, ".git/a", "__MACOSX/a", "index.html"]
+    put_files(tmp_path, {name: name for name in names})
     submissions, others = submissions_in(tmp_path)
     found = []
     for key, paths in submissions.items():
         found += [(path.name, (key, file)) for file, path in paths]
     assert {*found} == {(path.partition("/")[0], owner) for path, owner in CLASS.items()}
     assert others == ["index.html"]
-    _, problems = read_submission(submissions["dan"])
+    _, problems = read_submission(submissions["dan"], STARTER)
     assert problems[0] == "dan.rar is no .zip that can be read: File is not a zip file"
-    _, (problem,) = read_submission(submissions["a_x7fb"])
-    assert problem.endswith(r", found: c\x85d/e\x85f")
-    files, _ = read_submission(submissions["li_1"])
-    assert [*files] == ["swinging.py", "pds_helper.py"]
-
-
-@on_posix
-def test_a_link_is_no_submission(tmp_path):
-    """It may lead to somebody else's files."""
-    put_files(tmp_path, {"ann/a.py": ""})
-    (tmp_path / "link").symlink_to(tmp_path / "ann")
-    submissions, others = submissions_in(tmp_path)
-    assert [*submissions] == ["ann"]
-    assert others == ["link"]
+    _, (problem,) = read_submission(submissions["a_x7fb"], STARTER)
+    assert problem.endswith(r", found c\x85d/e\x85f")
+    files, _ = read_submission(submissions["li_1"], STARTER)
+    assert [*files] == ["src/pds_helper.py", SWINGING]
+    for student, newest in {
+        "Ida I": "13-345 - Ida I - Nov 25",
+        "Jo_14": "14-345 - Jo - Nov 25, 2026 114",
+    }.items():
+        files, problems = read_submission(submissions[student], STARTER)
+        assert files[SWINGING].decode().startswith(newest)
+        assert "took the newest upload of swinging.py" in problems
 
 
 @pytest.mark.parametrize(

@@ -6,12 +6,12 @@ import stat
 import zipfile
 from functools import partial
 from io import BytesIO
-from pathlib import Path, PurePosixPath
+from pathlib import PurePosixPath
 
-from teacher.choice import Entries, meant
+from teacher.choice import Entries, is_python, meant
 
-# Folders that are not the student's work, or that the graded starter has itself.
-SKIPPED = {"__MACOSX", "__pycache__", "node_modules", "site-packages", "support", "tests", "venv"}
+# Folders that are not the student's work.
+SKIPPED = {"__MACOSX", "__pycache__", "node_modules", "site-packages", "venv"}
 MOST_ZIPS = 4  # in another one or in a folder
 MOST_ZIP = 20_000_000  # bytes of a file in a .zip
 MOST_LIST = 5_000_000  # bytes of the list of files in a .zip; a project with its .venv has 3 MB
@@ -26,17 +26,23 @@ TOO_LONG = f"allowed is a path of at most {MOST_PATH} letters"
 def entries_of(paths, problems) -> Entries:
     """Return the entries of a submission, and those of .zips in it."""
     entries: Entries = {}
+    again: set[str] = set()
     for name, path in paths:
+        opens = partial(open, path, "rb")
         if path.is_dir():
-            entries |= in_folder(path, problems)
+            uploaded = in_folder(path, problems)
         elif not stat.S_ISREG(path.stat().st_mode):
             # A pipe would never end
             raise OSError(f"{path.name} is neither a folder nor a plain file")
         elif name:
-            entries[name] = partial(open, path, "rb")
+            uploaded = {name: opens}
         else:
-            entries |= in_zip(partial(open, path, "rb"), path.name, problems)
-    if not any(meant(PurePosixPath(name)) for name in entries):
+            uploaded = in_zip(opens, path.name, problems)
+        again |= entries.keys() & uploaded.keys()
+        entries |= uploaded
+    if again:
+        problems.append(f"took the newest upload of {', '.join(sorted(again))}")
+    if not any(map(meant, filter(is_python, map(PurePosixPath, entries)))):
         zips = [name for name in entries if name.lower().endswith(".zip")]
         for name in zips[MOST_ZIPS:]:
             problems.append(f"left out {name}: allowed are at most {MOST_ZIPS} in one")
@@ -52,13 +58,20 @@ def in_folder(folder, problems) -> Entries:
     for parent, folders, names in os.walk(folder):
         folders[:] = sorted(filter(is_own, folders))
         for name in sorted(names):
-            file = Path(parent, name)
-            path = file.relative_to(folder).as_posix()
+            file = os.path.join(parent, name)
+            path = file.removeprefix(f"{folder}{os.sep}").replace(os.sep, "/")
             if len(path) > MOST_PATH:
                 problems.append(f"left out {path[-50:]}: {TOO_LONG}")
-            elif stat.S_ISREG(file.lstat().st_mode):  # no link, pipe or device
+            elif stat.S_ISREG(os.lstat(file).st_mode):
                 entries[path] = partial(open, file, "rb")
+            else:
+                entries[path] = refuse
     return entries
+
+
+def refuse():
+    """Raise the error of a file that is not opened: a link could lead to another student's."""
+    raise OSError("it is a link, a pipe or a device")
 
 
 def in_zip(opens, name, problems) -> Entries:

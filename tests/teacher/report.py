@@ -16,6 +16,7 @@ KEPT = "state", "message", "place", "hint"  # of what a run says of a check
 MOST_LETTERS = 10_000  # of a text
 MOST_LINES = 200  # of a text
 MOST_OF_CELL = 2000  # letters of a cell
+TABLES = {"grades.csv": ",", "grades_semicolons.csv": ";"}  # the delimiter of each
 
 
 def read_grade(empty, output) -> dict | None:
@@ -143,7 +144,7 @@ class Report:
                 *points,
                 sum(points),
                 cell(result["next"]),
-                f"{result['seconds']:.1f}",
+                round(result["seconds"]),  # "1.5" is the first of May in some countries
                 cell(". ".join(problems)),
             ]
         )
@@ -159,13 +160,20 @@ class Report:
                     self.hints[f"{check['hint']} ({check['function']})"] += 1
                 is_first = False
 
-    def write(self, file) -> None:
-        """Write grades.csv, with a line for each student. Raises an OSError if this fails."""
-        with whole_file(file) as out:
-            out.write("\ufeff")  # Excel then reads it as UTF-8
-            writer = csv.writer(out)
-            writer.writerow(["student", "grade", *SUITES, "points", "next", "seconds", "problems"])
-            writer.writerows(sorted(self.rows))
+    def write(self, folder) -> None:
+        """Write the tables, with a line for each student. Raises an OSError if this fails.
+
+        By double click, Excel opens only the one with the list separator of its country. A first
+        line "sep=," would tell it, but other programs would read it as the names of the columns.
+        """
+        for name, delimiter in TABLES.items():
+            with whole_file(folder / name) as out:
+                out.write("\ufeff")  # Excel then reads it as UTF-8
+                writer = csv.writer(out, delimiter=delimiter)
+                writer.writerow(
+                    ["student", "grade", *SUITES, "points", "next", "seconds", "problems"]
+                )
+                writer.writerows(sorted(self.rows))
 
     def summary(self) -> list[str]:
         """Return the lines that a teacher reads in the end."""

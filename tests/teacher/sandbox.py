@@ -117,7 +117,7 @@ class Sandbox:
         return f" in bubblewrap: {last}. See --help" if self.has_bubblewrap else f" here: {last}"
 
     def run(self, files, jobs, is_alone=False) -> Run:
-        """Run pytest for the files of a submission, by their paths below src/.
+        """Run pytest for the files of a submission, by their paths in the project.
 
         jobs is the number of runs side by side. Raises an OSError if it is alone, and the disk is
         full.
@@ -154,7 +154,7 @@ class Sandbox:
         folder = Path(tempfile.mkdtemp(dir=self.work))
         try:
             for name, content in files.items():
-                path = folder / "own" / "src" / name
+                path = folder / "own" / name
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_bytes(content)
             (folder / "own").mkdir(exist_ok=True)
