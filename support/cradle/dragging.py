@@ -50,14 +50,17 @@ class HeldBob:
         pend = self.pend_of(index)
         move(pend, cord_angles(pend), R_PARAM)
 
-    def drag(self, x: float, y: float) -> None:
+    def drag(self, x: float, y: float) -> bool:
         """Bring the held bob, if there is one, as near as possible to (x, y), in m.
 
-        It stays in the plane of swing.
+        It stays in the plane of swing. Return whether it has moved.
         """
-        if self.index is not None:
-            pend_index, bob = divmod(self.index, self.cradle.cord_count)
-            drag_bob(self.cradle.pend_list, pend_index, bob, x, y, R_PARAM)
+        if self.index is None:
+            return False
+        before = cord_angles(self.pend_of(self.index))
+        pend_index, bob = divmod(self.index, self.cradle.cord_count)
+        drag_bob(self.cradle.pend_list, pend_index, bob, x, y, R_PARAM)
+        return cord_angles(self.pend_of(self.index)) != before
 
     def make_heavy(self) -> None:
         """Make the held pendulum heavy, before a few ticks."""

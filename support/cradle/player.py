@@ -15,7 +15,6 @@ from math import inf
 from time import perf_counter
 from typing import Any
 
-from support.cradle.collision import Collision
 from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
 from support.cradle.motion import Motion
@@ -123,12 +122,6 @@ class Player(Page):
     def change(self, **settings: Any) -> None:
         """Change some of the settings of the next cradle."""
         self.settings = self.settings._replace(**settings)
-
-    def use_collision(self, collision: Collision) -> None:
-        """Let bobs collide in this way from now on."""
-        self.change(collision=collision)
-        with clean_copy(self.settings.csv) as csv:
-            self.cradle.use_collision(collision, csv)
 
     # --- for the loop --------------------------------------------------------------------------
 

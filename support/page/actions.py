@@ -10,6 +10,8 @@ from support.cradle.dragging import bob_at, point_in_plane
 from support.cradle.real_time import FRAME
 from support.files.cradle_csv import Snapshot
 from support.files.ghosts import Ghosts, read_ghosts
+from support.page.graph import ENERGY
+from support.page.questions import WAITS
 from support.pendulum import angle_to_outwards, outwards_to_angle
 
 if TYPE_CHECKING:
@@ -29,38 +31,37 @@ class Actions:
         self.cradle = viewer.cradle
         self.chooser = viewer.chooser
         self.questions = viewer.questions
+        self.is_dragging = False  # whether you have moved or stopped the held bob
 
     # --- time ----------------------------------------------------------------------------------
 
     def pause(self) -> None:
-        """Stop the time, or let it go on; an open question then has no answer."""
-        # An open question also stops the time.
-        self.viewer.is_paused = self.viewer.is_time_running()
-        self.questions.rest_end = None
-        self.questions.is_asking = False
+        """Stop the time, or let it go on; an open question waits for an answer."""
+        if self.can_go_on():
+            self.viewer.is_paused = not self.viewer.is_paused
+            self.questions.rest_end = None
+
+    def can_go_on(self) -> bool:
+        """Return whether no question is open; an open one waits for its answer, and says so."""
+        if self.questions.is_asking:
+            self.questions.word = WAITS
+        return not self.questions.is_asking
 
     def do_step(self) -> None:
         """Do the ticks of one frame, while paused, or show the next one of slow hits."""
         viewer = self.viewer
-        if viewer.is_time_running():
+        if not self.can_go_on() or viewer.is_time_running():
             return
         if viewer.slow_hits.shown or viewer.slow_hits.waiting:
             viewer.slow_hits.show_next(viewer.pace.clock())
         else:
-            self.pause_unanswered()
             viewer.plan(round(FRAME * viewer.speed_now() / self.cradle.dt))
 
     def do_one_tick(self) -> None:
         """Do one tick, while paused, and show what it changes, and the collisions in it."""
-        if not self.viewer.is_time_running():
-            self.pause_unanswered()
+        if self.can_go_on() and not self.viewer.is_time_running():
             self.viewer.before = self.cradle.coordinates()
             self.viewer.plan(1, with_calls=True)
-
-    def pause_unanswered(self) -> None:
-        """Stay paused; an open question then has no answer."""
-        self.viewer.is_paused = True
-        self.questions.is_asking = False
 
     def slow_down(self, is_slow: bool) -> None:
         """Let the time go on slowly, or at its usual speed."""
@@ -158,16 +159,28 @@ class Actions:
         return collision.name
 
     def set_collision(self, collision: Collision) -> None:
-        """Let bobs collide in this way from now on."""
+        """Release the bobs again, and let them collide in this way."""
         self.leave_experiment()
-        self.viewer.use_collision(collision)
-        if self.viewer.ghosts.tracks:  # they begin with a release
-            self.viewer.want_cradle()
+        self.viewer.change(collision=collision)
+        self.viewer.want_cradle()
 
     def set_separating(self, separating: bool) -> None:
-        """Let separating bobs collide, too, or not."""
+        """Release the bobs again, and let separating ones collide, too, or not."""
         self.leave_experiment()
         self.viewer.separating = separating
+        self.viewer.want_cradle()
+
+    def reset(self) -> None:
+        """Begin again with your CSV, as the program has started."""
+        for show in (self.set_ask_first, self.show_arrows, self.measure, self.slow_down_hits):
+            show(False)
+        self.set_speed(1.0)
+        self.remove_ghosts()
+        self.viewer.separating = not self.cradle.takes_rule
+        self.viewer.is_paused = False
+        self.viewer.graph.show(ENERGY)
+        self.chooser.choose_first()
+        self.viewer.want_cradle()
 
     def edit(self, row: int, column: str, text: str) -> None:
         """Let main make the cradle with this number in the table, or show why it is refused."""
@@ -195,6 +208,7 @@ class Actions:
     def choose(self, name: str) -> None:
         """Let main make the cradle with this name: an experiment, or your CSV with its settings."""
         self.chooser.choose(name)
+        self.questions.word = ""
         if self.chooser.experiment:
             self.viewer.is_paused = False
         self.viewer.want_cradle()
@@ -206,6 +220,7 @@ class Actions:
     def set_ask_first(self, asks: bool) -> None:
         """Ask the question of an experiment before its release, or not; restart an experiment."""
         self.questions.ask_first = asks
+        self.questions.word = ""
         if self.chooser.whole_experiment():
             self.viewer.is_paused = False
             self.viewer.want_cradle()
@@ -246,28 +261,38 @@ class Actions:
         """Ask and measure nothing any more: the cradle is no longer that of the experiment."""
         self.viewer.slow_hits.clear()
         self.chooser.is_changed = self.chooser.experiment is not None
-        self.questions.drop()
+        self.questions.end()
 
     # --- the mouse: a ray is a point on it, and its direction ----------------------------------
 
     def grab(self, place: list[float], direction: list[float]) -> None:
-        """Hold the bob under the mouse, if there is one."""
+        """Hold the bob under the mouse, if there is one.
+
+        This changes nothing while the time stands still.
+        """
         index = bob_at(self.cradle.bobs(), vector(*place), vector(*direction))
         if index is not None:
-            self.cradle.held_bob.hold(index)
-            self.viewer.is_dragged = True
-            self.leave_experiment()
+            self.is_dragging = False
+            self.cradle.held_bob.index = index
+            if self.viewer.is_time_running():
+                self.cradle.held_bob.hold(index)
 
     def drag(self, place: list[float], direction: list[float]) -> None:
         """Drag the held bob, if there is one, to the mouse's ray."""
         point = point_in_plane(vector(*place), vector(*direction))
-        if point is not None:
-            self.cradle.held_bob.drag(point.x, point.y)
+        if point is not None and self.cradle.held_bob.drag(point.x, point.y):
+            self.begin_drag()
+
+    def begin_drag(self) -> None:
+        """Note that you have moved or stopped the held bob: the cradle moves in another way now."""
+        if not self.is_dragging:
+            self.is_dragging = True
+            self.viewer.is_dragged = True
+            self.leave_experiment()
 
     def let_go(self) -> None:
         """Let the held bob, if there is one, swing on."""
-        if self.cradle.held_bob.index is None:
-            return
+        if self.cradle.held_bob.index is not None and self.is_dragging:
+            self.viewer.motion.set_start()
+            self.viewer.begin_swing()
         self.cradle.held_bob.index = None
-        self.viewer.motion.set_start()
-        self.viewer.begin_swing()

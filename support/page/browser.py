@@ -1,14 +1,18 @@
 """Open the page in the usual browser, and let no other user of the machine read its key."""
 
 import platform
+import shutil
 import tempfile
 import threading
+import time
 import webbrowser
 from contextlib import suppress
 from pathlib import Path
 
 # Browsers without a canvas.
 TEXT_BROWSERS = {"www-browser", "links", "links2", "elinks", "lynx", "w3m"}
+FOLDER = "open-cradle-"  # how the name of a folder for the file begins
+READ = 60.0  # s after which a browser has read the file
 
 
 class BrowserStart:
@@ -19,7 +23,7 @@ class BrowserStart:
     """
 
     def __init__(self) -> None:
-        self.file: Path | None = None
+        self.folder: Path | None = None
 
     def open(self, address: str) -> None:
         """Open the page at this address, if there is a browser with pictures.
@@ -37,23 +41,24 @@ class BrowserStart:
     def make_file(self, address: str) -> str:
         """Make the file that leads to this address, and return its own; raises an OSError.
 
-        It is in the working folder, if it can be: a browser from a snap cannot read the folder for
-        temporary files.
+        It is in a folder of its own, which only you can enter: among the temporary files, or in
+        your home folder, as a browser from a snap cannot read those. Folders that programs have
+        left there, which were ended too suddenly, are deleted.
         """
-        try:
-            number, name = tempfile.mkstemp(".html", "open-cradle-", Path.cwd())  # with mode 600
-        except OSError:
-            number, name = tempfile.mkstemp(".html", "open-cradle-")
-        self.file = Path(name)
-        with open(number, "w", encoding="utf-8") as file:
-            file.write(f'<meta http-equiv="refresh" content="0; url={address}">')
-        return self.file.as_uri()
+        place = Path.home() if Path("/snap").exists() else Path(tempfile.gettempdir())
+        for old in place.glob(f"{FOLDER}*"):
+            with suppress(OSError):
+                if time.time() - old.stat().st_mtime > READ:
+                    shutil.rmtree(old)
+        self.folder = Path(tempfile.mkdtemp(prefix=FOLDER, dir=place))
+        file = self.folder / "open.html"
+        file.write_text(f'<meta http-equiv="refresh" content="0; url={address}">')
+        return file.as_uri()
 
     def delete_file(self) -> None:
-        """Delete the file; the browser has read it."""
-        with suppress(OSError):
-            if self.file:
-                self.file.unlink(missing_ok=True)
+        """Delete the file and its folder; the browser has read it."""
+        if self.folder:
+            shutil.rmtree(self.folder, ignore_errors=True)
 
 
 def browser_is_outside() -> bool:

@@ -40,7 +40,8 @@ class Chooser:
         """Begin with your CSV, in the settings of this player."""
         self.player = player
         self.saved = player.settings.csv  # your CSV, as it is in the file
-        self.yours = player.settings  # of your CSV
+        self.first = player.settings  # those of your CSV at the start
+        self.yours = self.first  # of your CSV
         self.cords = player.cradle.cord_count
         folder = EXPERIMENTS / player.cradle.kind
         experiments, self.mistakes = read_experiments(folder, self.cords)
@@ -95,6 +96,12 @@ class Chooser:
             self.player.settings = self.yours
             self.poses = None
 
+    def choose_first(self) -> None:
+        """Choose your CSV, with its settings at the start."""
+        self.experiment = None
+        self.player.settings = self.first
+        self.choose(YOUR_CSV)
+
     def choose_saved(self, snapshot: Snapshot) -> None:
         """Choose your CSV as you have saved it.
 
@@ -117,6 +124,12 @@ class Chooser:
     def is_edited(self) -> bool:
         """Return whether you have changed numbers, or the number, of the pendula on the page."""
         return self.player.settings.csv != self.original()
+
+    def has_changes(self) -> bool:
+        """Return whether the cradle is no longer as it was when it was chosen."""
+        if self.experiment:
+            return self.is_changed or self.is_edited()
+        return self.player.settings != self.first._replace(csv=self.saved)
 
     def set_count(self, count: int) -> None:
         """Let the cradle have this number of pendula; they come and go at the right end.

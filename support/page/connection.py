@@ -9,15 +9,18 @@ from autobahn.asyncio.websocket import WebSocketServerProtocol
 from autobahn.websocket.types import ConnectionDeny
 
 from support.page.tabs import LOOK
-from support.page.web_files import content_of, PAGE
+from support.page.web_files import content_of, page_with
 
 if TYPE_CHECKING:
     from support.page.server import Server
 
-RETURN = 3.0  # s that a closed tab has to come back
+LOADS = ""  # stands for the name of a page that loads
 LOADING = 30.0  # s that a page has from its request to its websocket
-# s that a page has to come back which has said no goodbye: its line is cut, or its machine sleeps.
-LOST = 60.0
+# s that a page has to come back
+CLOSED = 3.0  # whose tab is closed for sure: a closed tab can be opened again
+LEFT = 25.0  # that you have left, or closed: Back or a reload shows it again
+LOST = 60.0  # that has said nothing: its line is cut, or its machine sleeps
+GOODBYES = {"closed": CLOSED, "left": LEFT}  # what a page says in the end
 SILENT = 10.0  # s after which a tab that does not answer is lost
 SLOWEST = 2**13  # bytes/s of what is under way to it, which it has in addition
 LARGEST_HEAD = 2**14  # bytes of a request
@@ -53,7 +56,7 @@ class Protocol(WebSocketServerProtocol):
     site: "Server"
     page = ""  # the name of the page, which it keeps when its line is cut
     silent = 0.0  # s since its last sign of life
-    has_said_goodbye = False
+    rest = LOST  # s that its page has to come back, when the websocket has ended
 
     # --- requests ------------------------------------------------------------------------------
 
@@ -117,11 +120,11 @@ class Protocol(WebSocketServerProtocol):
             return Response("200 OK", ".html", run_as_html(site.tabs).encode())
         if name == "alive":
             return Response("200 OK", "", b"alive")
-        if name == "goodbye":
-            site.leave(parameters.get("page", ["no name"])[0])
+        if name in GOODBYES:
+            site.leave(parameters.get("page", ["no name"])[0], GOODBYES[name])
             return Response("200 OK", "", b"")
-        site.expect(LOADING)
-        return Response("200 OK", ".html", PAGE.read_bytes())
+        site.expect(LOADS, LOADING)
+        return Response("200 OK", ".html", page_with(site.texts))
 
     # --- the websocket of a tab ----------------------------------------------------------------
 
@@ -139,7 +142,7 @@ class Protocol(WebSocketServerProtocol):
             if tab.page == self.page:  # its line was cut, and nobody has said so yet
                 site.tabs.close(tab)
                 tab.dropConnection(abort=True)
-        site.welcome(self.page)
+        site.welcome(self.page, parameters.get("was", [""])[0])
         has = parameters.get("has", [""])[0]
         site.tabs.open(self, self.send, int(has) if re.fullmatch("[0-9]{1,15}", has) else 0)
 
@@ -175,8 +178,4 @@ class Protocol(WebSocketServerProtocol):
         if self not in site.tabs.tabs:
             return
         site.tabs.close(self)
-        # Firefox says that it goes away, if you go on from the page.
-        if self.has_said_goodbye or code == self.CLOSE_STATUS_CODE_GOING_AWAY:
-            site.expect(RETURN)
-        else:
-            site.lose(self.page)
+        site.expect(self.page, self.rest)

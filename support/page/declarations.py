@@ -110,13 +110,13 @@ def bob_controls(viewer: "Viewer") -> list[Control]:
 
     mass = Slider(
         name="mass",
-        label="Mass of bob 1",
+        label="Bob 1: mass",
         get=lambda: cradle.values("mass")[0],
         set=lambda mass: viewer.actions.edit(0, "mass", f"{mass:g}"),
         limits=mass_limits,
         as_text=lambda mass: f"{mass:g} kg",
         step=0.5,
-        help="Mass of bob 1: the first bob from the left",
+        help="Bob 1: the first bob from the left",
     )
 
     def e_as_text(most: float) -> str:
@@ -226,6 +226,7 @@ def declare_commands(actions: Actions) -> dict[str, Command]:
         "step": Command(actions.do_step),
         "tick": Command(actions.do_one_tick),
         "restart": Command(actions.viewer.want_cradle),
+        "reset": Command(actions.reset),
         "next": Command(actions.choose_next),
         "again": Command(actions.repeat, (is_switch,)),
         "answer": Command(actions.answer, (is_text, is_answer)),

@@ -95,17 +95,12 @@ def show_page(
         if options.experiment is not None:
             experiment = read_experiment(Path(options.experiment), len(angles))
         if options.html is None:
-            server = open_page(options)
+            server = open_page(options, command_line(cradle.page_program, sys.argv[1:]))
         else:
             require_replaceable("--html", options.html, is_run, "a run of a cradle")
     except ValueError as error:
         refuse(error)
     from support.page.viewer import Viewer  # while the browser starts
-
-    texts = {
-        "command": command_line(cradle.page_program, sys.argv[1:]),
-        "terminal": command_line("src/text_cradle_run.py"),
-    }
 
     def prepare(viewer: Viewer) -> None:
         if experiment:
@@ -115,13 +110,13 @@ def show_page(
             viewer.actions.take_ghosts(ghosts, with_angle=options.angle is None)
 
     if server:
-        viewer = Viewer(cradle, file, angles, options.lift, server.tabs, remark, **texts)
+        viewer = Viewer(cradle, file, angles, options.lift, server.tabs, remark)
         prepare(viewer)
         play(loop, viewer, server)
     else:
         from support.page.recorder import NoTabs, Recorder, write_run  # a page needs none of it
 
-        recorder = Recorder(cradle, file, angles, options.lift, NoTabs(), remark, **texts)
+        recorder = Recorder(cradle, file, angles, options.lift, NoTabs(), remark)
         prepare(recorder)
         write_run(loop, recorder, options.seconds, options.html)
 
@@ -133,25 +128,25 @@ def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:
     except KeyboardInterrupt as stopped:  # in a session; else Ctrl+C has ended the process
         report_endless_loop(stopped)
     except BaseException as error:
-        remark = viewer.given_remark
-        server.tabs.show({**viewer.texts, "remark": remark, "ended": report_mistake(error)})
+        server.tabs.show({"remark": viewer.given_remark, "ended": report_mistake(error)})
         server.tabs.is_seen.wait(GOODBYE)  # the browser may be on its way
         server.close(GOODBYE)
         sys.exit(1)
     server.close()
 
 
-def open_page(options: Namespace) -> "Server":
+def open_page(options: Namespace, command: str) -> "Server":
     """Return the Server of the page, and start a browser, unless --no-browser is given.
 
-    Raises listen's ValueErrors.
+    command starts this program again. Raises listen's ValueErrors.
     """
     # Not earlier: it needs packages that come with VPython.
     from support.page.port import listen
     from support.page.server import Server
     from support.page.tabs import Tabs
 
-    server = Server(listen(options.host, options.port), Tabs())
+    texts = {"command": command, "terminal": command_line("src/text_cradle_run.py")}
+    server = Server(listen(options.host, options.port), Tabs(), texts)
     say(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:
         say(

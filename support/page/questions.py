@@ -10,6 +10,10 @@ from support.files.experiments import Experiment
 
 LETTERS = "ABCDE"  # of the answers
 REST = 3.0  # s that the picture rests when an experiment has been measured
+WAITS = "The cradle waits for your answer. Choose one, or “Run it without an answer”."
+OVER = (
+    "You have changed the cradle, so its question is over. To ask it again, choose the experiment."
+)
 FIGURES = {
     "before": "largest speed before the hits (m/s)",
     "speed": "largest speed after them (m/s)",
@@ -32,6 +36,9 @@ class Questions:
 
     def __init__(self) -> None:
         self.ask_first = False
+        self.word = (
+            ""  # about your last command, which the question does not allow, or has ended it
+        )
         self.again: Again | None = None  # for the next run
         self.drop()
 
@@ -45,6 +52,12 @@ class Questions:
         self.rest_end: float | None = None
         # Of the experiment whose question is asked, or was answered.
         self.measurement: Measurement | None = None
+
+    def end(self) -> None:
+        """Ask and measure nothing any more, and say so: the cradle has been changed."""
+        if self.measurement is not None:
+            self.word = OVER
+        self.drop()
 
     def repeat(self, slowly: bool) -> None:
         """Let the next run keep the answer and the votes of this one."""
@@ -85,6 +98,7 @@ class Questions:
         if is_known:
             self.is_asking = False
             self.said = number
+            self.word = ""
 
     def vote(self, key: str, number: int, is_more: bool) -> None:
         """Count one hand more for this answer (its index) to this question, or one fewer."""

@@ -8,8 +8,8 @@
   (VPython's and the page's) need no key.
 - It listens at 127.0.0.1 alone, unless --host says otherwise, and prints nothing that a client
   sends.
-- A page says goodbye when it is left. When the last tab is closed, and none begins to load within
-  RETURN seconds, the program ends. A page that is lost without a goodbye has a longer time, LOST.
+- A page says goodbye when it is left, and whether its tab is closed for sure. When the last page
+  has gone, the program waits for it, and then ends: after CLOSED, LEFT or LOST seconds.
 - Times are counted in looks, one each LOOK seconds: while a laptop sleeps, nobody loses time.
 """
 
@@ -20,18 +20,19 @@ import socket
 import threading
 import time
 from _thread import interrupt_main
+from collections.abc import Mapping
 from math import inf
 
 import txaio
 from autobahn.asyncio.websocket import WebSocketServerFactory
 
 from support.page.browser import BrowserStart
-from support.page.connection import LOST, Parameters, Protocol, RETURN
+from support.page.connection import CLOSED, LOADS, Parameters, Protocol
 from support.page.tabs import LOOK, Tabs
 from support.page.web_files import keyless_files
 from support.start.output import say
 
-FLICKER = 3.0  # s after which the terminal says that a page is lost
+FLICKER = 3.0  # s after which the terminal says that the page has gone
 FAREWELL = 0.3  # s that the tabs have to hear of the end
 # s that main has to end without a tab; then Ctrl+C ends it: it may be in a loop that never ends.
 LEAVE = 1.0
@@ -42,18 +43,20 @@ LARGEST_MESSAGE = 2**26
 class Server:
     """Serves the page in a thread of its own, until close or the program's end."""
 
-    def __init__(self, listener: socket.socket, tabs: Tabs):
-        """Serve at this socket, made by listen."""
+    def __init__(self, listener: socket.socket, tabs: Tabs, texts: Mapping[str, str]):
+        """Serve at this socket, made by listen; the page has these texts, by name."""
         self.listener = listener
         self.tabs = tabs
+        self.texts = texts
         # Short, and without signs that end an address in some terminals.
         self.key = secrets.token_hex(12)
         # The connections that are no websocket, the oldest one first.
         self.waiting: dict[Protocol, None] = {}
-        # s for which a page is expected yet: any page, below 0 none, and lost ones by their names
-        self.rest_of_any = inf
-        self.rest_of_lost: dict[str, float] = {}
-        self.is_missed = False  # whether the terminal says that a page does not answer
+        # How long (s) the program still waits for pages that have gone, by their names, and for one
+        # that loads, whichever it is
+        self.rests: dict[str, float] = {LOADS: inf}
+        self.absence = 0.0  # s since the last page has gone
+        self.is_missed = False  # whether the terminal says so
         self.files = keyless_files()
         self.browser_start = BrowserStart()
         ready = threading.Event()
@@ -62,7 +65,8 @@ class Server:
 
     def serve(self, ready: threading.Event) -> None:
         """Set ready, and answer requests until the loop is stopped."""
-        logging.getLogger("autobahn").setLevel(logging.CRITICAL)  # it quotes refused clients
+        for name in ("asyncio", "autobahn"):  # they speak of clients: refused ones, cut ones
+            logging.getLogger(name).setLevel(logging.CRITICAL)
         # On Windows, the usual loop stops listening if a connection ends before it is accepted.
         self.loop = asyncio.SelectorEventLoop()
         txaio.config.loop = self.loop  # type: ignore[attr-defined]
@@ -117,47 +121,53 @@ class Server:
 
     # --- which pages are there, and which will come --------------------------------------------
 
-    def expect(self, seconds: float) -> None:
-        """Expect any page for so long from now on, at least."""
-        self.rest_of_any = max(self.rest_of_any, seconds)
+    def expect(self, page: str, seconds: float) -> None:
+        """Expect the page with this name for so long from now on, at least."""
+        self.rests[page] = max(self.rests.get(page, 0.0), seconds)
 
-    def lose(self, page: str) -> None:
-        """Hear that the page with this name is lost, without a goodbye; expect it back."""
-        self.rest_of_lost[page] = LOST
-
-    def welcome(self, page: str) -> None:
-        """Hear that the page with this name has its websocket."""
-        self.rest_of_any = -1.0
-        was_lost = self.rest_of_lost.pop(page, None) is not None
-        if self.is_missed and was_lost:
+    def welcome(self, page: str, was: str) -> None:
+        """Hear that a page has its websocket: its name, and the one that it had before a reload."""
+        for name in (LOADS, page, was):
+            self.rests.pop(name, None)
+        if self.is_missed:
             say("The page is back.")
         self.is_missed = False
+        self.absence = 0.0
         self.browser_start.delete_file()
 
-    def leave(self, page: str) -> None:
-        """Hear that the page with this name is left, before or after its websocket has ended."""
+    def leave(self, page: str, seconds: float) -> None:
+        """Hear a goodbye of the page with this name; expect it back for no longer than this.
+
+        Its websocket may have ended already, or not.
+        """
         for tab in self.tabs.tabs:
             if tab.page == page:
-                tab.has_said_goodbye = True
-        if self.rest_of_lost.pop(page, None) is not None:
-            self.expect(RETURN)
+                tab.rest = min(tab.rest, seconds)
+        if page in self.rests:
+            self.rests[page] = min(self.rests[page], seconds)
 
     def look(self) -> None:
         """Look at each tab; end the program when none is there, and none is expected any more."""
         self.loop.call_later(LOOK, self.look)
-        self.rest_of_any -= LOOK
-        rests = {page: rest - LOOK for page, rest in self.rest_of_lost.items()}
-        self.rest_of_lost = {page: rest for page, rest in rests.items() if rest >= 0}
+        rests = {page: rest - LOOK for page, rest in self.rests.items()}
+        self.rests = {page: rest for page, rest in rests.items() if rest >= 0}
         self.tabs.look()
         for tab in [*self.tabs.tabs]:
             tab.look()
-        if self.tabs.tabs or self.tabs.are_gone:
-            return
-        if self.rest_of_any < 0 and not self.rest_of_lost:
+        if not (self.tabs.tabs or self.tabs.are_gone or LOADS in self.rests):
+            self.absence += LOOK
+            self.wait_or_end()
+
+    def wait_or_end(self) -> None:
+        """End the program when no page is expected any more; else say that it waits for one."""
+        if not self.rests:
             self.tabs.are_gone = True
             self.loop.call_later(LEAVE, interrupt_main)
-        rest = max(self.rest_of_lost.values(), default=inf)
-        if rest <= LOST - FLICKER and not self.is_missed:
+            return
+        rest = max(self.rests.values())
+        if rest > CLOSED and self.absence >= FLICKER and not self.is_missed:
             self.is_missed = True
-            cause = "its line is cut, its machine sleeps, or its browser has ended"
-            say(f"A page does not answer: {cause}. The program waits {rest:.0f} s for it.")
+            say(
+                "The page has gone: you have left or closed it, its line is cut, or its machine "
+                f"sleeps. The program waits {int(rest)} s for it. Ctrl+C ends it at once."
+            )

@@ -17,7 +17,6 @@ def state_of_page(viewer: "Viewer") -> dict[str, Any]:
     cradle = viewer.cradle
     remarks = [remark for remark in (viewer.given_remark, cradle.remark()) if remark]
     return {
-        **viewer.texts,
         **setup(viewer),
         **state_of(viewer.controls),
         "ghosts": viewer.ghosts.name,
@@ -28,11 +27,12 @@ def state_of_page(viewer: "Viewer") -> dict[str, Any]:
         "error": viewer.error,
         "mistakes": viewer.chooser.mistakes,
         "pictures": dict(viewer.chooser.pictures),
-        "changed": viewer.chooser.is_changed or viewer.chooser.is_edited(),
+        "changed": viewer.chooser.has_changes(),
         "ended": None,
         "paused": viewer.is_paused,
         "running": viewer.is_time_running(),
         "question": viewer.questions.state(),
+        "word": viewer.questions.word,
         "hit": viewer.slow_hits.state(),
         "motion": numbers(viewer),
         "summary": viewer.motion.summary(),

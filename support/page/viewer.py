@@ -46,14 +46,12 @@ class Viewer(Player):
         lifted: int | None,
         tabs: Tabs,
         remark: str = "",
-        **texts: str,
     ):
-        """Play the cradle of this file as a Player does; tabs show it, and texts in the state."""
+        """Play the cradle of this file as a Player does; tabs show it."""
         super().__init__(cradle, file.current, angles, lifted, IMPACTS, EVERY)
         self.file = file
         self.tabs = tabs
         self.given_remark = remark
-        self.texts = texts
         self.is_paused = False
         self.is_dragged = False  # whether you have moved a bob since the start
         self.speed = 1.0  # that you have set, times real time
@@ -138,9 +136,7 @@ class Viewer(Player):
         Ten times a second show all of it, else what must be in step with the bobs.
         """
         if self.cradle.held_bob.index is not None:
-            self.motion.set_start()
-            if not self.is_time_running():
-                self.note()  # one scale: the graph ends at the 100 % of this moment, too
+            self.show_held_bob()
         self.scenery.keep_in_view([*self.cradle.bobs(), *self.marks.ghosts])
         if self.motion.loudest > QUIET:
             self.sounds += 1
@@ -161,6 +157,15 @@ class Viewer(Player):
             self.next_refresh = self.pace.clock() + REFRESH
             state |= state_of_page(self)
         self.tabs.show(state)
+
+    def show_held_bob(self) -> None:
+        """Take the energy of this moment as 100 %, once the held bob is not where it would be."""
+        if self.is_time_running():
+            self.actions.begin_drag()
+        if self.actions.is_dragging:
+            self.motion.set_start()
+            if not self.is_time_running():
+                self.note()  # one scale: the graph ends at the 100 % of this moment, too
 
     def shown_pendula(self) -> list[Pendulum]:
         """Return the pendula as they are shown: as after the slow hit, or as they are now."""

@@ -1,5 +1,7 @@
 """The files of the page: its own, and those of VPython that it uses."""
 
+from collections.abc import Mapping
+from html import escape
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -24,6 +26,18 @@ def keyless_files() -> dict[str, bytes | Path]:
     # A call without a use, which some sites forbid.
     files["glow.min.js"] = content_of(files["glow.min.js"]).replace(b'eval("0");', b"")
     return files
+
+
+def page_with(texts: Mapping[str, str]) -> bytes:
+    """Return the page with these texts, by their names in data-text.
+
+    So the page has them also if it never hears from the program.
+    """
+    page = PAGE.read_text(encoding="utf-8")
+    for name, text in texts.items():
+        place = f'data-text="{name}">'
+        page = page.replace(place, place + escape(text))
+    return page.encode()
 
 
 def content_of(file: bytes | Path) -> bytes:

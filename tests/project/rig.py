@@ -20,7 +20,7 @@ class Rig:
     The tab has drawn a picture, and always has room.
     """
 
-    def __init__(self, csv, *angles, kind=Cradle, lifted: int | None = 1, **texts):
+    def __init__(self, csv, *angles, kind=Cradle, lifted: int | None = 1, remark=""):
         self.now = 100.0
         self.file = csv
         self.state = {}
@@ -38,7 +38,7 @@ class Rig:
             thetas(angles or [30]),
             lifted,
             self.tabs,
-            **texts,
+            remark,
         )
         self.cradle = self.viewer.cradle
         self.viewer.pace = RealTime(self.cradle.dt, self.clock, sleep=lambda seconds: None)

@@ -1,5 +1,6 @@
 """The start of the browser, and of a program again and again in a session."""
 
+import os
 import signal
 import sys
 from itertools import takewhile
@@ -13,7 +14,7 @@ from programs import end, first_lines, running
 from students import change
 from web_client import Tab
 
-from support.page import browser
+from support.page import browser as browser_start
 
 pytestmark = programs.needs_vpython
 
@@ -22,7 +23,8 @@ pytestmark = programs.needs_vpython
 BROWSER = """#!{python}
 import os, re, sys, urllib.request as web
 address = re.search('url=([^"]*)', web.urlopen(sys.argv[1]).read().decode())[1]
-mode = oct(os.stat(*os.listdir()).st_mode)[-3:]
+[folder] = os.listdir(os.environ["TMPDIR"])
+mode = oct(os.stat(os.path.join(os.environ["TMPDIR"], folder)).st_mode)[-3:]
 print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{visited}", "w"))
 """
 
@@ -31,19 +33,23 @@ print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{vis
 def test_a_browser_gets_a_file_that_leads_on(tmp_path, until, status):
     """All users of a machine can read a command; only you the file.
 
-    It goes with the first tab, or with the program.
+    It goes with the first tab, or with the program; or with the next start, if it is old.
     """
     folder = tmp_path / "100% ü #1"
+    left = folder / f"{browser_start.FOLDER}of a program that was killed"
     visited = tmp_path / "visited"
     browser = tmp_path / "browser"
-    folder.mkdir()
+    left.mkdir(parents=True)
+    os.utime(left, (0, 0))
     browser.write_text(BROWSER.format(python=sys.executable, visited=visited))
     browser.chmod(0o755)
-    with running(folder=folder, BROWSER=str(browser), VPYTHON_NO_LAUNCH_BROWSER="") as process:
+    with running(
+        folder=folder, BROWSER=str(browser), VPYTHON_NO_LAUNCH_BROWSER="", TMPDIR=str(folder)
+    ) as process:
         address = first_lines(process)
         programs.wait_until(lambda: visited.exists() and visited.read_text().endswith("\n"))
         *seen, file = visited.read_text().split()
-        assert seen == ["600", address, "200"]
+        assert seen == ["700", address, "200"]
         assert file.startswith("file://")
         assert address.partition("key=")[2] not in file
         if until == "a tab":
@@ -69,7 +75,7 @@ def test_what_a_browser_opens(monkeypatch, name, release, places):
     monkeypatch.setattr("platform.release", lambda: release)
     monkeypatch.setattr("webbrowser.get", lambda: SimpleNamespace(name=name, open=None))
     monkeypatch.setattr("threading.Thread", thread)
-    start = browser.BrowserStart()
+    start = browser_start.BrowserStart()
     monkeypatch.setattr(start, "make_file", lambda address: "file")
     start.open("http")
     assert [call.kwargs["args"][0] for call in thread.call_args_list] == places
@@ -104,7 +110,7 @@ def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back
     """
     folder = program.parents[1]
     site = folder / "support" / "page" / "connection.py"
-    change(site, "RETURN = 3.0", "RETURN = 0.1")  # s: quickly
+    change(site, "CLOSED = 3.0", "CLOSED = 0.1")  # s: quickly
     session = SESSION.format(python=sys.executable, folder=folder)
     with running("-c", session, python="sh") as process:
 

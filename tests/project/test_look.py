@@ -270,7 +270,7 @@ def test_sliders_of_the_bobs_say_in_words_what_they_change(shared):
     """What is refused is in the table, which then opens."""
     slide(shared, "Bobs", 6)
     pages.wait_for_cradle(shared, bobs=6)
-    slide(shared, "Mass of bob 1", 5)
+    slide(shared, "Bob 1: mass", 5)
     wait_until(lambda: slider_texts(shared, "count", "mass") == ["6", "5 kg"])
     slide(shared, "Elasticity e", 0.5)
     wait_until(lambda: slider_texts(shared, "e") == ["0.5"])

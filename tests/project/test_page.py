@@ -23,7 +23,7 @@ from pages import (
     wait_for_time,
 )
 from programs import wait_until
-from shared_page import ASK, is_whole, printed, wait_for_text
+from shared_page import ASK, EDGES, edges, is_whole, printed, wait_for_text
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 
@@ -154,6 +154,29 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, file):
     assert is_whole(shared, ".error")  # it sticks to the top
     file.write_text(FIVE_CSV)
     error.wait_for(state="hidden")
+
+
+def test_a_slow_double_click_on_a_picture_chooses_no_answer(shared):
+    """An answer comes below the mouse. A control keeps the keys, but no letter."""
+    shared.set_viewport_size({"width": 1366, "height": 768})
+    tick(shared, "Predict first")
+    tile = button(shared, "All inelastic")
+    left, top, right, bottom = tile.evaluate(EDGES)
+    tile.click()
+    shared.locator(".choice").first.wait_for()
+    _, first_top, _, first_bottom = edges(shared, ".choice")
+    place = (left + right) / 2, (max(top, first_top) + min(bottom, first_bottom)) / 2
+    button(shared, "My cradle").click()
+    shared.locator(".question").wait_for(state="detached")
+    shared.mouse.click(*place)
+    shared.locator(".choice").first.wait_for()
+    shared.mouse.click(*place)
+    shared.keyboard.press("f")  # hands are counted in full screen
+    button(shared, "0 hands for B").press("Space")
+    shared.keyboard.press("Space")  # the button still has the keys
+    button(shared, "2 hands for B").wait_for()
+    shared.keyboard.press("c")
+    wait_for_text(shared, "You said: C")
 
 
 # The least width or height of a button for hands.

@@ -214,12 +214,14 @@ def test_hostile_texts_are_shown_as_texts(page, program):
         assert page.locator("s, [onerror]").count() == 0
 
 
-def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it_and_comes_back(
-    page, started
-):
-    """Chromium keeps no page here; these two events are all that a kept page gets."""
+def test_a_page_that_is_left_goes_on_when_back_shows_it_again(page, started):
+    """Then a closed tab ends the program, without a word about the page that was left.
+
+    Chromium keeps no page here; two events are all that a kept page gets.
+    """
     hide = "dispatchEvent(new PageTransitionEvent('pagehide', {persisted: true}))"
     page.goto("about:blank")
+    assert started.stdout.readline().startswith("The page has gone: ")
     page.go_back()
     wait_for_cradle(page)
     page.evaluate("window.isKept = true")
@@ -227,9 +229,9 @@ def test_back_shows_the_cradle_and_a_page_that_the_browser_keeps_leaves_it_and_c
     page.evaluate(hide)
     page.evaluate(hide.replace("pagehide", "pageshow"))
     wait_for_moves(page)
-    page.evaluate(hide)
     assert page.evaluate("isKept")
-    assert programs.end(started) == programs.QUIETLY
+    page.close()
+    assert programs.end(started) == (0, "The page is back.\n", "")
 
 
 # The time on the wall (s) minus the simulated one, at each change of the readout in a second; and

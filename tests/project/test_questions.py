@@ -6,8 +6,10 @@ from typing import NamedTuple
 import pytest
 from rig import Rig
 from students import put_files
+from vpython import vector
 from whole_cradles import GOOD, HEADER
 
+from support.page import questions
 from support.page.scene.marks import BEHIND
 
 CSV = "My cradle"
@@ -135,15 +137,16 @@ def test_the_question_comes_before_each_release_and_the_explanation_after_it(
 
 
 @pytest.mark.parametrize("command", ["pause", "step", "tick"])
-def test_the_cradle_also_runs_without_an_answer(asking, command):
-    asking.tabs.give(command)
-    asking.wait(0.05)
-    assert asked(asking) == Asked()
-    assert asking.viewer.motion.ticks > 0
-    if not asking.state["running"]:
-        asking.tabs.give("pause")
+def test_an_open_question_waits_for_an_answer_and_says_so(asking, command):
+    """A teacher's clicker sends keys."""
+    asking.give(command)
     asking.wait(0.6)
-    assert asked(asking) == Asked(happened=OTHER)
+    assert asked(asking) == ASKING
+    assert asking.time() == 0
+    assert asking.state["word"] == questions.WAITS
+    asking.give("answer", KEY, 2)
+    assert asking.state["word"] == ""
+    assert asking.state["running"]
 
 
 def test_an_answer_to_another_question_does_nothing(asking):
@@ -183,7 +186,13 @@ CHANGES = [
 def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking, change):
     name = TWO
     if change == ("drag",):
-        asking.mouse("grab", asking.viewer.cradle.bobs()[4].pos)
+        bob = asking.viewer.cradle.bobs()[4].pos
+        asking.mouse("grab", bob)
+        asking.mouse("drag", bob)
+        asking.give("let go")
+        assert asked(asking) == ASKING  # it has not moved
+        asking.mouse("grab", bob)
+        asking.mouse("drag", bob + vector(0.01, 0, 0))
     elif change == ("save",):
         asking.save(HEADER + GOOD * 6)
         name = CSV
@@ -191,6 +200,7 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
         asking.give(*change)
     asking.wait(0.6)  # the measurement would be over
     assert asked(asking) is None
+    assert asking.state["word"] == ("" if change == ("save",) else questions.OVER)
     assert asking.state["running"]  # only the question has held it up
     asking.give("ask first", False)
     asking.give("ask first", True)
@@ -199,6 +209,7 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
     assert asked(asking) is None
     asking.give("experiment", TWO)
     assert asked(asking) == ASKING
+    assert asking.state["word"] == ""
 
 
 def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):

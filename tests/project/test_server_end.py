@@ -34,9 +34,15 @@ def silent_site(monkeypatch):
 
     monkeypatch.setattr(server, "keyless_files", dict)
     monkeypatch.setattr(server.Server, "serve", serve)
-    site = server.Server(None, Tabs())
+    site = server.Server(None, Tabs(), {})
     site.wait = wait
     return site
+
+
+GONE = (
+    "The page has gone: you have left or closed it, its line is cut, or its machine sleeps. "
+    "The program waits {:g} s for it. Ctrl+C ends it at once.\n"
+)
 
 
 class Connection(connections.Protocol):
@@ -54,8 +60,12 @@ class Connection(connections.Protocol):
     def cut(self):
         self.onClose(False, 1006, "")
 
-    def leave(self):
-        self.onClose(True, 1001, "")
+    def say(self, word):
+        self.answer(word, {"key": [self.site.key], "page": [self.page]})
+
+    def close(self):
+        self.say("closed")
+        self.cut()
 
 
 def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkeypatch, capsys):
@@ -73,20 +83,21 @@ def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkey
     other = Connection(site)
     tab.onOpen()
     other.onOpen()
-    other.leave()
+    other.close()
     for _ in range(3):
         site.wait(9)
         tab.onPong(b"")
+    tab.say("left")
     tab.cut()
-    tab.answer("goodbye", key | {"page": [tab.page]})
-    site.wait(0.8 * connections.RETURN)
+    tab.say("closed")
+    site.wait(0.8 * connections.CLOSED)
     tab.answer("", key)
     site.wait(0.9 * connections.LOADING)
     tab.answer("", key)
     site.wait(0.9 * connections.LOADING)
     tab.onOpen()
-    tab.leave()
-    site.wait(connections.RETURN)
+    tab.close()
+    site.wait(connections.CLOSED)
     tab.answer("", {})
     assert not site.tabs.are_gone
     site.wait(LOOK)
@@ -120,10 +131,7 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
         tab.cut()
     assert given == ["grab", "let go"]
     site.wait(connections.LOST)
-    assert capsys.readouterr().out == (
-        "A page does not answer: its line is cut, its machine sleeps, or its browser has ended."
-        " The program waits 57 s for it.\n"
-    )
+    assert capsys.readouterr().out == GONE.format(57)
     tab.onOpen()
     assert capsys.readouterr().out == "The page is back.\n"
     again = Connection(site, page="0.5", has="9" * 5000)
@@ -135,12 +143,33 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
     for _ in range(8):  # longer than a minute
         other.onPong(b"")
         site.wait(8)
-    other.leave()
-    site.wait(connections.RETURN)
+    other.close()
+    site.wait(connections.CLOSED)
     assert not site.tabs.are_gone
     site.wait(LOOK)
     assert site.tabs.are_gone
     assert capsys.readouterr().out == ""
+
+
+def test_a_page_that_is_left_can_come_back_by_back_or_by_a_reload(silent_site, capsys):
+    """Under its own name, or as another one that names it; it then leaves nothing to wait for."""
+    site = silent_site
+    tab = Connection(site, page="1")
+    again = Connection(site, page="2", was="1")
+    for back in (tab, again):
+        tab.onOpen()
+        tab.cut()
+        tab.say("left")
+        site.wait(connections.LEFT)
+        assert capsys.readouterr().out == GONE.format(connections.LEFT - server.FLICKER)
+        assert not site.tabs.are_gone
+        back.onOpen()
+        assert capsys.readouterr().out == "The page is back.\n"
+    again.close()
+    site.wait(connections.CLOSED)
+    assert not site.tabs.are_gone
+    site.wait(LOOK)
+    assert site.tabs.are_gone
 
 
 def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent_site):
@@ -149,7 +178,7 @@ def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent_site):
     lost.onOpen()
     lost.cut()
     other.onOpen()
-    other.leave()
+    other.close()
     silent_site.wait(connections.LOST)
     assert not silent_site.tabs.are_gone
     silent_site.wait(LOOK)

@@ -34,6 +34,30 @@ def test_the_box_of_a_fixed_rule_is_fixed(rig, csv, monkeypatch):
     assert fixed.state["separating"]
 
 
+def test_each_change_of_the_cradle_releases_it_again_and_reset_all_takes_it_back(rig):
+    first = {name: rig.state[name] for name in rig.state["controls"]}
+    changes = {
+        "e": 0.5,
+        "mass": 2,
+        "release angle": 10,
+        "count": 4,
+        "lifted": 2,
+        "separating": True,
+    }
+    for name, value in changes.items():
+        rig.wait(0.1)
+        rig.give(name, value)
+        assert rig.time() == 0, name
+        assert rig.state["changed"]
+    for name in ("ask first", "arrows", "measure", "slow hits"):
+        rig.give(name, True)
+    rig.give("speed", 2)
+    rig.give("next")
+    rig.give("reset")
+    assert {name: rig.state[name] for name in first} == first
+    assert not rig.state["changed"]
+
+
 def test_the_menu_of_collisions_has_the_present_one(rig):
     names = rig.control("collision")["choices"]
     rig.viewer.actions.set_collision(rig.cradle.uniform_e(0.3))

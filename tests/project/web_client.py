@@ -43,18 +43,20 @@ class Tab(ExitStack):
             "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==",
             "Origin": origin,
         }
+        query = f"{query}&page={id(self)}"
         self.connection, self.answer = ask(page, f"{folder}ws", query, **headers)
         self.callback(self.connection.close)
         self.callback(self.answer.close)
         if self.answer.status == 101:
-            self.callback(self.leave)
+            self.callback(self.leave, page, query)
 
-    def leave(self):
-        """Say goodbye, and wait until it is heard.
+    def leave(self, page, query):
+        """Say that the tab is closed, and wait until the websocket has ended.
 
-        A socket that closes with unread bytes takes it back.
+        A socket that closes with unread bytes takes its last ones back.
         """
         with suppress(OSError):  # the program may have ended
+            get(page, "/closed", query)
             self.tell(b"\x03\xe9", GOODBYE)
             self.connection.sock.shutdown(socket.SHUT_WR)
             self.answer.fp.read()

@@ -27,8 +27,8 @@ shows.view = view => { // the first one comes with the canvas
 
 function begin() {
   const element = scene().__canvas_element;
-  scene().forward = vec(...history.state ?? FORWARD);
-  history.replaceState(null, "");
+  scene().forward = vec(...history.state?.forward ?? FORWARD);
+  remember({ forward: null });
   listen();
   // The first picture waits for the bobs and their textures: one without them would only delay it.
   scene().waitfor_textures = true;
@@ -88,6 +88,6 @@ function stopDrawing(event) {
 
 // As soon as the program can be reached; the camera then looks in the same direction.
 function loadAgain() {
-  history.replaceState(coordinates(scene().forward), "");
+  remember({ forward: coordinates(scene().forward) });
   setInterval(() => isOpen() && location.reload(), 100);
 }

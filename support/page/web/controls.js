@@ -106,10 +106,11 @@ addEventListener("keydown", event => {
     return;
   }
   const isShortcut = event.metaKey || event.ctrlKey || event.altKey;
-  const isForUs = event.target === document.body && !isShortcut;
   const isHeld = event.repeat && event.key !== "ArrowRight";
-  if (!isForUs || isHeld) return;
   const key = keyOf(event);
+  const isLetter = key.length === 1 && key !== " "; // a control needs the other keys itself
+  const isForUs = event.target === document.body || (isLetter && event.target.type !== "text");
+  if (isShortcut || isHeld || !isForUs) return;
   const digit = digitOf(key, event.code);
   const isAsking = state.question?.asking; // a stray digit must not end the question
   const answer = ["a", "b", "c", "d", "e"].indexOf(key);
@@ -123,8 +124,32 @@ addEventListener("keydown", event => {
 
 // A control that you reach with the Tab key keeps the keys; one that you click does not.
 let byMouse = false;
-addEventListener("pointerdown", () => byMouse = true, true);
+let pressed; // the control that you have clicked last
+let place; // where it was then; nothing once the mouse has left it
+let isStray = false;
+
+const isAt = ({ left, right, top, bottom }, { clientX, clientY }) =>
+  left <= clientX && clientX <= right && top <= clientY && clientY <= bottom;
+
+// The second half of a slow double click can meet another control, which has come below the mouse
+// since the first half: this click does nothing.
+addEventListener("pointerdown", event => {
+  const control = event.target.closest?.("label, button, summary, select");
+  const isAgain = byMouse && place && isAt(place, event);
+  isStray = isAgain && control?.textContent !== pressed.textContent;
+  byMouse = true;
+  pressed = control;
+  place = control?.getBoundingClientRect();
+}, true);
+addEventListener("pointermove", event => {
+  if (place && !isAt(place, event)) place = null;
+}, true);
 addEventListener("keydown", () => byMouse = false, true);
+addEventListener("click", event => {
+  if (!byMouse || !isStray) return;
+  event.preventDefault();
+  event.stopPropagation();
+}, true);
 addEventListener("click", ({ target }) => { // a click on a menu only opens it
   if (target.tagName !== "SELECT") giveKeysBack(target);
 });

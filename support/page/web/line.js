@@ -7,8 +7,12 @@ const FIRST = 60; // such looks before the first message
 // Relative to the page, whatever stands before it.
 const address = new URL(`ws${location.search}`, location.href);
 address.protocol = address.protocol.replace("http", "ws");
-// The program knows the page again when its line was cut.
-address.searchParams.set("page", Math.random());
+// The program knows the page again when its line was cut, by its name; and after a reload, by its
+// name before that.
+const pageName = `${Math.random()}`;
+address.searchParams.set("page", pageName);
+address.searchParams.set("was", history.state?.page ?? "");
+remember({ page: pageName });
 
 let socket;
 let has = 0; // the number of the last message
@@ -124,13 +128,25 @@ function finish(id) {
   notice(id);
 }
 
-// A browser that keeps the page for Back would keep the line open.
-addEventListener("pagehide", () => {
+// You may have left the page, and come back to it by Back; or its tab is closed, for sure
+// - in Firefox, if the line is open: Firefox closes that of a page that you leave before pagehide;
+// - in others, if nobody has asked before: it is closed by a script, or with the browser,
+// - or if the page still runs a moment later: Chromium stops a page at once that you leave.
+const isFirefox = navigator.userAgent.includes("Firefox");
+let isAsked = false;
+addEventListener("beforeunload", () => isAsked = true);
+addEventListener("pagehide", ({ persisted }) => {
+  const isClosed = isFirefox ? isOpen() : !isAsked;
+  sayGoodbye(isClosed && !persisted ? "closed" : "left");
+  if (!persisted) window.scheduler?.postTask(() => sayGoodbye("closed"));
   isDone = true;
-  // Not by the line: what is on its way here can take it back.
-  navigator.sendBeacon(`goodbye${address.search}`);
-  socket?.close();
+  socket?.close(); // or a browser that keeps the page for Back would keep it open
 });
+
+// Not by the line: what is on its way here can take it back.
+function sayGoodbye(word) {
+  navigator.sendBeacon(`${word}${address.search}`);
+}
 addEventListener("pageshow", event => {
   if (!event.persisted || one(".notice").firstChild) return;
   isDone = false;

@@ -14,6 +14,9 @@ function make(kind, attributes = {}, ...parts) {
   return element;
 }
 
+// Keep this in history.state, for this page after a reload, or when Back shows it again.
+const remember = part => history.replaceState({ ...history.state, ...part }, "");
+
 const canDraw = !!document.createElement("canvas").getContext("webgl2");
 if (!canDraw) notice("no-webgl");
 

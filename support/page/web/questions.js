@@ -1,7 +1,15 @@
 // The question of an experiment: its answers, what was said, what happened; and its sheet on paper.
+let shown; // the question of now, as text, but for the hands while they are counted
+
 shows.question = question => {
-  const parts = question ? [makeQuestion(question), makeSheet(question)] : [];
-  one(".asked").replaceChildren(...parts);
+  const isCounting = question?.asking;
+  const text = JSON.stringify(isCounting ? { ...question, votes: [] } : question);
+  if (text !== shown) {
+    const parts = question ? [makeQuestion(question), makeSheet(question)] : [];
+    one(".asked").replaceChildren(...parts);
+  }
+  shown = text;
+  if (isCounting) question.votes.forEach(showHands); // in their buttons, which keep the keys
 };
 
 const LETTERS = "ABCDE";
@@ -15,14 +23,14 @@ function button(text, className, ...command) {
 }
 
 function makeQuestion({ key, question, answers, votes, asking, said, happened }) {
-  const element = make("div", { className: "question", role: "status" });
+  const element = make("div", { className: "question", role: "status", ariaAtomic: false });
   element.append(paragraph(strong(question)));
   if (asking) {
     const choices = make("div", { className: "answers" });
     answers.forEach((answer, number) => {
       const text = `${LETTERS[number]}\u2002${answer}`;
       const choice = make("div", {}, button(text, "choice", "answer", key, number));
-      choice.append(...makeCounter(key, number, votes[number]));
+      choice.append(...makeCounter(key, number));
       choices.append(choice);
     });
     element.append(choices, button("Run it without an answer", "", "answer", key, null));
@@ -42,16 +50,21 @@ function makeQuestion({ key, question, answers, votes, asking, said, happened })
 const inHands = count => count === 1 ? "1 hand" : `${count} hands`;
 
 // A button that counts one hand more, or one fewer by a right click; and one that counts one fewer.
-function makeCounter(key, number, count) {
-  const more = button(inHands(count), "hands", "vote", key, number, true);
+function makeCounter(key, number) {
+  const more = button("", "hands more", "vote", key, number, true);
   const fewer = button("\u2212", "hands", "vote", key, number, false);
-  more.ariaLabel = `${inHands(count)} for ${LETTERS[number]}`;
   fewer.ariaLabel = `one hand fewer for ${LETTERS[number]}`;
   more.oncontextmenu = event => {
     event.preventDefault();
     fewer.click();
   };
   return [more, fewer];
+}
+
+function showHands(count, number) {
+  const more = find(".hands.more")[number];
+  more.textContent = inHands(count);
+  more.ariaLabel = `${inHands(count)} for ${LETTERS[number]}`;
 }
 
 function makeBars(votes) {
