@@ -47,7 +47,7 @@ def project(tmp_path, monkeypatch):
     monkeypatch.setattr("signal.signal", lambda *_: None)
     tabs = Mock(have_room=bool, are_gone=False)
     server = SimpleNamespace(tabs=tabs, close=lambda *_: None)
-    monkeypatch.setattr("support.page.page.open_page", lambda _: server)
+    monkeypatch.setattr("support.page.page.open_page", lambda *_: server)
     return tmp_path
 
 
