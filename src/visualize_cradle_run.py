@@ -72,13 +72,13 @@ def main(page: Page) -> None:
     """
     pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
     page.show(pend_list)
-    while page.is_running():  # in step with the clock, until another cradle is wanted
+    while page.is_running():  # in step with the clock, until the page wants another cradle
         newton_cradle_tick(pend_list, R_PARAM, DT, G, **page.rule)
 
 
 if __name__ == "__main__":
     from src import special_cradles
     from support.cradle import many_ticks
-    from support.page.page import show_cradle
+    from support.page.show_cradle import show_cradle
 
     show_cradle(main, special_cradles, many_ticks)

@@ -16,12 +16,12 @@ def main(page: Page) -> None:
     """
     pend_list = make_double_newton_cradle(page.csv, R_PARAM, THETA_INIT, PHI_INIT)
     page.show(pend_list)
-    while page.is_running():  # in step with the clock, until another cradle is wanted
+    while page.is_running():  # in step with the clock, until the page wants another cradle
         double_cradle_tick(pend_list, R_PARAM, DOUBLE_DT, G)
 
 
 if __name__ == "__main__":
     from src import special_cradles
-    from support.page.page import show_double_cradle
+    from support.page.show_cradle import show_double_cradle
 
     show_double_cradle(main, special_cradles)

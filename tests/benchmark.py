@@ -1,9 +1,9 @@
 """Speed and accuracy of the programs.
 
-Beside them stand pymunk (a physics engine for games), an exact cradle, and bare VPython.
+To compare, there are pymunk (a physics engine for games), an exact cradle, and bare VPython.
 
-Run it on Linux, with Chromium and nothing beside it: `.venv/bin/python tests/benchmark.py`. Compare
-numbers only within one run.
+Run it on Linux, with Chromium and nothing else running: `.venv/bin/python tests/benchmark.py`.
+Compare numbers only within one run.
 """
 
 import os

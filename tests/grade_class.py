@@ -33,7 +33,7 @@ from teacher.submissions import read_submission, submissions_in
 LEFT_OPEN = (
     "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
 )
-LOOK = 0.2  # s from one look at the other threads to the next
+LOOK_AT_THREADS = 0.2  # s from one look at the other threads to the next
 
 
 @while_it_is_read()
@@ -80,7 +80,7 @@ def main() -> None:
     if others:
         print(f"\nNo submissions: {in_one_line(', '.join(others))}")
     file = in_one_line(options.out / "grades.csv")
-    print(f"\n{count} solutions are graded: {file}, and a text for each student beside it")
+    print(f"\n{count} solutions are graded: {file}, and a text for each student next to it")
 
 
 def read_options():
@@ -172,7 +172,7 @@ class Grading:
         self.sandbox = sandbox
         self.stopped = stopped  # set once no more solutions are graded
         self.lock = threading.Lock()
-        self.unsure: list[str] = []  # students whose run something beside it may have changed
+        self.unsure: list[str] = []  # students whose run another program may have changed
         self.without_grade: list[dict] = []  # results
         self.done = 0  # students who have a result now
 
@@ -220,7 +220,7 @@ class Grading:
         return digest_of(self.version, student, *submission)
 
     def work(self, students, jobs, is_last=False) -> None:
-        """Grade students, beside other jobs, until there is none left."""
+        """Grade students, at the same time as other jobs, until there is none left."""
         try:
             for student in students:
                 if not self.stopped.is_set():
@@ -268,7 +268,7 @@ class Grading:
 
 def finish(futures) -> None:
     """Wait for the work of other threads; raise the error that one of them raises."""
-    while wait(futures, timeout=LOOK).not_done:
+    while wait(futures, timeout=LOOK_AT_THREADS).not_done:
         pass  # here, a signal comes through, also on Windows
     for future in futures:
         future.result()

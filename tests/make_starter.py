@@ -145,8 +145,8 @@ def texts_of_its_own() -> dict[Path, str]:
 def is_left_out(name) -> bool:
     """Return whether students do not get a file or a folder of this name.
 
-    A name that begins with a dot is that of an editor's copy, or of what a Mac puts beside a file
-    on a foreign disk.
+    A name that begins with a dot is that of an editor's copy, or of what a Mac adds to a file on a
+    disk of another system.
     """
     return name in LEFT_OUT or name.startswith(".")
 
@@ -167,7 +167,7 @@ def for_students(path) -> str:
     for function in reversed(ast.parse(source).body):
         if isinstance(function, ast.FunctionDef) and function.name in STUDENTS_FUNCTIONS:
             for gap in reversed(gaps(function)):
-                comment = f"# Write your code here, in place of the next line{gap.note}."
+                comment = f"# Write your code here, in place of the next line{gap.task}."
                 stub = f'raise NotImplementedError("{function.name} is not written yet")'
                 lines[gap.begin : gap.end] = [f"{gap.indent}{line}\n" for line in (comment, stub)]
     return "".join(lines)
@@ -179,7 +179,7 @@ class Gap(NamedTuple):
     begin: int
     end: int
     indent: str
-    note: str  # about these lines
+    task: str  # of these lines, for the comment
 
 
 def gaps(function) -> list[Gap]:
@@ -188,14 +188,14 @@ def gaps(function) -> list[Gap]:
         # The docstring is the first statement
         provided = function.body[PROVIDED.get(function.name, 0)]
         return [Gap(provided.end_lineno, function.end_lineno, " " * 4, "")]
-    notes = {ast.Assign: ": make pend_list", ast.Expr: ": one tick"}
+    tasks = {ast.Assign: ": make pend_list", ast.Expr: ": one tick"}
     found = []
     for node in ast.walk(function):
-        if type(node) in notes and isinstance(node.value, ast.Call):
+        if type(node) in tasks and isinstance(node.value, ast.Call):
             is_of_a_function = isinstance(node.value.func, ast.Name)  # not page.show
             if is_of_a_function:
                 indent = " " * node.col_offset
-                found.append(Gap(node.lineno - 1, node.end_lineno, indent, notes[type(node)]))
+                found.append(Gap(node.lineno - 1, node.end_lineno, indent, tasks[type(node)]))
     return found
 
 

@@ -7,22 +7,22 @@ if __name__ == "__main__":
 
 from math import pi
 
+from grading.check_page import CheckPage, FOLDER
 from grading.comparing import same
 from grading.cradles import (
     csv_of,
     hang,
+    hang_row,
     LEFT_OVER,
     left_over,
     MIXED,
     R,
-    row,
     see_each,
     shapes,
     touching,
 )
 from grading.grader import check, expect, result_of, steps
-from grading.messages import text_of, Wanted
-from grading.page import FOLDER, Page
+from grading.messages import Expected, text_of
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import show_pendulum
 
@@ -42,7 +42,7 @@ steps(
 )
 
 
-def check_tick(pend_list, wanted, *, dt=1e-9, g=9.81, help="", results=()):
+def check_tick(pend_list, expected, *, dt=1e-9, g=9.81, help="", results=()):
     """Check omega of each pendulum after a tick, with this dt (s) without visible motion."""
     options = see_each(pend_list, "omega")
     expect(
@@ -51,7 +51,7 @@ def check_tick(pend_list, wanted, *, dt=1e-9, g=9.81, help="", results=()):
         R,
         dt,
         g,
-        wanted=wanted,
+        expected=expected,
         help=help,
         results=results,
         **options,
@@ -86,7 +86,7 @@ def test_a_tick_swings_all_pendula():
         0.5,
         0.1,
         10.0,
-        wanted=[(1.0, pi / 6 + 0.1)] * 3,
+        expected=[(1.0, pi / 6 + 0.1)] * 3,
         results=[([(-0.167920715, 0.606806704)] * 3, twice)],
         **see_each(pend_list, "omega", "theta"),
     )
@@ -145,7 +145,7 @@ def test_the_pairs_use_masses_and_restitution():
 @check("newton_cradle_tick")
 def test_bobs_that_do_not_touch_are_left_alone():
     """The Newton's cradle is defined by the collisions between its pendula."""
-    pend_list = row(3)
+    pend_list = hang_row(3)
     pend_list[0]["omega"] = -1.0
     check_tick(pend_list, [-1.0, 0.0, 0.0], help="No bobs touch here.")
 
@@ -187,7 +187,7 @@ def test_a_cradle_passes_the_swing_on():
         cord,
         0.002,
         9.81,
-        wanted=Wanted(passed_on, is_passed_on, like=[0.0] * 5),
+        expected=Expected(passed_on, is_passed_on, like=[0.0] * 5),
         times=234,
         **see_each(pend_list, "theta"),
     )
@@ -208,7 +208,7 @@ def swings(ticks):
 @check("main")
 def test_the_cradle_is_made_and_shown():
     """Use a helper function you wrote before to create the pend_list."""
-    page = Page(0)
+    page = CheckPage(0)
 
     def see(_):
         cradles = []
@@ -223,7 +223,7 @@ def test_the_cradle_is_made_and_shown():
         rows = [(0 if i else THETA_INIT, abs(R_PARAM)) for i in range(len(found[0]))]
         return rows and same(found, [rows])  # one cradle was shown
 
-    notes = [
+    advice = [
         (
             lambda _: abs(THETA_INIT) > 2 * pi,
             f"THETA_INIT is {THETA_INIT:g} radians. Is it in degrees?",
@@ -239,10 +239,10 @@ def test_the_cradle_is_made_and_shown():
     expect(
         "main",
         page,
-        wanted=Wanted(thetas_and_cords, is_made, like=[[]]),
+        expected=Expected(thetas_and_cords, is_made, like=[[]]),
         see=see,
         what="theta and cord length of each pendulum on the page",
-        notes=notes,
+        advice=advice,
         results=[([], "main has not called page.show: the page has no cradle.")],
     )
 
@@ -250,18 +250,18 @@ def test_the_cradle_is_made_and_shown():
 @check("main")
 def test_the_cradle_ticks():
     """In the while loop, call a helper function to perform a single tick."""
-    page = Page(3)
+    page = CheckPage(3)
     what = "omega and theta of the first pendulum at each call of page.is_running"
-    expect("main", page, wanted=swings(3), see=lambda _: page.states, what=what)
+    expect("main", page, expected=swings(3), see=lambda _: page.states, what=what)
 
 
 @check("main")
 def test_each_cradle_that_is_wanted_is_a_new_one():
     """Creates the Newton's cradle visualisation from data in the CSV file."""
-    page = Page(2, 1)
+    page = CheckPage(2, 1)
     what = "omega and theta before the last tick, omega and theta after the last tick"
-    expect("main", page, wanted=swings(1), see=lambda _: page.states[-2:], what=what, times=2)
-    page = Page(1, 0)
+    expect("main", page, expected=swings(1), see=lambda _: page.states[-2:], what=what, times=2)
+    page = CheckPage(1, 0)
     old = shapes()
     expect("main", page, see=lambda _: left_over(old, page.parts), times=2, **LEFT_OVER)
 
@@ -288,11 +288,11 @@ def test_each_cradle_that_is_wanted_is_a_new_one():
     )
     expect(
         "main",
-        Page(0, 0, change=change, csv=str(file)),
-        wanted=Wanted("for each cradle, those that the file has then", are_new),
+        CheckPage(0, 0, change=change, csv=str(file)),
+        expected=Expected("for each cradle, those that the file has then", are_new),
         see=lambda _: masses,
         what="masses of the first cradle, and of the second one",
-        notes=[(lambda _: masses[0] != masses_of(before), always_same)],
+        advice=[(lambda _: masses[0] != masses_of(before), always_same)],
         times=2,
     )
 
@@ -314,11 +314,11 @@ def test_in_the_cradle_bobs_collide():
     def is_passed_on(omegas):
         return same(omegas, [*[0.0] * (len(omegas) - 1), 10.0])
 
-    page = Page(1, change=push)
+    page = CheckPage(1, change=push)
     expect(
         "main",
         page,
-        wanted=Wanted("10 for the last pendulum, 0 for all others", is_passed_on),
+        expected=Expected("10 for the last pendulum, 0 for all others", is_passed_on),
         see=lambda _: [pend["omega"] for pend in page.cradles[0]],
         what="omega of each pendulum",
     )

@@ -79,7 +79,7 @@ FORMULAS = [
         -25.02,
     ),
     ("only m1 divides: the sum of the masses needs brackets.", -12.6, 11.9),
-    ("both divisions count only for the end: all of it needs brackets.", -14.32, -9.42),
+    ("both divisions apply only to the end: all of it needs brackets.", -14.32, -9.42),
     ("nothing divides by the sum of the masses.", -65.2, -16.2),
     ("the linear velocity is returned: divide it by r_param.", -2.608, -0.648),
     ("v1 and v2 are exchanged in the momenta.", -2.32, 2.58),
@@ -126,7 +126,7 @@ for mistake, first, second in FORMULAS:
     ]
 
 
-def check_hit(wanted, e, omega1, omega2, m1, m2, r_param, results=()):
+def check_hit(expected, e, omega1, omega2, m1, m2, r_param, results=()):
     """Check the result of handle_collision.
 
     A student reads the parts of the formulas, which follow from the result.
@@ -138,11 +138,11 @@ def check_hit(wanted, e, omega1, omega2, m1, m2, r_param, results=()):
         ("v2", v2),
         ("m1 v1 + m2 v2", m1 * v1 + m2 * v2),
         ("v1 - v2", v1 - v2),
-        ("v1_new", r_param * wanted[0]),
-        ("v2_new", r_param * wanted[1]),
+        ("v1_new", r_param * expected[0]),
+        ("v2_new", r_param * expected[1]),
     ]
     call = "handle_collision", e, omega1, omega2, m1, m2, r_param
-    expect(*call, wanted=wanted, right=right, results=results)
+    expect(*call, expected=expected, right=right, results=results)
 
 
 @check("handle_collision")
@@ -154,8 +154,8 @@ def test_handle_collision():
 @check("handle_collision")
 def test_collisions_from_elastic_to_inelastic():
     """If e = 0, it is a perfectly inelastic collision; if e = 1, elastic."""
-    for arguments, wanted in COLLISIONS:
-        check_hit(wanted, *arguments, 0.4)
+    for arguments, expected in COLLISIONS:
+        check_hit(expected, *arguments, 0.4)
 
 
 @check("handle_collision")
@@ -186,7 +186,7 @@ def check_law(see, what, e, m1, m2):
     """Check that what see(omegas) returns is the same before and after a collision."""
     omegas = 2.5, -1.5
     call = "handle_collision", e, *omegas, m1, m2, 0.4
-    expect(*call, wanted=see(omegas), see=see, what=what)
+    expect(*call, expected=see(omegas), see=see, what=what)
 
 
 LEFT = 4.0  # omega of pend1 before
@@ -212,39 +212,39 @@ def pair(apart=1.0, radius1=0.5, radius2=0.5, **values):
     return pend1, pend2
 
 
-def check_pair(wanted, apart=1.0, *radii, results=(), **values):
+def check_pair(expected, apart=1.0, *radii, results=(), **values):
     """Check the omegas of two such pendula after the call."""
     pends = pair(apart, *radii, **values)
-    expect_omegas(wanted, *pends, 4 * apart, results=results)
+    expect_omegas(expected, *pends, 4 * apart, results=results)
 
 
-def expect_omegas(wanted, pend1, pend2, r_param, results=()):
+def expect_omegas(expected, pend1, pend2, r_param, results=()):
     """Check the omegas of these pendula after the call."""
     expect(
         "handle_two_bobs",
         pend1,
         pend2,
         r_param,
-        wanted=wanted,
+        expected=expected,
         see=lambda _: (pend1["omega"], pend2["omega"]),
         what="omega of pend1, omega of pend2",
-        help=help_for(pend1, pend2, r_param, wanted),
+        help=help_for(pend1, pend2, r_param, expected),
         results=results,
     )
 
 
-def help_for(pend1, pend2, r_param, wanted) -> str:
+def help_for(pend1, pend2, r_param, expected) -> str:
     """Return whether the bobs of these pendula touch, and what handle_collision gives then."""
     bob1 = pend1["objects"][1]
     bob2 = pend2["objects"][1]
     apart = (bob1.pos - bob2.pos).mag
-    reach = contact_distance(bob1.radius, bob2.radius)
+    contact = contact_distance(bob1.radius, bob2.radius)
     distance = f"the magnitude of the difference of their positions is {text_of(apart)} m"
-    if apart > reach:
-        return f"These bobs do not touch: {distance}, more than {text_of(reach)} m."
+    if apart > contact:
+        return f"These bobs do not touch: {distance}, more than {text_of(contact)} m."
     values = pend1["e"], pend1["omega"], pend2["omega"], pend1["mass"], pend2["mass"], r_param
-    gives = f"handle_collision{text_of(values)} gives {text_of(wanted)}"
-    return f"These bobs touch: {distance}, at most {text_of(reach)} m. {gives}."
+    gives = f"handle_collision{text_of(values)} gives {text_of(expected)}"
+    return f"These bobs touch: {distance}, at most {text_of(contact)} m. {gives}."
 
 
 @check("handle_two_bobs")
@@ -322,7 +322,7 @@ def test_e_is_the_first_pendulums():
     check_pair((1.0, 3.0), e1=0.5, e2=1.0)
     check_pair((0.0, 4.0), e1=1.0, e2=0.5)
     check_pair((2.0, 2.0), e1=0, e2=1.0)
-    # pend1 counts, even if pend2 is heavier, faster, or has its bob on the left.
+    # e is that of pend1, even if pend2 is heavier, faster, or has its bob on the left.
     check_pair((2.5, 4.5), e1=0.5, mass1=3.0, e2=1.0)
     check_pair((-0.5, 1.5), e1=0.5, e2=1.0, mass2=3.0)
     check_pair((-3.0, -1.0), e1=0.5, omega1=0.0, e2=1.0, omega2=-4.0)
@@ -342,8 +342,8 @@ def test_bobs_that_touch_collide_whatever_their_velocities_are():
     check_pair((1e-8, 3e-8), omega1=4e-8)
     es_and_masses = product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0))
     for (e, mass), omega in zip(es_and_masses, cycle((-5.0, 0.0, 6.0))):
-        wanted = result_of("handle_collision", e, LEFT, omega, 1.0, mass, 4.0)
-        check_pair(wanted, e1=e, e2=0.25, mass2=mass, omega2=omega)
+        expected = result_of("handle_collision", e, LEFT, omega, 1.0, mass, 4.0)
+        check_pair(expected, e1=e, e2=0.25, mass2=mass, omega2=omega)
 
 
 def all_but_omega(pend1, pend2):
@@ -371,13 +371,13 @@ def test_omegas_are_updated_and_nothing_else():
                     values[key] = now.get(key)
             return values
 
-        what = "changed values (besides omega)"
-        expect("handle_two_bobs", *pends, 4 * apart, wanted={}, see=changed, what=what)
+        what = "changed values (without omega)"
+        expect("handle_two_bobs", *pends, 4 * apart, expected={}, see=changed, what=what)
 
 
 @check("handle_two_bobs")
 def test_earlier_calls_do_not_matter():
     """Handles the pairwise interactions between two bobs."""
     pends = pair()
-    for wanted in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
-        expect_omegas(wanted, *pends, 4.0)
+    for expected in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
+        expect_omegas(expected, *pends, 4.0)

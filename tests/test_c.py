@@ -11,7 +11,7 @@ from vpython import vector
 
 from grading.cradles import hang, LEFT_OVER, left_over, R, see_each, shapes, touching
 from grading.grader import check, expect, steps
-from grading.messages import Wanted
+from grading.messages import Expected
 
 steps(
     "angle_update",
@@ -101,17 +101,17 @@ RESULTS = [
 ]
 
 
-def check_step(arguments, wanted, **options):
+def check_step(arguments, expected, **options):
     """Check the result of angle_update.
 
     A student reads the parts of both formulas, which follow from the result.
     """
     omega, theta, _, dt, _ = arguments
-    omega_new, theta_new = wanted
+    omega_new, theta_new = expected
     right = [("sin(theta)", sin(theta)), ("omega_new", omega_new), ("theta_new", theta_new)]
     if dt:
         right.insert(1, ("acceleration", (omega_new - omega) / dt))
-    expect("angle_update", *arguments, wanted=wanted, right=right, **options)
+    expect("angle_update", *arguments, expected=expected, right=right, **options)
 
 
 @check("angle_update")
@@ -123,8 +123,8 @@ def test_angle_update():
 @check("angle_update")
 def test_angle_update_of_other_swings():
     """Theta is the angle formed by the cord normal to the axle."""
-    for arguments, wanted in STEPS:
-        check_step(arguments, wanted)
+    for arguments, expected in STEPS:
+        check_step(arguments, expected)
 
 
 # theta, omega, mass and e of pendula, and their omega and theta after 0.1 s with g = 10 m/s^2 and
@@ -164,7 +164,7 @@ def test_every_pendulum_swings_once():
     """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
     for count in (3, 10, 40):
         pend_list, after = swinging_row(count)
-        expect_swing(pend_list, wanted=after, **see_each(pend_list, "omega", "theta"))
+        expect_swing(pend_list, expected=after, **see_each(pend_list, "omega", "theta"))
     pend = hang(theta=-pi / 6, omega=2.0, r_param=0.25)
     expect(
         "full_swing_update",
@@ -172,11 +172,11 @@ def test_every_pendulum_swings_once():
         0.25,
         0.2,
         5.0,
-        wanted=4.0,
+        expected=4.0,
         see=lambda _: pend["omega"],
         what="omega of one pendulum",
     )
-    expect_swing([], wanted=Wanted("no error for an empty pend_list", lambda _: True))
+    expect_swing([], expected=Expected("no error for an empty pend_list", lambda _: True))
 
 
 @check("full_swing_update")
@@ -191,15 +191,15 @@ def test_bobs_and_cords_move():
     def ends(cord):  # a student may draw it from either end
         return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: end.y)
 
-    wanted = []
+    expected = []
     parts = []
     for (axle, bob, cord), (_, theta) in zip(objects, after, strict=True):
         lower = axle.pos + vector(0.5 * sin(theta), -0.5 * cos(theta), 0)
-        wanted.append((vector(axle.pos), lower, [lower, vector(axle.pos)]))
+        expected.append((vector(axle.pos), lower, [lower, vector(axle.pos)]))
         parts += [axle, bob, cord]
     old = shapes()
     expect_swing(
-        pend_list, wanted=wanted, see=see, what="axle, bob, ends of the cord of each pendulum"
+        pend_list, expected=expected, see=see, what="axle, bob, ends of the cord of each pendulum"
     )
     expect_swing(pend_list, see=lambda _: left_over(old, parts), **LEFT_OVER)
 
@@ -229,16 +229,16 @@ def test_a_swing_changes_nothing_else():
     def have_same_objects(_):
         return all(map(are_same, (pend["objects"] for pend in pend_list), objects))
 
-    expect_swing(pend_list, wanted=values(), see=values, what="each pendulum")
+    expect_swing(pend_list, expected=values(), see=values, what="each pendulum")
     expect_swing(
         pend_list,
-        wanted=True,
+        expected=True,
         see=are_same_pendula,
         what="that the list has the same pendula in the same order",
     )
     expect_swing(
         pend_list,
-        wanted=True,
+        expected=True,
         see=have_same_objects,
         what="that all pendula have the same objects",
     )
@@ -250,4 +250,4 @@ def test_a_swing_is_no_collision():
     omegas = [1.0, -1.0, 0.5]
     pend_list = touching(*omegas)
     states = see_each(pend_list, "omega")
-    expect("full_swing_update", pend_list, R, 1e-9, 9.81, wanted=omegas, **states)
+    expect("full_swing_update", pend_list, R, 1e-9, 9.81, expected=omegas, **states)

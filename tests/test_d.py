@@ -10,7 +10,7 @@ from vpython import box, color, cylinder, sphere, textures, vector
 from grading.cradles import csv_of, LEFT_OVER, left_over, MIXED, R, shapes
 from grading.csv_files import ASSISTANTS, FILES, files, LOOKS, MANY, ONE, SEVEN
 from grading.grader import check, expect, steps, WrongError
-from grading.messages import Wanted
+from grading.messages import Expected
 from grading.students_code import working_in
 from support.pendulum import arm, make_pendulum
 
@@ -54,7 +54,7 @@ def are_three(found) -> bool:
     return all(isinstance(pend, dict) for pend in found)
 
 
-THREE = Wanted("a list with 3 dictionaries", are_three, like=[{}] * 3)
+THREE = Expected("a list with 3 dictionaries", are_three, like=[{}] * 3)
 ROWS = {"mixed": MIXED, "seven": SEVEN, "many": MANY, "none": []}
 
 
@@ -70,7 +70,7 @@ def converts_assistants() -> bool:
     """Return whether extract_and_convert takes the names of the columns from the file."""
     with files("assistants.csv") as folder:
         try:
-            expect("extract_and_convert", str(folder / "assistants.csv"), wanted=ASSISTANTS)
+            expect("extract_and_convert", str(folder / "assistants.csv"), expected=ASSISTANTS)
         except WrongError:
             return False
     return True
@@ -91,7 +91,7 @@ def test_pend_list_is_a_list_of_dictionaries():
         (single_dictionaries, f"This is a dictionary for each value of the file. {whole}"),
     ]
     with files("mixed.csv") as folder:
-        expect("extract_and_convert", str(folder / "mixed.csv"), wanted=THREE, results=results)
+        expect("extract_and_convert", str(folder / "mixed.csv"), expected=THREE, results=results)
 
 
 @check("extract_and_convert")
@@ -99,27 +99,27 @@ def test_a_row_is_a_pendulum():
     """The value of a key is the value associated with that attribute."""
     with files("mixed.csv", "seven.csv", "many.csv", "none.csv") as folder:
         for name, rows in ROWS.items():
-            expect("extract_and_convert", str(folder / f"{name}.csv"), wanted=rows)
+            expect("extract_and_convert", str(folder / f"{name}.csv"), expected=rows)
 
 
 @check("extract_and_convert")
 def test_the_file_given_is_read():
     """Creates and returns pend_list with the provided relative_filepath."""
     with files("one.csv") as folder, working_in(folder):
-        first = expect("extract_and_convert", "one.csv", wanted=[ONE])
+        first = expect("extract_and_convert", "one.csv", expected=[ONE])
         (folder / "one.csv").write_text(csv_of([ONE, {**ONE, "mass": 4.0}]))
-        note = (
+        sentence = (
             "Your extract_and_convert does not convert a CSV with other columns. With the file's "
             "own names, it would."
         )
         expect(
             "extract_and_convert",
             "one.csv",
-            wanted=([3.0], [3.0, 4.0]),
+            expected=([3.0], [3.0, 4.0]),
             see=values_of(first, "mass"),
             what="each mass from the first call, each mass from this call with the same path and a "
             "changed file",
-            notes=[(lambda _: not converts_assistants(), note)],
+            advice=[(lambda _: not converts_assistants(), sentence)],
         )
 
 
@@ -128,13 +128,13 @@ def check_uniform(function, *arguments, key, value):
     with files(*FILES) as folder, working_in(folder):
         found = []
         for name, rows in ROWS.items():
-            wanted = [{**row, key: value} for row in rows]
-            found.append(expect(function, f"{name}.csv", *arguments, wanted=wanted))
+            expected = [{**row, key: value} for row in rows]
+            found.append(expect(function, f"{name}.csv", *arguments, expected=expected))
         expect(
             function,
             "one.csv",
             *arguments,
-            wanted=([value] * 3, [value]),
+            expected=([value] * 3, [value]),
             see=values_of(found[0], key),
             what=f"each {key} from the first call, each {key} from this call",
         )
@@ -170,7 +170,7 @@ def test_inelastic():
     check_uniform("inelastic_newton_cradle", key="e", value=0)
 
 
-def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6, **options):
+def expect_cradle(see, what, expected, file="mixed.csv", r_param=R, theta_init=0.6, **options):
     """Check what see(pend) returns for each pendulum of the cradle from file.
 
     options are those of expect.
@@ -181,7 +181,7 @@ def expect_cradle(see, what, wanted, file="mixed.csv", r_param=R, theta_init=0.6
             file,
             r_param,
             theta_init,
-            wanted=wanted,
+            expected=expected,
             what=what,
             see=lambda pend_list: [*map(see, pend_list)],
             **options,
@@ -250,7 +250,7 @@ def test_objects_are_axle_bob_and_cord():
     expect_cradle(
         lambda pend: pend["objects"],
         "the value of objects in each pendulum",
-        Wanted("an axle, a bob and a cord for each", are_right),
+        Expected("an axle, a bob and a cord for each", are_right),
         results=[(are_shared, "All pendula have the same objects. Make them inside the loop.")],
     )
 
@@ -341,21 +341,21 @@ def test_bobs_have_the_color_and_texture_of_their_row():
         (color.white, None),
     ]
     many = [(value, image) for (_, value), (_, image) in LOOKS]
-    for file, wanted in (("mixed.csv", mixed), ("seven.csv", seven), ("many.csv", many)):
-        expect_cradle(looks, "color and texture of each bob", wanted, file)
+    for file, expected in (("mixed.csv", mixed), ("seven.csv", seven), ("many.csv", many)):
+        expect_cradle(looks, "color and texture of each bob", expected, file)
 
 
 @check("make_newton_cradle")
 def test_the_pend_list_is_returned():
     """Return the updated pend_list."""
     with files("mixed.csv") as folder, working_in(folder):
-        first = expect("make_newton_cradle", "mixed.csv", R, 0.6, wanted=THREE)
+        first = expect("make_newton_cradle", "mixed.csv", R, 0.6, expected=THREE)
         expect(
             "make_newton_cradle",
             "mixed.csv",
             R,
             -0.3,
-            wanted=(0.6, -0.3),
+            expected=(0.6, -0.3),
             see=lambda second: (first[0]["theta"], second[0]["theta"]),
             what="first theta from the first call, first theta from this call",
         )

@@ -11,7 +11,7 @@ from vpython import box, cylinder, sphere, textures, vector
 
 from grading.cradles import LEFT_OVER, left_over, shapes
 from grading.grader import check, expect, steps
-from grading.messages import Wanted
+from grading.messages import Expected
 from support.pendulum import arm, make_pendulum
 
 steps(
@@ -34,7 +34,9 @@ CORD = 0.5  # m
 RED = vector(1, 0, 0)
 
 
-def check_double_pendulum(see, what, theta, phi, wanted, cord=CORD, texture=textures.wood, help=""):
+def check_double_pendulum(
+    see, what, theta, phi, expected, cord=CORD, texture=textures.wood, help=""
+):
     """Check what see(objects) returns for a double pendulum."""
     angles = f"the upper cord is at {theta:g}, and the lower one at {theta + phi:g}"
     expect(
@@ -45,7 +47,7 @@ def check_double_pendulum(see, what, theta, phi, wanted, cord=CORD, texture=text
         phi,
         RED,
         texture,
-        wanted=wanted,
+        expected=expected,
         see=see,
         what=what,
         help=help or f"From straight down, {angles}.",
@@ -61,9 +63,9 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
         return isinstance(found, tuple) and len(found) == 5 and all(map(isinstance, found, kinds))
 
     parts = "a tuple of axle, upper bob, upper cord, lower bob and lower cord"
-    wanted = Wanted(parts, are_parts, like=(None,) * 5)
+    expected = Expected(parts, are_parts, like=(None,) * 5)
     order = "Five objects come back, in this order: axle, bob1, cord1, bob2, cord2."
-    check_double_pendulum(None, "", 0.7, 0.4, wanted, help=order)
+    check_double_pendulum(None, "", 0.7, 0.4, expected, help=order)
     old = shapes()
     check_double_pendulum(lambda objects: left_over(old, objects), theta=0.7, phi=0.4, **LEFT_OVER)
 
@@ -91,8 +93,8 @@ def test_bobs_are_where_the_angles_say():
         (0.7, 0.4, 1.1, 3 * CORD),
     ):
         joint = AXLE + arm(theta, cord)
-        wanted = AXLE, joint, joint + arm(beta, cord)
-        check_double_pendulum(see, what, theta, phi, wanted, cord)
+        expected = AXLE, joint, joint + arm(beta, cord)
+        check_double_pendulum(see, what, theta, phi, expected, cord)
 
 
 @check("make_double_pendulum")
@@ -107,8 +109,8 @@ def test_cords_hold_the_bobs():
         return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: -end.y)
 
     joint = AXLE + arm(0.7, CORD)
-    wanted = [[AXLE, joint], [joint, joint + arm(1.1, CORD)]]
-    check_double_pendulum(see, "ends of cord1, ends of cord2", 0.7, 0.4, wanted)
+    expected = [[AXLE, joint], [joint, joint + arm(1.1, CORD)]]
+    check_double_pendulum(see, "ends of cord1, ends of cord2", 0.7, 0.4, expected)
 
 
 @check("make_double_pendulum")
@@ -120,9 +122,9 @@ def test_both_bobs_have_the_looks_that_are_given():
 
     radius = make_pendulum(AXLE, CORD, 0, RED, None)[1].radius
     for texture in (textures.wood, None):
-        wanted = [(RED, texture, radius, True)] * 2
+        expected = [(RED, texture, radius, True)] * 2
         what = "color/texture/radius/visible of bob1, color/texture/radius/visible of bob2"
-        check_double_pendulum(see, what, 0.7, 0.4, wanted, texture=texture)
+        check_double_pendulum(see, what, 0.7, 0.4, expected, texture=texture)
 
 
 LENGTH = 0.5  # m
@@ -153,19 +155,22 @@ def test_both_angles_are_updated():
     state = 3.0, -2.0, 0.6, -0.4
     rest = "With dt = 0, nothing moves."
     counted = (
-        "This is the result if phi counts from straight down. It counts from the upper cord; "
+        "This is the result if phi is measured from straight down. It is measured from the "
+        "upper cord; "
         "omega_phi, too."
     )
     results = [((3.0, 1.0, 0.6, 0.2), counted)]
-    expect("double_angle_update", *state, LENGTH, 0.0, G, wanted=state, help=rest, results=results)
+    expect(
+        "double_angle_update", *state, LENGTH, 0.0, G, expected=state, help=rest, results=results
+    )
     slow = 4e-8, -4e-8, 0.6, -0.4
-    expect("double_angle_update", *slow, LENGTH, 0.0, G, wanted=slow, help=rest)
+    expect("double_angle_update", *slow, LENGTH, 0.0, G, expected=slow, help=rest)
     straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity, it turns evenly
     turned = 3.0, 0.0, 0.9, 0.0
     evenly = "Both cords are in one line, and there is no gravity: the pendulum turns evenly."
-    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, wanted=turned, help=evenly)
+    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, expected=turned, help=evenly)
     # Whole numbers
-    expect("double_angle_update", 3, 0, 1, 0, LENGTH, 0.1, 0.0, wanted=(3.0, 0.0, 1.3, 0.0))
+    expect("double_angle_update", 3, 0, 1, 0, LENGTH, 0.1, 0.0, expected=(3.0, 0.0, 1.3, 0.0))
     for omega, before, after, phi in (
         (20.0, 11.0, 13.0, 2 * pi),
         (20.0, 11.0, 13.0, 4 * pi),
@@ -173,7 +178,7 @@ def test_both_angles_are_updated():
         (-20.0, -11.0, -13.0, 0.0),
     ):
         turned = omega, 0.0, after, phi
-        expect("double_angle_update", omega, 0.0, before, phi, LENGTH, 0.1, 0.0, wanted=turned)
+        expect("double_angle_update", omega, 0.0, before, phi, LENGTH, 0.1, 0.0, expected=turned)
 
 
 @check("double_angle_update")
@@ -181,12 +186,12 @@ def test_the_accelerations_are_those_of_the_laws_of_motion():
     """Here, it is important to choose a valid reference frame (the function's docstring names
     it).
     """
-    for state, wanted in ACCELERATIONS:
-        check_accelerations(state, wanted, LENGTH, G)
-        check_accelerations(state, wanted, 2.0, 40.0)
+    for state, expected in ACCELERATIONS:
+        check_accelerations(state, expected, LENGTH, G)
+        check_accelerations(state, expected, 2.0, 40.0)
 
 
-def check_accelerations(state, wanted, length, g):
+def check_accelerations(state, expected, length, g):
     """Check how both rates change in a short time, at this state."""
 
     def see(found):
@@ -204,7 +209,7 @@ def check_accelerations(state, wanted, length, g):
         length,
         DT,
         g,
-        wanted=wanted,
+        expected=expected,
         see=see,
         what="change of omega_theta / dt, change of omega_phi / dt",
         results=RESULTS,
@@ -243,16 +248,16 @@ def test_a_tenth_of_a_second_of_swinging():
         expect(
             "double_angle_update",
             *arguments,
-            wanted=tuple(within(0.005, value) for value in end),
+            expected=tuple(within(0.005, value) for value in end),
             what="omega_theta, omega_phi, theta, phi",
             times=200,
             right=[("k", 9.81 / LENGTH), ("mu", m2 / (m1 + m2))],
         )
 
 
-def within(distance, value) -> Wanted:
+def within(distance, value) -> Expected:
     """Return the expectation of a number near a value."""
-    return Wanted(
+    return Expected(
         f"within {distance:g} of {value:.3f}",
         lambda found: abs(found - value) < distance,
         like=value,

@@ -33,7 +33,7 @@ class Cradle:
     theta_bob = "bob"  # what a sentence calls the one at the end of the cord with theta
     dt = DT  # s
     cord_count = 1  # of a pendulum; each cord has one bob
-    reach = R_PARAM  # from an axle to the centre of the lowest bob at rest (m)
+    cords_length = R_PARAM  # from an axle to the centre of the lowest bob at rest (m)
     # For each cord, the name of its release angle, and the least and the largest one (degrees).
     angle_limits: Mapping[str, tuple[float, float]] = {"release angle": (0, 180)}
     # A pendulum's keys of its angles (rad), the upper cord first, and of their rates (rad/s).
@@ -73,7 +73,7 @@ class Cradle:
 
         self.pend_list: list[Pendulum] = []
         self.count = 0  # the number of pendula
-        self.made_es: list[float] = []  # the e with which they were made
+        self.original_es: list[float] = []  # the e with which they were made
         self.made_angles: list[float] = []  # rad: their release angle
         self.made_lifted = 0  # the number of lifted pendula when they were made
         self.known_keys: set[str] = set()  # of a pendulum
@@ -138,7 +138,7 @@ class Cradle:
         self.places = {tuple(axle.pos.value): index for index, axle in enumerate(self.axles())}
         self.count = len(pend_list)
         self.known_keys = {*columns, *keys, "objects"}
-        self.made_es = self.values("e")
+        self.original_es = self.values("e")
         self.note_made_angles()
 
     def require_same_pendula(self) -> None:
@@ -188,7 +188,7 @@ class Cradle:
         if collision.source:
             self.adopt("e", collision.source, csv)
             return
-        for pend, e in zip(self.pend_list, self.made_es, strict=True):
+        for pend, e in zip(self.pend_list, self.original_es, strict=True):
             pend["e"] = e
 
     # --- the release ---------------------------------------------------------------------------

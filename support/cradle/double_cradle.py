@@ -19,7 +19,7 @@ class DoubleCradle(Cradle):
     theta_bob = "upper bob"
     dt = DOUBLE_DT
     cord_count = 2
-    reach = 2 * R_PARAM
+    cords_length = 2 * R_PARAM
     angle_limits = {"angle theta": (0, 180), "angle phi": (-180, 180)}
     angle_keys = ("theta", "phi")
     rate_keys = ("omega", "phi_omega")

@@ -22,8 +22,8 @@ from support.pendulum import (
 if TYPE_CHECKING:
     from support.cradle.cradle import Cradle
 
-STRAIGHT = 0.1  # rad: two cords with a smaller bend between them count as straight
-STEP = 0.02  # rad: the largest turn of a cord at once, or its bob could jump over its neighbour
+STRAIGHT = 0.1  # rad: two cords with a smaller bend between them are straight
+LARGEST_TURN = 0.02  # rad: of a cord at once, or its bob could jump over its neighbour
 FINGER = 1.5  # radii from a bob's centre at which a finger, or the mouse, still grabs it
 MOST_PUSHES = 4  # a pendulum, on the average: then there is no room
 HEAVY = 1e9  # kg: the mass of a held bob; others bounce off it as off a wall
@@ -119,7 +119,7 @@ def drag_pendulum(
     pend = pend_list[held]
     start = cord_angles(pend)
     turns = [remainder(angle - old, 2 * pi) for angle, old in zip(angles, start, strict=True)]
-    steps = ceil(max(map(abs, turns)) / STEP)
+    steps = ceil(max(map(abs, turns)) / LARGEST_TURN)
     for step in range(1, steps + 1):
         before = [cord_angles(other) for other in pend_list]
         angles = [old + turn * step / steps for old, turn in zip(start, turns, strict=True)]

@@ -23,7 +23,7 @@ def scope_of(main: Callable, special_cradles: ModuleType) -> ChainMap[str, Any]:
 
 def loaded_modules() -> list[Names]:
     """Return the names in each imported module of src/, and of files that you have added there or
-    beside it.
+    next to it.
     """
     found = []
     for module in [*sys.modules.values()]:
@@ -38,7 +38,7 @@ def loaded_modules() -> list[Names]:
 
 
 def is_yours(file: Path) -> bool:
-    """Return whether a file is in src/, at any depth, or directly beside it."""
+    """Return whether a file is in src/, at any depth, or in the folder above it."""
     return SRC in file.parents or file.parent == SRC.parent
 
 

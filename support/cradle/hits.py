@@ -35,8 +35,8 @@ class Hit(NamedTuple):
 class Hits:
     """Notes the hits of single ticks, and calls of functions: it stands in their places.
 
-    It hears each call of the function that lets two pendula collide. If a tick does without this
-    function, it sees the hits in the velocities after the tick.
+    It hears each call of the function that lets two pendula collide. If a tick does not call this
+    function, the velocities after the tick show the hits.
     """
 
     def __init__(self, cradle: "Cradle"):
@@ -70,10 +70,10 @@ class Hits:
         """Put the functions back."""
         self.replaced.close()
 
-    def replace(self, name: str, stand_in: Callable) -> None:
-        """Let stand_in take the place of the function with this name, by all names that it has.
+    def replace(self, name: str, wrapper: Callable) -> None:
+        """Call wrapper in place of the function with this name, by all names that it has.
 
-        stand_in gets this function as its first argument.
+        wrapper gets this function as its first argument.
         """
         function = self.cradle.scope.get(name)
         if function is None:
@@ -82,7 +82,7 @@ class Hits:
             aliases = [alias for alias, value in names.items() if value is function]
             for alias in aliases:
                 self.replaced.callback(names.__setitem__, alias, function)
-                names[alias] = partial(stand_in, function)
+                names[alias] = partial(wrapper, function)
 
     # --- a tick that calls the function --------------------------------------------------------
 

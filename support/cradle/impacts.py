@@ -8,7 +8,7 @@ from collections import Counter, deque
 
 MOST_CHAINS = 12  # in a series
 TOUCHES = 20  # two bobs with more hits than this in one series keep touching
-LINE = 44  # characters of a line on the page
+LINE_LENGTH = 44  # characters of a line on the page
 LONGEST_CHAIN = 9  # bobs: of a longer chain, only the ends are written
 
 Pair = tuple[int, int]  # the numbers of two bobs, counted from 1, the left one first
@@ -30,7 +30,7 @@ class Series:
         if is_fast:
             if not self.is_written():
                 self.start = time
-            if pair != self.last:  # hits of the same two in a row count as one
+            if pair != self.last:  # hits of the same two in a row are one
                 self.pass_on(pair, rightwards)
                 self.last = pair
         self.end = time
@@ -103,7 +103,7 @@ class Impacts:
             self.series[-1].join(self.latest)
             self.latest = self.series[-1]
 
-    def lines(self, longest: int = LINE) -> list[str]:
+    def lines(self, longest: int = LINE_LENGTH) -> list[str]:
         """Return a line for each series, the latest one first: t = 0.71 s  1-2-3-4-5.
 
         A line has at most `longest` characters.

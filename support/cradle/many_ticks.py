@@ -39,13 +39,13 @@ def many_ticks(
         if not (is_known and are_plain(pend_list, constants)):
             return None
         approaching_only = rule.get("approaching_only", False)
-        run = Run(pend_list, constants, approaching_only, scope["handle_collision"])
-        run.advance(ticks)
+        pendula = PlainPendula(pend_list, constants, approaching_only, scope["handle_collision"])
+        pendula.advance(ticks)
     except (ArithmeticError, LookupError, OSError, TypeError, ValueError):
         return None
     if ticks:
-        run.show()
-    return run.hits
+        pendula.show()
+    return pendula.hits
 
 
 def slow_remark(scope: Mapping[str, Any]) -> str:
@@ -54,7 +54,7 @@ def slow_remark(scope: Mapping[str, Any]) -> str:
     return found and f"{found} So the program does one tick at a time, which is much slower."
 
 
-class Run:
+class PlainPendula:
     """The pendula of a pend_list as plain numbers. Each swings alone while its bob touches none."""
 
     def __init__(
@@ -76,9 +76,11 @@ class Run:
         self.axle_places = [tuple(axle.pos.value) for axle in self.axles]
         self.bob_places = list(self.axle_places)  # until the first swing
         bobs = [pend["objects"][1] for pend in pend_list]
-        self.reaches = [contact_distance(bob1.radius, bob2.radius) for bob1, bob2 in pairwise(bobs)]
+        self.contacts = [
+            contact_distance(bob1.radius, bob2.radius) for bob1, bob2 in pairwise(bobs)
+        ]
         self.swung = [0] * len(pend_list)  # the number of ticks that each pendulum has swung
-        pairs = range(len(self.reaches))  # each is named by its left pendulum
+        pairs = range(len(self.contacts))  # each is named by its left pendulum
         self.due = dict.fromkeys(pairs, 0)  # the tick in which to look at a pair
         self.looks = [(0, pair) for pair in pairs]  # a heap of (tick, pair), some no longer due
         self.hits: list[Hit] = []
@@ -134,11 +136,11 @@ class Run:
         """Return the distance (m) of a pair from touching; it touches if this is 0 or less."""
         x1, y1, z1 = self.bob_places[left]
         x2, y2, z2 = self.bob_places[right]
-        reach = self.reaches[left]
-        gap = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2) - reach
-        if abs(gap) <= 1e-12 * (1 + reach):
+        contact = self.contacts[left]
+        gap = sqrt((x1 - x2) ** 2 + (y1 - y2) ** 2 + (z1 - z2) ** 2) - contact
+        if abs(gap) <= 1e-12 * (1 + contact):
             # Too close to call: VPython's own mag can differ in the last bit.
-            return mag(self.bob_place(left) - self.bob_place(right)) - reach
+            return mag(self.bob_place(left) - self.bob_place(right)) - contact
         return gap
 
     def bob_place(self, i: int) -> vector:

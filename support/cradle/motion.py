@@ -13,7 +13,7 @@ Sample = dict[str, float]  # the data of a moment, by the names of the columns o
 
 # Of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang.
 FAST_PART = 0.1
-ALIKE = 0.1  # bobs whose angles differ by less than this part swing together
+TOGETHER = 0.1  # bobs whose angles differ by less than this part swing together
 KEPT = 1e-3  # of the momenta in a hit: a smaller change of their sum is none
 
 
@@ -69,7 +69,7 @@ class Motion:
         angle = max(angles, key=abs)
         farthest = []
         for bob, other in enumerate(angles, start=1):
-            if abs(other - angle) <= ALIKE * abs(angle):
+            if abs(other - angle) <= TOGETHER * abs(angle):
                 farthest.append(str(bob))
         noun = self.cradle.theta_bob if len(farthest) == 1 else f"{self.cradle.theta_bob}s"
         bobs = f"{noun} {', '.join(farthest)}"

@@ -26,18 +26,19 @@ from support.start.early import import_now
 from support.start.mistake import MistakeError
 
 # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends.
-ENDLESS = 1.0
+ENDLESS_AFTER = 1.0
 # Questions after is_running was False: a loop in a loop asks again, but not so often.
 MOST_REFUSED = 1000
 # Ticks in a batch for slow hits, or while a bob is held: it then falls by less than 0.01 degrees.
-FEW = 10
+FEW_TICKS = 10
 
 
 class Player(Page):
     """Answers the loop's questions, and keeps the motion of the cradle.
 
-    The ticks of a frame are done in batches, so that note is called every `step` ticks. The fast
-    path does a batch in one call, if its result is certain to be that of single ticks in the loop.
+    The ticks of a frame are done in batches, so that take_sample is called every `step` ticks. The
+    fast path does a batch in one call, if its result is certain to be that of single ticks in the
+    loop.
     """
 
     loop: Loop  # the loop, which asks; run sets it
@@ -54,8 +55,8 @@ class Player(Page):
         """Play the cradle of this CSV; keep the last `impacts` series of hits.
 
         angles (rad) are the release angles, lifted is the number of bobs to lift; None keeps main's
-        own value. step_seconds (s) is the time from one call of note to the next, to the nearest
-        whole number of ticks.
+        own value. step_seconds (s) is the time from sample to sample, to the nearest whole number
+        of ticks.
         """
         self.cradle = cradle
         # Of the next cradle that the loop makes
@@ -63,11 +64,11 @@ class Player(Page):
         self.motion = Motion(cradle, impacts)
         self.pace = RealTime(cradle.dt)
         self.separating = not cradle.takes_rule  # whether separating bobs collide, too
-        self.step = max(1, round(step_seconds / cradle.dt))  # ticks from note to note
+        self.step = max(1, round(step_seconds / cradle.dt))  # ticks from sample to sample
         self.path = ""  # of a copy of the CSV for the loop
         self.copy = ExitStack()  # it deletes this copy
         self.is_over = False  # whether the simulation has ended
-        self.is_wanted = False  # whether another cradle is wanted, so that the loop must end
+        self.needs_cradle = False  # whether the loop must end, to make another cradle
         self.is_shown = False  # whether the loop has shown its cradle
         self.last_frame = perf_counter()  # s: when the last frame began
         self.refused = 0  # how often the loop has asked again since is_running was False
@@ -89,17 +90,17 @@ class Player(Page):
     def show_new_cradle(self) -> None:
         """Show a new cradle, which has just been released; a subclass may define this."""
 
-    def note(self) -> None:
+    def take_sample(self) -> None:
         """Show or record this moment; a subclass may define this."""
 
     def longest_batch(self) -> int:
         """Return after how many ticks, at most, to look at the cradle."""
         is_held = self.cradle.held_bob.index is not None
-        return FEW if self.looks_at_hits or is_held else self.step
+        return FEW_TICKS if self.looks_at_hits or is_held else self.step
 
     def want_cradle(self) -> None:
         """Let the loop end, and make a new cradle: show then releases it, and begins at time 0."""
-        self.is_wanted = True
+        self.needs_cradle = True
         self.planned = 0
 
     def plan(self, ticks: float, deadline: float = inf, with_calls: bool = False) -> None:
@@ -129,7 +130,7 @@ class Player(Page):
         """Get ready for the loop to make and show a cradle."""
         self.cradle.give_back()
         self.path = self.copy.enter_context(clean_copy(self.settings.csv))
-        self.is_wanted = False
+        self.needs_cradle = False
         self.is_shown = False
         self.refused = 0
 
@@ -180,7 +181,7 @@ class Player(Page):
         while not self.due:
             if self.is_in_batch:
                 self.end_batch()
-            if self.is_over or self.is_wanted:
+            if self.is_over or self.needs_cradle:
                 self.refuse()
                 return False
             if self.planned and self.pace.clock() < self.deadline:
@@ -214,8 +215,8 @@ class Player(Page):
 
     def begin_batch(self) -> None:
         """Do the next batch of the planned ticks in one call, or let the loop do it."""
-        until_note = self.step - self.motion.ticks % self.step
-        batch = int(min(self.planned, until_note, self.longest_batch()))
+        until_sample = self.step - self.motion.ticks % self.step
+        batch = int(min(self.planned, until_sample, self.longest_batch()))
         self.planned -= batch
         self.is_in_batch = True
         self.cradle.hits.forget()
@@ -251,7 +252,7 @@ class Player(Page):
         self.cradle.held_bob.put_back()
         self.cradle.require_same_pendula()
         if self.motion.ticks % self.step == 0:
-            self.note()
+            self.take_sample()
 
     def note_hits(self, hits: list[Hit]) -> None:
         """Add these hits to the motion."""
@@ -268,19 +269,19 @@ def run(loop: Loop, player: Player) -> None:
     player.loop = loop
     player.want_cradle()
     try:
-        while player.is_wanted:
+        while player.needs_cradle:
             player.begin()
             loop(player)
             if not player.is_shown:
                 raise MistakeError(loop, "showed no cradle: page.show(pend_list) is missing.")
-            if not (player.is_wanted or player.is_over):
+            if not (player.needs_cradle or player.is_over):
                 message = (
                     "ended, but the simulation still runs. Tick while page.is_running() is True."
                 )
                 raise MistakeError(loop, message)
     except KeyboardInterrupt as stopped:
         seconds = perf_counter() - player.last_frame
-        stopped.is_late = seconds > ENDLESS  # type: ignore[attr-defined]
+        stopped.is_late = seconds > ENDLESS_AFTER  # type: ignore[attr-defined]
         raise
     finally:
         player.cradle.hits.stop()

@@ -7,8 +7,8 @@ from support.cradle.motion import FAST_PART, Motion
 from support.files.experiments import Experiment
 
 NEAR = 10.0  # degrees: an answer is right if no bob swings farther from what it predicts
-# Of the fastest bob's speed: a slower bob does not move, but for the gap to the next one.
-STILL = 1e-3
+# Of the fastest bob's speed: a slower bob only crosses the gap to the next one, and does not swing.
+MOVING_PART = 1e-3
 MOST_SWINGS = 3  # small swings: a measurement takes no longer than these
 DIGITS = 2  # of a speed behind the point; slow cradles need more
 
@@ -81,7 +81,7 @@ class Measurement:
         tops = self.cradle.top_speeds()
         for i, theta in enumerate(self.cradle.values("theta")):
             self.swings[i] = max(self.swings[i], degrees(theta), key=abs)
-            if falls[i] or tops[i] <= STILL * self.fastest:
+            if falls[i] or tops[i] <= MOVING_PART * self.fastest:
                 self.has_turned[i] = True
         hits_again = self.motion.last_fast > self.left_time
         self.is_over = hits_again or all(self.has_turned)

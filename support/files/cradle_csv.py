@@ -23,7 +23,7 @@ from typing import Any, NamedTuple
 from support.columns import CHECKED, to_number
 from support.signs import MINUS, odd_sign
 
-LARGEST = 10_000_000  # bytes of a file
+LARGEST_FILE = 10_000_000  # bytes of a file
 POLL = 0.2  # s between two looks at a file while you edit it
 # The first bytes of .xlsx, .ods and .numbers, and of .xls
 WORKBOOKS = b"PK\3\4", b"\xd0\xcf\x11\xe0"
@@ -35,9 +35,9 @@ NAMES = re.compile(r"(?im)^(?![^\w\n]*sep=).*\w.*|\Z")
 def read_file(filepath: str | Path) -> bytes:
     """Return the content of a file.
 
-    Of one that is larger than LARGEST, return a part that is larger, too. Raises an OSError if the
-    file cannot be read. It never waits: it also raises one for a pipe, which may have no writer,
-    and for a device, which may have no end.
+    Of one that is larger than LARGEST_FILE, return a part that is larger, too. Raises an OSError if
+    the file cannot be read. It never waits: it also raises one for a pipe, which may have no
+    writer, and for a device, which may have no end.
     """
     path = Path(filepath)  # it takes no number, which would be an open file
     if path.is_dir():  # Windows would only say that the permission is denied
@@ -50,7 +50,7 @@ def read_file(filepath: str | Path) -> bytes:
     with open(path, "rb", opener=open_at_once) as file:
         if not S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(errno.EINVAL, "found a pipe or a device, allowed is a file")
-        return file.read(LARGEST + 1)
+        return file.read(LARGEST_FILE + 1)
 
 
 def reason(error: OSError) -> str:
@@ -74,7 +74,7 @@ def naming(filepath: str | Path, *other_names: object) -> Iterator[None]:
         raise OSError(error.errno, f"cannot be written: {reason(error)}", str(filepath)) from error
 
 
-class Row(NamedTuple):
+class CsvRow(NamedTuple):
     """A row of a CSV."""
 
     line: int  # the number of its line in the file
@@ -92,8 +92,8 @@ class Snapshot:
         try:
             if data is None:
                 self.data = read_file(filepath)
-            if len(self.data) > LARGEST:
-                most = f"{LARGEST // 10**6} MB"
+            if len(self.data) > LARGEST_FILE:
+                most = f"{LARGEST_FILE // 10**6} MB"
                 raise OSError(errno.EFBIG, f"found more than {most}, allowed are at most {most}")
         except OSError as error:
             self.error = error
@@ -106,7 +106,7 @@ class Snapshot:
         return self.data == other.data and str(self.error) == str(other.error)
 
     @cached_property
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[CsvRow]:
         """The rows, the header first.
 
         The first line with names decides what separates cells; a number has a decimal point and a
@@ -117,7 +117,7 @@ class Snapshot:
         """
         return list(self.each_row())
 
-    def each_row(self) -> Iterator[Row]:
+    def each_row(self) -> Iterator[CsvRow]:
         """Yield the rows one by one. Raises the same ValueErrors as rows."""
         text = self.text()
         names = next(NAMES.finditer(text))
@@ -140,7 +140,7 @@ class Snapshot:
                         "a decimal comma needs semicolons or tabs between cells"
                     )
                 if cells:
-                    yield Row(line, cells)
+                    yield CsvRow(line, cells)
                 line = reader.line_num + 1
         except csv.Error as error:
             raise ValueError(f"{self}, line {line}: {error}") from error
@@ -204,8 +204,8 @@ class LiveFile:
     def changed(self) -> bool:
         """Return whether the file has changed since this last returned True.
 
-        current then has the new content. A change counts when two looks in a row find the same new
-        content: an editor may be in the middle of saving.
+        current then has the new content. A change is accepted when two looks in a row find the same
+        new content: an editor may be in the middle of saving.
         """
         if self.clock() < self.next_look:
             return False

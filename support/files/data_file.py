@@ -10,7 +10,7 @@ from secrets import token_hex
 from stat import S_ISREG
 from typing import TextIO
 
-from support.files.cradle_csv import LARGEST, naming, reason
+from support.files.cradle_csv import LARGEST_FILE, naming, reason
 
 RUN_LINE = "<!doctype html><!-- A run of Newton's cradle -->"  # the first one of a saved run
 EVERY = 0.01  # s from sample to sample, or the nearest whole number of ticks
@@ -66,7 +66,7 @@ def require_replaceable(
             return  # whole_file will raise the error
         # Opened to write, too: another program may have it open
         with open(filepath, "r+b") as file:
-            line = file.readline(LARGEST).strip()
+            line = file.readline(LARGEST_FILE).strip()
     except FileNotFoundError:
         return  # a new file; if its folder is missing, whole_file will raise the error
     except OSError as error:

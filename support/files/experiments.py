@@ -46,7 +46,7 @@ def read_experiments(folder: str | Path, cords: int) -> tuple[list[Experiment], 
     """Return this folder's experiments, as in the menu, and a message for each bad one.
 
     cords is the number of cords of a pendulum, 1 or 2. A name that begins with a dot is no
-    experiment: a Mac puts such a file beside each one on a foreign disk.
+    experiment: on a disk of another system, a Mac adds such a file to each file.
     """
     experiments: dict[str, Experiment] = {}
     mistakes = []

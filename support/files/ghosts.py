@@ -1,9 +1,9 @@
-"""A motion in a file: of a filmed cradle, or as --record writes it; ghosts then move so.
+"""A motion in a file, which ghosts then follow: of a filmed cradle, or as --record writes it.
 
 The CSV has a column t (s), and columns of angles: theta_1 (rad, positive to the right), or theta_1
-(degrees); for the double cradle also phi_1. Other columns are ignored, and lines before the names,
-but for one: start,0.533,-41.5 says that the bobs were let go at t = 0.533 s, the first one at theta
-= -41.5 degrees. An empty cell, or NaN, stands for a moment at which the bob was not found.
+(degrees); for the double cradle also phi_1. Other columns are ignored, and so are lines before the
+names, except one: start,0.533,-41.5 says that the bobs were let go at t = 0.533 s, the first one at
+theta = -41.5 degrees. An empty cell, or NaN, stands for a moment at which the bob was not found.
 """
 
 import io
@@ -68,7 +68,7 @@ class Ghosts:
                 found[index] = cords
         return found
 
-    def note(self, pend_list: Sequence[Pendulum], time: float) -> None:
+    def compare(self, pend_list: Sequence[Pendulum], time: float) -> None:
         """Add the differences of the cords of these pendula from the poses at this time (s)."""
         for index, cords in self.poses(time, len(pend_list)).items():
             for now, angle in zip(cord_angles(pend_list[index]), cords, strict=False):
@@ -91,7 +91,7 @@ class Ghosts:
 
 
 def read_ghosts(file: Snapshot, keys: Sequence[str]) -> Ghosts:
-    """Return the motion in a file; keys are a pendulum's of its angles, the upper cord's first.
+    """Return the motion in a file; keys name a pendulum's angles, that of the upper cord first.
 
     Raises a ValueError with a one-line message that names the first mistake in it.
     """

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from support.columns import CHECKED, to_number
-from support.files.cradle_csv import Row, SEPARATOR, Snapshot
+from support.files.cradle_csv import CsvRow, SEPARATOR, Snapshot
 from support.signs import found, in_short, odd_sign
 
 MOST_PENDULA = 1000  # of a cradle
@@ -25,7 +25,7 @@ def require_cradle(snapshot: Snapshot, cords: int = 1) -> None:
     rows = snapshot.each_row()  # one by one: those of 10 MB would take a gigabyte of memory
     header = next(rows)
     require_columns(f"{snapshot}, line {header.line}", header.cells)
-    pendula: list[Row] = []
+    pendula: list[CsvRow] = []
     for row in rows:
         if len(pendula) == MOST_PENDULA:
             raise ValueError(
@@ -59,7 +59,7 @@ def require_columns(place: str, names: list[str]) -> None:
             )
 
 
-def require_allowed_cells(snapshot: Snapshot, header: Row, row: Row) -> None:
+def require_allowed_cells(snapshot: Snapshot, header: CsvRow, row: CsvRow) -> None:
     """Raise a ValueError if a cell of this row has a value that its column does not allow."""
     # A short row lacks its last cells.
     pendulum = dict(zip(header.cells, row.cells, strict=False))
@@ -73,11 +73,11 @@ def require_allowed_cells(snapshot: Snapshot, header: Row, row: Row) -> None:
             raise ValueError(f"{snapshot}, line {row.line}, column {name}: {message}")
 
 
-def require_masses_in_range(snapshot: Snapshot, header: Row, pendula: list[Row]) -> None:
+def require_masses_in_range(snapshot: Snapshot, header: CsvRow, pendula: list[CsvRow]) -> None:
     """Raise a ValueError if these pendula of a double cradle have masses that are too far apart."""
     column = header.cells.index("mass")
 
-    def mass(row: Row) -> float:
+    def mass(row: CsvRow) -> float:
         return to_number(row.cells[column])
 
     lightest = min(pendula, key=mass)

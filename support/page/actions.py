@@ -52,7 +52,7 @@ class Actions:
         viewer = self.viewer
         if not self.can_go_on() or viewer.is_time_running():
             return
-        if viewer.slow_hits.shown or viewer.slow_hits.waiting:
+        if viewer.slow_hits.current or viewer.slow_hits.waiting:
             viewer.slow_hits.show_next(viewer.pace.clock())
         else:
             viewer.plan(round(FRAME * viewer.speed_now() / self.cradle.dt))
@@ -94,7 +94,7 @@ class Actions:
         self.viewer.graph.span = span
 
     def show_ghosts(self, name: str, text: str) -> None:
-        """Release the cradle beside the ghosts of a file with this name and this text.
+        """Release the cradle with the ghosts of a file with this name and this text.
 
         It is released from their angle, if the file has one. Or show the mistake in the file.
         """
@@ -106,14 +106,14 @@ class Actions:
             self.take_ghosts(ghosts)
 
     def take_ghosts(self, ghosts: Ghosts, with_angle: bool = True) -> None:
-        """Release the cradle beside these ghosts, from their angle if they have one."""
+        """Release the cradle with these ghosts, from their angle if they have one."""
         self.viewer.ghosts = ghosts
         self.viewer.want_cradle()
         if with_angle and ghosts.angle is not None:
             self.set_release_angle(0, angle_to_outwards(ghosts.angle))
 
     def remove_ghosts(self) -> None:
-        """Take the ghosts of a file away."""
+        """Remove the ghosts of a file."""
         self.viewer.ghosts = Ghosts()
 
     # --- which cradle --------------------------------------------------------------------------

@@ -17,7 +17,7 @@ from support.files.experiments import (
     YOUR_CSV,
 )
 from support.files.valid_cradle import are_in_range, IN_RANGE, require_cradle
-from support.page.pictures import at_rest, picture
+from support.page.gallery import at_rest, gallery_picture
 from support.signs import odd_sign
 
 Numbers = dict[str, list[float]]  # the numbers of all pendula, by their column
@@ -58,7 +58,7 @@ class Chooser:
     def add(self, experiment: Experiment) -> None:
         """Let the menu have this experiment, maybe in place of one with its name."""
         self.experiments[experiment.name] = experiment
-        self.pictures[experiment.name] = picture(experiment.csv, experiment.poses)
+        self.pictures[experiment.name] = gallery_picture(experiment.csv, experiment.poses)
 
     def names(self) -> list[str]:
         """Return the names that you can choose."""

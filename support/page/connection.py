@@ -8,7 +8,7 @@ from urllib.parse import parse_qs
 from autobahn.asyncio.websocket import WebSocketServerProtocol
 from autobahn.websocket.types import ConnectionDeny
 
-from support.page.tabs import LOOK
+from support.page.tabs import LOOK_AT_TABS
 from support.page.web_files import content_of, page_with
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ LEFT = 25.0  # that you have left, or closed: Back or a reload shows it again
 LOST = 60.0  # that has said nothing: its line is cut, or its machine sleeps
 GOODBYES = {"closed": CLOSED, "left": LEFT}  # what a page says in the end
 SILENT = 10.0  # s after which a tab that does not answer is lost
-SLOWEST = 2**13  # bytes/s of what is under way to it, which it has in addition
+SLOWEST = 2**13  # bytes/s: for this many bytes under way to it, a tab has 1 s more
 LARGEST_HEAD = 2**14  # bytes of a request
 MOST_WAITING = 64  # connections that are no websocket: when one more comes, the oldest one goes
 # line.js knows by "ends with a key" that another program is at this port now.
@@ -30,7 +30,7 @@ NO_KEY = (
     "Open the whole address that the program has printed in the terminal: "
     "it ends with a key, new at each start.\n"
 )
-RUN = "run.html"  # the present run, as a file to save
+RUN_FILE = "run.html"  # the present run, as a file to save
 TYPES = {
     ".html": "text/html",
     ".js": "text/javascript",
@@ -42,8 +42,8 @@ TYPES = {
 Parameters = dict[str, list[str]]  # of a request, by name
 
 
-class Response(NamedTuple):
-    """The answer to a request."""
+class HttpResponse(NamedTuple):
+    """The response to a request."""
 
     status: str
     kind: str  # a key of TYPES
@@ -54,7 +54,7 @@ class Protocol(WebSocketServerProtocol):
     """A connection. Autobahn calls these methods."""
 
     site: "Server"
-    page = ""  # the name of the page, which it keeps when its line is cut
+    page_name = ""  # the name of the page, which it keeps when its line is cut
     silent = 0.0  # s since its last sign of life
     rest = LOST  # s that its page has to come back, when the websocket has ended
 
@@ -80,51 +80,51 @@ class Protocol(WebSocketServerProtocol):
         request = re.match(r"(GET|HEAD|POST) ([^ ?]*)\??(\S*) HTTP/1\.", head.decode("latin-1"))
         if request and b"\nupgrade:" not in head.lower():
             method, path, query = request.groups()
-            answer = self.answer(path.rpartition("/")[2], parse_qs(query))
-            self.send_answer(answer, has_content=method != "HEAD")
+            response = self.response_to(path.rpartition("/")[2], parse_qs(query))
+            self.send_response(response, has_content=method != "HEAD")
             self.dropConnection()
         else:
             super().processHandshake()
 
-    def send_answer(self, answer: Response, has_content: bool) -> None:
-        """Send the head of an answer, and its content."""
+    def send_response(self, response: HttpResponse, has_content: bool) -> None:
+        """Send the head of a response, and its content."""
         head = [
-            f"HTTP/1.1 {answer.status}",
-            f"Content-Type: {TYPES[answer.kind]}; charset=utf-8",
-            f"Content-Length: {len(answer.content)}",
+            f"HTTP/1.1 {response.status}",
+            f"Content-Type: {TYPES[response.kind]}; charset=utf-8",
+            f"Content-Length: {len(response.content)}",
             "Connection: close",
             "Cache-Control: no-cache",
             "Referrer-Policy: no-referrer",  # no site that the page leads to hears of the key
         ]
         self.sendData("\r\n".join([*head, "", ""]).encode())
         if has_content:
-            self.sendData(answer.content)
+            self.sendData(response.content)
 
-    def answer(self, name: str, parameters: Parameters) -> Response:
-        """Return the answer for a path whose last part is name.
+    def response_to(self, name: str, parameters: Parameters) -> HttpResponse:
+        """Return the response to a path whose last part is name.
 
         Without a point in it, it is no file: a proxy's address may lack its last slash. The page
         then adds it.
         """
         site = self.site
         if name in site.files:
-            return Response("200 OK", Path(name).suffix, content_of(site.files[name]))
+            return HttpResponse("200 OK", Path(name).suffix, content_of(site.files[name]))
         has_run = site.tabs.all.number > 0
-        if "." in name and not (name == RUN and has_run):
-            return Response("404 Not Found", "", b"")
+        if "." in name and not (name == RUN_FILE and has_run):
+            return HttpResponse("404 Not Found", "", b"")
         if not site.has_key(parameters):
-            return Response("403 Forbidden", "", NO_KEY.encode())
-        if name == RUN:
+            return HttpResponse("403 Forbidden", "", NO_KEY.encode())
+        if name == RUN_FILE:
             from support.page.run_file import run_as_html  # not at the start: it takes a moment
 
-            return Response("200 OK", ".html", run_as_html(site.tabs).encode())
+            return HttpResponse("200 OK", ".html", run_as_html(site.tabs).encode())
         if name == "alive":
-            return Response("200 OK", "", b"alive")
+            return HttpResponse("200 OK", "", b"alive")
         if name in GOODBYES:
             site.leave(parameters.get("page", ["no name"])[0], GOODBYES[name])
-            return Response("200 OK", "", b"")
+            return HttpResponse("200 OK", "", b"")
         site.expect(LOADS, LOADING)
-        return Response("200 OK", ".html", page_with(site.texts))
+        return HttpResponse("200 OK", ".html", page_with(site.texts))
 
     # --- the websocket of a tab ----------------------------------------------------------------
 
@@ -137,12 +137,12 @@ class Protocol(WebSocketServerProtocol):
         site = self.site
         parameters = self.http_request_params
         site.waiting.pop(self, None)
-        self.page = parameters.get("page", [""])[0] or f"without a name, {id(self)}"
+        self.page_name = parameters.get("page", [""])[0] or f"without a name, {id(self)}"
         for tab in [*site.tabs.tabs]:
-            if tab.page == self.page:  # its line was cut, and nobody has said so yet
+            if tab.page_name == self.page_name:  # its line was cut, and nobody has said so yet
                 site.tabs.close(tab)
                 tab.dropConnection(abort=True)
-        site.welcome(self.page, parameters.get("was", [""])[0])
+        site.welcome(self.page_name, parameters.get("was", [""])[0])
         has = parameters.get("has", [""])[0]
         site.tabs.open(self, self.send, int(has) if re.fullmatch("[0-9]{1,15}", has) else 0)
 
@@ -151,7 +151,7 @@ class Protocol(WebSocketServerProtocol):
 
         The tab is lost when it has given none for too long.
         """
-        self.silent += LOOK
+        self.silent += LOOK_AT_TABS
         under_way = sum(self.site.tabs.tabs[self].under_way)
         if self.silent > SILENT + under_way / SLOWEST:
             self.dropConnection(abort=True)
@@ -178,4 +178,4 @@ class Protocol(WebSocketServerProtocol):
         if self not in site.tabs.tabs:
             return
         site.tabs.close(self)
-        site.expect(self.page, self.rest)
+        site.expect(self.page_name, self.rest)

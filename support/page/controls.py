@@ -72,7 +72,7 @@ class Control:
         return self.is_enabled() and self.allows(value)
 
     def description(self) -> dict[str, Any]:
-        """Return what the page needs beside the value, to make and to fill the element."""
+        """Return what the page needs to make and to fill the element, without the value."""
         return {
             "kind": type(self).__name__,
             "label": self.label,

@@ -156,7 +156,7 @@ def bob_controls(viewer: "Viewer") -> list[Control]:
 
 
 def show_controls(viewer: "Viewer") -> list[Control]:
-    """Return the controls of what the page shows beside the cradle."""
+    """Return the controls of what the page shows with the cradle."""
     slow = Switch(
         name="slow",
         label="Slow motion",

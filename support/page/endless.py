@@ -6,7 +6,7 @@ from pathlib import Path
 from types import FrameType
 
 from support.cradle.player import Player
-from support.page.tabs import LOOK
+from support.page.tabs import LOOK_AT_TABS
 from support.start.mistake import is_handout_file, is_player_file
 
 TOO_LONG = 3.0  # s after which a function that has not returned is named
@@ -28,7 +28,7 @@ class Watch:
     def look(self) -> str:
         """Return which function has not returned for TOO_LONG seconds, or nothing.
 
-        Call it each LOOK seconds.
+        Call it each LOOK_AT_TABS seconds.
 
         It counts looks, not time: a process that was stopped, or a laptop that slept, has not run.
         """
@@ -42,7 +42,7 @@ class Watch:
             return ""
         self.looks += 1
         self.frames = [frame for frame in self.frames if frame in frames]
-        if self.looks * LOOK == TOO_LONG and self.frames:
+        if self.looks * LOOK_AT_TABS == TOO_LONG and self.frames:
             innermost = self.frames[0]
             name = Path(innermost.f_code.co_filename).name
             place = f"{innermost.f_code.co_name} in src/{name}, line {innermost.f_lineno}"

@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 PICTURE = 0.03  # s from picture to picture, at least
 WHOLE = 5.0  # s from one whole picture to the next one, at least
 KEPT = 30.0  # s: of a longer run, the film of a page keeps the end, up to WHOLE more
-STILL = 3.0  # s: a longer pause lasts so long in the film
+LONGEST_PAUSE = 3.0  # s: the film shortens a longer pause to this
 
 
-class Picture(NamedTuple):
+class FilmPicture(NamedTuple):
     """A picture of a film."""
 
     time: float  # s since the start of the run
@@ -39,7 +39,7 @@ class Film:
 
     def begin(self) -> None:
         """Begin the film of a new run."""
-        self.pictures: deque[Picture] = deque()
+        self.pictures: deque[FilmPicture] = deque()
         self.has = 0  # the number of the last delivery in it
         self.last_look = -inf  # on the clock: when the last picture was taken
         self.time = 0.0  # s of the film, up to this picture
@@ -52,10 +52,10 @@ class Film:
         if self.has == changes.number or not (at_once or gap >= PICTURE):
             return
         if self.pictures:
-            self.time += min(gap, STILL)
+            self.time += min(gap, LONGEST_PAUSE)
         is_whole = self.time - self.last_whole >= WHOLE
         message = changes.message(0 if is_whole else self.has)
-        self.pictures.append(Picture(self.time, message, is_whole))
+        self.pictures.append(FilmPicture(self.time, message, is_whole))
         self.has = changes.number
         self.last_look = now
         if is_whole:

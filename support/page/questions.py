@@ -23,7 +23,7 @@ FIGURES = {
 class Again(NamedTuple):
     """What a run that repeats the last one takes from it, and whether it is in slow motion."""
 
-    said: int | None
+    reply: int | None
     votes: list[int]
     slowly: bool
 
@@ -45,7 +45,7 @@ class Questions:
     def drop(self) -> None:
         """Ask nothing, and measure nothing."""
         self.is_asking = False  # whether the cradle waits for an answer
-        self.said: int | None = None  # the index of the answer
+        self.reply: int | None = None  # the index of the answer
         self.votes: list[int] = []  # for each answer
         self.slowly = False  # whether this run is in slow motion, until its measurement is over
         # On the pace's clock: until then, the picture rests after a measurement.
@@ -61,7 +61,7 @@ class Questions:
 
     def repeat(self, slowly: bool) -> None:
         """Let the next run keep the answer and the votes of this one."""
-        self.again = Again(self.said, self.votes, slowly)
+        self.again = Again(self.reply, self.votes, slowly)
 
     def begin(self, experiment: Experiment | None, motion: Motion) -> None:
         """Begin a run of this Motion, and ask the question of its experiment, if it has one.
@@ -78,7 +78,7 @@ class Questions:
             self.is_asking = True
             self.votes = [0] * len(experiment.answers)
         else:
-            self.said = again.said
+            self.reply = again.reply
             self.votes = again.votes
             self.slowly = again.slowly
 
@@ -97,7 +97,7 @@ class Questions:
         is_known = self.is_asked(key, 0 if number is None else number)  # None is always allowed
         if is_known:
             self.is_asking = False
-            self.said = number
+            self.reply = number
             self.word = ""
 
     def vote(self, key: str, number: int, is_more: bool) -> None:
@@ -108,9 +108,9 @@ class Questions:
 
     def ghost_name(self) -> str:
         """Return the name of the ghosts: they show your answer, or that of the hands for it."""
-        if self.said is None or not self.votes[self.said]:
+        if self.reply is None or not self.votes[self.reply]:
             return "your answer"
-        return f"{self.votes[self.said]} of you"
+        return f"{self.votes[self.reply]} of you"
 
     def is_measuring(self) -> bool:
         """Return whether the present run is measured, and its measurement is not yet over."""
@@ -141,23 +141,23 @@ class Questions:
         it, and when the measurement is over.
         """
         measurement = self.measurement
-        if measurement is None or self.said is None or time <= measurement.hit_time:
+        if measurement is None or self.reply is None or time <= measurement.hit_time:
             return {}
         if measurement.is_over and time > measurement.end:
             return {}
-        phase = sqrt(G / measurement.cradle.reach) * (time - measurement.hit_time)  # rad
+        phase = sqrt(G / measurement.cradle.cords_length) * (time - measurement.hit_time)  # rad
         part = sin(min(phase, pi / 2))
-        answer = measurement.experiment.answers[self.said]
+        answer = measurement.experiment.answers[self.reply]
         return {index: [part * radians(swing)] for index, swing in enumerate(answer.swings)}
 
     def state(self) -> dict | None:
-        """Return the question, what was said, and what happened; None without a question."""
+        """Return the question, the reply, and what happened; None without a question."""
         if self.measurement is None:
             return None
         experiment = self.measurement.experiment
         happened = None
         if self.measurement.is_over:
-            happened = what_happened(self.measurement, self.said)
+            happened = what_happened(self.measurement, self.reply)
         return {
             "key": experiment.key,
             "name": experiment.name,
@@ -165,7 +165,7 @@ class Questions:
             "answers": [answer.text for answer in experiment.answers],
             "votes": list(self.votes),
             "asking": self.is_asking,
-            "said": what_was_said(experiment, self.said),
+            "reply": reply_text(experiment, self.reply),
             "happened": happened,
         }
 
@@ -175,21 +175,21 @@ def with_letter(experiment: Experiment, answer: int) -> str:
     return f"{LETTERS[answer]}, {experiment.answers[answer].text}"
 
 
-def what_was_said(experiment: Experiment, said: int | None) -> str:
+def reply_text(experiment: Experiment, reply: int | None) -> str:
     """Return the answer (an index, or None) in a sentence, or nothing."""
-    return "" if said is None else f"You said: {with_letter(experiment, said)}."
+    return "" if reply is None else f"You said: {with_letter(experiment, reply)}."
 
 
-def what_happened(measurement: Measurement, said: int | None) -> dict:
+def what_happened(measurement: Measurement, reply: int | None) -> dict:
     """Return what happened, why, and a table of the measured figures.
 
-    said is the index of the answer, or None.
+    reply is the index of the answer, or None.
     """
     experiment = measurement.experiment
     outcome = measurement.outcome()
     if outcome is None:
         title = "What happened: none of these answers."
-    elif outcome == said:
+    elif outcome == reply:
         title = "That is what happened."
     else:
         title = f"What happened: {with_letter(experiment, outcome)}."

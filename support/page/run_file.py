@@ -16,12 +16,12 @@ from typing import Any
 
 from support.files.data_file import RUN_LINE
 from support.files.experiments import YOUR_CSV
-from support.page.film import Picture
+from support.page.film import FilmPicture
 from support.page.tabs import Tabs
 from support.page.web_files import content_of, keyless_files, PAGE
 
 # Of the state; the rest is for controls, or names files of this machine.
-SHOWN = (
+STATE_OF_RUN = (
     "title", "question", "hit", "motion", "bars", "impacts", "colors", "curves", "view", "summary",
     "ended",
 )  # fmt: skip
@@ -34,7 +34,7 @@ QUOTED_PATH = re.compile(r"'[^']*[/\\]([^'/\\]+)'")  # in a message of Python's
 def run_as_html(tabs: Tabs) -> str:
     """Return the run that these tabs have shown last as the text of an HTML file."""
     tabs.film.take(tabs.all, at_once=True)
-    run = json.dumps(shown_pictures(tabs.film.pictures), separators=(",", ":"))
+    run = json.dumps(pictures_for_player(tabs.film.pictures), separators=(",", ":"))
     web = keyless_files()
 
     def text_of(name: str) -> str:
@@ -83,13 +83,13 @@ def in_letters(content: bytes) -> str:
     return base64.b64encode(content).decode()
 
 
-def shown_pictures(pictures: Sequence[Picture]) -> list[dict[str, Any]]:
+def pictures_for_player(pictures: Sequence[FilmPicture]) -> list[dict[str, Any]]:
     """Return pictures as run.js has them: with times (s), and numbers as exact as can be seen."""
     last_curves = -inf  # s
-    shown = []
+    for_player = []
     for time, message, is_whole in pictures:
         picture = json.loads(message, parse_float=rounded)
-        state = {name: value for name, value in picture["state"].items() if name in SHOWN}
+        state = {name: value for name, value in picture["state"].items() if name in STATE_OF_RUN}
         if is_whole or time - last_curves >= CURVES:
             last_curves = time
         else:
@@ -99,7 +99,7 @@ def shown_pictures(pictures: Sequence[Picture]) -> list[dict[str, Any]]:
             state["title"] = f"{state['title']}: {name}"
         if state.get("ended"):
             state["ended"] = QUOTED_PATH.sub(r"'\1'", state["ended"])
-        shown.append(
+        for_player.append(
             {
                 "time": time - pictures[0].time,
                 "whole": is_whole,
@@ -111,7 +111,7 @@ def shown_pictures(pictures: Sequence[Picture]) -> list[dict[str, Any]]:
                 "state": state,
             }
         )
-    return shown
+    return for_player
 
 
 def rounded(number: str) -> float:

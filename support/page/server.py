@@ -10,7 +10,8 @@
   sends.
 - A page says goodbye when it is left, and whether its tab is closed for sure. When the last page
   has gone, the program waits for it, and then ends: after CLOSED, LEFT or LOST seconds.
-- Times are counted in looks, one each LOOK seconds: while a laptop sleeps, nobody loses time.
+- Times are counted in looks, one each LOOK_AT_TABS seconds: while a laptop sleeps, nobody loses
+  time.
 """
 
 import asyncio
@@ -28,7 +29,7 @@ from autobahn.asyncio.websocket import WebSocketServerFactory
 
 from support.page.browser import BrowserStart
 from support.page.connection import CLOSED, LOADS, Parameters, Protocol
-from support.page.tabs import LOOK, Tabs
+from support.page.tabs import LOOK_AT_TABS, Tabs
 from support.page.web_files import keyless_files
 from support.start.output import say
 
@@ -121,13 +122,13 @@ class Server:
 
     # --- which pages are there, and which will come --------------------------------------------
 
-    def expect(self, page: str, seconds: float) -> None:
+    def expect(self, page_name: str, seconds: float) -> None:
         """Expect the page with this name for so long from now on, at least."""
-        self.rests[page] = max(self.rests.get(page, 0.0), seconds)
+        self.rests[page_name] = max(self.rests.get(page_name, 0.0), seconds)
 
-    def welcome(self, page: str, was: str) -> None:
+    def welcome(self, page_name: str, was: str) -> None:
         """Hear that a page has its websocket: its name, and the one that it had before a reload."""
-        for name in (LOADS, page, was):
+        for name in (LOADS, page_name, was):
             self.rests.pop(name, None)
         if self.is_missed:
             say("The page is back.")
@@ -135,27 +136,27 @@ class Server:
         self.absence = 0.0
         self.browser_start.delete_file()
 
-    def leave(self, page: str, seconds: float) -> None:
+    def leave(self, page_name: str, seconds: float) -> None:
         """Hear a goodbye of the page with this name; expect it back for no longer than this.
 
         Its websocket may have ended already, or not.
         """
         for tab in self.tabs.tabs:
-            if tab.page == page:
+            if tab.page_name == page_name:
                 tab.rest = min(tab.rest, seconds)
-        if page in self.rests:
-            self.rests[page] = min(self.rests[page], seconds)
+        if page_name in self.rests:
+            self.rests[page_name] = min(self.rests[page_name], seconds)
 
     def look(self) -> None:
         """Look at each tab; end the program when none is there, and none is expected any more."""
-        self.loop.call_later(LOOK, self.look)
-        rests = {page: rest - LOOK for page, rest in self.rests.items()}
-        self.rests = {page: rest for page, rest in rests.items() if rest >= 0}
+        self.loop.call_later(LOOK_AT_TABS, self.look)
+        rests = {page_name: rest - LOOK_AT_TABS for page_name, rest in self.rests.items()}
+        self.rests = {page_name: rest for page_name, rest in rests.items() if rest >= 0}
         self.tabs.look()
         for tab in [*self.tabs.tabs]:
             tab.look()
         if not (self.tabs.tabs or self.tabs.are_gone or LOADS in self.rests):
-            self.absence += LOOK
+            self.absence += LOOK_AT_TABS
             self.wait_or_end()
 
     def wait_or_end(self) -> None:

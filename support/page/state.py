@@ -1,4 +1,4 @@
-"""What the page shows beside VPython's canvas: the state, which a tab gets by the names in it."""
+"""What the page shows outside VPython's canvas: the state, which a tab gets by the names in it."""
 
 from typing import Any, TYPE_CHECKING
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def state_of_page(viewer: "Viewer") -> dict[str, Any]:
-    """Return what the page shows beside VPython's canvas, by name, all texts plain."""
+    """Return what the page shows outside VPython's canvas, by name, all texts plain."""
     cradle = viewer.cradle
     remarks = [remark for remark in (viewer.given_remark, cradle.remark()) if remark]
     return {
@@ -50,7 +50,7 @@ def state_of_page(viewer: "Viewer") -> dict[str, Any]:
 
 
 def numbers(viewer: "Viewer") -> dict[str, str]:
-    """Return the numbers beside the cradle as text, by their names."""
+    """Return the numbers of the panel as text, by their names."""
     found = readout.readout(viewer.motion, viewer.pace, viewer.shown_pendula())
     if viewer.marks.measures:
         found["half swings"] = str(viewer.stopwatch)
@@ -71,7 +71,7 @@ def bars(viewer: "Viewer") -> dict[str, Any] | None:
     if viewer.questions.rest_end is not None and viewer.after_hits:
         momenta = viewer.after_hits
         title = "Momentum after the hits (kg m/s)"
-    shown = readout.momentum_bars(momenta, marks.largest, viewer.cradle.colors())
+    found = readout.momentum_bars(momenta, marks.largest, viewer.cradle.colors())
     energy = viewer.motion.percents(viewer.shown_pendula())["energy"]
-    shown.append(readout.energy_bar(energy))
-    return {"title": title, "bars": [bar._asdict() for bar in shown]}
+    found.append(readout.energy_bar(energy))
+    return {"title": title, "bars": [bar._asdict() for bar in found]}

@@ -16,7 +16,7 @@ cmds and attrs are VPython's (package in vpython.py, decode in glowcomm.html):
     attrs   "a12Jvalue", "b12ovalue"            sets the attribute J or o of object 12
             "m12Gvalue"                         calls the method G of object 12: clear_trail, ...
 
-state has what the page shows beside the canvas, by name (state.py): only what has changed.
+state has what the page shows outside the canvas, by name (state.py): only what has changed.
 """
 
 import json
@@ -30,10 +30,10 @@ from vpython import baseObj, vector
 
 from support.page.film import Film
 
-LOOK = 0.5  # s from one look of the server at the tabs to the next
+LOOK_AT_TABS = 0.5  # s from one look of the server at the tabs to the next
 # What can be under way to a tab: a far one needs several messages, a slow line not too many bytes.
-MOST = 24  # messages
-LARGEST = 2**18  # bytes
+MOST_MESSAGES = 24  # messages
+MOST_BYTES = 2**18  # bytes
 
 NEW = object()  # unlike each value
 
@@ -54,7 +54,7 @@ class Changes:
     ) -> None:
         """Add a delivery, its changes last.
 
-        The order counts: one attribute can change another, as axis and size do.
+        The order matters: one attribute can change another, as axis and size do.
         """
         self.number += 1
         for cmd in cmds:
@@ -139,7 +139,7 @@ class Tab:
             self.send(message)
             self.measure()
 
-    def note_drawn(self, count: int) -> None:
+    def count_drawn(self, count: int) -> None:
         """Count pictures that the tab has drawn: as many messages have arrived, the oldest ones."""
         for _ in range(min(count, len(self.under_way))):
             self.under_way.popleft()
@@ -147,7 +147,7 @@ class Tab:
 
     def measure(self) -> None:
         """Find out whether there is room."""
-        self.has_room = len(self.under_way) < MOST and sum(self.under_way) < LARGEST
+        self.has_room = len(self.under_way) < MOST_MESSAGES and sum(self.under_way) < MOST_BYTES
 
 
 class Tabs:
@@ -206,7 +206,7 @@ class Tabs:
     def look(self) -> None:
         """Tell the tabs of a function that does not return, and when it has.
 
-        The server calls it each LOOK seconds.
+        The server calls it each LOOK_AT_TABS seconds.
         """
         message = self.endless()
         if message != self.last.get("endless", ""):
@@ -232,7 +232,7 @@ class Tabs:
         """Take a message of a tab; forget one that is no command."""
         if data.startswith(b"seen"):
             self.is_seen.set()
-            self.tabs[socket].note_drawn(data.count(b"seen"))
+            self.tabs[socket].count_drawn(data.count(b"seen"))
             self.tabs[socket].update(self.all)
             return
         try:

@@ -29,7 +29,7 @@ from support.pendulum import Pendulum
 
 REFRESH = 0.1  # s between two changes of the state
 # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick.
-QUIET = 0.01
+SLOWEST_SOUND = 0.01
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
 FAINTEST = 0.3  # of the arrows of a slow hit
 IMPACTS = 5  # series of hits, a line for each
@@ -55,7 +55,7 @@ class Viewer(Player):
         self.is_paused = False
         self.is_dragged = False  # whether you have moved a bob since the start
         self.speed = 1.0  # that you have set, times real time
-        # On the pace's clock: when the page gets all of the state, at once from 0 on.
+        # The time on the pace's clock at which the page gets the whole state again; 0 is at once.
         self.next_refresh = 0.0
         # The coordinates before One tick, while it is carried out.
         self.before: dict[str, float] | None = None
@@ -90,9 +90,9 @@ class Viewer(Player):
         """Do the work of one frame: show the last ticks, rest, obey, and plan the next ticks."""
         self.show_frame()
         self.pace.rest()
-        while not (self.commands.empty() or self.is_wanted or self.planned):
+        while not (self.commands.empty() or self.needs_cradle or self.planned):
             self.carry_out(*self.commands.get())
-        if not self.is_wanted and self.file.changed():
+        if not self.needs_cradle and self.file.changed():
             self.actions.reload()
         self.look_longer()
         if self.tabs.are_gone:
@@ -100,7 +100,7 @@ class Viewer(Player):
             self.planned = 0
         elif self.is_resting() or not self.is_time_running():
             self.pace.restart()
-        elif not (self.is_wanted or self.planned):
+        elif not (self.needs_cradle or self.planned):
             self.pace.speed = self.speed_now()
             self.keep_time()
 
@@ -124,7 +124,7 @@ class Viewer(Player):
 
     def is_resting(self) -> bool:
         """Return whether the time rests, so that you can look at something longer."""
-        return self.questions.rest_end is not None or self.slow_hits.shown is not None
+        return self.questions.rest_end is not None or self.slow_hits.current is not None
 
     def speed_now(self) -> float:
         """Return the speed of the present run, times real time."""
@@ -138,7 +138,7 @@ class Viewer(Player):
         if self.cradle.held_bob.index is not None:
             self.show_held_bob()
         self.scenery.keep_in_view([*self.cradle.bobs(), *self.marks.ghosts])
-        if self.motion.loudest > QUIET:
+        if self.motion.loudest > SLOWEST_SOUND:
             self.sounds += 1
             self.loudest = round(self.motion.loudest, 4)
         self.motion.loudest = 0.0
@@ -165,24 +165,24 @@ class Viewer(Player):
         if self.actions.is_dragging:
             self.motion.set_start()
             if not self.is_time_running():
-                self.note()  # one scale: the graph ends at the 100 % of this moment, too
+                self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
 
     def shown_pendula(self) -> list[Pendulum]:
         """Return the pendula as they are shown: as after the slow hit, or as they are now."""
-        return self.slow_hits.shown.pend_list if self.slow_hits.shown else self.cradle.pend_list
+        return self.slow_hits.current.pend_list if self.slow_hits.current else self.cradle.pend_list
 
     def fade(self) -> float:
         """Return how strong the arrows of a slow hit still are; 1 is full, as while paused."""
-        if self.slow_hits.shown is None or not self.is_time_running():
+        if self.slow_hits.current is None or not self.is_time_running():
             return 1.0
         return max(FAINTEST, self.slow_hits.part_left(self.pace.clock()))
 
     def draw(self) -> list[Label]:
-        """Draw what is beside the pendula: as in the slow hit that is shown, or as it is now.
+        """Draw all but the pendula: as in the current slow hit, or as it is now.
 
         Return the texts in the picture.
         """
-        slow_hit = self.slow_hits.shown
+        slow_hit = self.slow_hits.current
         pend_list = self.shown_pendula()
         self.marks.show_arrows(pend_list)
         self.marks.show_belts()
@@ -204,7 +204,9 @@ class Viewer(Player):
         self.tabs.begin_run()
         self.actions.pose()
         self.is_dragged = False
-        self.scenery.surround(cradle.axles(), cradle.bobs(), cradle.reach, cradle.values("mass"))
+        self.scenery.surround(
+            cradle.axles(), cradle.bobs(), cradle.cords_length, cradle.values("mass")
+        )
         self.graph.begin(cradle.colors())
         self.last_hits = -inf
         self.after_hits = []
@@ -224,9 +226,9 @@ class Viewer(Player):
         self.marks.surround(self.cradle)
         self.stopwatch.restart(self.motion.time())
         self.ghosts.begin()
-        self.note()
+        self.take_sample()
 
-    def note(self) -> None:
+    def take_sample(self) -> None:
         """Add this moment to the graph."""
         sample = self.motion.sample()
         self.graph.add(sample)
@@ -249,8 +251,10 @@ class Viewer(Player):
     def end_batch(self) -> None:
         """Look at the result of a batch: measure an experiment; show One tick, or its hits."""
         super().end_batch()
-        if self.motion.ticks % self.step == 0:  # not note, which a drag calls again and again
-            self.ghosts.note(self.cradle.pend_list, self.motion.time())
+        if (
+            self.motion.ticks % self.step == 0
+        ):  # not take_sample, which a drag calls again and again
+            self.ghosts.compare(self.cradle.pend_list, self.motion.time())
         hits = self.cradle.hits
         if self.questions.measure(self.pace.clock()):
             self.planned = 0

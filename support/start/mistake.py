@@ -12,7 +12,7 @@ from support.start.other_tools import of_other_tool
 from support.start.output import complain, say
 from support.start.packages import report_of_package
 
-LARGEST = 1e100  # a larger number has no energy: its square is too large
+LARGEST_NUMBER = 1e100  # a larger number has no energy: its square is too large
 # A frame of this file below one of main: the player works, or waits for the clock.
 PLAYER_FILE = ROOT / "support" / "cradle" / "player.py"
 
@@ -152,7 +152,7 @@ def is_pend_list(value: Any) -> bool:
 
 
 def require_numbers(function: Callable, pend_list: list[dict], keys: Iterable[str]) -> None:
-    """Raise a MistakeError if a pendulum has no number below LARGEST for one of these keys.
+    """Raise a MistakeError if a pendulum has no number below LARGEST_NUMBER for one of these keys.
 
     The function has set them.
     """
@@ -160,10 +160,10 @@ def require_numbers(function: Callable, pend_list: list[dict], keys: Iterable[st
         for key in keys:
             value: Any = pend.get(key)
             is_real = isinstance(value, Real)
-            if not (is_real and abs(value) < LARGEST):
+            if not (is_real and abs(value) < LARGEST_NUMBER):
                 found = repr(value) if key in pend else "nothing"
                 raise MistakeError(
                     function,
                     f"set {key} of pendulum {number} to {found}; "
-                    f"it must be a number up to {LARGEST:g}.",
+                    f"it must be a number up to {LARGEST_NUMBER:g}.",
                 )

@@ -159,7 +159,7 @@ def seconds_up_to(most: str) -> Callable[[str], Any]:
     )
 
 
-RUN = 10.0  # s
+HTML_SECONDS = 10.0  # s
 FILE = type_of(str, bool, "the name of a file")
 PORT = "a whole number from 0 to 65535"
 
@@ -181,7 +181,7 @@ def page_options(description: str) -> OneLineParser:
     text = "file of an experiment, with which the page begins"
     add("--experiment", type=FILE, metavar="FILE", help=text)
     text = (
-        "CSV of a motion that pale bobs show beside the cradle: "
+        "CSV of a motion that pale bobs show with the cradle:  "
         "columns t (s), theta_1 (rad), ..., as --record writes them"
     )
     add("--ghosts", type=FILE, metavar="FILE", help=text)
@@ -198,7 +198,7 @@ def page_options(description: str) -> OneLineParser:
     add("--no-browser", action="store_false", dest="browser", default=opens, help=text)
     text = "write a run to FILE, one HTML page that any browser plays, and open no page"
     add("--html", type=FILE, metavar="FILE", help=text)
-    text = f"with --html: the seconds of the run (default: {RUN:g})"
+    text = f"with --html: the seconds of the run (default: {HTML_SECONDS:g})"
     add("--seconds", type=seconds_up_to("600"), metavar="S", help=text)
     return parser
 
@@ -217,7 +217,7 @@ def parse_page(parser: OneLineParser, arguments: Sequence[str] | None) -> argpar
             parser.error(f"argument --experiment: not allowed with argument --{name}")
     if options.seconds is not None and options.html is None:
         parser.error("argument --seconds: needs --html")
-    options.seconds = options.seconds or RUN
+    options.seconds = options.seconds or HTML_SECONDS
     return options
 
 

@@ -9,7 +9,7 @@ from textwrap import shorten
 from support.start.checks_command import ROOT
 from support.start.unfit import NEEDED
 
-LONGEST = 250  # letters of an error: numpy writes a page
+LONGEST_ERROR = 250  # letters of an error: numpy writes a page
 
 
 def report_of_package(error: BaseException) -> str:
@@ -19,7 +19,7 @@ def report_of_package(error: BaseException) -> str:
     files = files_of_import(error)
     is_needed = f"{getattr(error, 'name', '')}".partition(".")[0] in NEEDED
     if files:
-        text = shorten(f"{type(error).__name__}: {error}", LONGEST, placeholder=" ...")
+        text = shorten(f"{type(error).__name__}: {error}", LONGEST_ERROR, placeholder=" ...")
         line = f"Python cannot use {files[-1]} ({text})"
     elif isinstance(error, ModuleNotFoundError) and is_needed:
         line = f"{sys.executable}: {error}"

@@ -13,7 +13,7 @@ from support.start.checks_command import checks_command, ROOT
 from support.start.output import refuse
 
 SRC = ROOT / "src"
-# The first lines of the statements that the handout provides beside a raise, as ast.unparse writes
+# The first lines of the statements that the handout provides around a raise, as ast.unparse writes
 # them.
 GIVEN = {
     "df = pd.read_csv(relative_filepath)",
@@ -27,7 +27,7 @@ class Stub(NamedTuple):
     """The raise from tests/make_starter.py in a function that is not written yet."""
 
     line: int
-    has_code: bool  # beside the raise, which stops it
+    has_code: bool  # apart from the raise, which stops it
 
 
 class HasFunctions(Protocol):
@@ -57,7 +57,7 @@ def stubs_in(source: str | bytes) -> dict[str, Stub]:
 def stub_in(block: list[ast.stmt], name: str) -> Stub | None:
     """Return the stub of the function with this name in a block of statements.
 
-    A raise below a return does not count: it never runs.
+    A raise below a return is no stub: it never runs.
     """
     stub = f"raise NotImplementedError('{name} is not written yet')"
     lines = [ast.unparse(statement).partition("\n")[0] for statement in block]

@@ -36,7 +36,7 @@ def missing_working_folder() -> str:
 
 
 def hidden_module() -> str:
-    """Return which file beside the programs hides a module, or "".
+    """Return which file in the programs' folders hides a module, or "".
 
     It has the name of a module that Python or a package imports. Python would find the file first,
     and a package would fail with an error that says nothing about the file.

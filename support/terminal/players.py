@@ -90,7 +90,7 @@ class TextPlayer(Player):
         self.last = ticks if ticks == inf else round(ticks)  # tick
 
     def show_new_cradle(self) -> None:
-        self.note()
+        self.take_sample()
         self.pace.restart()
 
     def frame(self) -> None:
@@ -100,7 +100,7 @@ class TextPlayer(Player):
             self.pace.rest()
             self.keep_time(self.last - self.motion.ticks)
         elif self.last % self.step:
-            self.note()
+            self.take_sample()
 
 
 class Pictures(TextPlayer):
@@ -115,7 +115,7 @@ class Pictures(TextPlayer):
         self.own_remark = remark
         self.last_lines: list[str] = []  # of the last picture
 
-    def note(self) -> None:
+    def take_sample(self) -> None:
         """Show a picture.
 
         Go to the top left corner; clear each line, and at the end all lines below.
@@ -131,12 +131,12 @@ class Lines(TextPlayer):
 
     step_seconds = 0.5
 
-    def note(self) -> None:
+    def take_sample(self) -> None:
         print(in_line(self.motion.summary(), WIDTH), flush=True)
         self.motion.impacts.clear()
 
 
-class Recorder(Player):
+class DataRecorder(Player):
     """Writes a row of data for every options.every seconds, as fast as the machine can.
 
     These are seconds of simulated time. The last row is not later than options.seconds.
@@ -162,7 +162,7 @@ class Recorder(Player):
 
     def show_new_cradle(self) -> None:
         self.writer.writerow(self.motion.sample())  # its names
-        self.note()
+        self.take_sample()
 
     def frame(self) -> None:
         """Report the progress, and plan the next ticks."""
@@ -171,7 +171,7 @@ class Recorder(Player):
             self.progress(self.motion.ticks / self.last)
         self.plan(min(TICKS_A_FRAME, self.last - self.motion.ticks))
 
-    def note(self) -> None:
+    def take_sample(self) -> None:
         self.writer.writerow(self.motion.sample().values())
 
 
@@ -188,11 +188,11 @@ def record(
         with redirect_stdout(sys.stderr):
             if remark:
                 print(remark)
-            run(loop, Recorder(cradle, snapshot, options, rows, progress=lambda done: None))
+            run(loop, DataRecorder(cradle, snapshot, options, rows, progress=lambda done: None))
         return
     with whole_file(options.record) as file, progress_bar() as progress:
         rows = csv.writer(file, lineterminator="\n")
-        recorder = Recorder(cradle, snapshot, options, rows, progress)
+        recorder = DataRecorder(cradle, snapshot, options, rows, progress)
         run(loop, recorder)
     if remark:
         print(remark)

@@ -6,7 +6,7 @@ from vpython import cylinder, vector
 
 from support.cradle.cradle import Cradle
 
-CORD = 16  # length of a cord in columns if they fit; neighbouring bobs are then four columns apart
+CORD_COLUMNS = 16  # of a cord, if they fit; neighbouring bobs are then four apart
 STROKES = "-\\|/"  # a line to the right, and lines turned down from it by 45, 90 and 135 degrees
 
 
@@ -26,7 +26,7 @@ class TextPicture:
         bobs = [bob.pos for bob in cradle.bobs()]
         top = max(axle.y for axle in axles)
         self.above = max(self.above, *(bob.y - top for bob in bobs))
-        grid = Grid(axles, cradle.reach, self.above, columns, rows)
+        grid = Grid(axles, cradle.cords_length, self.above, columns, rows)
         if grid.scale <= 0:
             return []
         for cord in cradle.cords():
@@ -40,22 +40,24 @@ class Grid:
     """The characters of a picture, by row and column."""
 
     def __init__(
-        self, axles: list[vector], reach: float, above: float, columns: int, rows: int
+        self, axles: list[vector], cords_length: float, above: float, columns: int, rows: int
     ) -> None:
-        """Make room for a cradle whose bobs are up to reach (m) from their axles.
+        """Make room for a cradle whose bobs are up to cords_length (m) from their axles.
 
         above (m) is the height above the highest axle that is in view.
         """
         self.axles = axles
         xs = [axle.x for axle in axles]
         ys = [axle.y for axle in axles]
-        self.left = min(xs) - reach
+        self.left = min(xs) - cords_length
         self.top = max(ys) + above
-        width = max(xs) - min(xs) + 2 * reach
-        height = max(ys) - min(ys) + reach + above
+        width = max(xs) - min(xs) + 2 * cords_length
+        height = max(ys) - min(ys) + cords_length + above
         # Columns per metre. Three columns and a row stay free for rounding, and for the brackets of
         # a bob.
-        self.scale = min(CORD / reach, (columns - 3) / width, 2 * (rows - 1) / height)
+        self.scale = min(
+            CORD_COLUMNS / cords_length, (columns - 3) / width, 2 * (rows - 1) / height
+        )
         apart = (max(xs) - min(xs)) / max(1, len(axles) - 1)
         # Whole columns from bob to bob: unequal gaps look like groups of bobs
         if apart * self.scale >= 1:
@@ -95,7 +97,7 @@ class Grid:
             self.write(row, column, "+")
 
     def draw_bobs(self, bobs: list[vector]) -> None:
-        """Draw the bobs, as their numbers if these fit beside each other."""
+        """Draw the bobs, as their numbers if these fit next to each other."""
         names = [f"({number})" for number in range(1, len(bobs) + 1)]
         if len(bobs) > 1 and len(names[-1]) > self.apart + 1e-9:
             names = ["O"] * len(bobs)

@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]  # the project's folder
 
 if not (ROOT / "support" / "__init__.py").is_file():
-    print("The folder support is not beside src and tests. Put it back.", file=sys.stderr)
+    print("The folder support is not next to src and tests. Put it back.", file=sys.stderr)
     sys.exit(2)
 sys.path.insert(0, str(ROOT))
 

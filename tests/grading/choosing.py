@@ -38,10 +38,10 @@ def of_sentence(wrong: str) -> str:
 def of_parameters(parameters: str, function: str, error: StoppedError | None) -> str:
     """Return the hint for a line def that has other parameters than the handout, or ""."""
     found = parameters.split(", ")
-    wanted = FUNCTIONS[function].parameters.split(", ")
-    is_moved = sorted(found) == sorted(wanted) and found != wanted
+    expected = FUNCTIONS[function].parameters.split(", ")
+    is_moved = sorted(found) == sorted(expected) and found != expected
     if is_moved or (error and is_refused_call(error, function)):
-        return f"The line def has changed. It must be: def {function}({', '.join(wanted)}):"
+        return f"The line def has changed. It must be: def {function}({', '.join(expected)}):"
     return ""
 
 

@@ -63,14 +63,14 @@ def hang(
     }
 
 
-def row(count: int, **values: Any) -> list[dict]:
+def hang_row(count: int, **values: Any) -> list[dict]:
     """Return count pendula with axles R / 4 apart, and these values for hang."""
     return [hang(axle=(i * R / 4, 0, 0), **values) for i in range(count)]
 
 
 def touching(*omegas: float, radius: float = R / 8) -> list[dict]:
     """Return pendula that hang straight down and touch, with these omegas (rad/s)."""
-    pend_list = row(len(omegas), radius=radius)
+    pend_list = hang_row(len(omegas), radius=radius)
     for pend, omega in zip(pend_list, omegas, strict=True):
         pend["omega"] = omega
     return pend_list
@@ -83,7 +83,7 @@ def shapes() -> set[int]:
 
 
 # Options of expect for the number of left_over.
-LEFT_OVER = {"wanted": 0, "what": "number of shapes that no pendulum has"}
+LEFT_OVER = {"expected": 0, "what": "number of shapes that no pendulum has"}
 
 
 def left_over(old: set[int], parts: list) -> int:

@@ -12,7 +12,7 @@ from vpython import vector
 from grading.messages import text_of
 from grading.values import in_words, names_in, SHAPES
 
-# The parts of an expression whose values are noted.
+# The parts of an expression whose values are traced.
 PARTS = ast.Call, ast.Subscript, ast.Attribute, ast.BinOp, ast.UnaryOp, ast.Compare, ast.BoolOp
 # Nobody looks into these: they may run later, or many times.
 AS_THEY_ARE = ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp, ast.JoinedStr
@@ -34,7 +34,7 @@ SIGNS = {
 
 
 def is_part(node: ast.AST) -> TypeGuard[ast.expr]:
-    """Return whether the value of a node is noted."""
+    """Return whether the value of a node is traced."""
     return isinstance(node, PARTS) and isinstance(getattr(node, "ctx", ast.Load()), ast.Load)
 
 
@@ -96,10 +96,10 @@ def operations_in(node: ast.AST) -> list[ast.expr]:
 
 
 class Values:
-    """The values in a statement: of its parts that were noted, and of the names in its frame."""
+    """The values in a statement: of its parts that were traced, and of the names in its frame."""
 
     def __init__(self, frame: FrameType, parts: dict):
-        """parts has the noted values, by their spans."""
+        """parts has the traced values, by their spans."""
         self.frame = frame
         self.parts = parts
         self.names = names_in(frame)

@@ -19,7 +19,7 @@ LINE_BY_LINE = "Your code, line by line:"
 BOOKS = "In Python, with books:"
 
 
-class Part(NamedTuple):
+class StepPart(NamedTuple):
     """Lines of the next step.
 
     If there is no room for all parts, those of the highest rank are left out.
@@ -77,7 +77,7 @@ def failed_checks(outcomes: dict[str, Outcome]) -> list[Check]:
     return sorted(failed, key=lambda check: not outcomes[check.name].broken_file)
 
 
-def next_step(outcomes: dict[str, Outcome]) -> tuple[str, list[Part]]:
+def next_step(outcomes: dict[str, Outcome]) -> tuple[str, list[StepPart]]:
     """Return the next step, and more about it.
 
     It is a file that Python cannot read, else the first function with a mistake, else the first
@@ -104,37 +104,37 @@ def next_step(outcomes: dict[str, Outcome]) -> tuple[str, list[Part]]:
     parts = []
     left = missing_in("double_cradle", "visualize_double_cradle_run")  # without checks
     if left:
-        parts.append(Part(ALWAYS, [f"The double cradle still needs {left}."]))
+        parts.append(StepPart(ALWAYS, [f"The double cradle still needs {left}."]))
     return "all functions with a check are right", parts
 
 
-def explanation(check: Check, outcome: Outcome) -> list[Part]:
+def explanation(check: Check, outcome: Outcome) -> list[StepPart]:
     """Return what a student reads about a check that is not passed, in this order."""
     if outcome.is_unwritten:
         read = f"Read in the handout: {FUNCTIONS[check.function].read}."
-        return [Part(ALWAYS, [read]), *step_parts(check.function)]
+        return [StepPart(ALWAYS, [read]), *step_parts(check.function)]
     dot = "" if outcome.wrong.endswith((".", "?", "!")) else "."
     # An error, or the exact result
-    parts = [Part(ALWAYS, [f"{outcome.wrong}{dot} {outcome.hint}".strip()])]
+    parts = [StepPart(ALWAYS, [f"{outcome.wrong}{dot} {outcome.hint}".strip()])]
     if outcome.broken_file:  # a file that Python cannot read: nothing else matters
         return parts
     if outcome.help:
-        parts.append(Part(FACTS, [outcome.help]))
+        parts.append(StepPart(FACTS, [outcome.help]))
     if outcome.rows:
-        parts.append(Part(ALWAYS, [LINE_BY_LINE]))
+        parts.append(StepPart(ALWAYS, [LINE_BY_LINE]))
     best = sorted(outcome.rows, key=lambda row: row.rank)[:MOST_ROWS]
     for row in outcome.rows:
         rank = row.rank if row in best else NEVER
-        parts.append(Part(rank, row.lines, is_row=not row.is_title, is_title=row.is_title))
-    parts += [Part(FACTS, [fact]) for fact in outcome.facts]
+        parts.append(StepPart(rank, row.lines, is_row=not row.is_title, is_title=row.is_title))
+    parts += [StepPart(FACTS, [fact]) for fact in outcome.facts]
     return [*parts, *step_parts(check.function)]
 
 
-def step_parts(function: str) -> list[Part]:
+def step_parts(function: str) -> list[StepPart]:
     """Return the steps of a function, and lines of Python that show what it needs."""
     steps = STEPS[function]
-    parts = [Part(IN_WORDS, [f"The steps: {steps.sentence}"])]
+    parts = [StepPart(IN_WORDS, [f"The steps: {steps.sentence}"])]
     if steps.python:
         lines = [f"{MORE}  {line}" for line in steps.python]
-        parts.append(Part(IN_PYTHON, [BOOKS, *lines]))
+        parts.append(StepPart(IN_PYTHON, [BOOKS, *lines]))
     return parts

@@ -136,22 +136,22 @@ def expect(
     *arguments: Any,
     help: str = "",
     right: Sequence[tuple[str, Any]] = (),
-    **expected: Any,
+    **options: Any,
 ) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
-    help    a sentence about this call, for a student whose result is wrong
-    right   pairs of a part of the handout's formula, and its value in this call
+    help     a sentence about this call, for a student whose result is wrong
+    right    pairs of a part of the handout's formula, and its value in this call
     The other options go to compared:
-    wanted  the right value: a Wanted, or a value for same
-    see     returns the value to compare, from the result or the arguments; by default, the result
-    what    the name of this value
-    results pairs of a wrong result, or a test of it, and a hint
-    notes   pairs of a test of a right result, and a sentence
-    times   the number of calls; a result gives the first arguments of the next one
+    expected the right value: an Expected, or a value for same
+    see      returns the value to compare, from the result or the arguments; else the result
+    what     the name of this value
+    results  pairs of a wrong result, or a test of it, and a hint
+    advice   pairs of a test of a right result, and a sentence
+    times    the number of calls; a result gives the first arguments of the next one
     """
     try:
-        return compared(function, *arguments, **expected)
+        return compared(function, *arguments, **options)
     except WrongError as error:
         error.help = help
         error.right = right
@@ -161,11 +161,11 @@ def expect(
 def compared(
     function: str,
     *arguments: Any,
-    wanted: Any,
+    expected: Any,
     see: Callable | None = None,
     what: str = "",
     results: Iterable[tuple[Any, str]] = (),
-    notes: Iterable[tuple[Any, str]] = (),
+    advice: Iterable[tuple[Any, str]] = (),
     times: int = 1,
 ) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
@@ -174,13 +174,15 @@ def compared(
     """
     returns = FUNCTIONS[function].returns
     call = Call(function, tuple(map(plain, arguments)), times)
-    is_number = are_pendula(wanted) and not what
-    expected = "expected", number_of(wanted) if is_number else about(what, wanted)
-    result = run(call, arguments, expected)
+    is_number = are_pendula(expected) and not what
+    expected_line = "expected", number_of(expected) if is_number else about(what, expected)
+    result = run(call, arguments, expected_line)
     require_same_files(call)
     require_pendula(call, arguments)
     if result is None and returns:
-        raise WrongError(f"{function} returns nothing.", call, [("came back", "None"), expected])
+        raise WrongError(
+            f"{function} returns nothing.", call, [("came back", "None"), expected_line]
+        )
     try:
         found = see(result) if see else result
     except OTHER_FORM as error:
@@ -188,18 +190,18 @@ def compared(
         came_back = [*text_of(result).split("\n"), form] if returns else form
         mistake = unreadable(error, what, result)
         hint = hint_for_result(result, results)
-        lines: list[tuple[str, Any]] = [("came back", came_back), expected]
+        lines: list[tuple[str, Any]] = [("came back", came_back), expected_line]
         raise WrongError(mistake.sentence, call, lines, hint, subject=mistake.subject) from None
-    if not fits(found, wanted):
-        mistake = mistake_in(what or returns, found, wanted, is_result=not what)
+    if not fits(found, expected):
+        mistake = mistake_in(what or returns, found, expected, is_result=not what)
         hint = hint_for_result(found, results)
-        if not hint and is_exchanged(found, wanted):
+        if not hint and is_exchanged(found, expected):
             hint = "These are the right values, in another order."
-        values = both(what, found, wanted)
+        values = both(what, found, expected)
         raise WrongError(mistake.sentence, call, values, hint, subject=mistake.subject)
-    for test, note in notes:
+    for test, sentence in advice:
         if fits(found, test):
-            present.notes.append(note)
+            present.advice.append(sentence)
     return result
 
 
@@ -251,7 +253,7 @@ def result_of(function: str, *arguments: Any) -> Any:
     return result
 
 
-def run(call: Call, arguments: tuple, expected: tuple[str, Any]) -> Any:
+def run(call: Call, arguments: tuple, expected_line: tuple[str, Any]) -> Any:
     """Return the result of a student's function.
 
     Raise WrongError if it is missing, raises an error or goes over a limit. Raise WaitError if it
@@ -273,7 +275,7 @@ def run(call: Call, arguments: tuple, expected: tuple[str, Any]) -> Any:
         place = f"{place_of(raised, call.function) or file}"
         raise WaitError(f"you to write {raised.stub} in {place}", place)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
-    raise WrongError(sentence, call, [end_of(raised, raised.places), expected], raised=raised)
+    raise WrongError(sentence, call, [end_of(raised, raised.places), expected_line], raised=raised)
 
 
 def place_of(raised: StoppedError | None, function: str) -> Place | None:

@@ -37,7 +37,7 @@ class Function(NamedTuple):
 
 SPECIAL = "src/special_cradles.py"
 SWINGING = "src/swinging.py"
-RUN = "src/visualize_cradle_run.py"
+VISUALIZE_FILE = "src/visualize_cradle_run.py"
 DOUBLE = "src/double_cradle.py"
 
 # Chapters of the handout
@@ -102,14 +102,14 @@ FUNCTIONS = {
     ),
     "handle_collision": Function(
         "B",
-        RUN,
+        VISUALIZE_FILE,
         "e, omega1, omega2, m1, m2, r_param",
         COLLISIONS,
         returns="new_omega1, new_omega2",
     ),
     "handle_two_bobs": Function(
         "B",
-        RUN,
+        VISUALIZE_FILE,
         "pend1, pend2, r_param",
         COLLISIONS,
         waits_for=("handle_collision",),
@@ -118,7 +118,7 @@ FUNCTIONS = {
     ),
     "newton_cradle_tick": Function(
         "A",
-        RUN,
+        VISUALIZE_FILE,
         "pend_list, r_param, dt, g",
         RUNNING,
         waits_for=("full_swing_update", "handle_two_bobs"),
@@ -127,7 +127,7 @@ FUNCTIONS = {
     ),
     "main": Function(
         "A",
-        RUN,
+        VISUALIZE_FILE,
         "page",
         RUNNING,
         waits_for=("make_newton_cradle", "newton_cradle_tick"),
@@ -151,7 +151,7 @@ FUNCTIONS = {
     ),
 }
 
-# The functions that a starter provides in src/ beside these.
+# The other functions that a starter provides in src/.
 GIVEN = {
     "write_to_csv",
     "swing_update",
@@ -166,7 +166,7 @@ IMPORTS = {
     "src/pds_helper.py": "pd PendulumEntry",
     SPECIAL: "vector extract_and_convert COLOR_MAP TEXTURE_MAP make_pendulum PendulumEntry",
     SWINGING: "sin show_pendulum",
-    RUN: "mag make_newton_cradle full_swing_update DT G R_PARAM THETA_INIT",
+    VISUALIZE_FILE: "mag make_newton_cradle full_swing_update DT G R_PARAM THETA_INIT",
     DOUBLE: "vector make_bob_and_cord make_pendulum double_accelerations",
 }
 

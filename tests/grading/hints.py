@@ -1,6 +1,6 @@
 """Hints for errors of Python and for values of a wrong form, as rows with names.
 
-ERRORS  a Hint for each known error of Python; of those that fit, the first one counts
+ERRORS  a Hint for each known error of Python; of those that fit, the first one is taken
 MEANING what an error means, if no row fits
 FORMS   a pattern of the sentence that says what is wrong, and the hint
 
@@ -118,7 +118,7 @@ ERRORS = {
     "length": Hint(TypeError, pattern="'[<>]=?' not supported .*'vector'", hint="A vector is no length. mag(...) is the length of a vector."),
     "object": Hint(TypeError, pattern="operand.*'(?:sphere|box|cylinder)'|'(?:sphere|box|cylinder)' object is not subscriptable", hint="An object of VPython is no number and no vector. Its position is .pos, and a bob's radius is .radius."),
     "vector": Hint(TypeError, pattern="'vector' object is not|vector needs 3", hint="A vector has x, y and z: vector(x, y, z), and bob.pos.x. It has no elements."),
-    "mixed": Hint(TypeError, pattern="operand.*'vector'|number.*'?vector'?", hint="A vector stands beside a number, or in its place. The positions of both bobs are vectors."),
+    "mixed": Hint(TypeError, pattern="operand.*'vector'|number.*'?vector'?", hint="A vector stands next to a number, or in its place. The positions of both bobs are vectors."),
     "more text": Hint(TypeError, pattern="must be str|operand.*'str'|number, not '?str|between.*'str'|by non-int of type|concatenate str", hint="You calculate with text, or with several values at once. In quotes, a name is only text; [ ] or a comma make several values."),
     "several": Hint(TypeError, pattern="operand.*'(?:tuple|list)'|number, not '?(?:tuple|list)|between.*'(?:tuple|list)'|concatenate", hint="You calculate with a list or a tuple. [ ] make a list, also in a formula: its brackets are ( ). Commas make a tuple. Take its numbers one by one."),
     "next": Hint(TypeError, pattern=r"\+: 'dict' and 'int'", hint="A pendulum plus 1 is not the next pendulum: + 1 needs an index. A loop over range(...) gives i, and pend_list[i] is a pendulum."),

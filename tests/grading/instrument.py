@@ -27,7 +27,7 @@ from typing import Any
 
 from grading.expressions import AS_THEY_ARE, is_part, span_of
 from grading.handout import FUNCTIONS, is_students, module_of
-from grading.notes import LOOPS, Statement
+from grading.traces import LOOPS, Statement
 from grading.watch import Watch
 
 WATCH = "__watch__"  # the name under which the changed code finds the Watch
@@ -86,7 +86,7 @@ class Changer:
         node.body = [line_with(node, "enter", number), *self.block(node.body, number, ())]
 
     def add(self, node: ast.AST, owner: int, loops: tuple[int, ...], is_shown: bool = True) -> int:
-        """Note a statement; return its number."""
+        """Add a statement; return its number."""
         self.statements.append(Statement(deepcopy(node), owner, loops, is_shown))
         return len(self.statements) - 1
 
@@ -176,7 +176,7 @@ def is_idle(node: ast.AST) -> bool:
 
 @contextmanager
 def watched(function: str, watch: Watch) -> Iterator[None]:
-    """Let a Watch note what the student's functions for this one do, in the with statement."""
+    """Let a Watch trace what the student's functions for this one do, in the with statement."""
     plain_codes = {own_function: own_function.__code__ for own_function in own_functions(function)}
     codes = changed_codes([*plain_codes.values()], watch) if plain_codes else {}
     for own_function, plain_code in plain_codes.items():

@@ -3,8 +3,8 @@
 from textwrap import wrap
 from typing import NamedTuple
 
-from grading.messages import COLUMNS
-from grading.notes import ValueInWords
+from grading.messages import TERMINAL_COLUMNS
+from grading.traces import ValueInWords
 
 INDENT = 4  # spaces in front of each row
 CODE = 34  # columns of a short line of code; the values of all short lines stand below each other
@@ -12,7 +12,7 @@ MOST_CODE = 2  # lines of the code of a row
 MOST_LINES = 3  # of the values of a row
 
 
-class Row(NamedTuple):
+class TraceRow(NamedTuple):
     """A line of code, and what it gave, as lines of the screen."""
 
     rank: int
@@ -24,37 +24,39 @@ class Remark(NamedTuple):
     """What is said of a line of code. If there is no room, a high rank is left out."""
 
     rank: int
-    beside: str = ""
+    after: str = ""
     below: tuple[str, ...] = ()
 
 
 def laid_out(number: str, code: str, remark: Remark) -> list[str]:
-    """Return a row as lines of the screen: values beside short code if they fit, else below it."""
+    """Return a row as lines of the screen: values after short code if they fit, else below it."""
     start = f"{' ' * INDENT}{number}  {code}".ljust(INDENT + len(number) + 2 + CODE)
-    beside = remark.beside
-    if beside.count(" = ") == 1 and not has_room(start, beside):
-        value = beside.partition(" = ")[2]
+    after = remark.after
+    if after.count(" = ") == 1 and not has_room(start, after):
+        value = after.partition(" = ")[2]
         if has_room(start, value):
-            beside = value  # the name stands in the code
-    if not beside or has_room(start, beside):
-        lines = [f"{start}  {beside}".rstrip()]
+            after = value  # the name stands in the code
+    if not after or has_room(start, after):
+        lines = [f"{start}  {after}".rstrip()]
     else:
-        code_lines = wrap(start.rstrip(), COLUMNS, subsequent_indent=" " * (INDENT + 10))
-        lines = cut(code_lines, MOST_CODE) + indented(beside)
+        code_lines = wrap(start.rstrip(), TERMINAL_COLUMNS, subsequent_indent=" " * (INDENT + 10))
+        lines = cut(code_lines, MOST_CODE) + indented(after)
     for text in remark.below:
         lines += indented(text)
     return lines
 
 
-def has_room(start: str, beside: str) -> bool:
+def has_room(start: str, after: str) -> bool:
     """Return whether both fit into a line."""
-    return len(f"{start}  {beside}") <= COLUMNS
+    return len(f"{start}  {after}") <= TERMINAL_COLUMNS
 
 
 def indented(text: str) -> list[str]:
     """Return what is said below a line of code, cut after MOST_LINES."""
     space = " " * (INDENT + 8)
-    return cut(wrap(text, COLUMNS, initial_indent=space, subsequent_indent=space), MOST_LINES)
+    return cut(
+        wrap(text, TERMINAL_COLUMNS, initial_indent=space, subsequent_indent=space), MOST_LINES
+    )
 
 
 def cut(lines: list[str], most: int) -> list[str]:
@@ -66,8 +68,8 @@ def cut(lines: list[str], most: int) -> list[str]:
 
 def shortened(line: str) -> str:
     """Return a line with ... at its end, and without the words that have no room then."""
-    if len(line) > COLUMNS - 4:
-        line = line[: COLUMNS - 4]
+    if len(line) > TERMINAL_COLUMNS - 4:
+        line = line[: TERMINAL_COLUMNS - 4]
         whole_words = line.rpartition(" ")[0]
         if whole_words.strip():
             line = whole_words
@@ -110,8 +112,8 @@ def together(statements: list[Remark]) -> Remark:
     texts = []
     below: list[str] = []
     for remark in statements:
-        if remark.beside and remark.beside not in texts:
-            texts.append(remark.beside)
+        if remark.after and remark.after not in texts:
+            texts.append(remark.after)
         below += remark.below
     if len(texts) > 1:  # whether a line ran in a turn stands in the others, too
         texts = [text for text in texts if not says_only_ran(text)]

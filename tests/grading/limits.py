@@ -25,8 +25,8 @@ from support.waits import heard
 
 PATIENCE = 5.0  # s of processor time; then the grader stops a function
 WAITING = 10  # a function that only waits is stopped after this many times PATIENCE, by the clock
-LOOK = 0.05  # s from one look at these times to the next
-AGAIN = 0.5  # s until a function that catches the interrupt gets the next one
+LOOK_AT_LIMITS = 0.05  # s from one look at these times to the next
+NEXT_INTERRUPT = 0.5  # s until a function that catches the interrupt gets the next one
 MOST_INTERRUPTS = 20  # then pytest ends: nothing else stops this function
 MOST_MEMORY = 1000  # MB
 
@@ -187,7 +187,7 @@ class Timer(threading.Thread):
         start_by_clock = time.monotonic()
         stop_by = ""
         while not stop_by:
-            if self.over.wait(LOOK):
+            if self.over.wait(LOOK_AT_LIMITS):
                 return
             if present.is_debugged:
                 continue
@@ -201,7 +201,7 @@ class Timer(threading.Thread):
                 if not self.over.is_set():
                     self.interrupt(stop_by)
             interrupts += 1
-            if not self.over.wait(AGAIN) and interrupts >= MOST_INTERRUPTS:
+            if not self.over.wait(NEXT_INTERRUPT) and interrupts >= MOST_INTERRUPTS:
                 end_stubborn()
 
     def interrupt(self, stop_by: str) -> None:

@@ -9,14 +9,14 @@ from typing import Any, NamedTuple
 
 from grading.expressions import keys_in_head, names_in_head, targets_of
 from grading.handout import FUNCTIONS
-from grading.layout import INDENT, Row
+from grading.layout import INDENT, TraceRow
 from grading.messages import text_of
-from grading.notes import Statement, WatchedCall
-from grading.question import Answer, lines_in, Question
+from grading.question import lines_in, Origin, Question
 from grading.ranks import IN_QUESTION
 from grading.stops import stops_in
 from grading.subject import Subject
 from grading.trace_table import Table
+from grading.traces import Statement, WatchedCall
 from grading.watch import Watch
 
 MOST_FUNCTIONS = 3  # that have a table
@@ -26,7 +26,7 @@ class Explained(NamedTuple):
     """What was seen of a wrong call."""
 
     line: int  # of the file: where to look; 0 if it is not known
-    rows: list[Row]
+    rows: list[TraceRow]
     facts: list[str]
 
 
@@ -57,9 +57,9 @@ class WrongCall:
         return self.watch.statements[call.definition].node.name
 
     @cached_property
-    def answer(self) -> Answer:
+    def origin(self) -> Origin:
         """Where the value in question comes from."""
-        return self.question.answer()
+        return self.question.origin()
 
     def explained(self) -> Explained:
         """Return what was seen."""
@@ -72,7 +72,7 @@ class WrongCall:
             if calls:
                 rank = min((row.rank for row in table), default=IN_QUESTION)
                 title = f"{' ' * INDENT}Your function {self.name_of(call)}, called there:"
-                rows.append(Row(rank, [title], is_title=True))
+                rows.append(TraceRow(rank, [title], is_title=True))
             rows += table
             calls.append(call)
             helper = self.helper(call, needed)
@@ -84,7 +84,7 @@ class WrongCall:
     def starts_in(self, call: WatchedCall) -> list[int]:
         """Return the lines that matter, from which needed finds the lines that lead to them."""
         stops = [stop.line for stop in self.stops.values()]
-        starts = [*self.answer.lines, *self.marks, *stops]
+        starts = [*self.origin.lines, *self.marks, *stops]
         if call is not self.main:
             return [*starts, *self.ends(call)]
         return starts if self.needed(call, starts) else self.ends(call)
@@ -93,12 +93,12 @@ class WrongCall:
         """Return the line where to look, 0 if it is not known."""
         if self.stops:
             return [*self.stops.values()][-1].line
-        lines = [*self.marks] or self.answer.lines or self.ends(self.main)
+        lines = [*self.marks] or self.origin.lines or self.ends(self.main)
         return lines[-1] if lines else 0
 
     def facts(self, calls: list[WatchedCall]) -> list[str]:
         """Return sentences about what was seen in these calls."""
-        facts = [*self.answer.facts]
+        facts = [*self.origin.facts]
         if self.watch.error:
             return facts
         facts += [*self.early_returns(calls), *self.nothing_returned(), *self.missing_calls()]
@@ -107,12 +107,12 @@ class WrongCall:
             facts.append(f"Right here: {', '.join(parts)}.")
         return facts
 
-    def table(self, call: WatchedCall, needed: dict[int, int]) -> list[Row]:
+    def table(self, call: WatchedCall, needed: dict[int, int]) -> list[TraceRow]:
         return Table(self.watch, call, self.stops.get(call), needed, self.marks, self.index).rows()
 
     def ends(self, call: WatchedCall) -> list[int]:
         """Return the lines with a return at which a call has come to its end."""
-        nodes = [self.watch.statements[number].node for number in call.notes]
+        nodes = [self.watch.statements[number].node for number in call.traces]
         return [node.lineno for node in nodes if isinstance(node, ast.Return)]
 
     def statements_of(self, call: WatchedCall) -> list[Statement]:
@@ -152,12 +152,12 @@ class WrongCall:
         if call in stopped and call is not stopped[-1]:
             return stopped[stopped.index(call) + 1]
         by_line = {}
-        for number, notes in call.notes.items():
-            by_line[self.watch.statements[number].node.lineno] = notes
+        for number, traces in call.traces.items():
+            by_line[self.watch.statements[number].node.lineno] = traces
         for line in sorted(needed, key=lambda line: (needed[line], -line)):
-            notes_of_line = by_line.get(line)
-            if notes_of_line:
-                called = self.in_question(notes_of_line).calls
+            traces_of_line = by_line.get(line)
+            if traces_of_line:
+                called = self.in_question(traces_of_line).calls
                 helpers = [call.watched_call for call in called if call.watched_call]
                 if helpers:
                     return helpers[-1]
@@ -194,14 +194,14 @@ class WrongCall:
         """Return sentences about the returns that have ended a loop in these calls."""
         found = []
         for call in calls:
-            for number, notes in call.notes.items():
+            for number, traces in call.traces.items():
                 statement = self.watch.statements[number]
                 if isinstance(statement.node, ast.Return) and statement.loops:
                     line = statement.node.lineno
                     loop = self.watch.statements[statement.loops[-1]].node.lineno
                     found.append(
-                        f"Line {line} returns in turn {notes[-1].turn} of the loop in line {loop}, "
-                        "and so ends it."
+                        f"Line {line} returns in turn {traces[-1].turn} of the loop in line "
+                        f"{loop}, and so ends it."
                     )
         return found
 

@@ -15,9 +15,9 @@ from grading.handout import FUNCTIONS
 from grading.raised import Place, StoppedError
 from support.start.output import in_one_line
 
-COLUMNS = 80  # of a terminal
+TERMINAL_COLUMNS = 80  # of a terminal
 LABEL = 12  # columns of the labels of a message
-WIDTH = 62  # of the values beside the labels
+WIDTH = 62  # of the values after the labels
 MOST_ELEMENTS = 20  # shown of a list
 MOST_DICTIONARIES = 1  # shown of a list of dictionaries
 MOST_OF_FILE = 8  # lines of the longest file that is shown whole
@@ -39,8 +39,8 @@ PLACES = {"axle", "bob", "radius"}  # the keys that a plain copy of a pendulum h
 
 
 @dataclass(frozen=True)
-class Wanted:
-    """An expectation that several values meet: as text, and as a test of a value."""
+class Expected:
+    """What several values can be: as text, and as a test of a value."""
 
     text: str
     test: Callable
@@ -85,7 +85,7 @@ class Call(NamedTuple):
             else:
                 below += value_lines(name, value, function.reads, index)
         call = f"{self.function}({', '.join(arguments)})"
-        return [*wrap(call, COLUMNS - LABEL), *below]
+        return [*wrap(call, TERMINAL_COLUMNS - LABEL), *below]
 
 
 def plural(count: int, singular: str, several: str) -> str:
@@ -193,7 +193,7 @@ def text_in_parts(value: Any, digits: int, parts: Iterator[int]) -> str:
     parts is an iterator that ends after the greatest number of parts.
     """
     next(parts)
-    if isinstance(value, Wanted):
+    if isinstance(value, Expected):
         return value.text
     if isinstance(value, Real) and not isinstance(value, bool):
         return f"{value + 0:.{digits}g}"  # no -0
@@ -260,9 +260,9 @@ def message(pairs: Iterable[tuple[str, Any]]) -> str:
             continue
         lines = [text] if isinstance(text, str) else "\n".join(text).split("\n")
         for line in lines:
-            for wrapped in wrap(line, COLUMNS - LABEL) or [""]:
+            for wrapped in wrap(line, TERMINAL_COLUMNS - LABEL) or [""]:
                 rows.append(f"{label:<{LABEL}}{wrapped}")
-                label = ""  # it stands beside the first line only
+                label = ""  # it stands in the first line only
     return "\n".join(rows)
 
 

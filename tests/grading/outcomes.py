@@ -15,13 +15,13 @@ from grading import limits
 from grading.choosing import hint_for
 from grading.grader import Check, checks, place_of, runner, WaitError, WrongError
 from grading.handout import FUNCTIONS, needed
-from grading.layout import Row
+from grading.layout import TraceRow
 from grading.line_by_line import Explained, WrongCall
-from grading.messages import COLUMNS, end_of, error_lines, message
-from grading.noting import EndlessError
+from grading.messages import end_of, error_lines, message, TERMINAL_COLUMNS
 from grading.present import present
 from grading.raised import StoppedError
 from grading.students_code import Code, code_of, working_in
+from grading.tracing import EndlessError
 from grading.watch import Watch
 from support import waits
 from support.start.output import in_one_line
@@ -39,13 +39,13 @@ class Outcome(NamedTuple):
     message: str = ""
     # A file and a line of the student's: where the function is not written yet, or is wrong
     place: str = ""
-    note: str = ""  # about a right solution
+    advice: str = ""  # about a right solution
     waits_for: str = ""  # the functions, or the file, that are wrong
     broken_file: str = ""  # that Python cannot read, so that the check fails
     wrong: str = ""  # in a sentence
     hint: str = ""
     help: str = ""  # of the check
-    rows: list[Row] = []  # of the trace tables
+    rows: list[TraceRow] = []  # of the trace tables
     facts: list[str] = []  # sentences about what was seen
 
     def plain(self) -> dict:
@@ -54,7 +54,7 @@ class Outcome(NamedTuple):
 
     @classmethod
     def from_plain(cls, fields: Any) -> "Outcome":
-        return cls(**{**fields, "rows": [Row(*row) for row in fields["rows"]]})
+        return cls(**{**fields, "rows": [TraceRow(*row) for row in fields["rows"]]})
 
     @property
     def is_unwritten(self) -> bool:
@@ -135,7 +135,7 @@ class Grading:
             if present.is_pressed or present.is_debugged or is_full:
                 raise
             return Outcome(FAULT, fault_message())
-        return Outcome(PASSED, note=" ".join([*present.notes, waits.remark()]).strip())
+        return Outcome(PASSED, advice=" ".join([*present.advice, waits.remark()]).strip())
 
     def failed(self, check: Check, error: WrongError) -> Outcome:
         """Return the outcome of a check that raised this WrongError.
@@ -180,7 +180,7 @@ class Grading:
         )
 
     def wrong_functions_in(self, code: Code, function: str) -> list[str]:
-        """Return the wrong functions that a student uses beside those that the handout asks for."""
+        """Return the wrong functions that a student uses and the handout does not ask for."""
         functions = [*FUNCTIONS]
         earlier = functions[: functions.index(function)]
         wrong = []
@@ -221,7 +221,7 @@ class Grading:
                     "This line stands outside of all functions, so it runs when Python reads the "
                     "file. Remove it."
                 )
-        lines = [f"{where}:", *code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
+        lines = [f"{where}:", *code, *wrap(wrong, TERMINAL_COLUMNS), *wrap(hint, TERMINAL_COLUMNS)]
         return Outcome(
             FAILED, "\n".join(lines), place=where, broken_file=file, wrong=wrong, hint=hint
         )

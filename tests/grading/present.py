@@ -23,7 +23,7 @@ class PresentCheck:
         waits.calls.clear()
         self.watch = watch
         self.calls = 0  # of students' functions
-        self.notes: list[str] = []  # sentences for a student whose solution is right
+        self.advice: list[str] = []  # sentences for a student whose solution is right
         # By which time the grader stopped it: CLOCK or PROCESSOR of limits.py, "" if it did not
         self.stopped_by = ""
         self.is_pressed = False  # somebody pressed Ctrl+C

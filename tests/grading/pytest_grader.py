@@ -185,7 +185,7 @@ def grade_of_run(config: pytest.Config) -> dict:
             "state": outcome.state,
             "message": outcome.message,
             "place": outcome.place,
-            "hint": outcome.hint or outcome.note,
+            "hint": outcome.hint or outcome.advice,
         }
     text = [line.text for line in report_of_run(config)]
     return {**grade(RAN), "checks": results, "text": text, "final": is_final}
@@ -195,15 +195,15 @@ def report_of_run(config: pytest.Config) -> list[Line]:
     """Return what a student reads about this run."""
     if not RAN:
         return []
-    note = ""
+    advice = ""
     try:
         require_cradle(Snapshot(NC_FP))
     except ValueError as error:  # the checks have files of their own
-        note = f"your CSV has a mistake. {error}".replace(f"{config.rootpath}{os.sep}", "")
+        advice = f"your CSV has a mistake. {error}".replace(f"{config.rootpath}{os.sep}", "")
     reporter = config.pluginmanager.get_plugin("terminalreporter")
     failed = getattr(reporter, "stats", {}).get("failed", [])
     printed = {name_of(failure): failure.capstdout for failure in failed}
-    return report(RAN, printed, get_terminal_size().columns, note)
+    return report(RAN, printed, get_terminal_size().columns, advice)
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 
 from grading.expressions import AS_THEY_ARE, names_in_head, operations_in, targets_of
 from grading.handout import FUNCTIONS
-from grading.notes import Known, LOOPS, Store, WatchedCall
 from grading.subject import Subject
+from grading.traces import Known, LOOPS, Store, WatchedCall
 from grading.values import in_words
 from grading.watch import Watch
 
@@ -18,7 +18,7 @@ UNSEEN = {"update", "setdefault", "pop", "clear", "map", "setattr", "exec", "var
 MAKE_PENDULUM = "axle_pos", "r_param", "theta", "color", "texture"  # its parameters
 
 
-class Answer(NamedTuple):
+class Origin(NamedTuple):
     """Where the value in question comes from."""
 
     lines: list[int] = []  # that have set it; the last one is where to look
@@ -42,42 +42,42 @@ class Question:
         if main.has_result:
             self.values_by_name[self.function.returns] = main.result
 
-    def answer(self) -> Answer:
+    def origin(self) -> Origin:
         """Return the lines that have set the value, else those that give the result."""
-        answer = self.of_subject()
-        if answer.lines:
-            return answer
+        origin = self.of_subject()
+        if origin.lines:
+            return origin
         result = self.of_result()
-        return Answer(result.lines, [*answer.facts, *result.facts])
+        return Origin(result.lines, [*origin.facts, *result.facts])
 
-    def of_subject(self) -> Answer:
-        """Return the answer by the kind of the subject; of a result, it is empty."""
+    def of_subject(self) -> Origin:
+        """Return the origin by the kind of the subject; of a result, it is empty."""
         subject = self.subject
         if subject.has_wrong_keys:
             is_whole_pendulum = subject.is_of_pendulum and not subject.value
-            return Answer(self.of_keys()) if is_whole_pendulum else Answer()
+            return Origin(self.of_keys()) if is_whole_pendulum else Origin()
         if subject.owner == "each pendulum":
-            return Answer(self.lines_with_key(subject.value))
+            return Origin(self.lines_with_key(subject.value))
         if subject.is_of_pendulum:
-            return self.of_value() if subject.value else Answer()
-        return Answer(self.of_object()) if subject.owner else Answer()
+            return self.of_value() if subject.value else Origin()
+        return Origin(self.of_object()) if subject.owner else Origin()
 
     # --- by the subject ---
 
-    def of_value(self) -> Answer:
-        """Return the answer for a value of a pendulum: "theta of pend_list[0]"."""
+    def of_value(self) -> Origin:
+        """Return the origin of a value of a pendulum: "theta of pend_list[0]"."""
         pend = self.pendulum()
         key = self.subject.value
         name = self.subject.pend
         if pend is None:
-            return Answer()
+            return Origin()
         setting = self.lines_with_key(key, name)
         lines = [*self.lines_of_list(), *setting]
         stores = [store for store in self.watch.stores if store.holder is pend and store.key == key]
         if stores and stores[-1].value is pend.get(key):
             steps = [f"to {store.text} in line {store.line}" for store in stores[-3:]]
             fact = f"{key} of {name} was set {', then '.join(steps)}."
-            return Answer([*lines, *lines_in(stores), first_with_last_value(stores)], [fact])
+            return Origin([*lines, *lines_in(stores), first_with_last_value(stores)], [fact])
         facts = []
         known = self.watch.known.get(id(pend))
         if known and key in known.copy and known.copy[key] is pend.get(key):
@@ -86,7 +86,7 @@ class Question:
             lines += self.conditions_around(setting[-1])
         else:
             lines += self.lines_without_effect() or self.lines_of_loops()
-        return Answer(lines, facts)
+        return Origin(lines, facts)
 
     def of_keys(self) -> list[int]:
         """Return the lines for a pendulum with other keys: those that store something in it."""
@@ -112,11 +112,11 @@ class Question:
                         return lines_in(stores) or [node.lineno]
         return []
 
-    def of_result(self) -> Answer:
-        """Return the answer for a result: the lines that set its wrong part, and that give it."""
+    def of_result(self) -> Origin:
+        """Return the origin of a result: the lines that set its wrong part, and that give it."""
         node = self.returned()
         if not node or not node.value:
-            return Answer(self.lines_with_calls())
+            return Origin(self.lines_with_calls())
         names = self.function.returns.split(", ")
         wrong = self.wrong_parts(names)
         part = node.value
@@ -125,12 +125,12 @@ class Question:
         stores = self.stores_of(names_in_head(part), self.main)
         lines = [*lines_in(stores), first_with_last_value(stores)] if stores else []
         if not isinstance(part, ast.Name) or self.subject.is_result:
-            return Answer([*lines, node.lineno])
+            return Origin([*lines, node.lineno])
         facts = []
         if wrong and part.id in self.values_by_name and not self.is_set(part.id):
             name = names[wrong[0]]
             facts.append(f"{name} is your {part.id}, and no line of your function has set it.")
-        return Answer(lines or [node.lineno], facts)
+        return Origin(lines or [node.lineno], facts)
 
     # --- what they need ---
 
@@ -177,7 +177,7 @@ class Question:
             is_condition = isinstance(node, (ast.If, ast.While))
             if not is_condition or not node.lineno < line <= node.end_lineno:
                 continue
-            if call.notes[number][-1].values[0].is_false:
+            if call.traces[number][-1].values[0].is_false:
                 found.append(node.lineno)
         return found[-1:]
 
@@ -186,7 +186,7 @@ class Question:
         found = []
         for call, number in self.statements_that_ran():
             node = self.node(number)
-            if any(value.is_lost for value in call.notes[number][-1].values):
+            if any(value.is_lost for value in call.traces[number][-1].values):
                 found.append(node.lineno)
         return found
 
@@ -234,8 +234,8 @@ class Question:
 
     def lines_with_calls(self) -> list[int]:
         """Return the first line of the function that has called a function of src/."""
-        for number, notes in self.main.notes.items():
-            if any(note.calls for note in notes):
+        for number, traces in self.main.traces.items():
+            if any(trace.calls for trace in traces):
                 return [self.node(number).lineno]
         return []
 
@@ -245,12 +245,12 @@ class Question:
     def statements_that_ran(self) -> Iterable[tuple[WatchedCall, int]]:
         """Yield each call that was watched, with the number of each of its statements that ran."""
         for call in self.watch.calls.values():
-            for number in call.notes:
+            for number in call.traces:
                 yield call, number
 
     def returned(self) -> ast.Return | None:
         """Return the statement that gave the result of the function."""
-        for number in self.main.notes:
+        for number in self.main.traces:
             if isinstance(self.node(number), ast.Return):
                 return self.node(number)
         return None
@@ -263,7 +263,7 @@ class Question:
 def first_with_last_value(stores: list[Store]) -> int:
     """Return the line that has given a place its last value.
 
-    Lines that have given it again do not count.
+    Lines that have given it again are left out.
     """
     last = stores[-1]
     for store in reversed(stores):

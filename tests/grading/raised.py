@@ -77,7 +77,7 @@ class StoppedError(Exception):
         return " " * start + "^" * width
 
 
-class Stub(NamedTuple):
+class StubHint(NamedTuple):
     """A function that is not written yet."""
 
     function: str
@@ -127,7 +127,7 @@ def text_of_error(error: BaseException) -> str | None:
 def own_places(error: BaseException) -> tuple[tuple[Place, ...], list[tuple[FrameType, int]]]:
     """Return the places of an error in the student's own files, the last call last.
 
-    Beside them, return the frames and the lines of those that have run.
+    Also return the frames and the lines of those that have run.
     """
     places: list[Place] = []
     frames = []
@@ -158,7 +158,7 @@ def all_places(error: Any) -> Iterator[tuple[Place, FrameType | None]]:
         yield Place(error.filename, number, "", (error.text or "").strip()), None
 
 
-def stub_of(error: BaseException) -> Stub | None:
+def stub_of(error: BaseException) -> StubHint | None:
     """Return the function that raised this error because it is not written yet, or None."""
     frames = traceback.extract_tb(error.__traceback__)
     if not frames or not isinstance(error, NotImplementedError):
@@ -171,9 +171,9 @@ def stub_of(error: BaseException) -> Stub | None:
         return None
     line, has_code = stubs[name]
     if not has_code:
-        return Stub(name, "")
+        return StubHint(name, "")
     delete = f"Delete line {line}, raise NotImplementedError"
-    return Stub(name, f"{delete}: it stops your function before its end.")
+    return StubHint(name, f"{delete}: it stops your function before its end.")
 
 
 def culprit_of(error: BaseException, text: str, places: tuple[Place, ...]) -> str | None:

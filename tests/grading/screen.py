@@ -11,7 +11,7 @@ from grading.grade import (
     LINE_BY_LINE,
     MORE,
     next_step,
-    Part,
+    StepPart,
 )
 from grading.handout import SUITES
 from grading.messages import plural
@@ -32,12 +32,12 @@ class Line(NamedTuple):
 
 
 def report(
-    outcomes: dict[str, Outcome], printed: dict[str, str], columns: int, note: str
+    outcomes: dict[str, Outcome], printed: dict[str, str], columns: int, advice: str
 ) -> list[Line]:
     """Return what a student reads about outcomes.
 
-    printed has the output of the student's code by the names of the checks that fail; note is about
-    something else.
+    printed has the output of the student's code by the names of the checks that fail; advice is
+    about something else.
     """
     lines = []
     failed = failed_checks(outcomes)
@@ -53,7 +53,7 @@ def report(
     else:
         lines += unwritten_lines(outcomes, columns)
     lines.append(Line(separator("Grade", "=", columns)))
-    return [*lines, *table(outcomes, columns, note, SCREEN - 2 - len(lines))]
+    return [*lines, *table(outcomes, columns, advice, SCREEN - 2 - len(lines))]
 
 
 def printed_lines(output: str) -> list[str]:
@@ -87,7 +87,7 @@ def separator(title: str, sign: str, columns: int) -> str:
 
 
 def table(
-    outcomes: dict[str, Outcome], columns: int, note: str = "", height: int = SCREEN
+    outcomes: dict[str, Outcome], columns: int, advice: str = "", height: int = SCREEN
 ) -> list[Line]:
     """Return the points and the grade of outcomes, and the next step, in at most height lines.
 
@@ -96,8 +96,8 @@ def table(
     graded = grade(outcomes)
     lines = [*tier_lines(graded["tiers"]), *waiting_lines(outcomes)]
     sentences = verdict(graded)
-    hints = [outcome.note for outcome in outcomes.values() if outcome.state == PASSED]
-    for hint in dict.fromkeys([*hints, note]):  # each once
+    hints = [outcome.advice for outcome in outcomes.values() if outcome.state == PASSED]
+    for hint in dict.fromkeys([*hints, advice]):  # each once
         sentences += wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=MORE)
     sentences += next_step_rows(outcomes, columns, height - len(lines) - len(sentences))
     return [*lines, *(Line(sentence, "bold") for sentence in sentences)]
@@ -105,10 +105,10 @@ def table(
 
 def tier_lines(tiers: dict[str, dict]) -> list[Line]:
     """Return a line for each tier, and one with the titles above them."""
-    lines = [Line(row("tier", "passed", "waiting", "failed", "points"), "bold")]
+    lines = [Line(tier_row("tier", "passed", "waiting", "failed", "points"), "bold")]
     for tier, counts in tiers.items():
         points = f"{counts['points']}/{counts['of']}"
-        text = row(tier, counts["passed"], counts["waiting"], counts["failed"], points)
+        text = tier_row(tier, counts["passed"], counts["waiting"], counts["failed"], points)
         lines.append(Line(text, color_of(counts)))
     return lines
 
@@ -120,7 +120,7 @@ def color_of(counts: dict) -> str:
     return "red" if counts["failed"] else "yellow"
 
 
-def row(tier: str, passed: object, waiting: object, failed: object, points: str) -> str:
+def tier_row(tier: str, passed: object, waiting: object, failed: object, points: str) -> str:
     """Return a row of the table of tiers."""
     return f"{tier:<12}{passed:>8}{waiting:>9}{failed:>8}{points:>10}"
 
@@ -169,7 +169,7 @@ def next_step_rows(outcomes: dict[str, Outcome], columns: int, height: int) -> l
     return rows
 
 
-def number_of_rows(parts: list[Part]) -> int:
+def number_of_rows(parts: list[StepPart]) -> int:
     """Return how many of these parts are rows of a trace table."""
     return len([part for part in parts if part.is_row])
 
@@ -185,7 +185,7 @@ def wrapped(lines: list[str], columns: int) -> list[str]:
     return found
 
 
-def fitting(parts: list[Part], height: int) -> list[Part]:
+def fitting(parts: list[StepPart], height: int) -> list[StepPart]:
     """Return the parts for which there is room, those of the lowest ranks, in their order."""
     kept = set()
     for i in sorted(range(len(parts)), key=lambda i: parts[i].rank):
@@ -193,7 +193,7 @@ def fitting(parts: list[Part], height: int) -> list[Part]:
         if has_room or parts[i].rank == ALWAYS:
             kept.add(i)
             height -= len(parts[i].lines)
-    found: list[Part] = []
+    found: list[StepPart] = []
     for i in sorted(kept, reverse=True):
         # The title of a helper's table needs a row below it
         if not parts[i].is_title or (found and found[0].is_row):

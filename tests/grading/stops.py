@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from grading.notes import WatchedCall
-from grading.noting import EndlessError, MOST_TURNS
+from grading.traces import WatchedCall
+from grading.tracing import EndlessError, MOST_TURNS
 from grading.watch import Watch
 
 

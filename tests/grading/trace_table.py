@@ -7,16 +7,16 @@ import ast
 from typing import Any, NamedTuple
 
 from grading.instrument import TRIES
-from grading.layout import cell, cells, laid_out, once, Remark, Row, together
-from grading.notes import Called, LOOPS, Note, WatchedCall
+from grading.layout import cell, cells, laid_out, once, Remark, together, TraceRow
 from grading.ranks import CALLS, IDLE, IN_QUESTION, NO_END, rank_after, VALUES
 from grading.source import Source, without_comment
 from grading.stops import Stop
+from grading.traces import Called, LOOPS, Trace, WatchedCall
 from grading.values import in_words
 from grading.watch import Watch
 
 MOST_CALLS = 3  # of a line that are shown
-FEW = 4  # turns of a loop that are all shown
+FEW_TURNS = 4  # turns of a loop that are all shown
 SHORT = 12  # characters of a value that is shown again if all turns give the same
 LONG = 140  # characters of the values of all turns; if they are longer, only one turn is shown
 # By the handout
@@ -27,7 +27,7 @@ class Turns(NamedTuple):
     """How many turns a statement in a loop has made; 0 without a loop."""
 
     finished: int  # turns of the innermost loop in which it came to its end
-    shown: int  # the same, but the condition of a while comes once more at each end of the loop
+    columns: int  # the same, but the condition of a while comes once more at each end of the loop
 
 
 class Table:
@@ -70,14 +70,14 @@ class Table:
     def node(self, number: int) -> Any:
         return self.watch.statements[number].node
 
-    def rows(self) -> list[Row]:
+    def rows(self) -> list[TraceRow]:
         """Return the rows in the order of the code.
 
         A row with else has the rank of the one below it.
         """
         lines = sorted({*self.by_line, *self.lines_with_else()})
         width = len(str(max(lines, default=0)))
-        rows: list[Row] = []
+        rows: list[TraceRow] = []
         for line in reversed(lines):
             remark = None
             if line in self.by_line:
@@ -86,7 +86,7 @@ class Table:
                 remark = Remark(rows[0].rank)
             if remark:
                 texts = laid_out(f"{line:>{width}}", self.code_of(line), remark)
-                rows.insert(0, Row(remark.rank, texts))
+                rows.insert(0, TraceRow(remark.rank, texts))
         return rows
 
     def lines_with_else(self) -> set[int]:
@@ -122,7 +122,7 @@ class Table:
         if remark is None:
             return None
         if line in self.marks:
-            remark = remark._replace(beside=f"{remark.beside}  <- {self.marks[line]}")
+            remark = remark._replace(after=f"{remark.after}  <- {self.marks[line]}")
         if self.source.line(line).strip().rstrip(";") in PROVIDED and not self.stop:
             return remark._replace(rank=IDLE)
         if line in self.needed:
@@ -146,19 +146,19 @@ class Table:
 
     def remark_on_statement(self, number: int) -> Remark | None:
         """Return what is said of a statement, or None if it did not come to its end."""
-        notes = self.call.notes.get(number)
+        traces = self.call.traces.get(number)
         is_loop = isinstance(self.node(number), LOOPS)
-        if not notes:
+        if not traces:
             is_empty = is_loop and number in self.call.whole_values and not self.stop
             return Remark(VALUES, "no turn") if is_empty else None
-        turns = self.turns_of(number, notes)
+        turns = self.turns_of(number, traces)
         rank = IDLE
-        if any(note.calls for note in notes):
+        if any(trace.calls for trace in traces):
             rank = CALLS
-        elif any(note.values for note in notes):
+        elif any(trace.values for trace in traces):
             rank = VALUES
-        beside = self.in_turns(notes, turns, is_loop)
-        return Remark(rank, beside, tuple(self.calls_in_words(number, notes, turns)))
+        after = self.in_turns(traces, turns, is_loop)
+        return Remark(rank, after, tuple(self.calls_in_words(number, traces, turns)))
 
     def remark_on_stop(self, stop: Stop, numbers: list[int], found: list[Remark]) -> Remark:
         """Return what is said of the line that has stopped.
@@ -178,11 +178,11 @@ class Table:
             for called in calls:
                 if called.got:
                     below.append(f"{label}{called.name} got {called.got}")
-        beside = f"{remark.beside}  <- {stop.how}".strip()
-        return Remark(IN_QUESTION, beside, (*below, *remark.below[-1:]))
+        after = f"{remark.after}  <- {stop.how}".strip()
+        return Remark(IN_QUESTION, after, (*below, *remark.below[-1:]))
 
     def why_it_has_no_end(self, line: int, numbers: list[int]) -> str:
-        """Return what is said beside a line that did not come to its end in any turn."""
+        """Return what is said of a line that did not come to its end in any turn."""
         for stopped, kind in self.call.hidden.items():
             if line == self.start_of(stopped):
                 return f"stopped: {kind}"
@@ -209,8 +209,8 @@ class Table:
         loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
         return self.call.turns[loops[-1]] if loops else 0
 
-    def turns_of(self, number: int, notes: list[Note]) -> Turns:
-        """Return the turns of a statement that has these notes."""
+    def turns_of(self, number: int, traces: list[Trace]) -> Turns:
+        """Return the turns of a statement that has these traces."""
         finished = self.begun_turns(number)
         if not self.call.is_whole:
             finished = max(0, finished - 1)  # the last turn was not watched to its end
@@ -218,83 +218,83 @@ class Table:
         has_stopped = self.stop is not None and node.lineno == self.stop_start
         if has_stopped and finished > 1 and not isinstance(node, LOOPS):
             finished -= 1  # the last turn has stopped here
-        return Turns(finished, len(notes) if notes[0].is_condition_of_loop else finished)
+        return Turns(finished, len(traces) if traces[0].is_condition_of_loop else finished)
 
-    def numbers_of_turns(self, shown: int) -> list[int]:
+    def numbers_of_turns(self, columns: int) -> list[int]:
         """Return which turns are shown: the first two, the one in question, and the last one."""
-        if shown <= FEW:
-            return [*range(1, shown + 1)]
-        turns = {1, 2, shown}
-        if self.index is not None and self.index < shown:
+        if columns <= FEW_TURNS:
+            return [*range(1, columns + 1)]
+        turns = {1, 2, columns}
+        if self.index is not None and self.index < columns:
             turns.add(self.index + 1)
         return sorted(turns)
 
-    def in_turns(self, notes: list[Note], turns: Turns, is_loop: bool) -> str:
+    def in_turns(self, traces: list[Trace], turns: Turns, is_loop: bool) -> str:
         """Return what a statement gave, in each turn of its loop that is shown."""
         if not turns.finished:
-            return once(notes[-1].values)
-        if notes[0].is_condition_of_loop:
-            by_turn = {i: cell(note.values) for i, note in enumerate(notes, start=1)}
+            return once(traces[-1].values)
+        if traces[0].is_condition_of_loop:
+            by_turn = {i: cell(trace.values) for i, trace in enumerate(traces, start=1)}
         else:
-            by_turn = {note.turn: cell(note.values) for note in notes}
-        is_in_each = len(by_turn) == turns.shown
-        if is_in_each and not any(note.values for note in notes):
+            by_turn = {trace.turn: cell(trace.values) for trace in traces}
+        is_in_each = len(by_turn) == turns.columns
+        if is_in_each and not any(trace.values for trace in traces):
             return ""
-        is_same = is_in_each and len({*by_turn.values()}) == 1 and turns.shown > 2
-        if is_same and (turns.shown > FEW or len(by_turn[1]) > SHORT):
+        is_same = is_in_each and len({*by_turn.values()}) == 1 and turns.columns > 2
+        if is_same and (turns.columns > FEW_TURNS or len(by_turn[1]) > SHORT):
             text = f"{by_turn[1]}, in each turn"
         else:
-            text = cells(by_turn, self.numbers_of_turns(turns.shown))
-        if len(text) > LONG and self.index is not None and self.index < turns.shown:
+            text = cells(by_turn, self.numbers_of_turns(turns.columns))
+        if len(text) > LONG and self.index is not None and self.index < turns.columns:
             turn = self.index + 1
             return f"turn {turn}: {by_turn.get(turn, '-')}"
-        if not is_loop or turns.shown <= FEW:
+        if not is_loop or turns.columns <= FEW_TURNS:
             return text
-        return f"{text}  ({self.number_of_turns(notes, turns)})"
+        return f"{text}  ({self.number_of_turns(traces, turns)})"
 
-    def number_of_turns(self, notes: list[Note], turns: Turns) -> str:
+    def number_of_turns(self, traces: list[Trace], turns: Turns) -> str:
         """Return how many turns a loop has made, with the one that a limit has stopped."""
         number = turns.finished
         is_over_limit = self.stop is not None and not self.stop.is_error
-        if is_over_limit and notes[0].is_condition_of_loop:
-            number = turns.shown  # the condition has come in this turn, too
+        if is_over_limit and traces[0].is_condition_of_loop:
+            number = turns.columns  # the condition has come in this turn, too
         if not self.call.is_whole:
             return f"more than {number} turns: not watched further"
         return f"{number} turns"
 
-    def calls_in_words(self, number: int, notes: list[Note], turns: Turns) -> list[str]:
+    def calls_in_words(self, number: int, traces: list[Trace], turns: Turns) -> list[str]:
         """Return what the called functions got and gave, in the turns that are shown."""
         lines = []
-        for note in self.notes_with_calls(number, notes):
-            turn = note.turn
-            if note.is_condition_of_loop:
+        for trace in self.traces_with_calls(number, traces):
+            turn = trace.turn
+            if trace.is_condition_of_loop:
                 turn += 1  # it comes before its turn
             label = f"turn {turn}: " if turns.finished > 1 else ""
-            for called in note.calls:
+            for called in trace.calls:
                 parts = []
                 if called.got:
                     parts.append(f"got {called.got}")
-                if not self.is_value_of_row(number, note, called):
+                if not self.is_value_of_row(number, trace, called):
                     parts.append(called.gave)
                 if parts:
                     lines.append(f"{label}{called.name} {'; it '.join(parts)}")
         return lines
 
-    def notes_with_calls(self, number: int, notes: list[Note]) -> list[Note]:
-        """Return the notes of a statement whose calls are shown."""
-        calling = [note for note in notes if note.calls]
+    def traces_with_calls(self, number: int, traces: list[Trace]) -> list[Trace]:
+        """Return the traces of a statement whose calls the table shows."""
+        calling = [trace for trace in traces if trace.calls]
         if self.index is not None and len(self.watch.statements[number].loops) == 1:
-            in_question = [note for note in calling if note.turn == self.index + 1]
+            in_question = [trace for trace in calling if trace.turn == self.index + 1]
             if in_question:
                 return in_question
         if len(calling) > MOST_CALLS:
             return [*calling[: MOST_CALLS - 1], calling[-1]]
         return calling
 
-    def is_value_of_row(self, number: int, note: Note, called: Called) -> bool:
+    def is_value_of_row(self, number: int, trace: Trace, called: Called) -> bool:
         """Return whether the result of a call stands in its row already."""
         node = self.node(number)
         is_whole = isinstance(getattr(node, "value", None), ast.Call)
         if not is_whole or isinstance(node, ast.AugAssign):
             return False
-        return called.says_result and len(note.calls) == 1 and bool(note.values)
+        return called.says_result and len(trace.calls) == 1 and bool(trace.values)

@@ -1,7 +1,7 @@
-"""A Watch: it notes what each statement of a student's function gives, in each turn of its loops.
+"""A Watch: it traces what each statement of a student's function gives, in each turn of its loops.
 
 For one call, instrument.py gives the student's functions other code, which hands its values to a
-Watch. notes.py has what it notes, and trace_table.py writes this down.
+Watch. traces.py has what it keeps, and trace_table.py writes this down.
 """
 
 import ast
@@ -13,7 +13,7 @@ from types import FrameType, FunctionType
 from typing import Any
 
 from grading.expressions import names_in_head, Span, targets_of, Values
-from grading.notes import (
+from grading.traces import (
     Called,
     Change,
     changed_keys,
@@ -22,29 +22,29 @@ from grading.notes import (
     is_named,
     Known,
     LOOPS,
-    Note,
     pendula_in,
     Statement,
     Store,
+    Trace,
     ValueInWords,
     WatchedCall,
 )
-from grading.noting import EndlessError, MOST_TURNS, noting
+from grading.tracing import EndlessError, MOST_TURNS, tracing
 from grading.values import in_words, names_in
 
-MOST_NOTES = 20_000  # of a call: then it is not watched further
-MOST_NOTES_ENDLESS = 200_000  # of a call that is stopped at MOST_TURNS
+MOST_TRACES = 20_000  # of a call: then it is not watched further
+MOST_TRACES_ENDLESS = 200_000  # of a call that is stopped at MOST_TURNS
 
 
 class Watch:
-    """What the changed code calls, and what it has noted."""
+    """What the changed code calls, and what it has traced."""
 
     def __init__(self, call_number: int = 1, is_endless: bool = False):
         """is_endless says that the function went over the limit of time."""
         self.call_number = call_number  # its number in the check
         self.arguments: tuple = ()
         self.is_endless = is_endless
-        self.most_notes = MOST_NOTES_ENDLESS if is_endless else MOST_NOTES
+        self.most_traces = MOST_TRACES_ENDLESS if is_endless else MOST_TRACES
         self.count = 0  # of what the changed code has handed over
         self.statements: list[Statement] = []
         self.calls: dict[FrameType, WatchedCall] = {}  # in the order of the calls
@@ -70,7 +70,7 @@ class Watch:
         """Return the call that has this frame, or None if it is not watched further."""
         self.count += 1
         call = self.calls.get(frame)
-        if call and self.count > self.most_notes:
+        if call and self.count > self.most_traces:
             call.is_whole = False
             return None
         return call
@@ -82,35 +82,35 @@ class Watch:
         frame = sys._getframe(1)
         self.calls[frame] = WatchedCall(number, frame)
 
-    @noting
+    @tracing
     def begin_statement(self, call: WatchedCall, number: int) -> None:
         """A statement begins."""
         call.begin(number)
 
-    @noting
+    @tracing
     def part(self, call: WatchedCall, number: int, span: Span, value: Any) -> None:
         """A part of a statement's expression has this value."""
         call.parts[number][span] = value
 
-    @noting
+    @tracing
     def value(self, call: WatchedCall, number: int, value: Any) -> None:
         """The expression of a statement has this value."""
         call.whole_values[number] = value
 
-    @noting
+    @tracing
     def receiver(self, call: WatchedCall, number: int, value: Any) -> None:
         """A method of this value is called now, and may change it."""
         if type(value) in (dict, list):
             call.before[number] = value, value.copy()
 
-    @noting
+    @tracing
     def test(self, call: WatchedCall, number: int, value: Any) -> None:
         """The condition of an if, a while or an assert has this value."""
         node = self.statements[number].node.test
         text = self.values_in(call, number).condition(node, value)
         self.end(call, number, [ValueInWords("", text, is_false=not value)])
 
-    @noting
+    @tracing
     def turn(self, call: WatchedCall, number: int) -> None:
         """A turn of a loop begins."""
         call.turns[number] += 1
@@ -123,12 +123,12 @@ class Watch:
             call.turns[number] -= 1  # the others are whole
             raise EndlessError
 
-    @noting
+    @tracing
     def ran(self, call: WatchedCall, number: int) -> None:
         """A statement that gives nothing runs."""
         self.end(call, number, [])
 
-    @noting
+    @tracing
     def done(self, call: WatchedCall, number: int) -> None:
         """A statement that can store a value has come to its end."""
         values = self.stored(call, number)
@@ -138,7 +138,7 @@ class Watch:
             values += self.lost(call, number)
         self.end(call, number, values)
 
-    @noting
+    @tracing
     def gives(self, call: WatchedCall, number: int, value: Any) -> None:
         """A return gives this value."""
         call.result = value
@@ -153,7 +153,7 @@ class Watch:
             text = in_words(value, values.names_but(node))
         self.end(call, number, [ValueInWords("", f"gives {text}")])
 
-    @noting
+    @tracing
     def caught(self, call: WatchedCall, number: int) -> None:
         """An except takes an error."""
         error: Any = sys.exc_info()[1]
@@ -168,7 +168,7 @@ class Watch:
     def function(self, number: int, function: Any) -> Any:
         """This value is called now: return it, or a function that calls it.
 
-        The function notes what it got and gave.
+        The function keeps what it got and gave.
         """
         call = self.call_of(sys._getframe(1))
         plain = getattr(function, "__func__", function)  # of a method
@@ -176,7 +176,7 @@ class Watch:
             return function
 
         @wraps(plain)
-        def noted(*arguments: Any, **options: Any) -> Any:
+        def traced_call(*arguments: Any, **options: Any) -> Any:
             got = got_by(function, arguments, options, call.frame)
             called = Called(plain.__name__.strip("<>"), got)
             call.called[number].append(called)
@@ -194,9 +194,9 @@ class Watch:
             self.know([result], function.__name__)
             return result
 
-        return noted
+        return traced_call
 
-    # --- what they note ---
+    # --- what they keep ---
 
     def values_in(self, call: WatchedCall, number: int) -> Values:
         """Return the values in a statement that has not come to its end."""
@@ -212,12 +212,12 @@ class Watch:
         return call if is_of_function else None
 
     def end(self, call: WatchedCall, number: int, values: list[ValueInWords]) -> None:
-        """Note what a statement gave, at its end."""
+        """Keep what a statement gave, at its end."""
         statement = self.statements[number]
         loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
         turn = call.turns[loops[-1]] if loops else 0
         is_condition = isinstance(statement.node, ast.While)
-        call.notes[number].append(Note(turn, values, call.called.pop(number, []), is_condition))
+        call.traces[number].append(Trace(turn, values, call.called.pop(number, []), is_condition))
         call.begun.discard(number)
         call.parts.pop(number, None)
         if not isinstance(statement.node, ast.For):

@@ -21,12 +21,12 @@ def motion(_, state):
     return np.concatenate([omegas, -G / R_PARAM * np.sin(thetas)])
 
 
-def gap(left, reach, _, state):
+def gap(left, contact, _, state):
     """Return the gap (m) between this bob and the next one: at 0, they hit each other."""
     theta1, theta2 = state[left : left + 2]
     x = R_PARAM * (1 / 4 + sin(theta2) - sin(theta1))
     y = R_PARAM * (cos(theta2) - cos(theta1))
-    return hypot(x, y) - reach
+    return hypot(x, y) - contact
 
 
 def exact_outer_angles(seconds, step=SAMPLE):
@@ -35,8 +35,8 @@ def exact_outer_angles(seconds, step=SAMPLE):
     Equal elastic bobs exchange their velocities, at the instant of their hit.
     """
     _, bob, _ = hang(r_param=R_PARAM)["objects"]
-    reach = contact_distance(bob.radius, bob.radius)
-    hits = [partial(gap, left, reach) for left in range(4)]
+    contact = contact_distance(bob.radius, bob.radius)
+    hits = [partial(gap, left, contact) for left in range(4)]
     for hit in hits:
         hit.terminal = True
         hit.direction = -1

@@ -1,6 +1,6 @@
 """Wrong solutions, and the sentence below the trace table of each."""
 
-# A function, a wrong version, the line to look at, and a sentence about what the grader has noted
+# A function, a wrong version, the line to look at, and a sentence about what the grader has seen
 FACTS = {
     "set": (
         "full_swing_update",

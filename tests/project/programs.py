@@ -15,7 +15,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
-SECONDS = 60  # after which something that is waited for counts as never coming
+SECONDS = 60  # a test waits for something at most this long
 # The environment of a program that imports modules of the tests
 OF_TESTS = {"PYTHONPATH": os.pathsep.join(sys.path)}
 QUIETLY = (0, "", "")  # how a program ends that has printed nothing more
@@ -29,7 +29,7 @@ on_posix = pytest.mark.skipif(
 needs_vpython = [with_vpython, on_posix]
 
 
-def slow_but_for(kept, values):
+def slow_except(kept, values):
     """Return the values as parameters of a test; all except the kept ones have the mark slow."""
     values = [*values]
     assert {*kept} <= {*values}

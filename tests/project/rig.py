@@ -90,7 +90,7 @@ class Rig:
         return float(self.state["motion"]["t"].split()[0])
 
     def control(self, name):
-        """Return what the page knows of a control beside its value."""
+        """Return what the page knows of a control, without its value."""
         return self.state["controls"][name]
 
     # --- what a user does --------------------------------------------------------------------

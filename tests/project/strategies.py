@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import given, HealthCheck, Phase, settings
 from hypothesis import strategies as st
-from programs import slow_but_for
+from programs import slow_except
 
 from grading.cradles import R
 from support.files.valid_cradle import MOST_TIMES
@@ -23,7 +23,7 @@ def random_examples(few, many, **strategies):
     """Run a test with few values of these strategies, and with many in a slow run."""
 
     def decorate(test):
-        @pytest.mark.parametrize("count", slow_but_for([few], [few, many]))
+        @pytest.mark.parametrize("count", slow_except([few], [few, many]))
         def run(count):
             settings(ALWAYS_THE_SAME, max_examples=count)(given(**strategies)(test))()
 
@@ -76,7 +76,7 @@ UNEQUAL_ROWS = st.tuples(
 
 @st.composite
 def pendulum_rows(draw):
-    """Return the arguments of hang for up to 12 pendula, which move almost alike or not at all."""
+    """Return arguments of hang for up to 12 pendula, which move almost together or not at all."""
     spread = draw(st.sampled_from([1, 1, 1e-3, 1e-6, 0]))
     angles = st.floats(-1, 1)
     rates = st.floats(-5, 5) | st.floats(-100, 100)

@@ -3,7 +3,7 @@
 import sys
 
 import pytest
-from programs import slow_but_for
+from programs import slow_except
 from students import change, pytest_in, write
 
 from grading.handout import FUNCTIONS
@@ -39,7 +39,7 @@ BROKEN = {
 }
 
 
-@pytest.mark.parametrize("name", slow_but_for(["a bracket", "a circle"], BROKEN))
+@pytest.mark.parametrize("name", slow_except(["a bracket", "a circle"], BROKEN))
 def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter, name):
     """One check fails, and no function is named. Also if a thread of the solution does not end."""
     file, old, new, message = BROKEN[name]
@@ -67,7 +67,7 @@ NO_PYTHON = {  # the content of a file, and what pytest says about it
 }
 
 
-@pytest.mark.parametrize("content", slow_but_for([*NO_PYTHON][:1], NO_PYTHON))
+@pytest.mark.parametrize("content", slow_except([*NO_PYTHON][:1], NO_PYTHON))
 def test_a_file_that_is_no_python_is_named_as_what_it_is(starter, content):
     if "f'" in content and sys.version_info >= (3, 12):
         pytest.skip("this Python reads it")

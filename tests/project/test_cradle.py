@@ -60,7 +60,7 @@ def test_release_lifts_the_first_pendula_outwards_and_all_are_at_rest(swing, kin
 @BOTH
 def test_reach_is_the_distance_from_an_axle_to_the_lowest_bob_at_rest(swing, kind):
     cradle = swing(kind=kind).cradle
-    assert cradle.axles()[-1].pos.y - cradle.bobs()[-1].pos.y == pytest.approx(cradle.reach)
+    assert cradle.axles()[-1].pos.y - cradle.bobs()[-1].pos.y == pytest.approx(cradle.cords_length)
 
 
 @pytest.mark.parametrize("lift", [1, 2])
@@ -227,7 +227,7 @@ def test_a_raised_bob_that_is_held_falls_by_less_than_a_hundredth_of_a_degree(sw
 def test_the_first_picture_shows_the_cradle_as_it_was_made(
     swing, change, angle, lift, angles, omega
 ):
-    """But for the options. Here, two bobs are lifted by 10 degrees, and the last one moves."""
+    """Only options change it. Here, two bobs are lifted by 10 degrees, and the last one moves."""
 
     def lift_two(pend_list):
         for pend in pend_list[:2]:

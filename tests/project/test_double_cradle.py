@@ -8,7 +8,7 @@ from math import inf, nan, pi
 from unittest.mock import patch
 
 import pytest
-from programs import slow_but_for
+from programs import slow_except
 from strategies import BENT_ROWS, DOUBLE_HITS, random_examples, UNEQUAL_ROWS
 from vpython import mag
 from whole_cradles import check_places, distances, energy, hang_double, PERIOD, velocities
@@ -51,12 +51,12 @@ def tick(pend_list, ticks, dt=DOUBLE_DT):
     """Do `ticks` ticks; return the hits as (tick from 0, left, right), with indices of pendula."""
     hits = []
 
-    def note(*given):
+    def record(*given):
         pairs = collide_pairs(*given)
         hits.extend((number, *pair) for pair in pairs)
         return pairs
 
-    with patch("src.double_cradle.collide_pairs", note):
+    with patch("src.double_cradle.collide_pairs", record):
         for number in range(ticks):  # noqa: B007  for the hits
             double_cradle_tick(pend_list, R_PARAM, dt, G)
     return hits
@@ -87,11 +87,11 @@ def test_make_double_newton_cradle(tmp_path):
 def test_a_tick_has_more_steps_only_if_a_cord_turns_far(monkeypatch):
     steps = []
 
-    def note(*given):
+    def record(*given):
         steps.append(given[5])
         return double_angle_update(*given)
 
-    monkeypatch.setattr("src.double_cradle.double_angle_update", note)
+    monkeypatch.setattr("src.double_cradle.double_angle_update", record)
     tick(make_row(5, -2.5, 0.5), 1500)  # equal masses, from far up
     assert steps == [DOUBLE_DT] * 7500
     steps.clear()
@@ -187,7 +187,7 @@ def test_any_two_bobs_of_two_pendula_touch(bent):
 STARTS = [(THETA_INIT, PHI_INIT, 1), (THETA_INIT, PHI_INIT, 10), (-0.8, -0.8, 6), (-1.2, 0.5, 6)]
 
 
-@pytest.mark.parametrize(("theta", "phi", "seconds"), slow_but_for(STARTS[:1], STARTS))
+@pytest.mark.parametrize(("theta", "phi", "seconds"), slow_except(STARTS[:1], STARTS))
 def test_five_elastic_double_pendula_keep_the_energy_and_do_not_pass_through_each_other(
     theta, phi, seconds
 ):

@@ -6,7 +6,7 @@ from math import pi, sin
 import pytest
 from whole_cradles import check_places, distances, hang_double, PERIOD
 
-from grading.cradles import R, row
+from grading.cradles import hang_row, R
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.dragging import drag_bob, drag_pendulum
@@ -43,7 +43,7 @@ def test_a_dragged_bob_pushes_those_in_its_way(held, theta):
 
     So do all if the bob moves less than the gap.
     """
-    pend_list = row(5, omega=2.0)
+    pend_list = hang_row(5, omega=2.0)
     if abs(theta) < 1:  # far up, a smaller bob slips past
         pend_list[4]["objects"][1].radius *= 0.9
     drag_pendulum(pend_list, held, [theta], R)
@@ -72,7 +72,7 @@ def test_a_dragged_bob_pushes_those_in_its_way(held, theta):
     ],
 )
 def test_a_dragged_bob_leaves_those_that_are_not_in_its_way(before, theta, after):
-    pend_list = row(2)
+    pend_list = hang_row(2)
     for pend, angle in zip(pend_list, before, strict=True):
         pend["theta"] = angle
     drag_pendulum(pend_list, 0, [theta], R)
@@ -80,7 +80,7 @@ def test_a_dragged_bob_leaves_those_that_are_not_in_its_way(before, theta, after
 
 
 def test_a_bob_is_pushed_to_the_same_side_after_a_whole_turn():
-    pair, turned = row(2), row(2)
+    pair, turned = hang_row(2), hang_row(2)
     turned[1]["theta"] = -2 * pi
     drag_pendulum(pair, 0, [0.3], R)
     drag_pendulum(turned, 0, [0.3], R)

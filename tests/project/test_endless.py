@@ -10,9 +10,9 @@ from programs import ROOT
 from src import visualize_cradle_run
 from support.cradle.player import run
 from support.page import endless
-from support.page.tabs import LOOK
+from support.page.tabs import LOOK_AT_TABS
 
-LOOKS = round(endless.TOO_LONG / LOOK)
+LOOKS = round(endless.TOO_LONG / LOOK_AT_TABS)
 
 
 def frame(name):

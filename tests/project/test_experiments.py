@@ -13,7 +13,7 @@ TEXT = """\
 name = Two bobs
 theta = -45 -45 0 0 0
 question = What\x0cleaves
-    # It is a note.
+    # It is a comment.
     on the other side?
 why = {speed_5} m/s after {before_1} m/s, {swing_5} degrees, {energy} %
 - One=1 = 0 0 0 0 100
@@ -117,7 +117,7 @@ def test_an_experiment_of_the_double_cradle_needs_phi_and_masses_in_a_range(
 
 def test_the_menu_is_in_the_order_of_the_numbers_and_without_bad_experiments(tmp_path):
     files = {f"{name}.txt": TEXT.replace("Two bobs", name) for name in ("b", "10_a", "9_c")}
-    files["._9_c.txt"] = b"\0\5\26\7"  # a Mac puts it beside a file on a foreign disk
+    files["._9_c.txt"] = b"\0\5\26\7"  # a Mac adds it on a disk of another system
     files["0_wrong.txt"] = "<s>"
     files["11_b.txt"] = files["b.txt"]
     files["12_a_folder.txt/file"] = ""

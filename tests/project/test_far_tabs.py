@@ -132,16 +132,18 @@ def show_through_a_proxy(chromium, csv, **how):
 
     When the program has ended, and the proxy answers in its place, the page says so.
     """
-    asked = []
+    addresses = []
     with far_tab(chromium, csv, **how) as (process, page, address, _):
-        page.on("request", lambda request: asked.append(request.url))
-        page.on("websocket", lambda websocket: asked.append(websocket.url.replace("ws", "http", 1)))
+        page.on("request", lambda request: addresses.append(request.url))
+        page.on(
+            "websocket", lambda websocket: addresses.append(websocket.url.replace("ws", "http", 1))
+        )
         open_cradle(page, address)
         wait_for_moves(page)
         whole = re.sub(r"(?<!/)\?", "/?", address)
         assert page.url == whole
-        assert any(url.startswith(whole.replace("?", "ws?")) for url in asked)
-        assert all(url.startswith((urljoin(address, "."), "data:", "blob:")) for url in asked)
+        assert any(url.startswith(whole.replace("?", "ws?")) for url in addresses)
+        assert all(url.startswith((urljoin(address, "."), "data:", "blob:")) for url in addresses)
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
         page.get_by_text(ENDED).wait_for()

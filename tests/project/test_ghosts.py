@@ -14,7 +14,7 @@ from support.constants import R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.real_time import FRAME
-from support.files.cradle_csv import LARGEST, Snapshot
+from support.files.cradle_csv import LARGEST_FILE, Snapshot
 from support.files.ghosts import read_ghosts
 from support.page.scene.marks import BEHIND
 
@@ -69,7 +69,10 @@ def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
         ("t,theta_1\n0,0,5\n", ", line 2: found 3 cells, allowed are at most 2, as in line 1;"),
         ("\nstart;1\nt;theta_1\n", ", line 2, after start: found '1', allowed is the time (s) of"),
         ("start,1,41.5\nt,theta_1\n", ", line 1, after start: found '1, 41.5', allowed is "),
-        ("t" * LARGEST + ",", ": cannot be read: found more than 10 MB, allowed are at most 10 MB"),
+        (
+            "t" * LARGEST_FILE + ",",
+            ": cannot be read: found more than 10 MB, allowed are at most 10 MB",
+        ),
     ],
 )
 def test_a_mistake_in_a_file_is_named_and_the_old_ghosts_stay(rig, text, message):

@@ -85,7 +85,7 @@ def test_the_program_goes_on_and_forgets_who_is_gone(classroom):
     assert not (classroom.grades / "bea.txt").exists()
 
 
-# Some runs of solutions beside others are spoiled from outside.
+# Some runs at the same time as others are spoiled from outside.
 SPOILED = """
 import atexit
 run_files = sandbox.Sandbox.run_files

@@ -9,7 +9,7 @@ from grading.begin import ROOT
 
 import pytest
 from graded import CHECKS, failures, outcomes_of
-from programs import slow_but_for
+from programs import slow_except
 from right_solutions import PLAIN, RIGHT
 from wrong_solutions import HINTED, WRONG
 
@@ -35,7 +35,7 @@ QUICK = [pair for pair in KNOWN if pair[1] != "Your function calls itself, witho
 ALONE = ("handle_two_bobs", "moves the bobs apart")
 
 
-@pytest.mark.parametrize(("function", "words"), slow_but_for([*QUICK, ALONE], WRONG))
+@pytest.mark.parametrize(("function", "words"), slow_except([*QUICK, ALONE], WRONG))
 def test_a_wrong_solution_fails_its_own_checks_and_its_mistake_is_named(solve, function, words):
     """The functions that use it wait: the mistakes without a hint show this."""
     is_known = (function, words) in KNOWN
@@ -50,12 +50,12 @@ def test_a_wrong_solution_fails_its_own_checks_and_its_mistake_is_named(solve, f
     if is_known:
         assert first.hint.startswith(words)
         return
-    for asked, outcome in outcomes_of(function).items():
-        if asked.function != function:
+    for waiting_check, outcome in outcomes_of(function).items():
+        if waiting_check.function != function:
             assert outcome[:2] == (WAITING, f"waits for {function}")
 
 
-@pytest.mark.parametrize("users", slow_but_for([False], [False, True]))
+@pytest.mark.parametrize("users", slow_except([False], [False, True]))
 @pytest.mark.parametrize(
     ("function", "way"), [(name, way) for name in FUNCTIONS for way in ("plainly", *RIGHT[name])]
 )
@@ -66,9 +66,9 @@ def test_a_right_solution_passes(solve, function, way, users):
         assert outcome.state == PASSED, outcome
 
 
-def notes(function):
+def advice_of(function):
     outcomes = outcomes_of(function, users=False).values()
-    return [outcome.note for outcome in outcomes if outcome.note]
+    return [outcome.advice for outcome in outcomes if outcome.advice]
 
 
 @pytest.mark.parametrize(
@@ -85,8 +85,8 @@ def notes(function):
 )
 def test_a_right_solution_with_a_trap_has_a_note(solve, function, way, words):
     solve(function, RIGHT[function][way])
-    (note,) = {*notes(function)}
-    assert note.startswith(words)
+    (advice,) = {*advice_of(function)}
+    assert advice.startswith(words)
 
 
 @pytest.mark.parametrize(
@@ -96,8 +96,8 @@ def test_a_right_solution_with_a_trap_has_a_note(solve, function, way, words):
 def test_a_constant_with_a_trap_has_a_note(monkeypatch, name, value, words):
     monkeypatch.setattr(f"test_a.{name}", value)
     monkeypatch.setattr(f"src.visualize_cradle_run.{name}", value)
-    (note,) = notes("main")
-    assert note.startswith(words)
+    (advice,) = advice_of("main")
+    assert advice.startswith(words)
 
 
 # --- hints ---------------------------------------------------------------------------------------
@@ -117,11 +117,11 @@ def test_each_row_of_the_hints_has_a_mistake(monkeypatch):
     rows += hints.MEANING.values()
     compared = grader.compared
 
-    def note(*arguments, results=(), **options):
+    def collect(*arguments, results=(), **options):
         rows.extend(words for _, words in results)
         return compared(*arguments, **options)
 
-    monkeypatch.setattr(grader, "compared", note)
+    monkeypatch.setattr(grader, "compared", collect)
     assert {Grading().judge(check).state for check in CHECKS} == {PASSED}
     beginnings = [words for mistakes in HINTED.values() for words in mistakes]
     for row in rows:

@@ -14,7 +14,7 @@ from students import change, COLUMNS, PYTEST, pytest_in, write
 
 from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
-from grading.layout import Row
+from grading.layout import TraceRow
 from grading.outcomes import FAILED, FAULT, Outcome, PASSED
 from grading.screen import SCREEN, table
 
@@ -75,10 +75,10 @@ def test_a_mistake_is_told_on_a_screen(starter):
 
 
 WRONG = Outcome(FAILED, place="a.py, line 7", wrong="A is 5, not 6.")
-OWN_ROWS = [Row(0, ["    7  a = 5"])]
+OWN_ROWS = [TraceRow(0, ["    7  a = 5"])]
 HELPERS_ROWS = [
-    Row(0, ["    Your function f, called there:"], is_title=True),
-    Row(9, ["    2  b"] * 40),
+    TraceRow(0, ["    Your function f, called there:"], is_title=True),
+    TraceRow(9, ["    2  b"] * 40),
 ]
 
 
@@ -221,7 +221,7 @@ STUBBORN = """while True:
 IMPATIENT = """import sys
 from grading import limits
 import pytest
-limits.PATIENCE, limits.AGAIN = 0.3, 0.1
+limits.PATIENCE, limits.NEXT_INTERRUPT = 0.3, 0.1
 sys.exit(pytest.main(["--tier", "C"]))
 """
 

@@ -132,7 +132,7 @@ def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
     @check("angle_update")
     def test_with_a_fault():
         """A sentence."""
-        expect("angle_update", 1 / 0, wanted=None)
+        expect("angle_update", 1 / 0, expected=None)
 
     outcome = Grading().judge(grader.CHECKS["test_with_a_fault"])
     assert outcome.state == FAULT
@@ -148,9 +148,9 @@ def test_a_function_that_is_not_written_waits_and_so_do_written_functions_that_u
         solve(name, STUB.format(name))
         waits[name] = f"waits for you to write {name} in src/my_{name}.py, line 2"
     messages = {}
-    for asked, outcome in outcomes_of("angle_update").items():
+    for waiting_check, outcome in outcomes_of("angle_update").items():
         assert outcome.state == WAITING
-        messages[asked.function] = outcome.message
+        messages[waiting_check.function] = outcome.message
     assert messages == waits
 
 

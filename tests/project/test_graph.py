@@ -62,7 +62,7 @@ def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
     rig.save(HEADER + GOOD + GOOD.replace("red", "cyan"))
     rig.give("graph", choice)
     rig.wait(0.5)
-    rig.viewer.note()
+    rig.viewer.take_sample()
     rig.wait()
     graph = rig.state["curves"]
     assert graph["x"] == x

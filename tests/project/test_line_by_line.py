@@ -6,7 +6,7 @@ import pytest
 from graded import failures, outcomes_of
 from line_facts import FACTS
 from line_rows import ROWS
-from programs import slow_but_for
+from programs import slow_except
 from right_solutions import PLAIN, RIGHT
 from wrong_solutions import WRONG
 
@@ -48,7 +48,7 @@ def test_a_sentence_says_where_the_value_in_question_comes_from(solve, name):
 WATCHED = [(name, way) for name in PLAIN for way in ("plainly", *RIGHT[name])]
 
 
-@pytest.mark.parametrize(("function", "way"), slow_but_for(WATCHED[::4], WATCHED))
+@pytest.mark.parametrize(("function", "way"), slow_except(WATCHED[::4], WATCHED))
 def test_a_watched_function_does_what_it_does_unwatched(solve, function, way):
     solve(function, RIGHT[function].get(way, PLAIN[function]))
     watch = Watch()
@@ -65,7 +65,7 @@ print(1.05, "and never")
 """
 
 
-@pytest.mark.parametrize(("function", "words"), slow_but_for([*WRONG][::9], WRONG))
+@pytest.mark.parametrize(("function", "words"), slow_except([*WRONG][::9], WRONG))
 def test_harmless_lines_change_no_word(solve, function, words):
     version = WRONG[function, words]
     source = dedent(version if isinstance(version, str) else PLAIN[function].replace(*version))

@@ -17,7 +17,7 @@ from pages import (
     wait_for_angles,
     wait_for_time,
 )
-from programs import slow_but_for, wait_until
+from programs import slow_except, wait_until
 from shared_page import wait_for_text
 from whole_cradles import HEADER
 
@@ -87,8 +87,8 @@ def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file):
         best = map(max, contrasts[:10], contrasts[10:20])
         for color, contrast in zip([*COLORS, "cord"], [*best, max(contrasts[20:])], strict=True):
             assert contrast >= 3, (color, scheme)
-    shown = large.evaluate("bobs().map(bob => bob.color).map(({ x, y, z }) => [x, y, z])")
-    assert shown == [COLOR_MAP[color].value for color in COLORS]  # again as in the file
+    colors = large.evaluate("bobs().map(bob => bob.color).map(({ x, y, z }) => [x, y, z])")
+    assert colors == [COLOR_MAP[color].value for color in COLORS]  # again as in the file
 
 
 def test_shadows_are_under_the_bobs(shared):
@@ -143,8 +143,8 @@ def lesson():
     Of an experiment, those in which it is asked, and in which it was measured.
     """
     momenta = [-0.52, 0.52, 1.0, 1.0, 1.0, -12.34, 0.0, 0.0, 0.0]
-    shown = [*momentum_bars(momenta, 20.0, [COLOR_MAP["red"]] * 9), energy_bar(100.0)]
-    bars = [bar._asdict() for bar in shown]
+    colors = [*momentum_bars(momenta, 20.0, [COLOR_MAP["red"]] * 9), energy_bar(100.0)]
+    bars = [bar._asdict() for bar in colors]
     five = {"bars": {"title": "Momentum after the hits (kg m/s)", "bars": bars[-7:]}}
     states = {
         "numbers": {},
@@ -163,7 +163,7 @@ def lesson():
             longest = max(answers, key=len)
             measured = {
                 "asking": False,
-                "said": f"You said: C, {longest}.",
+                "reply": f"You said: C, {longest}.",
                 "happened": {"title": f"What happened: C, {longest}.", "why": experiment.why},
             }
             measured["happened"]["rows"] = []
@@ -255,7 +255,7 @@ FAULTS = """([states, numbers]) => {
 
 
 @pytest.mark.parametrize(
-    ("width", "height"), slow_but_for({(1024, 768), (1366, 768), (1920, 1080)}, SIZES)
+    ("width", "height"), slow_except({(1024, 768), (1366, 768), (1920, 1080)}, SIZES)
 )
 def test_in_present_all_is_in_sight_in_each_experiment_and_bars_have_one_scale(
     shared, width, height
@@ -283,14 +283,14 @@ def test_sliders_of_the_bobs_say_in_words_what_they_change(shared):
 
 
 def test_the_cradle_in_a_sentence_is_told_when_you_pause_or_ask_never_by_itself(shared):
-    told = shared.get_by_role("status").and_(shared.locator(".told"))
-    before = told.text_content()
+    summary = shared.get_by_role("status").and_(shared.locator(".summary"))
+    before = summary.text_content()
     wait_for_time(shared)
-    assert told.text_content() == before
+    assert summary.text_content() == before
     shared.keyboard.press("t")
-    wait_until(lambda: " degrees " in told.text_content() != before)
+    wait_until(lambda: " degrees " in summary.text_content() != before)
     pause(shared)
-    wait_until(lambda: told.text_content() == shared.evaluate("state.summary"))
+    wait_until(lambda: summary.text_content() == shared.evaluate("state.summary"))
 
 
 def test_the_setup_and_the_numbers_of_the_graph_are_selected_and_saved(shared):

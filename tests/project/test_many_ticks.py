@@ -8,19 +8,18 @@ from types import SimpleNamespace
 
 import pytest
 from hypothesis import example
-from programs import OF_TESTS, python, slow_but_for, with_vpython
+from programs import OF_TESTS, python, slow_except, with_vpython
 from strategies import CALLS, DT, G, HAIRS, NEIGHBOURS, pendulum_rows, random_examples
 from vpython import mag, vector
 from whole_cradles import do_at_once, do_one_by_one
 
-from grading.cradles import hang, R, row
+from grading.cradles import hang, hang_row, R
 from src import swinging, visualize_cradle_run
 from support import pendulum
 from support.cradle import certainty as module
 from support.cradle.many_ticks import free_ticks, many_ticks
 from support.pendulum import BUFFER
 
-RUN = visualize_cradle_run
 DIGEST = module.DIGEST
 
 
@@ -130,7 +129,7 @@ tests.test_bobs_that_just_touch_after_one_tick_end_in_the_same_bits(5 * count)
 
 
 @with_vpython
-@pytest.mark.parametrize("count", slow_but_for([10], [10, 40]))
+@pytest.mark.parametrize("count", slow_except([10], [10, 40]))
 def test_cradles_of_vpython_itself_end_in_the_same_bits(count):
     done = python("-c", ON_VPYTHON, count, **OF_TESTS)
     assert done.returncode == 0, done.stderr
@@ -149,9 +148,12 @@ def is_taken() -> bool:
 
     If not, check that it changes nothing.
     """
-    pend_list = row(3, omega=1.0)
+    pend_list = hang_row(3, omega=1.0)
     before = state(pend_list)
-    taken = many_ticks(vars(RUN), pend_list, 100, {"approaching_only": True}) is not None
+    taken = (
+        many_ticks(vars(visualize_cradle_run), pend_list, 100, {"approaching_only": True})
+        is not None
+    )
     assert (state(pend_list) != before) == taken
     return taken
 
@@ -218,47 +220,51 @@ def test_the_digest_is_of_the_code_of_the_functions(old, new, is_same):
 def test_the_fast_path_steps_back_if_a_function_is_replaced(place, monkeypatch):
     monkeypatch.setattr(place, partial(resolve_name(place)))
     assert not is_taken()
-    assert place.rpartition(".")[2] in module.obstacle(vars(RUN))
+    assert place.rpartition(".")[2] in module.obstacle(vars(visualize_cradle_run))
 
 
 class Number(float):
     """A constant of another kind."""
 
 
-CODE = RUN.handle_two_bobs.__code__
+CODE = visualize_cradle_run.handle_two_bobs.__code__
 TOOLS = SimpleNamespace(get_tool=lambda number: number == 5)  # of Python 3.12
 
 
 @pytest.mark.parametrize(
     ("owner", "name", "value"),
     [
-        (RUN.handle_two_bobs, "__code__", CODE.replace(co_consts=(*CODE.co_consts, 2))),
-        (RUN.handle_two_bobs, "__defaults__", (True,)),
-        (RUN.newton_cradle_tick, "__kwdefaults__", {"wind": 1}),
+        (
+            visualize_cradle_run.handle_two_bobs,
+            "__code__",
+            CODE.replace(co_consts=(*CODE.co_consts, 2)),
+        ),
+        (visualize_cradle_run.handle_two_bobs, "__defaults__", (True,)),
+        (visualize_cradle_run.newton_cradle_tick, "__kwdefaults__", {"wind": 1}),
         (pendulum, "BUFFER", 2 * BUFFER),
-        (RUN, "G", Number(RUN.G)),
+        (visualize_cradle_run, "G", Number(visualize_cradle_run.G)),
         (sys, "gettrace", lambda: "a debugger"),
         (sys, "getprofile", lambda: "a profiler"),
         (sys, "monitoring", TOOLS),
     ],
 )
 def test_the_fast_path_steps_back_after_a_patch(owner, name, value, monkeypatch):
-    assert module.obstacle(vars(RUN)) == ""
+    assert module.obstacle(vars(visualize_cradle_run)) == ""
     monkeypatch.setattr(owner, name, value, raising=False)
     assert not is_taken()
-    assert module.obstacle(vars(RUN))  # in words
+    assert module.obstacle(vars(visualize_cradle_run))  # in words
 
 
 def test_of_a_changed_function_nothing_is_said(monkeypatch):
     """Whoever has changed it knows it."""
     monkeypatch.setattr(module, "shipped_code", dict)
     assert not is_taken()
-    assert module.obstacle(vars(RUN)) == ""
+    assert module.obstacle(vars(visualize_cradle_run)) == ""
 
 
 def test_the_fast_path_steps_back_from_an_unknown_keyword_and_from_a_tuple_of_pendula():
-    assert many_ticks(vars(RUN), row(2), 10, {"wind": 1}) is None
-    assert do_at_once(tuple(row(2))) is None
+    assert many_ticks(vars(visualize_cradle_run), hang_row(2), 10, {"wind": 1}) is None
+    assert do_at_once(tuple(hang_row(2))) is None
 
 
 def give_a_true_mass(pend_list):
@@ -309,7 +315,7 @@ def let_a_contact_divide_by_zero(pend_list):
     ],
 )
 def test_the_fast_path_steps_back_from_strange_pendula_and_changes_nothing(change):
-    pend_list = row(3)
+    pend_list = hang_row(3)
     change(pend_list)
     before = state(pend_list)
     assert do_at_once(pend_list, ticks=1000) is None

@@ -15,8 +15,8 @@ from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.real_time import FRAME
 from support.energy import momentum
-from support.page.scene.marks import ARROW_TIME, LONGEST
-from support.page.scene.slow_hits import EACH, NOTE
+from support.page.scene.marks import ARROW_TIME, LONGEST_ARROW
+from support.page.scene.slow_hits import CAPTION, EACH
 
 
 def visible(rig, name):
@@ -60,8 +60,8 @@ def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(c
         assert float(bar["text"]) == pytest.approx(p, abs=0.001)
     rig.wait(2 * PERIOD)
     assert rig.viewer.marks.largest == pytest.approx(largest, rel=0.001)  # one scale, all the time
-    note = rig.state["motion"]["momentum"].partition("\n")[2]  # what was seen of the hits
-    assert ("hits keep it" in note) == (kind is Cradle)
+    caption = rig.state["motion"]["momentum"].partition("\n")[2]  # what was seen of the hits
+    assert ("hits keep it" in caption) == (kind is Cradle)
 
     rig.give("arrows", False)
     assert visible(rig, "arrows") == []
@@ -113,7 +113,7 @@ def test_a_dial_angles_speeds_and_half_swings_can_be_measured(csv):
     ).groups()
     assert count == "3"
     assert float(seconds) == pytest.approx(1.5 * 1.04 * PERIOD, abs=0.01)
-    for pend in rig.cradle.pend_list:  # the first stop counts, not the start
+    for pend in rig.cradle.pend_list:  # it counts from the first stop, not from the start
         pend["theta"] = 0.0
         pend["omega"] = 1.0
     rig.viewer.stopwatch.restart(rig.time())
@@ -154,7 +154,7 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
         assert rig.state["hit"] == {
             "title": f"Hit {number}: bobs {left} and {right}",
             "lines": [f"bob {left}: +1.07 → +0.00 m/s", f"bob {right}: +0.00 → +1.07 m/s"],
-            "note": NOTE,
+            "caption": CAPTION,
         }
         places = [bob.pos.x for bob in rig.cradle.bobs()]
         rings = visible(rig, "rings")
@@ -163,7 +163,7 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
         leftwards, rightwards = [change.axis.x for change in visible(rig, "changes")]
         assert leftwards == pytest.approx(-rightwards)
         # From 45 degrees; two such bobs have the largest momentum
-        assert rightwards == pytest.approx(LONGEST * R_PARAM / 2, rel=0.01)
+        assert rightwards == pytest.approx(LONGEST_ARROW * R_PARAM / 2, rel=0.01)
         assert 0.7 < rig.state["view"]["fade"] < 0.9
         moving.remove(left)
         moving.add(right)

@@ -21,14 +21,14 @@ from support.start import checks_command as checks
 from support.start import mistake
 
 SWINGING = Path("src/swinging.py")
-RUN = Path("src/visualize_cradle_run.py")
+VISUALIZE_FILE = Path("src/visualize_cradle_run.py")
 SPECIAL = Path("src/special_cradles.py")
 SWING = "    full_swing_update(pend_list, r_param, dt, g)\n"
 OMEGA = "    omega_new = omega -"
 COLOR = 'COLOR_MAP[pend_dict["color"]]'
 CSV = "newton_cradle_pends.csv"
 LOSSY = FIVE_CSV.replace("1.0,1.0", "1.0,0.9")  # the two rules differ
-PAGE = [RUN]
+PAGE = [VISUALIZE_FILE]
 PLAYED = ["src/text_cradle_run.py", "--seconds", "1"]
 RECORDED = [*PLAYED[:2], "0.3", "--record", "data.csv", "--every", "0.05"]
 
@@ -47,7 +47,7 @@ def project(tmp_path, monkeypatch):
     monkeypatch.setattr("signal.signal", lambda *_: None)
     tabs = Mock(have_room=bool, are_gone=False)
     server = SimpleNamespace(tabs=tabs, close=lambda *_: None)
-    monkeypatch.setattr("support.page.page.open_page", lambda *_: server)
+    monkeypatch.setattr("support.page.show_cradle.open_page", lambda *_: server)
     return tmp_path
 
 
@@ -58,9 +58,9 @@ def start(program, *options):
 
 
 CHANGES = {  # a file, an old and a new text
-    "nothing": (RUN, SWING, SWING),
+    "nothing": (VISUALIZE_FILE, SWING, SWING),
     "air resistance in the tick": (
-        RUN,
+        VISUALIZE_FILE,
         SWING,
         SWING + "    for pend in pend_list:\n        pend['omega'] *= 0.9999\n",
     ),
@@ -118,7 +118,14 @@ MISTAKES = {
         "def",
         "make_newton_cradle must return",
     ),
-    "exit": (RUN, SWING, "    exit()\n" + SWING, "newton_cradle_tick", "exit()", "SystemExit"),
+    "exit": (
+        VISUALIZE_FILE,
+        SWING,
+        "    exit()\n" + SWING,
+        "newton_cradle_tick",
+        "exit()",
+        "SystemExit",
+    ),
 }
 
 
@@ -152,7 +159,7 @@ def test_a_mistake_of_the_project_is_reported_in_full(project, capsys, monkeypat
 
 def test_a_mistake_ends_the_process_of_the_browser_program_and_its_page_says_so(page, project):
     change(*MISTAKES["late"][:3])
-    with running(project / RUN) as process:
+    with running(project / VISUALIZE_FILE) as process:
         page.goto(first_lines(process))
         status, _, stderr = end(process)
     check_end(status, stderr, "late")

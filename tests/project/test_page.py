@@ -80,7 +80,7 @@ def test_what_you_type_counts_and_on_another_alphabet_the_place_of_the_key(share
     shared.keyboard.press("2")  # hands may be counted: no digit ends the question
     for key in (("и", ""), ("и", "KeyB")):
         shared.evaluate(PRESS, key)
-    wait_for_text(shared, "You said: B")  # the first answer counts
+    wait_for_text(shared, "You said: B")  # the first answer stays
 
 
 def test_the_graph_has_even_ticks_and_a_choice(shared):
@@ -199,7 +199,7 @@ def test_a_lesson_in_present_by_touch_alone_from_the_question_to_the_sheet(share
     button(shared, "Two bobs").tap()
     question.get_by_text("Two bobs come in.").wait_for()
     # The picture of the sheet is there
-    shared.wait_for_function("() => asked === state.question.name")
+    shared.wait_for_function("() => keptName === state.question.name")
     pages.draw(shared, False)
     button(shared, "Present").tap()
     wait_until(lambda: menu(shared, "Collisions").is_hidden())

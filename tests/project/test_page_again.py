@@ -254,9 +254,9 @@ LATENESS = """async () => {
 def test_simulated_time_keeps_step_with_the_wall(page, program):
     """Within 0.05 s in 6 s, with one bob: its ticks take little time.
 
-    A busy machine brings a reading to the page late, and none early: the promptest one of each
-    second counts. Seconds in which the program reports that the machine was too busy (0.6x real
-    time) do not count.
+    A busy machine brings a reading to the page late, and none early: the test takes the least late
+    one of each second. It leaves out seconds in which the program reports that the machine was too
+    busy (0.6x real time).
     """
     (program.parents[1] / "newton_cradle_pends.csv").write_text(HEADER + GOOD)
     readings = deque(maxlen=8)

@@ -20,7 +20,7 @@ import pds_tester
 from grading.cradles import MIXED, MIXED_CSV
 from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from support.constants import R_PARAM
-from support.page.page import show_cradle, show_double_cradle
+from support.page.show_cradle import show_cradle, show_double_cradle
 from support.page.state import state_of_page
 from support.pendulum import outwards_to_angle
 from support.start.checks_command import checks_command
@@ -227,9 +227,11 @@ def start(monkeypatch, csv):
     monkeypatch.setitem(sys.modules, "support.page.server", module)
     monkeypatch.setattr("support.page.port.listen", listen)
     run = Mock()
-    monkeypatch.setattr("support.page.page.run", run)
-    monkeypatch.setattr("support.page.page.end_on_signals", Mock())
-    monkeypatch.setattr("support.page.page.what_there_is", lambda main, scope: (main, REMARK))
+    monkeypatch.setattr("support.page.show_cradle.run", run)
+    monkeypatch.setattr("support.page.show_cradle.end_on_signals", Mock())
+    monkeypatch.setattr(
+        "support.page.show_cradle.what_there_is", lambda main, scope: (main, REMARK)
+    )
 
     def start(show, program, line):
         monkeypatch.setattr(sys, "argv", ["program.py", str(csv), *line.split()])

@@ -28,24 +28,24 @@ THAT = "That is what happened."
 OTHER = f"What happened: C, {ANSWERS[2]}."
 
 
-class Asked(NamedTuple):
+class QuestionState(NamedTuple):
     """What a tab shows of a question."""
 
     asking: bool = False
-    said: str = ""
+    reply: str = ""
     happened: str | None = None
 
 
-ASKING = Asked(asking=True)
+ASKING = QuestionState(asking=True)
 
 
-def asked(rig):
-    """Return the Asked of the state, or None without a question."""
+def question_of(rig):
+    """Return the QuestionState of a tab, or None without a question."""
     question = rig.state["question"]
     if not question:
         return None
     title = question["happened"]["title"] if question["happened"] else None
-    return Asked(question["asking"], question["said"], title)
+    return QuestionState(question["asking"], question["reply"], title)
 
 
 @pytest.fixture
@@ -60,7 +60,7 @@ def test_an_experiment_is_as_its_file_says_until_it_is_changed(rig):
     rig.give("experiment", HEAVY)
     assert rig.values("mass") == [5, 1, 1, 1, 1]
     assert rig.state["collision"] == "as in the experiment"
-    assert asked(rig) is None
+    assert question_of(rig) is None
     rig.give("experiment", FROM_BOTH_SIDES)
     rig.give("edit", 0, "e", "0.5")
     assert rig.values("e") == [0.5, 1, 1, 1, 1]
@@ -98,20 +98,20 @@ def test_a_main_that_reads_another_file_does_not_end_the_page(asking, monkeypatc
     asking.give("edit", 1, "mass", "2")
     asking.wait(0.1)
     assert len(asking.thetas()) == 2
-    assert asked(asking) is None
+    assert question_of(asking) is None
 
 
 @pytest.mark.parametrize(("answer", "happened"), [(2, THAT), (0, OTHER), (None, OTHER)])
 def test_the_question_comes_before_each_release_and_the_explanation_after_it(
     asking, answer, happened
 ):
-    said = "" if answer is None else f"You said: {'ABCD'[answer]}, {ANSWERS[answer]}."
+    reply = "" if answer is None else f"You said: {'ABCD'[answer]}, {ANSWERS[answer]}."
     for _ in range(2):
         asking.wait(0.5)
         assert asking.time() == 0
         assert asking.bob_angles() == [45, 45, 0, 0, 0]
         assert not asking.state["running"]
-        assert asked(asking) == ASKING
+        assert question_of(asking) == ASKING
         question = asking.state["question"]
         assert question["name"] == TWO
         assert question["question"] == "Two bobs come in. What leaves on the other side?"
@@ -119,9 +119,9 @@ def test_the_question_comes_before_each_release_and_the_explanation_after_it(
         asking.tabs.give("answer", question["key"], answer)
         asking.wait(0.3)
         assert asking.time() > 0.2
-        assert asked(asking) == Asked(said=said)
+        assert question_of(asking) == QuestionState(reply=reply)
         asking.wait(0.3)
-        assert asked(asking) == Asked(said=said, happened=happened)
+        assert question_of(asking) == QuestionState(reply=reply, happened=happened)
         result = asking.state["question"]["happened"]
         # From 45 degrees, a bob comes down at sqrt(2 g R (1 - cos 45 degrees)) = 1.07 m/s.
         assert "two left at 1.07 and 1.07 m/s." in result["why"]
@@ -141,7 +141,7 @@ def test_an_open_question_waits_for_an_answer_and_says_so(asking, command):
     """A teacher's clicker sends keys."""
     asking.give(command)
     asking.wait(0.6)
-    assert asked(asking) == ASKING
+    assert question_of(asking) == ASKING
     assert asking.time() == 0
     assert asking.state["word"] == questions.WAITS
     asking.give("answer", KEY, 2)
@@ -154,7 +154,7 @@ def test_an_answer_to_another_question_does_nothing(asking):
         asking.give("answer", *value)
         asking.give("vote", *value, True)
     asking.wait(0.1)
-    assert asked(asking) == ASKING
+    assert question_of(asking) == ASKING
     assert asking.state["question"]["votes"] == [0] * 4
 
 
@@ -164,11 +164,11 @@ def test_the_box_asks_at_once_and_takes_the_question_back(rig, name, question):
     rig.give("experiment", name)
     rig.wait(0.2)
     rig.give("ask first", True)
-    assert asked(rig) == question
+    assert question_of(rig) == question
     assert (rig.time() == 0) == (name == TWO)
     rig.give("ask first", False)
     rig.wait(0.2)
-    assert asked(rig) is None
+    assert question_of(rig) is None
     assert rig.time() > 0.1
 
 
@@ -190,7 +190,7 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
         asking.mouse("grab", bob)
         asking.mouse("drag", bob)
         asking.give("let go")
-        assert asked(asking) == ASKING  # it has not moved
+        assert question_of(asking) == ASKING  # it has not moved
         asking.mouse("grab", bob)
         asking.mouse("drag", bob + vector(0.01, 0, 0))
     elif change == ("save",):
@@ -199,16 +199,16 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
     else:
         asking.give(*change)
     asking.wait(0.6)  # the measurement would be over
-    assert asked(asking) is None
+    assert question_of(asking) is None
     assert asking.state["word"] == ("" if change == ("save",) else questions.OVER)
     assert asking.state["running"]  # only the question has held it up
     asking.give("ask first", False)
     asking.give("ask first", True)
     assert asking.state["experiment"] == name
     assert asking.state["changed"] == (name == TWO)
-    assert asked(asking) is None
+    assert question_of(asking) is None
     asking.give("experiment", TWO)
-    assert asked(asking) == ASKING
+    assert question_of(asking) == ASKING
     assert asking.state["word"] == ""
 
 
@@ -228,7 +228,7 @@ def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):
     assert 0 < ghosts(asking)[4] < 100
     asking.wait(2.5)
     assert asking.time() == 0.47
-    said = f"You said: A, {ANSWERS[0]}."
+    reply = f"You said: A, {ANSWERS[0]}."
     assert ghosts(asking) == pytest.approx([0, 0, 0, 0, 100])  # the pale bobs that its file says
     [label] = asking.state["view"]["labels"]
     assert label["text"] == "your answer"  # no hand was for it
@@ -243,7 +243,7 @@ def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):
     asking.wait(1)
     assert asking.time() > 0.6
     assert ghosts(asking) == []
-    assert asked(asking).said == said
+    assert question_of(asking).reply == reply
     assert asking.state["question"]["votes"] == [0, 0, 2, 0]
 
 
@@ -271,16 +271,16 @@ def ghosts(rig):
 @pytest.mark.parametrize(("slowly", "speed"), [(True, 0.1), (False, 2)])
 def test_again_keeps_the_answer(asking, slowly, speed):
     """Slow motion ends with the rest, and the speed is as you have set it."""
-    said = f"You said: B, {ANSWERS[1]}."
+    reply = f"You said: B, {ANSWERS[1]}."
     asking.give("speed", 2)
     asking.give("answer", KEY, 1)
     asking.wait(0.5)
     asking.give("again", slowly)
     assert asking.bob_angles()[:2] == [45, 45]
-    assert asked(asking) == Asked(said=said)
+    assert question_of(asking) == QuestionState(reply=reply)
     asking.wait(0.47 / speed + 0.1)
     assert asking.time() == 0.47
-    assert asked(asking) == Asked(said=said, happened=OTHER)
+    assert question_of(asking) == QuestionState(reply=reply, happened=OTHER)
     assert asking.state["speed"] == speed
     asking.wait(3)
     assert asking.state["speed"] == 2

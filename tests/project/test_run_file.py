@@ -17,8 +17,8 @@ from pages import bob_angles, new_page, pixel, press, readout, saved, wait_for_c
 from programs import PROGRAM, python, ROOT, with_vpython
 
 from support.files.data_file import is_run, require_replaceable
-from support.page.film import KEPT, STILL, WHOLE
-from support.page.recorder import NoTabs
+from support.page.film import KEPT, LONGEST_PAUSE, WHOLE
+from support.page.film_recorder import NoTabs
 from support.page.run_file import CURVES
 from support.page.tabs import Tabs
 
@@ -60,7 +60,7 @@ def test_a_film_has_thirty_pictures_a_second_and_the_last_one_but_three_seconds_
     tabs.film.take(tabs.all, at_once=True)
     assert len(seen(tabs)) == 5  # nothing has changed
     show(tabs, 600, x=8)
-    assert seen(tabs)[-1] == (round(6.2 / 60 + STILL, 6), 8)
+    assert seen(tabs)[-1] == (round(6.2 / 60 + LONGEST_PAUSE, 6), 8)
 
 
 def test_the_film_of_a_page_begins_with_a_whole_picture_and_keeps_the_end_of_a_long_run(tabs):
@@ -86,7 +86,7 @@ def test_the_film_of_a_file_keeps_the_start_of_the_present_run(tabs):
 
 
 def write_run(program):
-    """Write a run of a program to a file beside its CSV; return the process, and the file."""
+    """Write a run of a program to a file next to its CSV; return the process, and the file."""
     file = program.parents[1] / "run.html"
     return python(program, "--html", file, *OPTIONS, PYTHONWARNINGS="error"), file
 
@@ -138,15 +138,15 @@ def test_a_run_that_fails_is_written_up_to_the_mistake_and_names_it(program):
 def opened(page, run_file):
     """The run in a tab, which has played it to its end; it asks for nothing but its file."""
     errors = []
-    asked = []
+    addresses = []
     page.on("pageerror", lambda error: errors.append(error))
-    page.on("request", lambda request: asked.append(request.url))
+    page.on("request", lambda request: addresses.append(request.url))
     page.goto(run_file.as_uri())
     wait_for_cradle(page)
-    page.wait_for_function("() => shown > 0 && shown === pictures.length - 1 && !state.running")
+    page.wait_for_function("() => current > 0 && current === pictures.length - 1 && !state.running")
     yield page
     assert errors == []
-    assert {url for url in asked if not url.startswith("data:")} <= {run_file.as_uri(), ADDRESS}
+    assert {url for url in addresses if not url.startswith("data:")} <= {run_file.as_uri(), ADDRESS}
 
 
 @pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
@@ -173,7 +173,7 @@ def test_a_run_that_a_browser_saved_again_plays_in_a_strict_course_page_without_
     opened.goto(ADDRESS)
     frame = opened.frames[1]
     wait_for_cradle(frame)
-    frame.wait_for_function("() => shown > 0 && bobs().every(bob => bob.ready)")
+    frame.wait_for_function("() => current > 0 && bobs().every(bob => bob.ready)")
     assert frame.locator(".canvas canvas").count() == 2  # VPython makes two for a cradle
 
 
@@ -191,17 +191,17 @@ def test_a_page_without_scripts_and_a_copy_of_the_page_say_so(chromium, run_file
 def test_you_step_scrub_and_run_it_again(opened):
     assert opened.evaluate(ARROWS) > 0
     opened.locator(".moment").press("Home")
-    opened.wait_for_function("() => shown === 0")
+    opened.wait_for_function("() => current === 0")
     assert bob_angles(opened) == pytest.approx([-45, 0, 0, 0, 0], abs=0.01)
     assert opened.evaluate(ARROWS) == 0  # they are made later
     assert opened.locator(".moment").get_attribute("aria-valuetext") == "t 0.00 s"
     opened.locator(".moment").evaluate("slider => slider.blur()")
     for key, number in ("ArrowRight", 1), ("ArrowRight", 2), ("ArrowLeft", 1), ("r", 0):
         opened.keyboard.press(key)
-        assert opened.evaluate("shown") == number
+        assert opened.evaluate("current") == number
     opened.keyboard.press("1")  # lifts nothing
     press(opened, "Run")
-    opened.wait_for_function("() => !state.running && shown === pictures.length - 1")
+    opened.wait_for_function("() => !state.running && current === pictures.length - 1")
 
 
 def test_a_run_of_an_experiment_begins_with_its_question_and_ends_with_what_happened(
@@ -216,10 +216,10 @@ def test_a_run_of_an_experiment_begins_with_its_question_and_ends_with_what_happ
     wait_for_cradle(page, 10)
     assert page.get_by_role("button", name="B Two, about as far").is_disabled()
     assert page.title() == "Newton's double cradle: Two double pendula"
-    assert page.evaluate("[shown, state.running]") == [0, False]
+    assert page.evaluate("[current, state.running]") == [0, False]
     press(page, "Run")
     page.locator(".question").get_by_text("What happened: B, Two, about as far.").wait_for()
-    assert page.locator(".asked button:visible").count() == 0
+    assert page.locator(".questions button:visible").count() == 0
 
 
 def test_the_page_saves_its_run(shared):

@@ -1,4 +1,4 @@
-"""What a solution can do: to its grade, to the machine, and to the solutions beside it."""
+"""What a solution can do: to its grade, to the machine, and to other solutions."""
 
 import json
 import os
@@ -87,10 +87,10 @@ def test_a_run_without_a_whole_grade_has_none(box):
 
 
 def test_what_a_solution_says_is_short_and_has_no_codes_of_a_terminal(empty, tmp_path):
-    said = {"message": "\x1b[2J=1;2\n" + "x" * 50_000, "hint": "=1+1;=2"}
+    texts = {"message": "\x1b[2J=1;2\n" + "x" * 50_000, "hint": "=1+1;=2"}
     output = {
         **empty,
-        "checks": {name: {**check, **said} for name, check in empty["checks"].items()},
+        "checks": {name: {**check, **texts} for name, check in empty["checks"].items()},
         "next": "\t=1;2\x1b" + "y" * 50_000,
         "text": ["\x1b[2J\ud800" + "z" * 20_000] * 300,
     }

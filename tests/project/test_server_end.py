@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import programs
 import pytest
 
-from support.page.tabs import LOOK, Tabs
+from support.page.tabs import LOOK_AT_TABS, Tabs
 
 # They need autobahn, which comes with VPython.
 server = pytest.importorskip("support.page.server")
@@ -29,7 +29,7 @@ def silent_site(monkeypatch):
         ready.set()
 
     def wait(seconds):
-        for _ in range(round(seconds / LOOK)):
+        for _ in range(round(seconds / LOOK_AT_TABS)):
             site.look()
 
     monkeypatch.setattr(server, "keyless_files", dict)
@@ -61,7 +61,7 @@ class Connection(connections.Protocol):
         self.onClose(False, 1006, "")
 
     def say(self, word):
-        self.answer(word, {"key": [self.site.key], "page": [self.page]})
+        self.response_to(word, {"key": [self.site.key], "page": [self.page_name]})
 
     def close(self):
         self.say("closed")
@@ -91,16 +91,16 @@ def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkey
     tab.cut()
     tab.say("closed")
     site.wait(0.8 * connections.CLOSED)
-    tab.answer("", key)
+    tab.response_to("", key)
     site.wait(0.9 * connections.LOADING)
-    tab.answer("", key)
+    tab.response_to("", key)
     site.wait(0.9 * connections.LOADING)
     tab.onOpen()
     tab.close()
     site.wait(connections.CLOSED)
-    tab.answer("", {})
+    tab.response_to("", {})
     assert not site.tabs.are_gone
-    site.wait(LOOK)
+    site.wait(LOOK_AT_TABS)
     assert site.tabs.are_gone
     assert stops == []  # main can end by itself
     site.later[-1]()
@@ -126,7 +126,7 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
     if is_silent:
         site.wait(connections.SILENT)
         assert given == ["grab"]
-        site.wait(LOOK)
+        site.wait(LOOK_AT_TABS)
     else:
         tab.cut()
     assert given == ["grab", "let go"]
@@ -146,7 +146,7 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
     other.close()
     site.wait(connections.CLOSED)
     assert not site.tabs.are_gone
-    site.wait(LOOK)
+    site.wait(LOOK_AT_TABS)
     assert site.tabs.are_gone
     assert capsys.readouterr().out == ""
 
@@ -168,7 +168,7 @@ def test_a_page_that_is_left_can_come_back_by_back_or_by_a_reload(silent_site, c
     again.close()
     site.wait(connections.CLOSED)
     assert not site.tabs.are_gone
-    site.wait(LOOK)
+    site.wait(LOOK_AT_TABS)
     assert site.tabs.are_gone
 
 
@@ -181,5 +181,5 @@ def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent_site):
     other.close()
     silent_site.wait(connections.LOST)
     assert not silent_site.tabs.are_gone
-    silent_site.wait(LOOK)
+    silent_site.wait(LOOK_AT_TABS)
     assert silent_site.tabs.are_gone

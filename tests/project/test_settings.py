@@ -71,7 +71,7 @@ def test_the_menu_of_collisions_has_the_present_one(rig):
 
 
 def test_one_e_for_all_bobs_has_the_names_of_the_menu(rig):
-    """The slider shows what they have; the last bob's e counts, too."""
+    """The slider shows the e of all bobs, also that of the last one."""
     names = rig.control("collision")["choices"]
     for e, name in ((1, "elastic, e = 1"), (0.35, "e = 0.35"), (0, INELASTIC)):
         rig.give("e", e)
@@ -114,7 +114,7 @@ def test_the_mass_of_the_first_bob_is_set_as_in_the_table(rig, csv):
 
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
 def test_bobs_are_added_and_taken_away_at_the_right_end(csv, kind):
-    """First those of the file come back; an added one is like the last one, but for its color.
+    """First those of the file come back; an added one is like the last one, except for its color.
 
     The file stays as it is.
     """

@@ -13,7 +13,7 @@ from whole_cradles import go_on, GOOD, HEADER
 from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from support.cradle.double_cradle import DoubleCradle
 from support.files.experiments import EXPERIMENTS
-from support.page import page
+from support.page import show_cradle
 from support.page.setup import FILE, NO_RULE, setup
 
 BUILT_IN = str(EXPERIMENTS / "single" / "2_two_bobs.txt")
@@ -24,16 +24,16 @@ BY_FILE = f"--experiment={FILE}"
 def start(monkeypatch, tmp_path):
     """What starts a program with these words, in tmp_path; it returns the viewer of its cradle."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(page, "open_page", Mock())
-    monkeypatch.setattr(page, "run", Mock())
+    monkeypatch.setattr(show_cradle, "open_page", Mock())
+    monkeypatch.setattr(show_cradle, "run", Mock())
 
     def start(words, kind="single"):
         monkeypatch.setattr(sys, "argv", ["", *words.split()])
         if kind == "single":
-            page.show_cradle(visualize_cradle_run.main, special_cradles)
+            show_cradle.show_cradle(visualize_cradle_run.main, special_cradles)
         else:
-            page.show_double_cradle(visualize_double_cradle_run.main, special_cradles)
-        _, viewer = page.run.call_args[0]
+            show_cradle.show_double_cradle(visualize_double_cradle_run.main, special_cradles)
+        _, viewer = show_cradle.run.call_args[0]
         viewer.want_cradle()
         go_on(viewer)
         return viewer

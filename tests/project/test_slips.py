@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from programs import python, slow_but_for
+from programs import python, slow_except
 from students import put_files, PYTEST
 
 HIDING = {  # a file, and the beginning of a line about it
@@ -20,7 +20,7 @@ def require_line(line, done):
     assert "Traceback" not in done.stderr
 
 
-@pytest.mark.parametrize("file", slow_but_for(["json.py"], HIDING))
+@pytest.mark.parametrize("file", slow_except(["json.py"], HIDING))
 def test_a_file_that_hides_a_module_gets_a_line(starter, file):
     put_files(starter, {file: ""})
     require_line(HIDING[file], python(*PYTEST.split(), folder=starter))
@@ -28,7 +28,7 @@ def test_a_file_that_hides_a_module_gets_a_line(starter, file):
 
 def test_a_support_that_is_elsewhere_gets_a_line(starter):
     (starter / "support").rename(starter / "src/support")
-    require_line("support is not beside src", python(*PYTEST.split(), folder=starter))
+    require_line("support is not next to src", python(*PYTEST.split(), folder=starter))
 
 
 PYTHON = Path(sys.executable).as_posix()
@@ -46,7 +46,7 @@ SLIPS = {  # words behind python, and a part of what it prints
 }
 
 
-@pytest.mark.parametrize("command", slow_but_for([*SLIPS][:5], SLIPS))
+@pytest.mark.parametrize("command", slow_except([*SLIPS][:5], SLIPS))
 def test_a_slip_in_a_command_gets_a_line(starter, command):
     require_line(SLIPS[command], python(*command.split(), folder=starter))
 

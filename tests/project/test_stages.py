@@ -6,7 +6,7 @@ from math import degrees
 
 import pandas as pd
 import pytest
-from programs import python, slow_but_for, with_vpython
+from programs import python, slow_except, with_vpython
 from students import change, COUNTS, graded_in, write, write_tiers
 
 from grading.grader import checks
@@ -45,14 +45,14 @@ def test_files_that_cannot_be_imported_fail_and_the_files_that_import_them_wait(
 
 TERMINAL = "src/text_cradle_run.py"
 DOUBLE = "src/visualize_double_cradle_run.py"
-# The program of the page prints only what it would show beside the cradle.
+# The program of the page prints only the remark that it would show.
 PAGE = """
 import runpy, sys
 from unittest.mock import Mock
 import grading.begin
 sys.modules["begin_page"] = Mock()
-from support.page import page
-page.show_page = lambda *given: print(given[-1])
+from support.page import show_cradle
+show_cradle.show_page = lambda *given: print(given[-1])
 runpy.run_path("src/visualize_cradle_run.py", run_name="__main__")
 """
 
@@ -107,7 +107,7 @@ STAGES = {
 }
 
 
-@pytest.mark.parametrize("written", slow_but_for(["two functions", "DCB"], STAGES))
+@pytest.mark.parametrize("written", slow_except(["two functions", "DCB"], STAGES))
 def test_the_terminal_and_the_page_show_as_much_as_is_written(starter, written):
     remark, angles = STAGES[written]
     if written == "two functions":

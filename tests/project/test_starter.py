@@ -100,7 +100,7 @@ def test_a_student_meets_no_name_that_is_not_there_or_beyond_the_handout(made):
 
 
 def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out(tmp_path, monkeypatch):
-    """A Mac puts such a file beside each one on a foreign disk.
+    """On a disk of another system, a Mac adds such a file to each file.
 
     Jupyter keeps whole solutions in such a folder.
     """

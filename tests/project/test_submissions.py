@@ -63,7 +63,7 @@ PROJECT = {
 MAC = {**below("cradle", PROJECT), **below("__MACOSX/cradle", SOLUTION)}
 TWO_SWINGS = {**renamed("swinging", "my_swinging", SOLUTION), "src/swinging_old.py": "o"}
 LONG_NUMBER = f"a-{'9' * 200}.py"
-# What files ask for counts, except what belongs to the starter
+# What files ask for is graded, except what belongs to the starter
 ASKS = {
     **SOLUTION,
     SWINGING: "full_swing_update = helpers, 'my data.csv', support, constants, pendulum",

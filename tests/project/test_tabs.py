@@ -8,7 +8,7 @@ import pytest
 from hypothesis import settings, strategies
 from hypothesis.stateful import rule, RuleBasedStateMachine, run_state_machine_as_test
 
-from support.page.tabs import Changes, MOST, Tabs
+from support.page.tabs import Changes, MOST_MESSAGES, Tabs
 
 SPHERE = {"cmd": "sphere", "idx": 1}
 CANVAS = {"cmd": "canvas", "idx": 0}
@@ -61,7 +61,7 @@ def open_tab(tabs, name, *messages):
 @pytest.mark.parametrize("message", ["NameError", ""])
 def test_a_full_tab_hears_of_the_end_at_once_and_any_number_can_be_in_the_state(tabs, message):
     sent = open_tab(tabs, 1)
-    for number in range(MOST):
+    for number in range(MOST_MESSAGES):
         tabs.show({"t": Fraction(number, 2)})
     tabs.show({"ended": message})
     assert sent[1]["state"] == {"t": 0.5}
@@ -82,7 +82,7 @@ def test_a_slow_tab_gets_a_bounded_number_of_messages_and_then_the_last_values_o
         tabs.changes = {"attrs": [f"a{number % 2}a{number}"]}
         tabs.show({"t": f"{number:{size}}"})
     assert len(sent) == most
-    tabs.receive(1, b"seen " * 2 * MOST)  # for more pictures than messages
+    tabs.receive(1, b"seen " * 2 * MOST_MESSAGES)  # for more pictures than messages
     assert len(sent) == most + 1
     assert sent[-1]["attrs"] == ["a0a98", "a1a99"]
     assert int(sent[-1]["state"]["t"]) == 99
@@ -132,7 +132,7 @@ class ComingAndGoing(RuleBasedStateMachine):
     def __init__(self):
         super().__init__()
         self.tabs = Tabs()
-        self.shown = []
+        self.drawings = []
         self.sent = {}  # the messages of each tab, by its name
         self.come()
 
@@ -150,7 +150,7 @@ class ComingAndGoing(RuleBasedStateMachine):
         drawing = {"cmds": cmds, "attrs": attrs}
         with patch("support.page.tabs.vpython_changes", lambda: drawing):
             self.tabs.show(state)
-        self.shown.append({**drawing, "state": state})
+        self.drawings.append({**drawing, "state": state})
 
     @rule(data=strategies.data())
     def answer(self, data):
@@ -167,11 +167,11 @@ class ComingAndGoing(RuleBasedStateMachine):
     def teardown(self):
         for name, messages in self.sent.items():
             self.tabs.receive(name, b"seen")
-            assert picture_of(messages) == picture_of(self.shown)
+            assert picture_of(messages) == picture_of(self.drawings)
 
 
 def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(monkeypatch):
-    monkeypatch.setattr("support.page.tabs.MOST", 2)
+    monkeypatch.setattr("support.page.tabs.MOST_MESSAGES", 2)
     run_state_machine_as_test(
         ComingAndGoing,
         settings=settings(

@@ -70,7 +70,7 @@ def test_a_line_has_the_latest_series_that_is_not_slow_and_at_most_80_columns(sw
     assert motion.summary().endswith(" left, hits: 5-4")
     for number in range(9):
         motion.impacts.add(0.7, number % 4, number % 4 + 1, True)
-    players.Lines.note(SimpleNamespace(motion=motion))
+    players.Lines.take_sample(SimpleNamespace(motion=motion))
     line = capsys.readouterr().out
     assert len(line) == 80 + 1
     assert line.endswith("...\n")
@@ -91,8 +91,8 @@ def test_it_ends_quietly_when_nobody_reads_on_or_a_signal_comes(
 
 
 def test_ctrl_c_in_a_loop_without_end_names_it(main, csv, monkeypatch):
-    """A loop that takes longer than ENDLESS has no end."""
-    monkeypatch.setattr("support.cradle.player.ENDLESS", -1)
+    """A loop that takes longer than ENDLESS_AFTER has no end."""
+    monkeypatch.setattr("support.cradle.player.ENDLESS_AFTER", -1)
     monkeypatch.setattr("src.swinging.sin", Mock(side_effect=KeyboardInterrupt(0)))
     monkeypatch.setattr(text_cradle_run, "many_ticks", None)
     status, _, err = main(csv)
@@ -170,14 +170,16 @@ def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(main, cs
     arguments = csv, "--seconds", "0.02", "--record"
     main(*arguments, "./-")
     assert main(*arguments, "-") == (0, Path("-").read_text(), f"{REMARK}\n")
-    monkeypatch.setattr(players.Recorder, "note", Mock(side_effect=KeyboardInterrupt(1)))
+    monkeypatch.setattr(players.DataRecorder, "take_sample", Mock(side_effect=KeyboardInterrupt(1)))
     assert main(*arguments, "-")[2] == f"{REMARK}\nThe recording ended too early.\n"
 
 
 def test_a_recording_that_is_ended_early_leaves_the_old_file(main, csv, monkeypatch):
     data = csv.with_name("data.csv")
     data.write_text("t,theta_1,momentum\n")
-    monkeypatch.setattr(players.Recorder, "note", Mock(side_effect=KeyboardInterrupt(143)))
+    monkeypatch.setattr(
+        players.DataRecorder, "take_sample", Mock(side_effect=KeyboardInterrupt(143))
+    )
     line = f"The recording ended too early. {data} is not written.\n"
     assert main(csv, "--record", data, "--seconds", "1") == (1, "", line)
     assert sorted(path.name for path in csv.parent.iterdir()) == ["cradle.csv", "data.csv"]

@@ -120,7 +120,9 @@ def draw(*thetas, picture=None):
     """Return the picture of equal pendula at these angles (degrees)."""
     pendula = [hang(theta=radians(theta), axle=(i * R / 4, 0, 0)) for i, theta in enumerate(thetas)]
     axles, bobs, cords = zip(*(pend["objects"] for pend in pendula), strict=True)
-    cradle = SimpleNamespace(reach=R, axles=lambda: axles, bobs=lambda: bobs, cords=lambda: cords)
+    cradle = SimpleNamespace(
+        cords_length=R, axles=lambda: axles, bobs=lambda: bobs, cords=lambda: cords
+    )
     return (picture or players.TextPicture()).lines(cradle, columns=80, rows=20)
 
 

@@ -9,14 +9,14 @@ from importlib import import_module
 from types import SimpleNamespace
 
 import pytest
-from programs import ROOT, slow_but_for
+from programs import ROOT, slow_except
 
 from support.cradle.cradle import Cradle
 from support.cradle.functions import is_yours
 from support.cradle.player import Player, run
 from support.files.cradle_csv import Snapshot
 
-RUN = "visualize_cradle_run.py"
+VISUALIZE_FILE = "visualize_cradle_run.py"
 MAKE = "from src.special_cradles import make_newton_cradle\n"
 CONSTANTS = "from support.constants import DT, G, R_PARAM, THETA_INIT\n"
 MADE = "make_newton_cradle(page.csv, R_PARAM, THETA_INIT)"
@@ -218,9 +218,9 @@ class Listener(Player):
         self.cradles[-1] += hits
 
 
-@pytest.mark.parametrize("way", slow_but_for(OFTEN, [*WAYS, *OWN_FILES]))
+@pytest.mark.parametrize("way", slow_except(OFTEN, [*WAYS, *OWN_FILES]))
 def test_whatever_is_right_has_its_hits(way, folder, csv):
-    text = (folder / RUN).read_text()
+    text = (folder / VISUALIZE_FILE).read_text()
     before, _, behind = text.partition("def handle_two_bobs")
     text = before.rstrip() + "\n\n" + OWN + "\n\ndef main" + behind.partition("def main")[2]
     for old, new in WAYS.get(way, []):
@@ -229,7 +229,7 @@ def test_whatever_is_right_has_its_hits(way, folder, csv):
     if way in OWN_FILES:
         text, helpers = moved_to_helpers(text, *OWN_FILES[way])
         (folder / "helpers.py").write_text(helpers)
-    (folder / RUN).write_text(text)
+    (folder / VISUALIZE_FILE).write_text(text)
     main = import_module("src.visualize_cradle_run").main
     special_cradles = import_module("src.special_cradles")
     options = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)

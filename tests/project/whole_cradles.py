@@ -91,8 +91,8 @@ def distances(pend_list) -> list[float]:
     for bobs1, bobs2 in combinations(bobs_of_pends, 2):
         for bob1 in bobs1:
             for bob2 in bobs2:
-                reach = contact_distance(bob1.radius, bob2.radius)
-                found.append(mag(bob2.pos - bob1.pos) / reach)
+                contact = contact_distance(bob1.radius, bob2.radius)
+                found.append(mag(bob2.pos - bob1.pos) / contact)
     return found
 
 
@@ -119,7 +119,7 @@ def go_on(player) -> None:
         stack.enter_context(patch.object(player, "frame", side_effect=FrameError))
         stack.enter_context(suppress(FrameError))
         stack.callback(cradle.hits.stop)
-        if player.is_wanted:
+        if player.needs_cradle:
             player.begin()
             player.show(scope[cradle.make_name](player.csv, R_PARAM, *starts))
         while player.is_running():

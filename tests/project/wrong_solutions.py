@@ -124,7 +124,7 @@ HINTED = {
         "objects has three parts: axle, bob,": ("m1, m2 = pend1['mass']", "axle, bob = pend1['objects']; m1, m2 = pend1['mass']"),
         "A value with ( ) behind": ("bob1.radius", "bob1.radius()"),
         "A vector has x, y and": ("bob1.pos - ", "bob1.pos[0] - "),
-        "A vector stands beside a number,": ("bob1.pos - bob2.pos", "bob1.pos - bob2.radius"),
+        "A vector stands next to a number,": ("bob1.pos - bob2.pos", "bob1.pos - bob2.radius"),
         "You calculate with a whole pendulum.": ("omega1, omega2 = pend1['omega']", "omega1, omega2 = pend1 * 2"),
         "You named a function, but did": ("= handle_collision(e, omega1, omega2, m1, m2, r_param)", "= handle_collision"),
     },
@@ -145,7 +145,7 @@ HINTED = {
         "The value below / is 0": ("g / r_param", "1 / (r_param / g)"),
         "This is beta'' in place of": ("v = v + dv", "v = v + (dv + du)"),
         "These are the accelerations of two": "u, v = (w - g / r_param * sin(a) * dt for w, a in ((omega_theta, theta), (omega_phi, phi))); return u, v, theta + u * dt, phi + v * dt",
-        "This is the result if phi counts from straight": ("(u, v - u, a, b - a)", "(u, v, a, b)"),
+        "This is the result if phi is measured from straight": ("(u, v - u, a, b - a)", "(u, v, a, b)"),
     },
 }
 
@@ -245,7 +245,7 @@ FORMULAS = {
     "only the end is divided": {"2)) /": "2) / (m1 + m2)) #"},
     "only m1 divides:": {"(m1 + m2)": "m1 + m2"},
     "nothing divides by the sum": {" / (m1 + m2)": ""},
-    "both divisions count only for the end:": {"2)) / (m1 + m2)": "2) / (m1 + m2) / r_param) * r_param"},
+    "both divisions apply only to the end:": {"2)) / (m1 + m2)": "2) / (m1 + m2) / r_param) * r_param"},
     "v1 and v2 are exchanged": {"m1*v1 + m2*v2": "m1*v2 + m2*v1"},
     "the linear velocity is returned:": {"2))": "2)) * r_param"},
 }

@@ -1,4 +1,4 @@
-"""The choice of the files that count in a submission: most of the handout's are beside them."""
+"""The choice of the files of a submission that are graded: those next to most of the handout's."""
 
 import re
 from collections import defaultdict
@@ -68,12 +68,12 @@ def select(entries: Entries, starter, problems) -> dict[str, bytes]:
         if src / name not in sources:
             similar = [path for path in own if meant(path) == name]
             add_candidate(sources, src / name, similar, problems)
-    wanted = []
+    to_read = []
     for path in sorted(sources, key=lambda path: [*HANDOUTS, path.name].index(path.name)):
-        wanted.append((f"src/{path.relative_to(src)}", f"{sources[path]}", ""))
+        to_read.append((f"src/{path.relative_to(src)}", f"{sources[path]}", ""))
     others = others_around(src, sorted({*paths} - {*python}))
-    wanted += asked_for("pytest", FOR_PYTEST, others)
-    files = read(entries, wanted, others, starter, problems)
+    to_read += asked_for("pytest", FOR_PYTEST, others)
+    files = read(entries, to_read, others, starter, problems)
     constants = files.get("src/constants.py", b"")
     if MAY_CHANGE[CONSTANTS] in constants:  # all files were handed in without folders
         files.setdefault(CONSTANTS, constants)
@@ -123,10 +123,10 @@ def add_candidate(sources, missing, similar, problems) -> None:
 
     If there is none, or there are several, name all.
     """
-    beside = [path for path in similar if is_python(path) and path.parent == missing.parent]
-    if len(beside) == 1:
-        sources[missing] = beside[0]
-        problems.append(f"took {beside[0]} as {missing.name}")
+    neighbours = [path for path in similar if is_python(path) and path.parent == missing.parent]
+    if len(neighbours) == 1:
+        sources[missing] = neighbours[0]
+        problems.append(f"took {neighbours[0]} as {missing.name}")
     else:
         problems.append(f"src/{missing.name} is missing{found(similar)}")
 
@@ -171,11 +171,12 @@ def asked_for(file, content, others) -> list[tuple[str, str, str]]:
     return taken
 
 
-def read(entries: Entries, wanted, others, starter, problems) -> dict[str, bytes]:
-    """Return the content of the files that count, of those wanted and those that they ask for."""
+def read(entries: Entries, to_read, others, starter, problems) -> dict[str, bytes]:
+    """Return the content of the files that are graded: of those to read, and those that they ask
+    for."""
     files: dict[str, bytes] = {}
     room = MOST_BYTES
-    for place, source, why in wanted:
+    for place, source, why in to_read:
         try:
             if len(files) == MOST_FILES:
                 raise ValueError(TOO_MUCH)
@@ -186,7 +187,7 @@ def read(entries: Entries, wanted, others, starter, problems) -> dict[str, bytes
             if may_count(place, content, starter):
                 files[place] = content
                 room -= len(content)
-                wanted += asked_for(place, content, others)
+                to_read += asked_for(place, content, others)
             elif content.splitlines() != starter.get(place, b"").splitlines():
                 raise ValueError("it is not the starter's")
         except Exception as error:  # also if the .zip is damaged, or the file cannot be read

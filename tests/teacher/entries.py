@@ -113,8 +113,8 @@ def can_be_read(info: zipfile.ZipInfo, path: PurePosixPath) -> bool:
 def list_size(file) -> int:
     """Return how many bytes the list of files in a .zip has, before all of it is read.
 
-    The end of a .zip says so. It can be in several places: the largest list counts. That of a .zip
-    of 64 bits always is too large.
+    The end of a .zip says so. It can be in several places: the largest list is taken. That of a
+    .zip of 64 bits always is too large.
     """
     size = file.seek(0, os.SEEK_END)
     file.seek(max(0, size - 2**16 - 100))

@@ -40,7 +40,7 @@ def keys_of(students) -> dict[Student, str]:
         full = plain(student.full)
         digest = hashlib.sha256(repr(student).encode()).hexdigest()
         keys[student] = f"{full}-{digest[:16]}"
-        for name in (full, plain(student.short)):  # the short one counts if both are alone
+        for name in (full, plain(student.short)):  # the short one is taken if both are alone
             if counts[folded(name)] == 1 and not WITH_HASH.fullmatch(folded(name)):
                 keys[student] = name
     return keys

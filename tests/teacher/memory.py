@@ -58,7 +58,7 @@ def own_group() -> Path:
 def share(jobs) -> int:
     """Return how many bytes each of these solutions side by side can have.
 
-    All of them fit beside the rest.
+    All of them fit into what the other programs leave.
     """
     sizes = [MOST * (jobs + 1)]
     with suppress(OSError, ValueError):

@@ -18,8 +18,8 @@ LATE = 124  # the exit status after the time by the clock
 MOST_BYTES = 1_000_000  # of a grade
 MOST_OUTPUT = 3000  # bytes of what pytest has printed
 MOST_PROCESSES = 8  # with threads; pytest and the grader have 4
-# Seconds, bytes and files of each process. grading/limits.py allows less than DATA; in AS, shared
-# memory counts, too.
+# Seconds, bytes and files of each process. grading/limits.py allows less than DATA; AS limits
+# shared memory, too.
 LIMITS = {
     "CORE": 0,
     "CPU": 60,

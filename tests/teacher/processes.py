@@ -18,7 +18,7 @@ NO_CTRL_C = (
 )
 SUBREAPER = 36  # prctl's number: what the children of this process leave behind becomes its child
 PATIENCE = 5  # s, to find processes that are left
-LOOK = 0.1  # s from one look at a process to the next
+LOOK_AT_PROCESS = 0.1  # s from one look at a process to the next
 
 
 class Processes:
@@ -89,7 +89,7 @@ def wait(process, seconds, stop) -> int | None:
     deadline = time.monotonic() + seconds
     while time.monotonic() < deadline and not stop():
         with suppress(subprocess.TimeoutExpired):
-            return process.wait(LOOK)
+            return process.wait(LOOK_AT_PROCESS)
     return None
 
 

@@ -24,7 +24,7 @@ from teacher.seccomp import seccomp_filter
 
 # Seconds by the clock for a submission: ten times the processor time that one_run.py gives it
 LAST = 600
-ALONE = 120  # if nothing runs beside it
+ALONE = 120  # if nothing else runs
 SPARE = 10  # s in which one_run.py ends a pytest that takes too long
 SPACE = 50_000_000  # bytes of a folder in memory
 LEAST_FREE = 1_000_000_000  # bytes of the disk, if there are more now
@@ -70,12 +70,12 @@ REMOVE_ALL = 'ipcrm -a; find /tmp /var/tmp /dev/shm -user "$0" -delete'
 QUIETLY = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
 
 
-class Run(NamedTuple):
+class GradedRun(NamedTuple):
     """What has become of a submission."""
 
     grade: dict  # as report.read_grade returns it, or report.no_grade
     problem: str  # why there is no grade, or ""
-    is_final: bool  # whether nothing that ran beside it can have changed this
+    is_final: bool  # whether no other program can have changed this
 
 
 class Sandbox:
@@ -116,7 +116,7 @@ class Sandbox:
         last = lines[-1] or f"status {status}"
         return f" in bubblewrap: {last}. See --help" if self.has_bubblewrap else f" here: {last}"
 
-    def run(self, files, jobs, is_alone=False) -> Run:
+    def run(self, files, jobs, is_alone=False) -> GradedRun:
         """Run pytest for the files of a submission, by their paths in the project.
 
         jobs is the number of runs side by side. Raises an OSError if it is alone, and the disk is
@@ -134,9 +134,9 @@ class Sandbox:
                 how = f"pytest ended with status {status}"
             else:
                 how = status
-            return Run(no_grade(self.empty, output), f"no grade: {how}", is_final=False)
+            return GradedRun(no_grade(self.empty, output), f"no grade: {how}", is_final=False)
         has_ended = isinstance(status, int) and status < one_run.LATE
-        return Run(grade, "", is_final=grade.pop("final") and has_ended)
+        return GradedRun(grade, "", is_final=grade.pop("final") and has_ended)
 
     def is_full(self) -> bool:
         """Return whether the disk is nearly full."""

@@ -1,6 +1,6 @@
 """The submissions of a class, in the forms in which course systems hand them out.
 
-A student has a folder, a .zip, or files beside those of the others. Their names, as those of some
+A student has a folder, a .zip, or files among those of the others. Their names, as those of some
 folders, have what the system says of the student and of the upload before the file's own name.
 """
 

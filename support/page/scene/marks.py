@@ -15,9 +15,9 @@ from support.pendulum import arm, cord_angles, make_shape, Pendulum
 # s: an arrow is as long as its bob's way in a ninth of a small swing.
 ARROW_TIME = 2 * pi * sqrt(R_PARAM / G) / 9
 # m/s: a slower bob has no arrow. A bob that comes down from 2 degrees gets as fast.
-STILL = 0.035 * sqrt(R_PARAM * G)
-# In reaches of the cradle: an arrow of the largest momentum. A change can be twice as large.
-LONGEST = 0.4
+SLOWEST_WITH_ARROW = 0.035 * sqrt(R_PARAM * G)
+# In lengths of the cords: an arrow of the largest momentum. A change can be twice as large.
+LONGEST_ARROW = 0.4
 ABOVE = 1.7  # the height of these arrows above their bobs, in radii
 # The height of a belt, in radii: the least and the largest one.
 NARROWEST = 0.2
@@ -80,7 +80,7 @@ class Marks:
     # --- the motion --------------------------------------------------------------------------
 
     def show_arrows(self, pend_list: Sequence[Pendulum]) -> None:
-        """Show the velocities of these pendula, and note their momenta; or hide all arrows."""
+        """Show the velocities of these pendula, and keep their momenta; or hide all arrows."""
         if not self.has_arrows:
             self.take("arrows", 0, arrow)
             self.momenta = []
@@ -88,7 +88,7 @@ class Marks:
         motions = [motion for pend in pend_list for motion in bob_motions(pend, R_PARAM)]
         moving = []  # the bobs that move, and their velocities (m/s)
         for bob, (_, vx, vy) in zip(self.cradle.bobs(), motions, strict=True):
-            if hypot(vx, vy) > STILL:
+            if hypot(vx, vy) > SLOWEST_WITH_ARROW:
                 moving.append((bob, vector(vx, vy, 0)))
         arrows = self.take("arrows", len(moving), arrow, color=GREEN)
         for pointer, (bob, velocity) in zip(arrows, moving, strict=True):
@@ -169,7 +169,9 @@ class Marks:
             bob = self.cradle.pend_list[number]["objects"][1]
             change = momentum([new], R_PARAM) - momentum([old], R_PARAM)
             pointer.pos = bob.pos + vector(0, ABOVE * bob.radius, 0)
-            pointer.axis = vector(LONGEST * self.cradle.reach * change / self.largest, 0, 0)
+            pointer.axis = vector(
+                LONGEST_ARROW * self.cradle.cords_length * change / self.largest, 0, 0
+            )
             pointer.shaftwidth = bob.radius / 2
 
     # --- ghosts: of the answer, or of a file -----------------------------------------------------
@@ -178,8 +180,8 @@ class Marks:
         """Show ghosts of bobs and cords, or none.
 
         poses has the angles (rad) of cords from straight down, by the index of the pendulum. The
-        first one that is as good as farthest out has this name. What cannot be picked is no bob
-        for the page (canvas.js), and looks transparent (light.js).
+        name stands at the first ghost that is nearly as far out as the farthest one. Nobody can
+        pick a ghost. So it is no bob for the page (canvas.js), and looks transparent (light.js).
         """
         count = sum(map(len, poses.values()))
         self.ghosts = self.take("ghosts", count, sphere, shininess=0, pickable=False)

@@ -10,10 +10,10 @@ from support.cradle.dragging import FINGER
 from support.pendulum import discard, make_shape
 
 STEEL = vector(0.75, 0.76, 0.78)
-BESIDE = 0.86  # from the outer axles to the posts, in reaches: a bob at 45 degrees is inside
-OVERHANG = 0.06  # of the base beyond the posts, in reaches
+TO_POSTS = 0.86  # from the outer axles, in lengths of the cords: a bob at 45 degrees is inside
+OVERHANG = 0.06  # of the base beyond the posts, in lengths of the cords
 TEXT = 1 / 30  # the height of the numbers above the axles, in heights of the canvas
-LINE = 1.3  # from line to line, in heights of the text
+LINE_HEIGHT = 1.3  # from line to line, in heights of the text
 CANVAS = 1.1  # about the height of the canvas, in heights of the frame
 
 
@@ -25,7 +25,7 @@ class Size(NamedTuple):
     top: float  # y of the axles, and of the base
     bottom: float
     depth: float  # from rail to rail
-    reach: float  # from an axle to the centre of the lowest bob at rest
+    cords_length: float  # from an axle to the centre of the lowest bob at rest
     radius: float  # of the bobs
 
 
@@ -50,22 +50,22 @@ class Scenery:
         self.lines = 0  # of text above the cradle, which are in view, too
 
     def surround(
-        self, axles: Sequence, bobs: Sequence, reach: float, masses: Sequence[float]
+        self, axles: Sequence, bobs: Sequence, cords_length: float, masses: Sequence[float]
     ) -> None:
         """Put a frame around these axles and bobs; masses (kg) are those of the pendula.
 
-        reach (m) is from an axle to the centre of the lowest bob at rest.
+        cords_length (m) is from an axle to the centre of the lowest bob at rest.
         """
         self.numbers = [Number(axle.pos.x, str(i)) for i, axle in enumerate(axles, start=1)]
         top = axles[0].pos.y
-        beside = BESIDE * reach
+        to_posts = TO_POSTS * cords_length
         self.size = Size(
-            left=self.numbers[0].x - beside,
-            right=self.numbers[-1].x + beside,
+            left=self.numbers[0].x - to_posts,
+            right=self.numbers[-1].x + to_posts,
             top=top,
-            bottom=top - 1.3 * reach,
+            bottom=top - 1.3 * cords_length,
             depth=axles[0].width,
-            reach=reach,
+            cords_length=cords_length,
             radius=bobs[0].radius,
         )
         discard(self.frame)
@@ -83,7 +83,7 @@ class Scenery:
             height = bob.pos.y - self.size.top
             if height > self.above:
                 self.wide_swings = True
-                quarter = self.size.reach / 4  # not in each picture a little
+                quarter = self.size.cords_length / 4  # not in each picture a little
                 self.above = quarter * ceil(height / quarter)
 
     def view(self) -> dict:
@@ -91,18 +91,18 @@ class Scenery:
 
         The points are those of the frame, of all swings, and of the text above the cradle.
         """
-        left, right, top, bottom, depth, reach, radius = self.size
-        ground = bottom - base_height(reach) / 2
+        left, right, top, bottom, depth, cords_length, radius = self.size
+        ground = bottom - base_height(cords_length) / 2
         # The numbers, a gap, and the lines above them.
-        writing = radius / 2 + (self.lines + 1.5) * LINE * TEXT * CANVAS * (top - ground)
+        writing = radius / 2 + (self.lines + 1.5) * LINE_HEIGHT * TEXT * CANVAS * (top - ground)
         points: list[tuple[float, float, float]]
         points = [(self.numbers[0].x, top + writing, 0), (self.numbers[-1].x, top + writing, 0)]
-        for x in (left - OVERHANG * reach, right + OVERHANG * reach):
+        for x in (left - OVERHANG * cords_length, right + OVERHANG * cords_length):
             for y in (top, ground):
                 for side in (-1, 1):
-                    points.append((x, y, side * (depth / 2 + OVERHANG * reach)))
+                    points.append((x, y, side * (depth / 2 + OVERHANG * cords_length)))
         if self.wide_swings:
-            widest = reach + radius
+            widest = cords_length + radius
             highest = top + self.above + 2 * radius
             points.append((self.numbers[0].x - widest, highest, 0))
             points.append((self.numbers[-1].x + widest, highest, 0))
@@ -110,23 +110,27 @@ class Scenery:
             "points": points,
             "numbers": [number._asdict() for number in self.numbers],
             "top": top + radius / 2,
-            "base": {"left": left, "right": right, "height": bottom + base_height(reach) / 2},
+            "base": {
+                "left": left,
+                "right": right,
+                "height": bottom + base_height(cords_length) / 2,
+            },
             "text_height": TEXT,
             "finger": FINGER,
         }
 
 
-def base_height(reach: float) -> float:
-    """Return the height (m) of the base of a cradle with this reach (m)."""
-    return 0.1 * reach
+def base_height(cords_length: float) -> float:
+    """Return the height (m) of the base of a cradle with cords of this length (m)."""
+    return 0.1 * cords_length
 
 
 def make_frame(size: Size) -> list:
     """Return two rails from left to right, four posts and the base."""
-    left, right, top, bottom, depth, reach, _ = size
-    thickness = reach / 50
+    left, right, top, bottom, depth, cords_length, _ = size
+    thickness = cords_length / 50
     length = right - left
-    overhang = 2 * OVERHANG * reach
+    overhang = 2 * OVERHANG * cords_length
     frame = []
     for z in (-depth / 2, depth / 2):
         rail = vector(length + 2 * thickness, 0, 0)
@@ -136,7 +140,7 @@ def make_frame(size: Size) -> list:
     base = make_shape(
         box,
         pos=vector((left + right) / 2, bottom, 0),
-        size=vector(length + overhang, base_height(reach), depth + overhang),
+        size=vector(length + overhang, base_height(cords_length), depth + overhang),
         texture=textures.wood,
     )
     return [*frame, base]

@@ -9,7 +9,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
 
 EACH = 1.2  # s that each hit is shown
-NOTE = "Pink: the changes of momentum. The program computes the hits pair by pair."
+CAPTION = "Pink: the changes of momentum. The program computes the hits pair by pair."
 
 
 class SlowHit(NamedTuple):
@@ -30,7 +30,7 @@ class SlowHits:
     def clear(self) -> None:
         """Forget waiting hits: for a new cradle, or when Slow hits is switched on."""
         self.waiting: deque[SlowHit] = deque()
-        self.shown: SlowHit | None = None
+        self.current: SlowHit | None = None
         self.until = 0.0  # the time on the pace's clock at which the next one comes
         # Of this series: the number and the time (s) of its last hit.
         self.count = 0
@@ -60,23 +60,23 @@ class SlowHits:
         While the cradle is paused, a hit stays.
         """
         is_due = is_running and now >= self.until
-        if self.shown is None or is_due:
+        if self.current is None or is_due:
             self.show_next(now)
 
     def show_next(self, now: float) -> None:
-        """Show the next hit from now (s) on, or none if all were shown."""
-        self.shown = self.waiting.popleft() if self.waiting else None
+        """Show the next hit from now (s) on, or none if there is none left."""
+        self.current = self.waiting.popleft() if self.waiting else None
         self.until = now + EACH
 
     def part_left(self, now: float) -> float:
-        """Return the part of the shown hit's time that is left; now (s) is on the pace's clock."""
+        """Return the part of the hit's time that is left; now (s) is on the pace's clock."""
         return round(max(0.0, (self.until - now) / EACH), 2)
 
     def state(self) -> dict | None:
-        """Return what the page says of the hit: a title, lines and a note; or None."""
-        if not self.shown:
+        """Return what the page says of the hit: a title, lines and a caption; or None."""
+        if not self.current:
             return None
-        hit = self.shown.hit
+        hit = self.current.hit
         if self.cradle.cord_count == 1:
             noun, plural = "bob", "bobs"
         else:
@@ -87,9 +87,9 @@ class SlowHits:
                 f"{noun} {i + 1}: {self.velocity_as_text(old)} → {self.velocity_as_text(new)} m/s"
             )
         return {
-            "title": f"Hit {self.shown.number}: {plural} {hit.left + 1} and {hit.right + 1}",
+            "title": f"Hit {self.current.number}: {plural} {hit.left + 1} and {hit.right + 1}",
             "lines": lines,
-            "note": NOTE,
+            "caption": CAPTION,
         }
 
     def velocity_as_text(self, pend: dict) -> str:

@@ -1,7 +1,7 @@
 // VPython's canvas in this tab: its size, its color, its name, and the loss of the graphics driver.
-// It has a camera (camera.js), it can be touched (mouse.js), and printed (picture.js).
+// It has a camera (camera.js), it can be touched (mouse.js), and printed (paper.js).
 window.__context = { glowscript_container: $(".canvas") };
-window.Jupyter_VPython = ""; // before the names of textures: they are beside the page
+window.Jupyter_VPython = ""; // before the names of textures: they are next to the page
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const scene = () => glowObjs[0];
@@ -75,7 +75,7 @@ function describe() {
 
 // A new element: a screen reader also says a sentence again.
 function tell() {
-  one(".told").replaceChildren(make("span", {}, state.summary));
+  one(".summary").replaceChildren(make("span", {}, state.summary));
 }
 
 // The driver was restarted, or the machine slept: all that the graphics card had is gone.

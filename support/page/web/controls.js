@@ -67,7 +67,7 @@ addEventListener("click", ({ target }) => {
   if (button?.matches(".present")) present();
 });
 addEventListener("input", ({ target }) => {
-  if (target.type === "range") wanted.set(target.name, [target.name, +target.value]);
+  if (target.type === "range") sliderCommands.set(target.name, [target.name, +target.value]);
 });
 addEventListener("change", ({ target }) => {
   if (!target.name || target.type === "range") return;

@@ -3,7 +3,7 @@ const SVG = "http://www.w3.org/2000/svg";
 const CORD = 30; // of the whole pendulum; the lengths are those of the drawing
 const SPACING = 9;
 const RADIUS = 4.4; // of the lightest bob
-const LARGEST = 1.6; // times RADIUS: the heaviest bob
+const LARGEST_BOB = 1.6; // times RADIUS: the heaviest bob
 
 shows.pictures = pictures => {
   one(".gallery").replaceChildren(...Object.entries(pictures).map(makeTile));
@@ -38,11 +38,11 @@ function drawCradle(pendula) {
   const width = SPACING * (pendula.length - 1);
   const lightest = Math.min(...pendula.map(({ mass }) => mass));
   const left = -CORD;
-  const view = `${left} -2 ${width + 2 * CORD} ${CORD + RADIUS * LARGEST + 4}`;
+  const view = `${left} -2 ${width + 2 * CORD} ${CORD + RADIUS * LARGEST_BOB + 4}`;
   const rail = draw("line", { x1: left / 2, x2: width - left / 2, y1: 0, y2: 0 });
   const drawing = draw("svg", { viewBox: view, "aria-hidden": true }, rail);
   pendula.forEach(({ color, mass, angles }, number) => {
-    const radius = RADIUS * Math.min(LARGEST, Math.cbrt(mass / lightest));
+    const radius = RADIUS * Math.min(LARGEST_BOB, Math.cbrt(mass / lightest));
     let [x, y] = [SPACING * number, 0];
     for (const angle of angles) {
       const [x1, y1] = [x, y];

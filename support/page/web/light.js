@@ -37,10 +37,10 @@ function paintShapes() {
   for (const shape of glowObjs) {
     if (!shape?.visible || !(isSphere(shape) || shape.pickable === false)) continue;
     const paint = paints.get(shape);
-    const given = paint?.shown.equals(shape.color) ? paint.given : vec(shape.color);
-    const shown = onPage(shape, given);
-    paints.set(shape, { given, shown });
-    if (!shown.equals(shape.color)) shape.color = shown;
+    const ownColor = paint?.pageColor.equals(shape.color) ? paint.ownColor : vec(shape.color);
+    const pageColor = onPage(shape, ownColor);
+    paints.set(shape, { ownColor, pageColor });
+    if (!pageColor.equals(shape.color)) shape.color = pageColor;
   }
 }
 

@@ -1,8 +1,8 @@
 // The line to the program: a websocket. It brings the state and VPython's drawing, and takes
 // commands. When it is cut, the page connects again.
-const QUIET = 4; // looks without a sign of life, after which the page says so
-const LONGEST = 10; // such looks, after which it connects again
-const FIRST = 60; // such looks before the first message
+const SILENT_LOOKS = 4; // looks without a sign of life, after which the page says so
+const LOST_LOOKS = 10; // such looks, after which it connects again
+const FIRST_LOOKS = 60; // such looks before the first message
 
 // Relative to the page, whatever stands before it.
 const address = new URL(`ws${location.search}`, location.href);
@@ -24,14 +24,14 @@ let isDone = isCopy; // whether the page wants no line any more
 let unreported = 0; // messages that the program does not know to be drawn
 let seen = 0; // messages whose picture the program does not know of
 let nextWord = 0; // ms: the time of the next word to the program
-const wanted = new Map(); // the last command of each slider that you move
+const sliderCommands = new Map(); // the last command of each slider that you move
 
 const isOpen = () => socket?.readyState === WebSocket.OPEN;
 
 function send(...command) {
   // A late drag would be wrong, but a bob that is let go must not stay in the air.
-  const isWanted = isHeard || command[0] === "let go";
-  if (isOpen() && isWanted) socket.send(JSON.stringify(command));
+  const isAllowed = isHeard || command[0] === "let go";
+  if (isOpen() && isAllowed) socket.send(JSON.stringify(command));
 }
 
 addEventListener("DOMContentLoaded", () => { // all scripts are there
@@ -59,7 +59,7 @@ function lose() {
   if (isDone) return;
   isHeard = false;
   silence = 0;
-  wanted.clear();
+  sliderCommands.clear();
   clearTimeout(retry);
   retry = setTimeout(connect, delay);
   delay = Math.min(delay + 1000, 5000);
@@ -69,16 +69,16 @@ function lose() {
 async function explain() { // why the line is cut; a proxy may answer in the program's place
   const answer = await fetch(`alive${location.search}`).then(answer => answer.text(), () => "");
   if (answer.includes("ends with a key")) finish("ended"); // another start has another key
-  else if (answer === "alive" && !isHeard) fill(".unheard", "no-websocket");
+  else if (answer === "alive" && !isHeard) fill(".silence", "no-websocket");
 }
 
 function look() { // each second, but seldom in a tab that nobody sees: so it counts looks, not time
   if (isDone) return;
   silence++;
-  if (silence > QUIET) isHeard = false;
-  const longest = isOpen() && !has ? FIRST : LONGEST;
+  if (silence > SILENT_LOOKS) isHeard = false;
+  const longest = isOpen() && !has ? FIRST_LOOKS : LOST_LOOKS;
   if (silence > longest) lose();
-  if (!isHeard && !one(".unheard").firstChild) fill(".unheard", "unheard");
+  if (!isHeard && !one(".silence").firstChild) fill(".silence", "silence");
 }
 
 function hurry() {
@@ -92,9 +92,9 @@ function hear() {
   delay = 0;
   if (isHeard) return;
   isHeard = true;
-  one(".unheard").replaceChildren();
+  one(".silence").replaceChildren();
   for (const name in state)
-    if (name !== "sound") update(name); // a control may show what was not sent
+    if (name !== "sound") update(name); // a control may show a value that was not sent
 }
 
 function receive(data) {
@@ -110,12 +110,12 @@ function receive(data) {
 // quicker than many.
 function countPictures(now) {
   if (unreported > seen) seen++;
-  const isDue = seen > 2 || ((seen || wanted.size) && now > nextWord);
+  const isDue = seen > 2 || ((seen || sliderCommands.size) && now > nextWord);
   if (isOpen() && isDue) {
     socket.send("seen ".repeat(seen));
     // Only the last value of a slider: most of them restart the cradle.
-    for (const command of wanted.values()) send(...command);
-    wanted.clear();
+    for (const command of sliderCommands.values()) send(...command);
+    sliderCommands.clear();
     unreported -= seen;
     seen = 0;
     nextWord = now + 45;
@@ -130,7 +130,7 @@ function finish(id) {
 
 // You may have left the page, and come back to it by Back; or its tab is closed, for sure
 // - in Firefox, if the line is open: Firefox closes that of a page that you leave before pagehide;
-// - in others, if nobody has asked before: it is closed by a script, or with the browser,
+// - in others, if nobody has questions before: it is closed by a script, or with the browser,
 // - or if the page still runs a moment later: Chromium stops a page at once that you leave.
 const isFirefox = navigator.userAgent.includes("Firefox");
 let isAsked = false;

@@ -47,15 +47,15 @@ function fill(place, id) {
 
 // Say what ends the use of the page.
 function notice(id) {
-  one(".unheard").replaceChildren();
+  one(".silence").replaceChildren();
   fill(".notice", id);
   one(".notice").classList.add(id);
   for (const part of find(".canvas, .graph, .panel > :not(.messages, .head)")) part.inert = true;
 }
 
-function readoutRow([name, text]) { // its second line is a note
-  const [number, ...notes] = text.split("\n");
-  const cell = make("td", {}, `${number} `, ...notes.map(note => make("small", {}, note)));
+function readoutRow([name, text]) { // its second line is a caption
+  const [number, ...captions] = text.split("\n");
+  const cell = make("td", {}, `${number} `, ...captions.map(caption => make("small", {}, caption)));
   return make("tr", { className: name }, make("th", { scope: "row" }, name), cell);
 }
 
@@ -76,8 +76,8 @@ shows.mistakes = mistakes => {
 };
 shows.motion = motion => one(".readout").replaceChildren(...Object.entries(motion).map(readoutRow));
 shows.impacts = lines => one(".series").replaceChildren(...lines.map(impact));
-shows.bars = shown => {
-  const parts = shown ? [make("h2", {}, shown.title), ...shown.bars.map(makeBar)] : [];
+shows.bars = chart => {
+  const parts = chart ? [make("h2", {}, chart.title), ...chart.bars.map(makeBar)] : [];
   one(".momenta").replaceChildren(...parts);
 };
 shows.hit = hit => {
@@ -86,7 +86,7 @@ shows.hit = hit => {
   if (!hit) return;
   place.append(make("strong", {}, hit.title));
   place.append(...hit.lines.map(line => make("span", {}, line)));
-  place.append(make("small", {}, hit.note));
+  place.append(make("small", {}, hit.caption));
 };
 
 // A bar to the left or to the right of a line, which stands for 0.

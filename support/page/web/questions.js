@@ -1,4 +1,4 @@
-// The question of an experiment: its answers, what was said, what happened; and its sheet on paper.
+// The question of an experiment: its answers, the reply, what happened; and its sheet on paper.
 let shown; // the question of now, as text, but for the hands while they are counted
 
 shows.question = question => {
@@ -6,7 +6,7 @@ shows.question = question => {
   const text = JSON.stringify(isCounting ? { ...question, votes: [] } : question);
   if (text !== shown) {
     const parts = question ? [makeQuestion(question), makeSheet(question)] : [];
-    one(".asked").replaceChildren(...parts);
+    one(".questions").replaceChildren(...parts);
   }
   shown = text;
   if (isCounting) question.votes.forEach(showHands); // in their buttons, which keep the keys
@@ -15,14 +15,14 @@ shows.question = question => {
 const LETTERS = "ABCDE";
 const paragraph = (...parts) => make("p", {}, ...parts);
 const strong = text => make("strong", {}, text);
-const row = cells => make("tr", {}, ...cells.map(cell => make("td", {}, cell)));
+const tableRow = cells => make("tr", {}, ...cells.map(cell => make("td", {}, cell)));
 const outcome = ({ title, why }) => paragraph(strong(`${title} `), why);
 
 function button(text, className, ...command) {
   return make("button", { className, onclick: () => send(...command) }, text);
 }
 
-function makeQuestion({ key, question, answers, votes, asking, said, happened }) {
+function makeQuestion({ key, question, answers, votes, asking, reply, happened }) {
   const element = make("div", { className: "question", role: "status", ariaAtomic: false });
   element.append(paragraph(strong(question)));
   if (asking) {
@@ -36,7 +36,7 @@ function makeQuestion({ key, question, answers, votes, asking, said, happened })
     element.append(choices, button("Run it without an answer", "", "answer", key, null));
   }
   if (!asking && votes.some(count => count)) element.append(makeBars(votes));
-  if (said) element.append(paragraph(said));
+  if (reply) element.append(paragraph(reply));
   if (happened) element.append(
     outcome(happened),
     button("Again", "", "again", false),
@@ -79,7 +79,7 @@ function makeBars(votes) {
   return chart;
 }
 
-// A page to fill in, with the picture of picture.js; after the measurement, one with its figures.
+// A page to fill in, with the picture of paper.js; after the measurement, one with its figures.
 function makeSheet({ name, question, answers, happened }) {
   const sheet = make("div", { className: "sheet printed" });
   sheet.append(make("article", {},
@@ -99,7 +99,7 @@ function makeSheet({ name, question, answers, happened }) {
   if (happened) sheet.append(make("article", {},
     make("h2", {}, `${name}: measured`),
     outcome(happened),
-    make("table", {}, ...happened.rows.map(row)),
+    make("table", {}, ...happened.rows.map(tableRow)),
   ));
   return sheet;
 }

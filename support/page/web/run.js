@@ -1,16 +1,16 @@
 // A recorded run, in place of the line to the program: it plays the pictures in this file.
 // All values in a picture are absolute, and a whole picture has all. So a moment is the last whole
 // picture and all later ones up to it.
-const LONGEST = 0.1; // s of a picture: a browser that was busy, or hidden, goes on from there
+const LONGEST_STEP = 0.1; // s of a picture: a browser that was busy, or hidden, goes on from there
 const FIXED = ["canvas", "texture"]; // of a shape: they never change in a run
 
 const files = JSON.parse(one(".textures").textContent); // of the textures, by their names
-const wanted = new Map(); // the place of the slider
+const sliderCommands = new Map(); // the place of the slider
 const isOpen = () => true;
 const slider = one(".moment");
 
 let pictures = [];
-let shown = -1; // the number of the picture that is shown
+let current = -1; // the number of the picture on the page
 let time = 0; // s, of the film
 let lastDrawn = performance.now(); // ms
 let isRunning = false;
@@ -63,12 +63,12 @@ async function drawTexture(canvas) {
 
 const commands = {
   pause() {
-    if (isRunning) jump(upTo(shown));
-    else if (shown === pictures.length - 1) jump(0);
+    if (isRunning) jump(upTo(current));
+    else if (current === pictures.length - 1) jump(0);
     setRunning(!isRunning);
   },
-  step: () => isRunning || jump(Math.max(shown, from(shown + 1))),
-  back: () => isRunning || jump(upTo(shown - 1)),
+  step: () => isRunning || jump(Math.max(current, from(current + 1))),
+  back: () => isRunning || jump(upTo(current - 1)),
   restart: () => jump(0),
 };
 
@@ -90,16 +90,16 @@ function setRunning(isOn) {
 }
 
 function play(now) {
-  if (wanted.size) {
-    const [, place] = wanted.get("moment");
-    wanted.clear();
+  if (sliderCommands.size) {
+    const [, place] = sliderCommands.get("moment");
+    sliderCommands.clear();
     setRunning(false);
     jump(upTo(pictures.findLastIndex(picture => picture.time <= place)));
   }
   if (isRunning) {
-    time += Math.min((now - lastDrawn) / 1000, LONGEST);
+    time += Math.min((now - lastDrawn) / 1000, LONGEST_STEP);
     show(pictures.findLastIndex(picture => picture.time <= time));
-    if (shown === pictures.length - 1) setRunning(false);
+    if (current === pictures.length - 1) setRunning(false);
   }
   lastDrawn = now;
   requestAnimationFrame(play);
@@ -107,13 +107,13 @@ function play(now) {
 
 function jump(number) {
   show(Math.max(number, 0));
-  time = pictures[shown].time;
+  time = pictures[current].time;
 }
 
 function show(number) {
-  if (number === shown) return;
+  if (number === current) return;
   let first = pictures.findLastIndex((picture, i) => picture.whole && i <= number);
-  if (number > shown) first = Math.max(first, shown + 1);
+  if (number > current) first = Math.max(first, current + 1);
   const some = pictures.slice(first, number + 1);
   if (some[0].whole) hideAll();
   showPicture({
@@ -121,10 +121,10 @@ function show(number) {
     attrs: some.flatMap(picture => picture.attrs),
     state: Object.assign({}, ...some.map(picture => picture.state)),
   });
-  shown = number;
+  current = number;
   slider.value = pictures[number].time;
   slider.setAttribute("aria-valuetext", `t ${state.motion?.t}`.trim());
-  for (const answer of find(".asked button")) answer.disabled = true;
+  for (const answer of find(".questions button")) answer.disabled = true;
 }
 
 const isShape = object => object?.pickable !== undefined; // else it is the canvas, or a light

@@ -21,7 +21,7 @@ function followBox() {
 shows.sound = ({ speed }) => {
   if (audio?.state !== "running" || !speed) return;
   const source = new AudioBufferSourceNode(audio, { buffer: click });
-  // The root: the ear hears slow hits, too, beside fast ones.
+  // The root: the ear hears slow hits, too, among fast ones.
   const gain = 0.5 * Math.sqrt(Math.min(1, speed / LOUDEST));
   source.connect(new GainNode(audio, { gain })).connect(audio.destination);
   source.start();

@@ -1,4 +1,4 @@
-"""What a Watch notes of a call: its statements, and what they gave, stored and called."""
+"""What a Watch traces of a call: its statements, and what they gave, stored and called."""
 
 import ast
 import inspect
@@ -47,7 +47,7 @@ class Called:
 
 
 @dataclass
-class Note:
+class Trace:
     """What a statement gave once."""
 
     turn: int  # of the innermost loop around it; for a loop, its own one; 0 without a loop
@@ -85,7 +85,7 @@ class WatchedCall:
         self.turns: defaultdict[int, int] = defaultdict(int)
         self.turns_now: defaultdict[int, int] = defaultdict(int)
         # By the number of the statement
-        self.notes: defaultdict[int, list[Note]] = defaultdict(list)
+        self.traces: defaultdict[int, list[Trace]] = defaultdict(list)
         # Of the statements that have begun, and not come to their ends, by their numbers:
         self.begun: set[int] = set()
         self.whole_values: dict[int, Any] = {}  # the value of the whole expression
@@ -100,7 +100,7 @@ class WatchedCall:
         self.is_whole = True  # whether it was watched to its end
 
     def begin(self, number: int) -> None:
-        """A statement begins: forget its notes from a turn that an error has stopped."""
+        """A statement begins: forget its traces from a turn that an error has stopped."""
         self.begun.add(number)
         self.turns_now[number] = 0
         for kept in (self.whole_values, self.parts, self.called, self.before):

@@ -1,11 +1,11 @@
 // The cradle on paper, as it is now; on the sheet of an experiment, as it was before its release.
 // It is a canvas: a browser that hides the pixels of canvases would make stripes of an image.
-let asked; // the name of the experiment of which the picture before the release is kept
+let keptName; // the name of the experiment of which the picture before the release is kept
 let before = "";
 
 addEventListener("beforeprint", () => {
   const place = one(state.question ? ".sketch" : ".picture");
-  if (home) place.replaceChildren(state.question ? before : picture());
+  if (home) place.replaceChildren(state.question ? before : paperPicture());
   document.documentElement.classList.add("on-paper");
   one(".plot").replaceChildren(); // Chromium prints nothing of what flot draws on old canvases
   drawGraph();
@@ -17,13 +17,13 @@ addEventListener("afterprint", () => {
 
 function keepPicture() {
   const { asking, name } = state.question ?? {};
-  if (!asking || name === asked || !bobs().every(bob => bob.ready)) return;
-  asked = name;
-  before = picture();
+  if (!asking || name === keptName || !bobs().every(bob => bob.ready)) return;
+  keptName = name;
+  before = paperPicture();
 }
 
 // Return a copy of the cradle on white, and of its texts, which are on a second canvas.
-function picture() {
+function paperPicture() {
   const { __canvas_element: cradle, __overlay_element: texts, width, height, background } = scene();
   const paper = make("canvas", { width, height });
   const pen = paper.getContext("2d");

@@ -114,9 +114,9 @@ def show_page(
         prepare(viewer)
         play(loop, viewer, server)
     else:
-        from support.page.recorder import NoTabs, Recorder, write_run  # a page needs none of it
+        from support.page.film_recorder import FilmRecorder, NoTabs, write_run  # not for a page
 
-        recorder = Recorder(cradle, file, angles, options.lift, NoTabs(), remark)
+        recorder = FilmRecorder(cradle, file, angles, options.lift, NoTabs(), remark)
         prepare(recorder)
         write_run(loop, recorder, options.seconds, options.html)
 

@@ -15,7 +15,7 @@ CRADLE = FOLDER / "cradle.csv"
 CRADLE.write_text(MIXED_CSV)
 
 
-class Page:
+class CheckPage:
     """The page for main in a check: it says when to tick, and records the result."""
 
     def __init__(

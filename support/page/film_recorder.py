@@ -38,7 +38,7 @@ class NoTabs(Tabs):
         return True
 
 
-class Recorder(Viewer):
+class FilmRecorder(Viewer):
     """Plays the first seconds of a cradle, as fast as the machine can."""
 
     tabs: NoTabs
@@ -66,7 +66,7 @@ class Recorder(Viewer):
         super().keep_time(min(most, self.last - self.motion.ticks))
 
 
-def write_run(loop: Loop, recorder: Recorder, seconds: float, filepath: str) -> None:
+def write_run(loop: Loop, recorder: FilmRecorder, seconds: float, filepath: str) -> None:
     """Write the first seconds (s) of a loop to this HTML file.
 
     If a function makes a mistake, the run ends with it, and the exit status is 1; so it is, without

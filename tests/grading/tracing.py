@@ -1,4 +1,4 @@
-"""How a method of the Watch notes something of a call; and what stops a loop without end."""
+"""How a method of the Watch traces something of a call; and what stops a loop without end."""
 
 import sys
 from collections.abc import Callable
@@ -13,8 +13,8 @@ class EndlessError(BaseException):
     """A loop has made MOST_TURNS turns in a function that went over the limit of time."""
 
 
-def noting(method: Callable) -> Callable:
-    """Return a function that lets a method of the Watch note something of the call that calls it.
+def tracing(method: Callable) -> Callable:
+    """Return a function that lets a method of the Watch trace something of the call that calls it.
 
     The changed code gives it the number of a statement and some values. It calls the method with
     the watched call in front of these, and returns the last value. It raises an EndlessError, but
@@ -22,11 +22,11 @@ def noting(method: Callable) -> Callable:
     """
 
     @wraps(method)
-    def note(self: Any, statement_number: int, *values: Any) -> Any:
+    def trace(self: Any, statement_number: int, *values: Any) -> Any:
         call = self.call_of(sys._getframe(1))
         if call:
             with suppress(Exception):
                 method(self, call, statement_number, *values)
         return values[-1] if values else None
 
-    return note
+    return trace

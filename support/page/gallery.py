@@ -8,10 +8,10 @@ from support.page.graph import to_css
 
 CSS = {name: to_css(color) for name, color in COLOR_MAP.items()}  # the colors, as CSS has them
 
-Picture = list[dict]  # a dictionary for each pendulum
+GalleryPicture = list[dict]  # a dictionary for each pendulum
 
 
-def picture(csv: Snapshot, poses: Sequence[Sequence[float]]) -> Picture:
+def gallery_picture(csv: Snapshot, poses: Sequence[Sequence[float]]) -> GalleryPicture:
     """Return the picture of a valid CSV's cradle: the color and the mass (kg) of each pendulum.
 
     And its angles: those of its cords from straight down (rad). poses has them for each pendulum.
@@ -24,6 +24,6 @@ def picture(csv: Snapshot, poses: Sequence[Sequence[float]]) -> Picture:
     return pendula
 
 
-def at_rest(csv: Snapshot, cords: int) -> Picture:
+def at_rest(csv: Snapshot, cords: int) -> GalleryPicture:
     """Return the picture of a CSV's cradle that hangs; a pendulum has this number of cords."""
-    return picture(csv, [[0.0] * cords for _ in csv.rows[1:]])
+    return gallery_picture(csv, [[0.0] * cords for _ in csv.rows[1:]])
