@@ -21,6 +21,7 @@ CLOSED = 3.0  # whose tab is closed for sure: a closed tab can be opened again
 LEFT = 25.0  # that you have left, or closed: Back or a reload shows it again
 LOST = 60.0  # that has said nothing: its line is cut, or its machine sleeps
 GOODBYES = {"closed": CLOSED, "left": LEFT}  # what a page says in the end
+CODES = {4001: CLOSED, 4000: LEFT}  # with which its websocket then ends
 SILENT = 10.0  # s after which a tab that does not answer is lost
 SLOWEST = 2**13  # bytes/s: for this many bytes under way to it, a tab has 1 s more
 LARGEST_HEAD = 2**14  # bytes of a request
@@ -178,4 +179,4 @@ class Protocol(WebSocketServerProtocol):
         if self not in site.tabs.tabs:
             return
         site.tabs.close(self)
-        site.expect(self.page_name, self.rest)
+        site.expect(self.page_name, min(self.rest, CODES.get(code or 0, LOST)))

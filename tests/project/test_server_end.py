@@ -64,8 +64,7 @@ class Connection(connections.Protocol):
         self.response_to(word, {"key": [self.site.key], "page": [self.page_name]})
 
     def close(self):
-        self.say("closed")
-        self.cut()
+        self.onClose(True, 4001, "")
 
 
 def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkeypatch, capsys):

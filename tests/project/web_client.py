@@ -43,21 +43,19 @@ class Tab(ExitStack):
             "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==",
             "Origin": origin,
         }
-        query = f"{query}&page={id(self)}"
         self.connection, self.answer = ask(page, f"{folder}ws", query, **headers)
         self.callback(self.connection.close)
         self.callback(self.answer.close)
         if self.answer.status == 101:
-            self.callback(self.leave, page, query)
+            self.callback(self.leave)
 
-    def leave(self, page, query):
-        """Say that the tab is closed, and wait until the websocket has ended.
+    def leave(self):
+        """Say that the tab is closed, and wait until this is heard.
 
-        A socket that closes with unread bytes takes its last ones back.
+        A socket that closes with unread bytes takes it back.
         """
         with suppress(OSError):  # the program may have ended
-            get(page, "/closed", query)
-            self.tell(b"\x03\xe9", GOODBYE)
+            self.tell((4001).to_bytes(2, "big"), GOODBYE)
             self.connection.sock.shutdown(socket.SHUT_WR)
             self.answer.fp.read()
 

@@ -136,14 +136,14 @@ const isFirefox = navigator.userAgent.includes("Firefox");
 let isAsked = false;
 addEventListener("beforeunload", () => isAsked = true);
 addEventListener("pagehide", ({ persisted }) => {
-  const isClosed = isFirefox ? isOpen() : !isAsked;
-  sayGoodbye(isClosed && !persisted ? "closed" : "left");
+  const isClosed = !persisted && (isFirefox ? isOpen() : !isAsked);
+  sayGoodbye(isClosed ? "closed" : "left");
   if (!persisted) window.scheduler?.postTask(() => sayGoodbye("closed"));
   isDone = true;
-  socket?.close(); // or a browser that keeps the page for Back would keep it open
+  socket?.close(isClosed ? 4001 : 4000); // a browser that keeps the page would keep it open
 });
 
-// Not by the line: what is on its way here can take it back.
+// Not only by the line: what is on its way here can take it back. And Firefox may lose this one.
 function sayGoodbye(word) {
   navigator.sendBeacon(`${word}${address.search}`);
 }
