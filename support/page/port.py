@@ -2,8 +2,8 @@
 
 import socket
 
-# Ports from 1024 on that browsers refuse (https://fetch.spec.whatwg.org/#port-blocking). Those below
-# are for the system's own services.
+# Ports from 1024 on that browsers refuse (https://fetch.spec.whatwg.org/#port-blocking). Those
+# below are for the system's own services.
 # fmt: off
 REFUSED = {
     1719, 1720, 1723, 2049, 3659, 4045, 4190, 5060, 5061, 6000, 6566, 6665, 6666, 6667, 6668, 6669,

@@ -3,7 +3,7 @@
 import socket
 
 from pages import BOBS
-from programs import end, PROGRAM, QUIETLY, running, wait_until
+from programs import end, PROGRAM, running, wait_until
 
 from support.constants import R_PARAM
 
@@ -19,7 +19,8 @@ def test_the_handouts_program_throws_the_last_bob_out_until_the_tab_is_closed(pa
         farthest = f"Math.max(...({BOBS})().map(bob => bob[0]))"
         page.wait_for_function(f"() => {farthest} > {-0.1 + 5 / 4 * R_PARAM}")
         page.close()
-        assert end(process) == QUIETLY
+        status, stdout, _ = end(process)  # VPython's own server may print an error
+        assert (status, stdout) == (0, "")
 
 
 def is_open(port):
