@@ -25,7 +25,7 @@ from support.start.output import in_one_line, while_it_is_read
 FILES = [".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"]
 FILES += [".devcontainer/devcontainer.json"]
 FILES += [f"tests/{suite}.py" for suite in SUITES.values()]
-FOLDERS = ["src", "support", "tests/grading"]
+FOLDERS = ["src", "support", "tests/grading", "tests/line_by_line"]
 # src/README.md, the handout's loop, the fast path, double cradles.
 WITH_ANSWERS = {
     "README.md",

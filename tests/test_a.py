@@ -21,8 +21,10 @@ from grading.cradles import (
     shapes,
     touching,
 )
-from grading.grader import check, expect, result_of, steps
-from grading.messages import Expected, text_of
+from grading.grader import check, expect, steps, usable_result
+from grading.messages import Expected
+from grading.subject import Each, Several, Subject
+from line_by_line.words import text_of
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import show_pendulum
 
@@ -59,15 +61,15 @@ def check_tick(pend_list, expected, *, dt=1e-9, g=9.81, help="", results=()):
 
 
 def check_row(*omegas):
-    """Check a tick of equal elastic pendula that touch: the two of a pair exchange their omegas."""
+    """Check a tick of equal elastic pendula that touch: in a pair, each takes the other's omega."""
     now = [*omegas]
     steps = []
     for i in range(len(now) - 1):
         now[i], now[i + 1] = now[i + 1], now[i]
         steps.append(f"{i} and {i + 1}: {text_of(now)}")
     help = (
-        "Each bob touches the next one, the masses are equal, and e is 1: a pair exchanges its "
-        f"omegas. After the pair {'; '.join(steps)}."
+        "Each bob touches the next one, the masses are equal, and e is 1: in a pair, each bob "
+        f"takes the omega of the other one. After the pair {'; '.join(steps)}."
     )
     check_tick(touching(*omegas), now, help=help)
 
@@ -201,7 +203,7 @@ def swings(ticks):
     states = [(0.0, THETA_INIT)]
     for _ in range(ticks):
         # The same motion
-        states.append(result_of("angle_update", *states[-1], 2 * R_PARAM, DT, 2 * G))
+        states.append(usable_result("angle_update", *states[-1], 2 * R_PARAM, DT, 2 * G))
     return states
 
 
@@ -241,7 +243,7 @@ def test_the_cradle_is_made_and_shown():
         page,
         expected=Expected(thetas_and_cords, is_made, like=[[]]),
         see=see,
-        what="theta and cord length of each pendulum on the page",
+        what=Subject("theta and cord length of each pendulum on the page"),
         advice=advice,
         results=[([], "main has not called page.show: the page has no cradle.")],
     )
@@ -251,7 +253,11 @@ def test_the_cradle_is_made_and_shown():
 def test_the_cradle_ticks():
     """In the while loop, call a helper function to perform a single tick."""
     page = CheckPage(3)
-    what = "omega and theta of the first pendulum at each call of page.is_running"
+    states = []
+    for i in range(4):
+        after = f"after {i} ticks"
+        states.append(Several((Subject(f"omega {after}"), Subject(f"theta {after}"))))
+    what = Several(tuple(states), "omega and theta of the first pendulum after each tick")
     expect("main", page, expected=swings(3), see=lambda _: page.states, what=what)
 
 
@@ -259,7 +265,7 @@ def test_the_cradle_ticks():
 def test_each_cradle_that_is_wanted_is_a_new_one():
     """Creates the Newton's cradle visualisation from data in the CSV file."""
     page = CheckPage(2, 1)
-    what = "omega and theta before the last tick, omega and theta after the last tick"
+    what = Subject("omega and theta before the last tick, and after it")
     expect("main", page, expected=swings(1), see=lambda _: page.states[-2:], what=what, times=2)
     page = CheckPage(1, 0)
     old = shapes()
@@ -291,7 +297,7 @@ def test_each_cradle_that_is_wanted_is_a_new_one():
         CheckPage(0, 0, change=change, csv=str(file)),
         expected=Expected("for each cradle, those that the file has then", are_new),
         see=lambda _: masses,
-        what="masses of the first cradle, and of the second one",
+        what=Subject("masses of the first cradle, and of the second one"),
         advice=[(lambda _: masses[0] != masses_of(before), always_same)],
         times=2,
     )
@@ -320,5 +326,5 @@ def test_in_the_cradle_bobs_collide():
         page,
         expected=Expected("10 for the last pendulum, 0 for all others", is_passed_on),
         see=lambda _: [pend["omega"] for pend in page.cradles[0]],
-        what="omega of each pendulum",
+        what=Each(("omega",)),
     )

@@ -10,8 +10,9 @@ from math import pi
 
 from grading.comparing import same
 from grading.cradles import hang
-from grading.grader import check, expect, result_of, steps
-from grading.messages import text_of
+from grading.grader import check, expect, steps, usable_result
+from grading.subject import Several, Subject
+from line_by_line.words import text_of
 from support.pendulum import contact_distance
 
 steps(
@@ -82,7 +83,7 @@ FORMULAS = [
     ("both divisions apply only to the end: all of it needs brackets.", -14.32, -9.42),
     ("nothing divides by the sum of the masses.", -65.2, -16.2),
     ("the linear velocity is returned: divide it by r_param.", -2.608, -0.648),
-    ("v1 and v2 are exchanged in the momenta.", -2.32, 2.58),
+    ("m1 multiplies v2, and m2 multiplies v1.", -2.32, 2.58),
 ]
 RESULTS = [
     ((-8.14, -0.09), "This is the result if omega1 is not converted: r_param multiplies it, too."),
@@ -109,13 +110,13 @@ RESULTS = [
     ),
     (
         (-6.52, -4.8568),
-        "This is the result with the new velocity of the first bob in all of the second formula. "
-        "Use the old one.",
+        "This is the result if the second formula has the new velocity of the first bob at each "
+        "place. Use the old one.",
     ),
     (
         (-4.0, 3.0),
-        "These are the two omegas of the call, exchanged. So it is only for equal masses and "
-        "e = 1.",
+        "These are the two omegas of the call, in the other order. So it is only for equal masses "
+        "and e = 1.",
     ),
 ]
 for mistake, first, second in FORMULAS:
@@ -138,6 +139,7 @@ def check_hit(expected, e, omega1, omega2, m1, m2, r_param, results=()):
         ("v2", v2),
         ("m1 v1 + m2 v2", m1 * v1 + m2 * v2),
         ("v1 - v2", v1 - v2),
+        ("m1 + m2", m1 + m2),
         ("v1_new", r_param * expected[0]),
         ("v2_new", r_param * expected[1]),
     ]
@@ -176,10 +178,10 @@ def test_laws_of_the_collision():
         def energy(omegas, m1=m1, m2=m2):
             return m1 * omegas[0] ** 2 + m2 * omegas[1] ** 2
 
-        what = "momentum m1 new_omega1 + m2 new_omega2"
+        what = Subject("momentum m1 new_omega1 + m2 new_omega2")
         for e in (0, 0.3, 1):
             check_law(momentum, what, e, m1, m2)
-        check_law(energy, "energy m1 new_omega1^2 + m2 new_omega2^2", 1, m1, m2)
+        check_law(energy, Subject("energy m1 new_omega1^2 + m2 new_omega2^2"), 1, m1, m2)
 
 
 def check_law(see, what, e, m1, m2):
@@ -227,7 +229,7 @@ def expect_omegas(expected, pend1, pend2, r_param, results=()):
         r_param,
         expected=expected,
         see=lambda _: (pend1["omega"], pend2["omega"]),
-        what="omega of pend1, omega of pend2",
+        what=Several((Subject("omega", "pend1"), Subject("omega", "pend2"))),
         help=help_for(pend1, pend2, r_param, expected),
         results=results,
     )
@@ -342,7 +344,7 @@ def test_bobs_that_touch_collide_whatever_their_velocities_are():
     check_pair((1e-8, 3e-8), omega1=4e-8)
     es_and_masses = product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0))
     for (e, mass), omega in zip(es_and_masses, cycle((-5.0, 0.0, 6.0))):
-        expected = result_of("handle_collision", e, LEFT, omega, 1.0, mass, 4.0)
+        expected = usable_result("handle_collision", e, LEFT, omega, 1.0, mass, 4.0)
         check_pair(expected, e1=e, e2=0.25, mass2=mass, omega2=omega)
 
 
@@ -371,7 +373,7 @@ def test_omegas_are_updated_and_nothing_else():
                     values[key] = now.get(key)
             return values
 
-        what = "changed values (without omega)"
+        what = Subject("the dictionary of changed values (without omega)")
         expect("handle_two_bobs", *pends, 4 * apart, expected={}, see=changed, what=what)
 
 

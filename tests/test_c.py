@@ -12,6 +12,7 @@ from vpython import vector
 from grading.cradles import hang, LEFT_OVER, left_over, R, see_each, shapes, touching
 from grading.grader import check, expect, steps
 from grading.messages import Expected
+from grading.subject import Each, Subject
 
 steps(
     "angle_update",
@@ -174,7 +175,7 @@ def test_every_pendulum_swings_once():
         5.0,
         expected=4.0,
         see=lambda _: pend["omega"],
-        what="omega of one pendulum",
+        what=Subject("omega", "pend_list", 0),
     )
     expect_swing([], expected=Expected("no error for an empty pend_list", lambda _: True))
 
@@ -199,7 +200,7 @@ def test_bobs_and_cords_move():
         parts += [axle, bob, cord]
     old = shapes()
     expect_swing(
-        pend_list, expected=expected, see=see, what="axle, bob, ends of the cord of each pendulum"
+        pend_list, expected=expected, see=see, what=Each(("axle", "bob", "ends of the cord"))
     )
     expect_swing(pend_list, see=lambda _: left_over(old, parts), **LEFT_OVER)
 
@@ -229,18 +230,18 @@ def test_a_swing_changes_nothing_else():
     def have_same_objects(_):
         return all(map(are_same, (pend["objects"] for pend in pend_list), objects))
 
-    expect_swing(pend_list, expected=values(), see=values, what="each pendulum")
+    expect_swing(pend_list, expected=values(), see=values, what=Each(()))
     expect_swing(
         pend_list,
         expected=True,
         see=are_same_pendula,
-        what="that the list has the same pendula in the same order",
+        what=Subject("that the list has the same pendula in the same order"),
     )
     expect_swing(
         pend_list,
         expected=True,
         see=have_same_objects,
-        what="that all pendula have the same objects",
+        what=Subject("that all pendula have the same objects"),
     )
 
 

@@ -12,6 +12,7 @@ from grading.csv_files import ASSISTANTS, FILES, files, LOOKS, MANY, ONE, SEVEN
 from grading.grader import check, expect, steps, WrongError
 from grading.messages import Expected
 from grading.students_code import working_in
+from grading.subject import Each, Several, Subject
 from support.pendulum import arm, make_pendulum
 
 LOOP = "for book in books:  # the indented lines below run once for each book"
@@ -66,6 +67,11 @@ def values_of(first, key):
     return lambda last: ([pend[key] for pend in first], [pend[key] for pend in last])
 
 
+def first_and_this(name):
+    """Return what two calls give for a name: the first one, and this one."""
+    return Several((Subject(f"{name} from the first call"), Subject(f"{name} from this call")))
+
+
 def converts_assistants() -> bool:
     """Return whether extract_and_convert takes the names of the columns from the file."""
     with files("assistants.csv") as folder:
@@ -117,8 +123,12 @@ def test_the_file_given_is_read():
             "one.csv",
             expected=([3.0], [3.0, 4.0]),
             see=values_of(first, "mass"),
-            what="each mass from the first call, each mass from this call with the same path and a "
-            "changed file",
+            what=Several(
+                (
+                    Subject("each mass from the first call"),
+                    Subject("each mass from this call with the same path and a changed file"),
+                )
+            ),
             advice=[(lambda _: not converts_assistants(), sentence)],
         )
 
@@ -136,7 +146,7 @@ def check_uniform(function, *arguments, key, value):
             *arguments,
             expected=([value] * 3, [value]),
             see=values_of(found[0], key),
-            what=f"each {key} from the first call, each {key} from this call",
+            what=first_and_this(f"each {key}"),
         )
 
 
@@ -196,7 +206,7 @@ def test_a_cradle_keeps_the_files_values():
         return {key: pend[key] for key in ("mass", "e", "color", "texture")}
 
     for name, rows in (("mixed", MIXED), ("one", [ONE]), ("seven", SEVEN), ("many", MANY)):
-        expect_cradle(kept, "each pendulum", [*map(kept, rows)], file=f"{name}.csv")
+        expect_cradle(kept, Each(()), [*map(kept, rows)], file=f"{name}.csv")
 
 
 @check("make_newton_cradle")
@@ -213,7 +223,7 @@ def test_the_first_pendulum_is_lifted():
     ):
         expect_cradle(
             lambda pend: pend["theta"],
-            "theta of each pendulum",
+            Each(("theta",)),
             [theta_init, *[0] * (count - 1)],
             file=f"{name}.csv",
             theta_init=theta_init,
@@ -223,7 +233,7 @@ def test_the_first_pendulum_is_lifted():
 @check("make_newton_cradle")
 def test_all_pendula_start_at_rest():
     """omega: the angular velocity, which should be 0 for all the pendula."""
-    expect_cradle(lambda pend: pend["omega"], "omega of each pendulum", [0, 0, 0])
+    expect_cradle(lambda pend: pend["omega"], Each(("omega",)), [0, 0, 0])
 
 
 @check("make_newton_cradle")
@@ -249,7 +259,7 @@ def test_objects_are_axle_bob_and_cord():
 
     expect_cradle(
         lambda pend: pend["objects"],
-        "the value of objects in each pendulum",
+        Each(("objects",)),
         Expected("an axle, a bob and a cord for each", are_right),
         results=[(are_shared, "All pendula have the same objects. Make them inside the loop.")],
     )
@@ -279,7 +289,7 @@ def test_axle_positions():
     ):
         expect_cradle(
             lambda pend: pend["objects"][0].pos,
-            "position of each axle",
+            Each(("position",), "axle"),
             [vector(-0.1 + apart * i, height, 0) for i in range(count)],
             file,
             r_param,
@@ -300,7 +310,7 @@ def test_bobs_hang_from_their_axles():
         places = {(round(place.x, 6), round(place.y, 6)) for place in found}
         return len(places) == 1 and 0.2 < found[1].x < R
 
-    what = "position from the axle (m) of each bob"
+    what = Each(("position from the axle (m)",), "bob")
     bobs = [arm(theta, R) for theta in (0.6, 0, 0)]
     lifted = (
         "All bobs are lifted. make_pendulum must get the theta of each pendulum, and not "
@@ -317,9 +327,11 @@ def test_bobs_hang_from_their_axles():
         return sorted(both, key=lambda end: -end.y)
 
     cords = [[vector(0, 0, 0), bob] for bob in bobs]
-    expect_cradle(ends, "ends of the cord of each pendulum", cords)
+    expect_cradle(ends, Each(("ends of the cord",)), cords)
     radius = make_pendulum(vector(0, 0, 0), R, 0, vector(1, 1, 1), None)[1].radius
-    expect_cradle(lambda pend: pend["objects"][1].radius, "radius (m) of each bob", [radius] * 3)
+    expect_cradle(
+        lambda pend: pend["objects"][1].radius, Each(("radius (m)",), "bob"), [radius] * 3
+    )
 
 
 @check("make_newton_cradle")
@@ -342,7 +354,7 @@ def test_bobs_have_the_color_and_texture_of_their_row():
     ]
     many = [(value, image) for (_, value), (_, image) in LOOKS]
     for file, expected in (("mixed.csv", mixed), ("seven.csv", seven), ("many.csv", many)):
-        expect_cradle(looks, "color and texture of each bob", expected, file)
+        expect_cradle(looks, Each(("color", "texture"), "bob"), expected, file)
 
 
 @check("make_newton_cradle")
@@ -357,5 +369,5 @@ def test_the_pend_list_is_returned():
             -0.3,
             expected=(0.6, -0.3),
             see=lambda second: (first[0]["theta"], second[0]["theta"]),
-            what="first theta from the first call, first theta from this call",
+            what=first_and_this("first theta"),
         )

@@ -12,6 +12,7 @@ from vpython import box, cylinder, sphere, textures, vector
 from grading.cradles import LEFT_OVER, left_over, shapes
 from grading.grader import check, expect, steps
 from grading.messages import Expected
+from grading.subject import Several, Subject
 from support.pendulum import arm, make_pendulum
 
 steps(
@@ -35,7 +36,7 @@ RED = vector(1, 0, 0)
 
 
 def check_double_pendulum(
-    see, what, theta, phi, expected, cord=CORD, texture=textures.wood, help=""
+    see, what, theta, phi, expected, cord=CORD, texture=textures.wood, help="", right=()
 ):
     """Check what see(objects) returns for a double pendulum."""
     angles = f"the upper cord is at {theta:g}, and the lower one at {theta + phi:g}"
@@ -51,6 +52,7 @@ def check_double_pendulum(
         see=see,
         what=what,
         help=help or f"From straight down, {angles}.",
+        right=right,
     )
 
 
@@ -65,7 +67,7 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
     parts = "a tuple of axle, upper bob, upper cord, lower bob and lower cord"
     expected = Expected(parts, are_parts, like=(None,) * 5)
     order = "Five objects come back, in this order: axle, bob1, cord1, bob2, cord2."
-    check_double_pendulum(None, "", 0.7, 0.4, expected, help=order)
+    check_double_pendulum(None, None, 0.7, 0.4, expected, help=order)
     old = shapes()
     check_double_pendulum(lambda objects: left_over(old, objects), theta=0.7, phi=0.4, **LEFT_OVER)
 
@@ -78,7 +80,9 @@ def test_bobs_are_where_the_angles_say():
         axle, bob1, _, bob2, _ = objects
         return axle.pos, bob1.pos, bob2.pos
 
-    what = "position of axle, position of bob1, position of bob2"
+    what = Several(
+        (Subject("position", "axle"), Subject("position", "bob1"), Subject("position", "bob2"))
+    )
     # theta, phi, by hand the lower cord's angle from straight down, and the length of a cord (m)
     for theta, phi, beta, cord in (
         (0.7, 0.4, 1.1, CORD),
@@ -92,9 +96,12 @@ def test_bobs_are_where_the_angles_say():
         (-7.0, -9.0, -16.0, CORD),
         (0.7, 0.4, 1.1, 3 * CORD),
     ):
-        joint = AXLE + arm(theta, cord)
-        expected = AXLE, joint, joint + arm(beta, cord)
-        check_double_pendulum(see, what, theta, phi, expected, cord)
+        upper = arm(theta, cord)
+        lower = arm(beta, cord)
+        expected = AXLE, AXLE + upper, AXLE + upper + lower
+        right = [("bob1 - axle", upper), ("bob2 - bob1", lower)]
+        right += zip(("bob1", "bob2"), expected[1:], strict=True)
+        check_double_pendulum(see, what, theta, phi, expected, cord, right=right)
 
 
 @check("make_double_pendulum")
@@ -110,7 +117,8 @@ def test_cords_hold_the_bobs():
 
     joint = AXLE + arm(0.7, CORD)
     expected = [[AXLE, joint], [joint, joint + arm(1.1, CORD)]]
-    check_double_pendulum(see, "ends of cord1, ends of cord2", 0.7, 0.4, expected)
+    what = Several((Subject("ends", "cord1"), Subject("ends", "cord2")))
+    check_double_pendulum(see, what, 0.7, 0.4, expected)
 
 
 @check("make_double_pendulum")
@@ -123,7 +131,8 @@ def test_both_bobs_have_the_looks_that_are_given():
     radius = make_pendulum(AXLE, CORD, 0, RED, None)[1].radius
     for texture in (textures.wood, None):
         expected = [(RED, texture, radius, True)] * 2
-        what = "color/texture/radius/visible of bob1, color/texture/radius/visible of bob2"
+        looks = "color/texture/radius/visible"
+        what = Several((Subject(looks, "bob1"), Subject(looks, "bob2")))
         check_double_pendulum(see, what, 0.7, 0.4, expected, texture=texture)
 
 
@@ -211,7 +220,7 @@ def check_accelerations(state, expected, length, g):
         g,
         expected=expected,
         see=see,
-        what="change of omega_theta / dt, change of omega_phi / dt",
+        what=Several((Subject("change of omega_theta / dt"), Subject("change of omega_phi / dt"))),
         results=RESULTS,
         help=f"Here, {angles}, {rates}, k = g/R = {g / length:g}, and mu = m2/(m1 + m2) = 0.5.",
     )
@@ -249,7 +258,6 @@ def test_a_tenth_of_a_second_of_swinging():
             "double_angle_update",
             *arguments,
             expected=tuple(within(0.005, value) for value in end),
-            what="omega_theta, omega_phi, theta, phi",
             times=200,
             right=[("k", 9.81 / LENGTH), ("mu", m2 / (m1 + m2))],
         )

@@ -7,9 +7,11 @@ from typing import Any, NamedTuple
 
 from vpython import vector
 
-from grading.messages import about, Expected, form_of, plural, text_of
-from grading.subject import list_of, NOTHING, parts_of, Subject, subject_of, verb_of, whole_of
+from grading.messages import about, Expected
+from grading.subject import Each, NOTHING, RESULT, Subject, What
+from line_by_line.words import form_of, number_of, plural, text_of
 
+NOT_CALLED = "A name without ( ) is the function itself, and not what a call of it gives."
 LONG = 60  # characters; of a longer list, a message shows only the first difference
 
 # Errors of a check that reads a value of the wrong form.
@@ -29,14 +31,7 @@ class Mistake(NamedTuple):
 
     sentence: str
     subject: Subject
-
-
-class ValuePart(NamedTuple):
-    """A part of a value: its name, the value of it that was found, and the expected one."""
-
-    name: str
-    found: Any
-    expected: Any
+    hint: str = ""  # about its form
 
 
 def fits(found: Any, expected: Any) -> bool:
@@ -67,23 +62,47 @@ def same(found: Any, expected: Any) -> bool:
     return isinstance(found, type(expected)) and bool(found == expected)
 
 
-def hint_for_result(found: Any, results: Iterable[tuple[Any, str]]) -> str:
+def hint_for_result(found: Any, expected: Any, results: Iterable[tuple[Any, str]]) -> str:
     """Return the hint of the wrong results that fit, or "".
 
     results are pairs of a wrong result, or a test of it, and a hint. If two hints fit, nobody knows
-    which mistake it was.
+    which mistake it was. If none fits, each part of a tuple may have its own one; the sentence is
+    about the first wrong part.
     """
+    results = [*results]
     hints = {hint for mistaken, hint in results if fits(found, mistaken)}
-    return hints.pop() if len(hints) == 1 else ""
+    if hints or not are_alike(found, expected):
+        return hints.pop() if len(hints) == 1 else ""
+    known = []
+    for i, part in enumerate(expected):
+        if not same(found[i], part):
+            of_part = hints_for_part(i, found, expected, results)
+            known.append(of_part.pop() if len(of_part) == 1 else "")
+    return " ".join(filter(None, known)) if known and known[0] else ""
+
+
+def are_alike(found: Any, expected: Any) -> bool:
+    """Return whether both are tuples with the same number of parts."""
+    is_tuple = isinstance(found, tuple) and isinstance(expected, tuple)
+    return is_tuple and len(found) == len(expected)
+
+
+def hints_for_part(
+    i: int, found: tuple, expected: tuple, results: Iterable[tuple[Any, str]]
+) -> set[str]:
+    """Return the hints of the wrong results in which only this part is wrong, as it was found."""
+    hints = set()
+    for mistaken, hint in results:
+        if isinstance(mistaken, tuple) and same(
+            (*expected[:i], found[i], *expected[i + 1 :]), mistaken
+        ):
+            hints.add(hint)
+    return hints
 
 
 def is_exchanged(found: Any, expected: Any) -> bool:
     """Return whether a tuple has the expected values in another order."""
-    if (
-        not isinstance(found, tuple)
-        or not isinstance(expected, tuple)
-        or len(found) != len(expected)
-    ):
+    if not are_alike(found, expected):
         return False
     left = [*found]
     for value in expected:
@@ -94,22 +113,24 @@ def is_exchanged(found: Any, expected: Any) -> bool:
     return True
 
 
-def both(what: str, found: Any, expected: Any) -> list[tuple[str, list[str]]]:
-    """Return both values as (label, lines) of a message.
+def both(what: What | None, found: Any, expected: Any) -> list[tuple[str, list[str]]]:
+    """Return both values as (label, lines) of a message, with the name of what they are.
 
     For long lists, these are the lines of the first wrong element.
     """
     digits = digits_of(found, expected)
+    name = f"{what or ''}"
     if isinstance(found, list) and isinstance(expected, list):
         if len(found) != len(expected):
             if are_pendula(expected):
-                return [("came back", [number_of(found)]), ("expected", [number_of(expected)])]
+                texts = [[f"a list of {number_of(value)}"] for value in (found, expected)]
+                return [*zip(("came back", "expected"), texts, strict=True)]
         elif isinstance(expected[0], dict) or is_long(found) or is_long(expected):
             i = first_difference(found, expected)
-            what = f"{what} at index {i}".lstrip()
+            name = f"{name} at index {i}".lstrip()
             found = found[i]
             expected = expected[i]
-    return [("came back", about(what, found, digits)), ("expected", about(what, expected, digits))]
+    return [("came back", about(name, found, digits)), ("expected", about(name, expected, digits))]
 
 
 def is_long(value: Any) -> bool:
@@ -129,58 +150,43 @@ def are_pendula(value: Any) -> bool:
     return all(isinstance(element, dict) for element in value)
 
 
-def number_of(value: list) -> str:
-    """Return how many elements a list has, as text."""
-    if are_pendula(value):
-        return f"a list of {plural(len(value), 'pendulum', 'pendula')}"
-    return f"a list of {plural(len(value), 'element', 'elements')}"
-
-
-def mistake_in(what: str, found: Any, expected: Any, is_result: bool = False) -> Mistake:
-    """Return the first mistake in found.
-
-    what is its name or, with commas, the names of the parts of a tuple; is_result says whether it
-    is the whole result.
-    """
-    whole = whole_of(what, is_result)
-    subject = subject_of(whole)
+def mistake_in(what: What, found: Any, expected: Any) -> Mistake:
+    """Return the first mistake in found."""
+    subject = what if isinstance(what, Subject) else Subject(is_result=f"{what}" == RESULT)
     like = expected.like if isinstance(expected, Expected) else expected
     if expected is True and isinstance(found, bool):
         return Mistake(f"It is not true {what}.", NOTHING)
     if like is not None and form_of(found) != form_of(like):
-        sentence = f"{whole} {verb_of(whole)} {form_of(found)}, not {form_of(like)}."
-        return Mistake(sentence, subject)
+        sentence = f"{what} is {form_of(found)}, not {form_of(like)}."
+        return Mistake(sentence, subject, NOT_CALLED if callable(found) else "")
     if isinstance(like, (list, tuple)) and len(found) != len(like):
-        whole = list_of(what, is_result)
-        has = "have" if verb_of(whole) == "are" else "has"
+        whole = Subject(owner=what.owner) if isinstance(what, Each) else what
         elements = plural(len(found), "element", "elements")
-        return Mistake(f"{whole} {has} {elements}, not {len(like)}.", subject_of(whole))
+        return Mistake(f"{whole} has {elements}, not {len(like)}.", subject)
     if isinstance(expected, dict) and found.keys() != expected.keys():
         missing = expected.keys() - found.keys()
         if missing:
-            sentence = f"{what} misses the key {min(map(text_of, missing))}."
-        else:
-            others = found.keys() - expected.keys()
-            sentence = f"{what} must not have the key {min(map(text_of, others))}."
-        return Mistake(sentence, subject_of(what, has_wrong_keys=True))
-    for part in parts_in(what, found, expected):
-        if not fits(part.found, part.expected):
-            return mistake_in(part.name, part.found, part.expected)
-    return Mistake(f"{whole} {verb_of(whole)} {difference(found, expected)}.", subject)
+            return Mistake(f"{what} has no key {min(map(text_of, missing))}.", subject)
+        others = found.keys() - expected.keys()
+        return Mistake(f"{what} has the key {min(map(text_of, others))}, too.", subject)
+    for part, found_part, expected_part in parts_in(what, found, expected):
+        if not fits(found_part, expected_part):
+            return mistake_in(part, found_part, expected_part)
+    return Mistake(f"{what} is {difference(found, expected)}.", subject)
 
 
-def parts_in(what: str, found: Any, expected: Any) -> list[ValuePart]:
-    """Return the parts of a value, none if it has none."""
+def parts_in(what: What, found: Any, expected: Any) -> list[tuple[What, Any, Any]]:
+    """Return what each part of a value is, its value that was found, and the expected one."""
     if isinstance(expected, dict):
-        return [ValuePart(f"{key} of {what}", found[key], expected[key]) for key in expected]
+        whole = what if isinstance(what, Subject) else NOTHING
+        return [(whole.value(key), found[key], expected[key]) for key in expected]
     if isinstance(expected, Expected) and isinstance(expected.like, list):
         elements = [with_form_of(example) for example in expected.like]
     elif isinstance(expected, (list, tuple)):
         elements = [*expected]
     else:
         return []
-    names = parts_of(what, len(elements))
-    return [ValuePart(*part) for part in zip(names, found, elements, strict=True)]
+    return [(what.element(i), found[i], element) for i, element in enumerate(elements)]
 
 
 def with_form_of(example: Any) -> Expected:

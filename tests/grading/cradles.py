@@ -5,6 +5,7 @@ from typing import Any
 
 from vpython import color, scene, vector
 
+from grading.subject import Each, Subject
 from support.pendulum import discarded, make_pendulum
 
 R = 0.4  # m; R_PARAM differs, so a check finds the constant in place of the parameter
@@ -33,7 +34,7 @@ def see_each(pend_list: list[dict], *keys: str) -> dict[str, Any]:
     """
     return {
         "see": lambda _: [*map(itemgetter(*keys), pend_list)],
-        "what": f"{' and '.join(keys)} of each pendulum",
+        "what": Each(keys),
     }
 
 
@@ -83,7 +84,7 @@ def shapes() -> set[int]:
 
 
 # Options of expect for the number of left_over.
-LEFT_OVER = {"expected": 0, "what": "number of shapes that no pendulum has"}
+LEFT_OVER = {"expected": 0, "what": Subject("number of shapes that no pendulum has")}
 
 
 def left_over(old: set[int], parts: list) -> int:

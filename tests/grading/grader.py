@@ -7,10 +7,15 @@ function is written does not matter.
 """
 
 import importlib
+import operator
 from collections.abc import Callable, Iterable, Sequence
+from numbers import Real
 from typing import Any, NamedTuple
 
+from vpython import vector
+
 from grading.comparing import (
+    are_alike,
     are_pendula,
     both,
     fits,
@@ -18,15 +23,17 @@ from grading.comparing import (
     is_exchanged,
     Mistake,
     mistake_in,
-    number_of,
     OTHER_FORM,
+    same,
 )
 from grading.handout import FUNCTIONS, is_students, SUITES
-from grading.messages import about, Call, damage, end_of, plain, PlainFile, text_of
+from grading.marks import marks_of
+from grading.messages import about, Call, end_of, own_copies, plain, PlainFile
 from grading.present import present
 from grading.raised import Place, StoppedError
 from grading.students_code import MissingError, StudentsCode
-from grading.subject import NOTHING, RESULT, Subject, subject_of
+from grading.subject import NOTHING, result_of, Subject, What
+from line_by_line.words import number_of, text_of
 
 
 class Check(NamedTuple):
@@ -95,6 +102,7 @@ class WrongError(Exception):
         hint: str = "",
         raised: StoppedError | None = None,
         subject: Subject = NOTHING,
+        result: Any = None,
     ):
         """lines are (label, text) pairs, and raised is what stopped the call.
 
@@ -106,10 +114,12 @@ class WrongError(Exception):
         self.lines = lines
         self.hint = hint
         self.raised = raised
-        self.call_number = present.calls  # of this call in the check
+        self.result = result
         self.help = ""  # what the check says about this call
         # Pairs of a part of the handout's formula, and its value in this call
         self.right: Sequence[tuple[str, Any]] = ()
+        self.marks: dict[int, str] = {}  # what is right in a statement, by its number
+        self.changed: list[str] = []  # the parameters that the call has changed
 
 
 class WaitError(Exception):
@@ -145,64 +155,142 @@ def expect(
     The other options go to compared:
     expected the right value: an Expected, or a value for same
     see      returns the value to compare, from the result or the arguments; else the result
-    what     the name of this value
+    what     what this value is
     results  pairs of a wrong result, or a test of it, and a hint
     advice   pairs of a test of a right result, and a sentence
     times    the number of calls; a result gives the first arguments of the next one
     """
+    arguments = own_copies(arguments)
+    call = Call(function, tuple(map(plain, arguments)), options.get("times", 1))
     try:
-        return compared(function, *arguments, **options)
+        result = compared(call, arguments, right=right, **options)
     except WrongError as error:
         error.help = help
         error.right = right
+        error.changed = changed_vectors(call, arguments)
+        note_call(call, error)
+        if present.seen is not None:
+            return error.result
         raise
+    note_call(call, None, result)
+    return result
+
+
+def changed_vectors(call: Call, arguments: tuple) -> list[str]:
+    """Return the names of the parameters whose vectors a call has changed."""
+    names = FUNCTIONS[call.function].parameters.split(", ")
+    found = []
+    for name, before, after in zip(names, call.arguments or (), arguments, strict=False):
+        if isinstance(before, vector) and not same(after, before):
+            found.append(name)
+    return found
+
+
+def note_call(call: Call, error: WrongError | None, result: Any = None) -> None:
+    """Keep in present.seen what a call with numbers gave, and whether that is right."""
+    if present.seen is None or not all(isinstance(value, Real) for value in call.arguments or [""]):
+        return
+    if error and error.raised:
+        gave = f"stopped with {error.raised.kind}"
+    elif error:
+        gave = f"gave {text_of(error.result)}, wrong"
+    else:
+        gave = f"gave {text_of(result)}, right"
+    present.seen[f"{call.with_numbers()} {gave}"] = error is None
 
 
 def compared(
-    function: str,
-    *arguments: Any,
+    call: Call,
+    arguments: tuple,
+    *,
     expected: Any,
     see: Callable | None = None,
-    what: str = "",
+    what: What | None = None,
     results: Iterable[tuple[Any, str]] = (),
     advice: Iterable[tuple[Any, str]] = (),
     times: int = 1,
+    right: Sequence[tuple[str, Any]] = (),
 ) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
     expect explains the options.
     """
+    function = call.function
     returns = FUNCTIONS[function].returns
-    call = Call(function, tuple(map(plain, arguments)), times)
-    is_number = are_pendula(expected) and not what
-    expected_line = "expected", number_of(expected) if is_number else about(what, expected)
+    if are_pendula(expected) and not what:
+        expected_line = "expected", [f"a list of {number_of(expected)}"]
+    else:
+        expected_line = "expected", about(f"{what or ''}", expected)
     result = run(call, arguments, expected_line)
     require_same_files(call)
-    require_pendula(call, arguments)
     if result is None and returns:
         raise WrongError(
             f"{function} returns nothing.", call, [("came back", "None"), expected_line]
         )
+    subject = what or result_of(returns)
     try:
         found = see(result) if see else result
     except OTHER_FORM as error:
         form = f"This has the wrong form ({type(error).__name__}: {error})."
         came_back = [*text_of(result).split("\n"), form] if returns else form
-        mistake = unreadable(error, what, result)
-        hint = hint_for_result(result, results)
+        mistake = unreadable(error, subject, result)
+        hint = hint_for_result(result, expected, results)
         lines: list[tuple[str, Any]] = [("came back", came_back), expected_line]
-        raise WrongError(mistake.sentence, call, lines, hint, subject=mistake.subject) from None
+        raise WrongError(
+            mistake.sentence, call, lines, hint, subject=mistake.subject, result=result
+        ) from None
     if not fits(found, expected):
-        mistake = mistake_in(what or returns, found, expected, is_result=not what)
-        hint = hint_for_result(found, results)
+        mistake = mistake_in(subject, found, expected)
+        hint = hint_for_result(found, expected, results)
+        hint = hint or mistake.hint
         if not hint and is_exchanged(found, expected):
             hint = "These are the right values, in another order."
+            if returns:  # no value is wrong, but the whole
+                mistake = mistake._replace(subject=Subject(is_result=True))
         values = both(what, found, expected)
-        raise WrongError(mistake.sentence, call, values, hint, subject=mistake.subject)
+        wrong = WrongError(
+            mistake.sentence, call, values, hint, subject=mistake.subject, result=result
+        )
+        if times == 1:
+            wrong.marks = marks_in(call, right, see, found, expected)
+        raise wrong
     for test, sentence in advice:
         if fits(found, test):
             present.advice.append(sentence)
     return result
+
+
+def marks_in(
+    call: Call,
+    right: Sequence[tuple[str, Any]],
+    see: Callable | None,
+    found: Any,
+    expected: Any,
+) -> dict[int, str]:
+    """Return what is right in the first statement with a wrong value, by its number.
+
+    right are the parts of the formula. Without them, and in a call that was not watched, there is
+    none.
+    """
+    if not present.watch or not right:
+        return {}
+    arguments = call.arguments or ()
+    part = first_wrong_part(found, expected)
+    with runner.with_other_values(call.function) as call_again:
+
+        def is_mended(replaced: dict[int, Any]) -> bool:
+            again = call_again(arguments, replaced)
+            return same(part(see(again) if see else again), part(expected))
+
+        return marks_of(present.watch, right, arguments, is_mended)
+
+
+def first_wrong_part(found: Any, expected: Any) -> Callable:
+    """Return a function that takes the first wrong part from a value like these."""
+    if are_alike(found, expected):
+        pairs = zip(found, expected, strict=True)
+        return operator.itemgetter([same(*pair) for pair in pairs].index(False))
+    return lambda value: value
 
 
 def require_same_files(call: Call) -> None:
@@ -218,30 +306,18 @@ def require_same_files(call: Call) -> None:
         raise WrongError(f"{call.function} writes into a file.", call, lines)
 
 
-def require_pendula(call: Call, arguments: tuple) -> None:
-    """Raise WrongError if a pendulum in the arguments of a call is none any more."""
-    for damaged in damage(call.arguments or (), FUNCTIONS[call.function].parameters, arguments):
-        lines = [
-            ("came back", damaged.text),
-            ("expected", "The same dictionary, with its keys and its objects."),
-        ]
-        raise WrongError(f"{call.function} {damaged.verb}.", call, lines)
-
-
-def unreadable(error: Exception, what: str, result: Any) -> Mistake:
+def unreadable(error: Exception, what: What, result: Any) -> Mistake:
     """Return what is wrong with a result from which the check cannot read a value."""
-    name = what or RESULT
-    mistake = Mistake(f"{name} cannot be read.", subject_of(name))
-    if isinstance(error, KeyError):
-        mistake = Mistake(f"A pendulum has no key {error}.", NOTHING)
     if isinstance(result, list):
         for i, element in enumerate(result):
             if not isinstance(element, dict):
-                return mistake_in(f"pend_list[{i}]", element, {})
-    return mistake
+                return mistake_in(Subject(owner="pend_list", list_index=i), element, {})
+    if isinstance(error, KeyError):
+        return Mistake(f"A pendulum has no key {error}.", NOTHING)
+    return Mistake(f"{what} cannot be read.", NOTHING)
 
 
-def result_of(function: str, *arguments: Any) -> Any:
+def usable_result(function: str, *arguments: Any) -> Any:
     """Call a function that has passed its own checks, and return its result.
 
     If it returns nothing usable, this check waits for it.
@@ -275,7 +351,7 @@ def run(call: Call, arguments: tuple, expected_line: tuple[str, Any]) -> Any:
         place = f"{place_of(raised, call.function) or file}"
         raise WaitError(f"you to write {raised.stub} in {place}", place)
     sentence = f"{call.function} {raised.limit or 'stops with an error'}."
-    raise WrongError(sentence, call, [end_of(raised, raised.places), expected_line], raised=raised)
+    raise WrongError(sentence, call, [end_of(raised), expected_line], raised=raised)
 
 
 def place_of(raised: StoppedError | None, function: str) -> Place | None:

@@ -1,41 +1,26 @@
 """Calls, values and errors as text for students."""
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from itertools import islice
-from numbers import Real
 from pathlib import Path
 from textwrap import wrap
 from typing import Any, NamedTuple
 
+from pandas import DataFrame
 from vpython import box, cylinder, sphere, vector
 
 from grading.handout import FUNCTIONS
 from grading.raised import Place, StoppedError
+from line_by_line.layout import COLUMNS
+from line_by_line.words import FORMS, Noun, NOUNS, text_of, TEXTS, WIDTH
 from support.start.output import in_one_line
 
-TERMINAL_COLUMNS = 80  # of a terminal
 LABEL = 12  # columns of the labels of a message
-WIDTH = 62  # of the values after the labels
-MOST_ELEMENTS = 20  # shown of a list
-MOST_DICTIONARIES = 1  # shown of a list of dictionaries
 MOST_OF_FILE = 8  # lines of the longest file that is shown whole
 LINES_OF_FILE = 4  # shown of a longer one
 MOST_LINES = 5  # shown of a result, and of an expected value
-MOST_CHARACTERS = 300  # shown of a text
-MOST_PARTS = 10_000  # of a value that is shown
-
-SHAPES = {box: "an axle", sphere: "a bob", cylinder: "a cord"}
-FORMS = {
-    list: "a list",
-    tuple: "a tuple",
-    dict: "a dictionary",
-    str: "text",
-    bool: "a bool",
-    type(None): "None",
-}
-PLACES = {"axle", "bob", "radius"}  # the keys that a plain copy of a pendulum has for its objects
+MOST_CHARACTERS = 300  # shown of an error's text
 
 
 @dataclass(frozen=True)
@@ -47,11 +32,32 @@ class Expected:
     like: Any = None  # an example of its form
 
 
+def vector_text(value: vector, digits: int) -> str:
+    return f"vector({', '.join(text_of(number, digits) for number in value.value)})"
+
+
+# The words for the values of a cradle
+FORMS |= {box: "an axle", sphere: "a bob", cylinder: "a cord"}
+NOUNS.insert(0, Noun("mass", "pendulum", "pendula"))
+TEXTS |= {
+    vector: vector_text,
+    DataFrame: lambda table, _: f"a table of {len(table)} rows",
+    Expected: lambda expected, _: expected.text,
+}
+for shape in (box, sphere, cylinder):
+    TEXTS[shape] = lambda value, _: f"{FORMS[type(value)]} at {vector_text(value.pos, 4)}"
+
+
 class PlainFile(NamedTuple):
     """A file whose path is an argument of a call."""
 
     path: str
     text: str
+
+
+def own_copies(arguments: Sequence) -> tuple:
+    """Return arguments for a student's code, which may change a vector: it gets one of its own."""
+    return tuple(vector(value) if isinstance(value, vector) else value for value in arguments)
 
 
 class Call(NamedTuple):
@@ -60,6 +66,11 @@ class Call(NamedTuple):
     function: str
     arguments: tuple | None = None  # None if the function was not found
     times: int = 1
+
+    def with_numbers(self) -> str:
+        """Return the call in one line, without the names of its parameters."""
+        times = f" {self.times} times" if self.times > 1 else ""
+        return f"{self.function}({', '.join(map(text_of, self.arguments or ()))}){times}"
 
     def lines(self, index: int = 0) -> list[str]:
         """Return the call as text, and below it the values of pendula and files that it reads.
@@ -85,18 +96,15 @@ class Call(NamedTuple):
             else:
                 below += value_lines(name, value, function.reads, index)
         call = f"{self.function}({', '.join(arguments)})"
-        return [*wrap(call, TERMINAL_COLUMNS - LABEL), *below]
-
-
-def plural(count: int, singular: str, several: str) -> str:
-    """Return a number with its noun: "1 bob", "2 bobs"."""
-    return f"{count} {singular if count == 1 else several}"
+        return [*wrap(call, COLUMNS - LABEL), *below]
 
 
 def plain(value: Any) -> Any:
     """Return a plain copy of an argument: a file with its text, pendula without objects."""
     if isinstance(value, list):
         return [plain(element) for element in value]
+    if isinstance(value, vector):
+        return vector(value)
     if isinstance(value, dict) and "objects" in value:
         # A student's code may have changed the objects
         with suppress(TypeError, ValueError, AttributeError):
@@ -136,107 +144,6 @@ def value_lines(name: str, value: Any, keys: tuple[str, ...], index: int = 0) ->
     return [f"{name}: {', '.join(parts)}"]
 
 
-class Damage(NamedTuple):
-    """What a call has done to a pendulum among its arguments: a verb, and how it is now."""
-
-    verb: str
-    text: str
-
-
-def damage(before: Sequence, names: str, arguments: Sequence) -> Iterator[Damage]:
-    """Yield the damage of each pendulum in the arguments of a call that is none any more.
-
-    The text has its name and its value. before has plain copies of the arguments from before the
-    call, names are their names with commas.
-    """
-    for name, old, value in zip(names.split(", "), before, arguments, strict=False):
-        if isinstance(value, list) and isinstance(old, list):
-            yield from damage(old, ", ".join(f"{name}[{i}]" for i in range(len(old))), value)
-        elif isinstance(old, dict):
-            now = plain(value)
-            if not isinstance(now, dict):
-                yield Damage("has lost a pendulum", f"{name}: {text_of(now)}")
-                continue
-            lost = sorted(old.keys() - now.keys() - PLACES)
-            if lost:
-                yield Damage("has taken a key from a pendulum", f"{name}: without {lost[0]}")
-            elif "objects" in now or "bob" not in now:
-                yield Damage("has changed the objects of a pendulum", f"{name}: with other objects")
-
-
-def text_of(value: Any, digits: int = 6) -> str:
-    """Return a value as text, numbers with this number of digits.
-
-    Each dictionary of a list has its own line.
-    """
-    try:
-        return text_in_parts(value, digits, iter(range(MOST_PARTS)))
-    except RecursionError:
-        return f"a {type(value).__name__} that contains itself"
-    except StopIteration:
-        return f"a {type(value).__name__} with more than {MOST_PARTS} parts"
-    except Exception:
-        return f"a {type(value).__name__} that has no text"
-
-
-def form_of(value: Any) -> str:
-    """Return the form of a value as text."""
-    for kind, form in FORMS.items():
-        if isinstance(value, kind):
-            return form
-    return "a number" if isinstance(value, Real) else f"a {type(value).__name__}"
-
-
-def text_in_parts(value: Any, digits: int, parts: Iterator[int]) -> str:
-    """Do what text_of does, but let errors of the value pass.
-
-    parts is an iterator that ends after the greatest number of parts.
-    """
-    next(parts)
-    if isinstance(value, Expected):
-        return value.text
-    if isinstance(value, Real) and not isinstance(value, bool):
-        return f"{value + 0:.{digits}g}"  # no -0
-    if isinstance(value, vector):
-        numbers = [text_in_parts(number, digits, parts) for number in value.value]
-        return f"vector({', '.join(numbers)})"
-    if type(value) in SHAPES:
-        return SHAPES[type(value)]
-    if isinstance(value, dict):
-        rows = []
-        for key, part in islice(value.items(), MOST_ELEMENTS):
-            key_text = text_in_parts(key, digits, parts)
-            rows.append(f"{key_text}: {text_in_parts(part, digits, parts)}")
-        return "{" + joined(rows, value, value.values()) + "}"
-    if isinstance(value, (list, tuple)):
-        has_dictionaries = isinstance(value, list) and any(isinstance(part, dict) for part in value)
-        most = MOST_DICTIONARIES if has_dictionaries else MOST_ELEMENTS
-        elements = [text_in_parts(part, digits, parts) for part in value[:most]]
-        text = joined(elements, value, value)
-        if isinstance(value, list):
-            return f"[{text}]"
-        return f"({text},)" if len(value) == 1 else f"({text})"
-    text = repr(value)
-    return text if len(text) <= MOST_CHARACTERS else text[:MOST_CHARACTERS] + "..."
-
-
-def joined(texts: list[str], whole: Collection, elements: Iterable) -> str:
-    """Return the texts of the elements of a list, tuple or dictionary in lines.
-
-    If elements are left out, their full number stands at the end.
-    """
-    has_pendula = any(isinstance(element, dict) for element in elements)
-    if len(whole) > len(texts):
-        texts = [*texts, f"... ({len(whole)} in all)"]
-    joined_text = "".join(texts[:1])
-    for text in texts[1:]:
-        line = joined_text.rpartition("\n")[2]
-        needs_line = has_pendula or len(line) + len(text) > WIDTH
-        joined_text += ",\n " if needs_line else ", "
-        joined_text += text
-    return joined_text
-
-
 def about(what: str, value: Any, digits: int = 6) -> list[str]:
     """Return a value as lines, after its name in what: in one line if it is short."""
     lines = text_of(value, digits).split("\n")
@@ -249,23 +156,6 @@ def about(what: str, value: Any, digits: int = 6) -> list[str]:
     return [f"{what}:", *lines]
 
 
-def message(pairs: Iterable[tuple[str, Any]]) -> str:
-    """Return pairs of a label and a text (a sentence or lines) as one text.
-
-    A pair without text is left out.
-    """
-    rows = []
-    for label, text in pairs:
-        if not text:
-            continue
-        lines = [text] if isinstance(text, str) else "\n".join(text).split("\n")
-        for line in lines:
-            for wrapped in wrap(line, TERMINAL_COLUMNS - LABEL) or [""]:
-                rows.append(f"{label:<{LABEL}}{wrapped}")
-                label = ""  # it stands in the first line only
-    return "\n".join(rows)
-
-
 def place_lines(places: Sequence[Place]) -> list[str]:
     """Return places in a student's own files as lines of text."""
     lines = []
@@ -275,19 +165,15 @@ def place_lines(places: Sequence[Place]) -> list[str]:
     return lines if len(lines) <= 4 else [*lines[:2], "...", *lines[-2:]]
 
 
-def end_of(raised: StoppedError, places: Sequence[Place]) -> tuple[str, list[str]]:
+def end_of(raised: StoppedError) -> tuple[str, list[str]]:
     """Return, as (label, lines), how a call was stopped: by an error, or by the grader."""
     if not raised.limit:
-        return "it raised", error_lines(raised)
+        return "came back", [*error_lines(raised), *place_lines(raised.places)]
     end = f"nothing; it {raised.limit} and was stopped"
-    return "came back", [f"{end} here:", *place_lines(places)] if places else [f"{end}."]
+    places = place_lines(raised.places)
+    return "came back", [f"{end} here:", *places] if places else [f"{end}."]
 
 
 def error_lines(raised: StoppedError) -> list[str]:
-    """Return an error, and its places in the student's own lines, as lines of text."""
-    if raised.text is None:
-        text = f"{raised.kind}, which has no text"
-    else:
-        text = f"{raised.kind}: {raised.text}"
-    lines = text[:MOST_CHARACTERS].split("\n")
-    return [*map(in_one_line, lines), *place_lines(raised.places)]
+    """Return what an error says, as lines of text."""
+    return [in_one_line(line) for line in raised.text[:MOST_CHARACTERS].split("\n")]

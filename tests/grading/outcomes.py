@@ -3,31 +3,21 @@
 pytest_grader.py asks for them in pytest, and grade.py makes a grade of them.
 """
 
-import sys
 import traceback
-from contextlib import redirect_stderr, redirect_stdout, suppress
 from errno import ENOSPC
-from io import StringIO
 from textwrap import wrap
 from typing import Any, NamedTuple
 
-from grading import limits
-from grading.choosing import hint_for
-from grading.grader import Check, checks, place_of, runner, WaitError, WrongError
+from grading.failure import ask, tell, what_is_wrong
+from grading.grader import Check, checks, WaitError, WrongError
 from grading.handout import FUNCTIONS, needed
-from grading.layout import TraceRow
-from grading.line_by_line import Explained, WrongCall
-from grading.messages import end_of, error_lines, message, TERMINAL_COLUMNS
+from grading.messages import error_lines
 from grading.present import present
 from grading.raised import StoppedError
-from grading.students_code import Code, code_of, working_in
-from grading.tracing import EndlessError
-from grading.watch import Watch
+from grading.room import Part, Rank
+from grading.students_code import Code, code_of
+from line_by_line.layout import COLUMNS
 from support import waits
-from support.start.output import in_one_line
-
-DEEPER = 4  # times more calls within each other, for code that is watched
-NOTHING_SEEN = Explained(0, [], [])
 
 PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
 
@@ -37,24 +27,23 @@ class Outcome(NamedTuple):
 
     state: str
     message: str = ""
-    # A file and a line of the student's: where the function is not written yet, or is wrong
+    # A file of the student's, and a line of it if one is certain: where the function is not
+    # written yet, or is wrong
     place: str = ""
     advice: str = ""  # about a right solution
     waits_for: str = ""  # the functions, or the file, that are wrong
     broken_file: str = ""  # that Python cannot read, so that the check fails
-    wrong: str = ""  # in a sentence
     hint: str = ""
-    help: str = ""  # of the check
-    rows: list[TraceRow] = []  # of the trace tables
-    facts: list[str] = []  # sentences about what was seen
+    parts: list[Part] = []  # of the screen
 
     def plain(self) -> dict:
         """Return it as a dictionary that another process can get; from_plain makes it again."""
-        return {**self._asdict(), "rows": [[*row] for row in self.rows]}
+        parts = [[int(rank), *others] for rank, *others in self.parts]
+        return {**self._asdict(), "parts": parts}
 
     @classmethod
     def from_plain(cls, fields: Any) -> "Outcome":
-        return cls(**{**fields, "rows": [TraceRow(*row) for row in fields["rows"]]})
+        return cls(**{**fields, "parts": [Part(*part) for part in fields["parts"]]})
 
     @property
     def is_unwritten(self) -> bool:
@@ -123,6 +112,16 @@ class Grading:
         if file in self.broken:
             return waiting(self.broken[file])
         try:
+            return self.performed(check)
+        except BaseException as error:
+            is_full = getattr(error, "errno", 0) == ENOSPC
+            if present.is_pressed or present.is_debugged or is_full:
+                raise
+            return Outcome(FAULT, fault_message())
+
+    def performed(self, check: Check) -> Outcome:
+        """Return the outcome of a check that is performed now. Faults of the grader pass."""
+        try:
             ask(check)
         except WrongError as error:
             return self.failed(check, error)
@@ -130,11 +129,6 @@ class Grading:
             if error.raised:
                 return self.broken_by(check, f"{error}", error.raised)
             return waiting(str(error), error.place)
-        except BaseException as error:
-            is_full = getattr(error, "errno", 0) == ENOSPC
-            if present.is_pressed or present.is_debugged or is_full:
-                raise
-            return Outcome(FAULT, fault_message())
         return Outcome(PASSED, advice=" ".join([*present.advice, waits.remark()]).strip())
 
     def failed(self, check: Check, error: WrongError) -> Outcome:
@@ -143,41 +137,19 @@ class Grading:
         The first one of a function has a hint and a trace table.
         """
         function = check.function
-        raised = error.raised
         code = code_of(function)
-        if raised and raised.limit:
+        if error.raised and error.raised.limit:
             self.hung.add(function)
         causes = self.wrong_functions_in(code, function)
         if causes:
             return waiting(", ".join(causes))
-        hint = ""
-        explained = NOTHING_SEEN
-        if self.is_first_failure(check):
-            hint = hint_for(raised, error.hint, f"{error}", code, function)
-            explained = watch_again(check, error)
-        wrong = f"{error}"
-        lines = error.lines
-        place = f"{place_of(raised, function) or ''}"
-        if raised and not raised.limit:
-            wrong = error_lines(raised)[0]
-        elif raised and explained.line:  # where the clock has stopped it is chance
-            place = ""
-            lines = [end_of(raised, ()), *lines[1:]]
-        called = error.call.lines(error.subject.list_index or 0)
-        read = f"handout, {FUNCTIONS[function].read}: {function}"
-        text = message([("wrong", f"{error}"), ("called", called), *lines, ("read", read)])
-        if not place:
-            place = place_in_file(function, explained.line or code.line)
-        return Outcome(
-            FAILED,
-            text,
-            place=place,
-            wrong=wrong,
-            hint=in_one_line(hint),
-            help="" if raised else error.help,
-            rows=explained.rows,
-            facts=explained.facts,
-        )
+        if not self.is_first_failure(check):
+            message = "\n".join(what_is_wrong(error, ""))
+            return Outcome(FAILED, message, place=FUNCTIONS[function].file)
+        told = tell(check, error, code)
+        message = "\n".join(told.wrong)
+        place = told.place or FUNCTIONS[function].file
+        return Outcome(FAILED, message, place=place, hint=told.hint, parts=told.parts)
 
     def wrong_functions_in(self, code: Code, function: str) -> list[str]:
         """Return the wrong functions that a student uses and the handout does not ask for."""
@@ -205,26 +177,24 @@ class Grading:
         self.broken[FUNCTIONS[check.function].file] = file
         if not is_first:
             return waiting(file)
-        hint = raised.hint or raised.meaning
-        wrong = raised.limit or error_lines(raised)[0]
+        hint = raised.hint
+        wrong = f"This file {raised.limit}." if raised.limit else error_lines(raised)[0]
         where = file
         code = []
         outside = [place for place in raised.places if place.is_outside]
         if outside:
             in_file = [place for place in outside if place.file == file] or outside
             where = f"{in_file[-1]}"
-            code.append(f"    {in_file[-1].code}")
-            if raised.mark:
-                code.append(f"    {raised.mark}")
+            code = raised.code or [f"    {in_file[-1].code}"]
             if outside[-1] is not raised.places[-1]:
                 hint = (
                     "This line stands outside of all functions, so it runs when Python reads the "
                     "file. Remove it."
                 )
-        lines = [f"{where}:", *code, *wrap(wrong, TERMINAL_COLUMNS), *wrap(hint, TERMINAL_COLUMNS)]
-        return Outcome(
-            FAILED, "\n".join(lines), place=where, broken_file=file, wrong=wrong, hint=hint
-        )
+        lines = [f"{where}:", *code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
+        parts = [Part(Rank.ALWAYS, lines[1:])]
+        message = "\n".join(lines)
+        return Outcome(FAILED, message, place=where, broken_file=file, hint=hint, parts=parts)
 
 
 def fault_message() -> str:
@@ -234,45 +204,3 @@ def fault_message() -> str:
         traceback.format_exc(limit=-3).rstrip(),
     ]
     return "\n".join(lines)
-
-
-def place_in_file(function: str, line: int) -> str:
-    """Return a line of a function's file as a place; without a line (0), the file."""
-    file = FUNCTIONS[function].file
-    return f"{file}, line {line}" if line else file
-
-
-def ask(check: Check, watch: Watch | None = None) -> None:
-    """Let a check call the student's functions, within limits. A watch is for one of the calls."""
-    present.begin(watch)
-    with limits.patience(limits.PATIENCE), limits.without_ends(), working_in(runner.folder.name):
-        check.ask()
-
-
-def watch_again(check: Check, error: WrongError) -> Explained:
-    """Perform a failed check again, watch the call that is wrong, and return what was seen.
-
-    error is the WrongError of the check. The student's code prints nothing now. Return NOTHING_SEEN
-    if something else happens, under a debugger, and if the function took too much memory.
-    """
-    raised = error.raised
-    if present.is_debugged or (raised and isinstance(raised.error, MemoryError)):
-        return NOTHING_SEEN
-    watch = Watch(error.call_number, is_endless=bool(raised and raised.limit))
-    depth = sys.getrecursionlimit()
-    sys.setrecursionlimit(DEEPER * depth)  # the changed code needs more calls
-    try:
-        with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
-            ask(check, watch)
-    except WrongError as again:
-        is_same = f"{again}" == f"{error}" and again.call.lines() == error.call.lines()
-        if watch.calls and (is_same or isinstance(watch.error, EndlessError)):
-            with suppress(Exception):  # a student's values may say nothing of themselves
-                call = WrongCall(check.function, error.subject, watch, error.right)
-                return call.explained()
-    except Exception:
-        return NOTHING_SEEN  # also a WaitError
-    finally:
-        present.watch = None
-        sys.setrecursionlimit(depth)
-    return NOTHING_SEEN

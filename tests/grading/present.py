@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from support import waits
 
 if TYPE_CHECKING:
-    from grading.watch import Watch
+    from line_by_line.watch import Watch
 
 
 class PresentCheck:
@@ -18,11 +18,23 @@ class PresentCheck:
         self.is_in_check = False
         self.begin()
 
-    def begin(self, watch: "Watch | None" = None) -> None:
-        """A check begins. A watch is for one of its calls."""
+    def begin(
+        self,
+        function: str = "",
+        watch: "Watch | None" = None,
+        seen: dict[str, bool] | None = None,
+    ) -> None:
+        """A check begins. A watch is for its calls of this function.
+
+        If a check goes on after a wrong result, seen gets its calls with numbers alone, in words,
+        and whether their results are right.
+        """
         waits.calls.clear()
+        self.watched_function = function
         self.watch = watch
+        self.lasting: dict[str, str] = {}  # how the watched call has changed values that live on
         self.calls = 0  # of students' functions
+        self.seen = seen
         self.advice: list[str] = []  # sentences for a student whose solution is right
         # By which time the grader stopped it: CLOCK or PROCESSOR of limits.py, "" if it did not
         self.stopped_by = ""

@@ -1,4 +1,4 @@
-"""The graded suites in pytest, as a plugin: each check is an item, and a table ends a run.
+"""The graded suites in pytest, as a plugin: each check is an item, and a screen ends a run.
 
 pyproject.toml names the plugin. With pytest-xdist (-n 2), other processes run the tests and report
 to the first one, which shows the table.
@@ -65,17 +65,8 @@ def pytest_configure(config: pytest.Config) -> None:
         raise pytest.UsageError(
             "Run pytest without -O, -OO and PYTHONOPTIMIZE: with them, Python leaves out checks."
         )
-    for option in map(str, config.invocation_params.args):
-        # Up to Python 3.12, its value is an empty list
-        if option.startswith("-") and option.endswith("=--"):
-            raise pytest.UsageError(f"found {option!r}, allowed is no -- after =")
     config.stash[GRADING] = Grading()
     RAN.clear()
-    for path in config.args:
-        if not Path(path.partition("::")[0]).exists():
-            command = checks_command()
-            advice = f"Type {command}, or for one tier: {command} --tier C"
-            raise pytest.UsageError(f"found {path!r}, which is no file. {advice}")
     file = config.option.grade_json
     if file is not None and (Path(file).is_dir() or not Path(file).parent.is_dir()):
         raise pytest.UsageError(

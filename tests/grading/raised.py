@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 from grading.begin import ROOT
 
 from grading import limits
-from grading.evidence import nearest_name, of_error
 from grading.handout import FUNCTIONS
+from grading.hints import of_error
 from support.start.preview import stubs_in
 
 ENDLESS = "Does a loop in it ever end?"
@@ -48,33 +48,17 @@ class StoppedError(Exception):
 
     error: BaseException
     function: str  # "" if the error stopped the import
-    text: str | None  # what the error says, None if it says nothing of itself
+    text: str  # what Python says: the kind of error, and its text
+    code: list[str]  # of a line that Python cannot read, with a mark below it
     places: tuple[Place, ...]  # in the student's own files; the last call comes last
     limit: str  # how the call went over a limit, or ""
     culprit: str | None  # the file of src/ that made an import fail
     stub: str | None  # the function that is not written yet
     hint: str  # if one is known
-    meaning: str  # what an error of this kind means, if there is no hint
 
     @property
     def kind(self) -> str:
         return type(self.error).__name__
-
-    @property
-    def mark(self) -> str:
-        """A line with a mark below the place in the code that Python cannot read, or ""."""
-        error = self.error
-        if not isinstance(error, SyntaxError) or not error.text or not error.offset:
-            return ""
-        code = error.text.rstrip()
-        indentation = len(code) - len(code.lstrip())
-        start = error.offset - 1 - indentation
-        if not 0 <= start <= len(code):
-            return ""
-        end = error.end_offset or 0
-        is_in_line = error.end_lineno == error.lineno and end > error.offset
-        width = end - error.offset if is_in_line else 1
-        return " " * start + "^" * width
 
 
 class StubHint(NamedTuple):
@@ -89,39 +73,35 @@ def stopped_error(error: BaseException, function: str) -> StoppedError:
 
     function is "" if the error stopped the import of its file.
     """
-    text = text_of_error(error)
+    *code, text = traceback.format_exception_only(error)
     places, frames = own_places(error)
     limit = limits.over_limit(error)
     stub = stub_of(error)
-    hint = meaning = ""
+    hint = ""
     if stub:
         hint = stub.hint
     elif isinstance(error, (SystemExit, KeyboardInterrupt)):  # it ends the whole program
         hint = ENDLESS if limit else ENDING
     elif not limit:
         with suppress(Exception):  # an error of the student's own, which says nothing of itself
-            hint, meaning = of_error(error, frames, function)
+            hint = of_error(error, frames, function)
     return StoppedError(
         error=error,
         function=function,
-        text=text,
+        text=text.strip(),
+        code=[line.rstrip() for line in code[1:]],
         places=places,
         limit=limit,
-        culprit=culprit_of(error, f"{text}", places),
+        culprit=culprit_of(error, text, places),
         stub=stub.function if stub else None,
         hint=hint,
-        meaning=meaning,
     )
 
 
-def text_of_error(error: BaseException) -> str | None:
-    """Return what an error says, None if it says nothing of itself."""
-    try:
-        if isinstance(error, SyntaxError):
-            return error.msg
-        return f"{error}{nearest_name(error)}"
-    except Exception:
-        return None
+def below_project(file: str) -> str:
+    """Return the path of a file below the project's folder."""
+    # As ROOT is, for example to the share behind a drive on Windows
+    return Path(file).resolve().relative_to(ROOT).as_posix()
 
 
 def own_places(error: BaseException) -> tuple[tuple[Place, ...], list[tuple[FrameType, int]]]:
@@ -137,9 +117,8 @@ def own_places(error: BaseException) -> tuple[tuple[Place, ...], list[tuple[Fram
         path = Path(place.file)
         if not path.is_absolute():  # "<string>" is no file
             continue
-        file = path.resolve()  # as ROOT is, for example to the share behind a drive on Windows
-        if file.is_relative_to(ROOT / "src"):
-            places.append(place._replace(file=file.relative_to(ROOT).as_posix()))
+        if path.resolve().is_relative_to(ROOT / "src"):
+            places.append(place._replace(file=below_project(place.file)))
             if frame:
                 frames.append((frame, place.line))
     return tuple(places), frames
@@ -182,7 +161,7 @@ def culprit_of(error: BaseException, text: str, places: tuple[Place, ...]) -> st
     It lacks a function, or is missing itself, or is the first one of a circle, or has the last line
     that ran. text and places are those of the error.
     """
-    missing = re.match(r"cannot import name '(\w+)' from 'src\.", text)
+    missing = re.search(r"cannot import name '(\w+)' from 'src\.", text)
     if missing and missing[1] in FUNCTIONS:
         return FUNCTIONS[missing[1]].file
     if isinstance(error, ModuleNotFoundError):

@@ -1,27 +1,27 @@
-"""What a student reads at the end of a run: the first mistake, the grade and the next step."""
+"""What a student reads at the end of a run: the story of the first mistake, and the grade."""
 
 from collections import Counter
 from textwrap import wrap
 from typing import NamedTuple
 
+from grading.failure import steps_of
 from grading.grade import (
-    checks_with_outcome,
     failed_checks,
     grade,
-    LINE_BY_LINE,
-    MORE,
     next_step,
-    StepPart,
+    place_of_failure,
+    unwritten_functions,
 )
+from grading.grader import Check, checks
 from grading.handout import SUITES
-from grading.messages import plural
 from grading.outcomes import Outcome, PASSED, WAITING
-from grading.ranks import ALWAYS, NEVER
+from grading.room import fitting, LABEL, labelled, Part, Rank
+from line_by_line.layout import COLUMNS
 from support.start.output import in_one_line
+from support.start.preview import missing_in
 
 SCREEN = 40  # lines of a screen; the first one has the dots of pytest, and the last one its counts
-PRINTED = 5  # lines that are shown of what a solution has printed
-MOST_CAUSES = 3  # for which checks wait
+MOST_PRINTED = 5  # lines that are shown of what a solution has printed
 
 
 class Line(NamedTuple):
@@ -39,41 +39,47 @@ def report(
     printed has the output of the student's code by the names of the checks that fail; advice is
     about something else.
     """
-    lines = []
     failed = failed_checks(outcomes)
+    end = grade_lines(outcomes, columns, advice)
+    height = SCREEN - 3 - len(end)
     if failed:
         first = failed[0]
-        message = [Line(text) for text in outcomes[first.name].message.split("\n")]
-        if outcomes[first.name].broken_file:  # a file that Python cannot read: nothing else matters
-            return [Line(separator("Python cannot read a file", "=", columns)), *message]
-        lines.append(Line(separator(first.title, "_", columns), "red"))
-        for text in printed_lines(printed.get(first.name, "")):
-            lines.append(Line(shorten(f"printed     {text}", columns)))
-        lines += message
-    else:
-        lines += unwritten_lines(outcomes, columns)
-    lines.append(Line(separator("Grade", "=", columns)))
-    return [*lines, *table(outcomes, columns, advice, SCREEN - 2 - len(lines))]
+        place = place_of_failure(first, outcomes[first.name])
+        story = story_of(failed, outcomes, printed.get(first.name, ""))
+        lines = [Line(separator(place, "_", columns), "red")]
+        lines += map(Line, fitting(story, height))
+        return lines if outcomes[first.name].broken_file else [*lines, *end]
+    return [*unwritten_lines(outcomes, columns, height), *end]
 
 
-def printed_lines(output: str) -> list[str]:
-    """Return the lines that are shown of the output of a student's code."""
+def story_of(failed: list[Check], outcomes: dict[str, Outcome], output: str) -> list[Part]:
+    """Return the story of the first check that fails, with a line for each other one."""
+    first = failed[0]
+    outcome = outcomes[first.name]
+    parts = [Part(Rank.ALWAYS, labelled("check", first.title))] if not outcome.broken_file else []
+    parts += outcome.parts or [Part(Rank.ALWAYS, outcome.message.split("\n"))]
+    for check in failed[1:]:
+        text = shorten(f"{check.function}: {check.title}", COLUMNS - LABEL)
+        parts.append(Part(Rank.OTHER_CHECKS, labelled("also fails", text)))
     lines = [in_one_line(line) for line in output.splitlines()]
-    if len(lines) > PRINTED:
-        lines[PRINTED:] = [f"... ({len(lines)} lines in all)"]
-    return lines
+    if len(lines) > MOST_PRINTED:
+        lines[MOST_PRINTED:] = [f"... ({len(lines)} lines in all)"]
+    if lines:
+        texts = [shorten(line, COLUMNS - LABEL) for line in lines]
+        parts.append(Part(Rank.PRINTED, labelled("printed", texts)))
+    return parts
 
 
-def unwritten_lines(outcomes: dict[str, Outcome], columns: int) -> list[Line]:
-    """Return the functions that are not written yet, with their places."""
-    places = {}
-    for check in checks_with_outcome(outcomes):
-        if outcomes[check.name].place:
-            places[check.function] = outcomes[check.name].place
+def unwritten_lines(outcomes: dict[str, Outcome], columns: int, height: int) -> list[Line]:
+    """Return the functions that are not written yet, and the steps of the first one."""
+    places = unwritten_functions(outcomes)
     if not places:
         return []
-    lines = [Line(f"{function} in {place}", "yellow") for function, place in places.items()]
-    return [Line(separator("Not written yet", "=", columns)), *lines]
+    lines = [Line(separator("Not written yet", "=", columns))]
+    lines += [Line(f"{function} in {place}", "yellow") for function, place in places.items()]
+    function = next(iter(places))
+    steps = fitting(steps_of(function), height - len(lines))
+    return [*lines, *map(Line, [f"Next: {function}", *steps])]
 
 
 def shorten(text: str, columns: int) -> str:
@@ -86,31 +92,43 @@ def separator(title: str, sign: str, columns: int) -> str:
     return f" {shorten(title, columns - 4)} ".center(columns, sign)
 
 
-def table(
-    outcomes: dict[str, Outcome], columns: int, advice: str = "", height: int = SCREEN
-) -> list[Line]:
-    """Return the points and the grade of outcomes, and the next step, in at most height lines.
+def grade_lines(outcomes: dict[str, Outcome], columns: int, advice: str) -> list[Line]:
+    """Return the points of each tier that has begun, the grade, and the next step.
 
     Without the first tier, they say which tiers are complete, in place of the grade.
     """
     graded = grade(outcomes)
-    lines = [*tier_lines(graded["tiers"]), *waiting_lines(outcomes)]
-    sentences = verdict(graded)
+    lines = [Line(separator("Grade", "=", columns))]
+    for tier, counts in graded["tiers"].items():
+        if counts["passed"] or counts["failed"]:
+            lines.append(Line(tier_line(tier, counts, outcomes), color_of(counts)))
+    lines += [Line(sentence, "bold") for sentence in verdict(graded)]
     hints = [outcome.advice for outcome in outcomes.values() if outcome.state == PASSED]
     for hint in dict.fromkeys([*hints, advice]):  # each once
-        sentences += wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=MORE)
-    sentences += next_step_rows(outcomes, columns, height - len(lines) - len(sentences))
-    return [*lines, *(Line(sentence, "bold") for sentence in sentences)]
-
-
-def tier_lines(tiers: dict[str, dict]) -> list[Line]:
-    """Return a line for each tier, and one with the titles above them."""
-    lines = [Line(tier_row("tier", "passed", "waiting", "failed", "points"), "bold")]
-    for tier, counts in tiers.items():
-        points = f"{counts['points']}/{counts['of']}"
-        text = tier_row(tier, counts["passed"], counts["waiting"], counts["failed"], points)
-        lines.append(Line(text, color_of(counts)))
+        lines += map(Line, wrap(hint, columns, initial_indent="Note:  ", subsequent_indent=" " * 7))
+    if not failed_checks(outcomes):
+        lines.append(Line(f"Next:  {next_step(outcomes)}.", "bold"))
+        left = missing_in("double_cradle", "visualize_double_cradle_run")  # without checks
+        if left and graded["grade"] == [*SUITES][-1]:
+            text = f"The double cradle still needs {left}."
+            lines += map(
+                Line, wrap(text, columns, initial_indent=" " * 7, subsequent_indent=" " * 7)
+            )
     return lines
+
+
+def tier_line(tier: str, counts: dict, outcomes: dict[str, Outcome]) -> str:
+    """Return a line about a tier: its points, how many checks failed, and for what others wait."""
+    others: Counter[str] = Counter({"failed": counts["failed"]})
+    for check in checks(tier=tier):
+        outcome = outcomes.get(check.name)
+        if outcome and outcome.is_unwritten:
+            others["not written"] += 1
+        elif outcome and outcome.state == WAITING:
+            others[f"wait for {outcome.waits_for}"] += 1
+    text = f"{tier:<12}{counts['points']:>3} of {counts['of']} points"
+    causes = [f"{count} {cause}" for cause, count in others.items() if count]
+    return shorten(f"{text}: {', '.join(causes)}" if causes else text, COLUMNS)
 
 
 def color_of(counts: dict) -> str:
@@ -120,27 +138,9 @@ def color_of(counts: dict) -> str:
     return "red" if counts["failed"] else "yellow"
 
 
-def tier_row(tier: str, passed: object, waiting: object, failed: object, points: str) -> str:
-    """Return a row of the table of tiers."""
-    return f"{tier:<12}{passed:>8}{waiting:>9}{failed:>8}{points:>10}"
-
-
 def is_complete(counts: dict) -> bool:
     """Return whether a tier has all points."""
     return counts["points"] == counts["of"]
-
-
-def waiting_lines(outcomes: dict[str, Outcome]) -> list[Line]:
-    """Return for what most checks wait."""
-    causes: Counter[str] = Counter()
-    for outcome in outcomes.values():
-        if outcome.state == WAITING and not outcome.place:
-            causes[outcome.waits_for] += 1
-    lines = []
-    for cause, count in causes.most_common(MOST_CAUSES):
-        wait = plural(count, "check waits", "checks wait")
-        lines.append(Line(f"{wait} for {cause}", "yellow"))
-    return lines
 
 
 def verdict(graded: dict) -> list[str]:
@@ -151,51 +151,3 @@ def verdict(graded: dict) -> list[str]:
     for tier, counts in graded["tiers"].items():
         sentences.append(f"Tier {tier} is {'complete' if is_complete(counts) else 'not complete'}.")
     return sentences
-
-
-def next_step_rows(outcomes: dict[str, Outcome], columns: int, height: int) -> list[str]:
-    """Return the next step, and as much about it as there is room for in this number of rows."""
-    step, parts = next_step(outcomes)
-    rows = wrap(f"Next:  {step}.", columns, subsequent_indent=MORE)
-    parts = [part._replace(lines=wrapped(part.lines, columns)) for part in parts]
-    kept = fitting(parts, height - len(rows))
-    for part in kept:
-        rows += part.lines
-    left_out = number_of_rows(parts) - number_of_rows(kept)
-    if left_out:
-        left = plural(left_out, "line is", "lines are")
-        title = f"{LINE_BY_LINE.removesuffix(':')} ({left} left out):"
-        rows = [text.replace(LINE_BY_LINE, title) for text in rows]
-    return rows
-
-
-def number_of_rows(parts: list[StepPart]) -> int:
-    """Return how many of these parts are rows of a trace table."""
-    return len([part for part in parts if part.is_row])
-
-
-def wrapped(lines: list[str], columns: int) -> list[str]:
-    """Return lines in columns; those that are indented, as in a trace table, stay as they are."""
-    found = []
-    for line in lines:
-        if line.startswith(" "):
-            found.append(line)
-        else:
-            found += wrap(line, columns, initial_indent=MORE, subsequent_indent=MORE)
-    return found
-
-
-def fitting(parts: list[StepPart], height: int) -> list[StepPart]:
-    """Return the parts for which there is room, those of the lowest ranks, in their order."""
-    kept = set()
-    for i in sorted(range(len(parts)), key=lambda i: parts[i].rank):
-        has_room = len(parts[i].lines) <= height and parts[i].rank != NEVER
-        if has_room or parts[i].rank == ALWAYS:
-            kept.add(i)
-            height -= len(parts[i].lines)
-    found: list[StepPart] = []
-    for i in sorted(kept, reverse=True):
-        # The title of a helper's table needs a row below it
-        if not parts[i].is_title or (found and found[0].is_row):
-            found.insert(0, parts[i])
-    return found

@@ -8,14 +8,20 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import FunctionType, ModuleType
 from typing import Any, NamedTuple
 from unittest.mock import patch
 
+from grading.begin import ROOT
+
 from grading import limits
-from grading.handout import FUNCTIONS, module_of
-from grading.instrument import watched
+from grading.handout import FUNCTIONS, is_students, module_of
+from grading.messages import own_copies
 from grading.present import present
 from grading.raised import stopped_error
+from line_by_line.instrument import watched
+from line_by_line.state import state_of
+from line_by_line.watch import Watch
 
 # The CSV that solutions read instead of the shipped one; each pendulum has another mass.
 SHIPPED_CSV = """\
@@ -75,14 +81,19 @@ class StudentsCode:
         """
         solution = None
         present.calls += 1
-        watch = present.watch
+        watch = present.watch if function == present.watched_function else None
         try:
             with limits.limited_memory():
                 solution = self.find(function)
-                if watch and present.calls == watch.call_number:
-                    with watched(function, watch):
+                if not watch:
+                    return self.repeated(solution, function, arguments, times)
+                own = own_functions(function)
+                before = state_of(own)
+                try:
+                    with watched(own, watch):
                         return self.repeated(solution, function, arguments, times)
-                return self.repeated(solution, function, arguments, times)
+                finally:
+                    present.lasting = changes_between(before, state_of(own))
         except MissingError:
             raise
         except BaseException as error:  # also SystemExit
@@ -109,6 +120,23 @@ class StudentsCode:
                 arguments = (*result, *arguments[len(result) :])
         return result
 
+    @contextmanager
+    def with_other_values(self, function: str) -> Iterator[Callable]:
+        """Yield a function that calls this one with other values than its statements give.
+
+        It gets the arguments, and the values by the numbers of the statements.
+        """
+        watch = Watch()
+        solution = self.find(function)
+
+        def call(arguments: tuple, replaced: dict[int, Any]) -> Any:
+            watch.replaced = replaced
+            watch.begin(arguments)
+            return solution(*own_copies(arguments))
+
+        with watched(own_functions(function), watch):
+            yield call
+
     def put_back(self) -> None:
         """Set has_written; if it is True, make the grader's CSV again."""
         self.has_written = True
@@ -126,6 +154,50 @@ def code_of(function: str) -> Code:
         parameters = code.co_varnames[: code.co_argcount]
         return Code(code.co_firstlineno, code.co_names, ", ".join(parameters))
     return Code()
+
+
+def own_functions(function: str) -> list[FunctionType]:
+    """Return this function of the handout, and the student's own functions that it can use.
+
+    They are in its file, or in a file from which this one takes them.
+    """
+    found: list[FunctionType] = []
+    namespaces = [vars(sys.modules[module_of(FUNCTIONS[function].file)])]
+    for namespace in namespaces:  # it grows
+        values = [*namespace.values()]
+        for value in [*values]:
+            is_own_class = isinstance(value, type) and value.__module__ == namespace["__name__"]
+            is_own_file = isinstance(value, ModuleType) and value.__name__.startswith("src.")
+            if is_own_class or is_own_file:
+                values += vars(value).values()
+        for value in values:
+            if isinstance(value, FunctionType) and value not in found and is_own(value, function):
+                found.append(value)
+                if all(value.__globals__ is not known for known in namespaces):
+                    namespaces.append(value.__globals__)
+    return found
+
+
+def changes_between(before: dict[str, str], now: dict[str, str]) -> dict[str, str]:
+    """Return how a call has changed values that live on, by their names."""
+    found = {}
+    for name, text in before.items():
+        if now.get(name, text) != text:
+            found[name] = f"it was {text} when this call began, and {now[name]} at its end"
+    return found
+
+
+def is_own(value: FunctionType, function: str) -> bool:
+    """Return whether a function is this one of the handout, or a helper of the student's."""
+    code = value.__code__
+    is_in_src = Path(code.co_filename).is_relative_to(ROOT / "src")
+    return is_in_src and is_students(code.co_name, function)
+
+
+def is_named(function: FunctionType) -> bool:
+    """Return whether a table names the calls of a function: it is of src/, or makes pendula."""
+    file = Path(function.__code__.co_filename)
+    return file.is_relative_to(ROOT / "src") or file == ROOT / "support" / "pendulum.py"
 
 
 @contextmanager

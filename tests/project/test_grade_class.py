@@ -56,7 +56,7 @@ def test_a_class_is_graded_in_tables_and_texts(classroom, solved):
 
     texts = {path.stem: path.read_text(encoding="utf-8") for path in classroom.grades.glob("*.txt")}
     assert "Grade: Honor roll." in texts["ann"]
-    assert "Your code, line by line:" in texts["bea"]
+    assert "your code   line by line" in texts["bea"]
     assert problem in texts["dan"]
     assert "UTF-8" in texts["eve"]
     hint = r"^    1  This is the result with \+ in front .*\. \(angle_update\)$"

@@ -55,7 +55,7 @@ def test_what_takes_too_much_memory_is_stopped(solve, monkeypatch):
     monkeypatch.setattr(limits, "MOST_MEMORY", 20)
     solve("angle_update", "rows = [omega]\nfor row in rows: rows.append(row)")
     require_stopped("took more than 20 MB of memory")
-    assert failures("angle_update")[0].rows == []
+    assert not any(part.is_row for part in failures("angle_update")[0].parts)
     assert resource.getrlimit(resource.RLIMIT_DATA) == before
 
 
@@ -98,7 +98,7 @@ def test_a_file_that_never_ends_is_stopped_once(monkeypatch):
     first, *others = checks(function="angle_update") + checks(function="full_swing_update")
     message = grading.judge(first).message
     assert message.startswith("src/swinging.py, line 2:\n")
-    assert message.endswith("took longer than 1 s\nDoes a loop in it ever end?")
+    assert message.endswith("took longer than 1 s.\nDoes a loop in it ever end?")
     assert {grading.judge(other).message for other in others} == {"waits for src/swinging.py"}
 
 
@@ -113,8 +113,8 @@ def test_a_solution_that_writes_the_shipped_file_fails_and_the_file_is_put_back(
     before = Path(NC_FP).read_bytes()
     writes = "from src.pds_helper import write_to_csv; write_to_csv(pend_list)\n        return"
     solve("uniform_mass_newton_cradle", ("return", writes))
-    wrong = failures("uniform_mass_newton_cradle")[0].wrong
-    assert wrong == "uniform_mass_newton_cradle writes into a file."
+    message = failures("uniform_mass_newton_cradle")[0].message
+    assert "uniform_mass_newton_cradle writes into a file." in message
     assert Path(NC_FP).read_bytes() == before
 
 
@@ -122,8 +122,8 @@ def test_a_solution_cannot_reach_the_real_csv(solve):
     """Nor when a test of the student's has imported its function before."""
     opens = f"open({NC_FP!r}, 'a')\n        return"
     solve("uniform_mass_newton_cradle", ("return", opens))
-    wrong = failures("uniform_mass_newton_cradle")[0].wrong
-    assert wrong.endswith("checks have a CSV of their own: use the path that they give")
+    message = " ".join(failures("uniform_mass_newton_cradle")[0].message.split())
+    assert "checks have a CSV of their own: use the path that they give" in message
 
 
 def test_a_fault_of_the_grader_is_marked_as_such(monkeypatch):
@@ -164,4 +164,4 @@ def test_a_function_waits_for_one_that_it_need_not_use(solve):
 def test_a_mistake_has_its_table_also_if_other_checks_run_first(solve):
     solve("uniform_e_newton_cradle", "return uniform_mass_newton_cradle(relative_filepath, e_val)")
     outcome = Grading().judge(checks(function="uniform_e_newton_cradle")[0])
-    assert [row.is_title for row in outcome.rows] == [False]
+    assert sum(part.is_row for part in outcome.parts) == 1

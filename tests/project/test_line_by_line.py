@@ -1,143 +1,363 @@
-"""A wrong call, line by line: the trace table of the student's code, and the sentences below it."""
+"""What functions did, line by line: here, functions about books. No course is needed for it."""
 
+import linecache
+import os
 from textwrap import dedent
 
 import pytest
-from graded import failures, outcomes_of
-from line_facts import FACTS
-from line_rows import ROWS
-from programs import slow_except
-from right_solutions import PLAIN, RIGHT
-from wrong_solutions import WRONG
+from programs import python, ROOT
 
-from grading import limits
-from grading.grader import runner
-from grading.instrument import watched
-from grading.outcomes import PASSED
-from grading.watch import Watch
+from line_by_line import words
+from line_by_line.instrument import put_back, watched
+from line_by_line.state import state_of
+from line_by_line.table import rows_of
+from line_by_line.watch import Watch
+from line_by_line.words import Noun
+
+BOOKS = [{"pages": 100}, {"pages": 50}, {"pages": 80}]
 
 
-def explained(solve, function, version):
-    """Return the first failure of a wrong solution, and its tables as a text with single spaces."""
-    solve(function, version)
-    first = failures(function)[0]
-    text = ""
-    for row in first.rows:
-        text += " ".join(row.lines) + " "
-    return first, " ".join(text.split())
+def functions_in(source, file="books.py"):
+    """Return the functions of a source, by their names."""
+    source = f"{dedent(source)}\n"
+    linecache.cache[file] = len(source), None, source.splitlines(keepends=True), file
+    scope = {"__name__": "books"}
+    exec(compile(source, file, "exec"), scope)
+    return {name: value for name, value in scope.items() if hasattr(value, "__code__")}
+
+
+def watch_call(source, *arguments, index=None):
+    """Call the first function of a source; return its Watch, and its rows with single spaces."""
+    functions = [*functions_in(source).values()]
+    watch = Watch()
+    with watched(functions, watch):
+        watch.begin(arguments)
+        try:
+            functions[0](*arguments)
+        except Exception as error:
+            watch.error = error
+    first: dict = {}
+    for call in watch.calls.values():
+        first.setdefault(call.definition, call)
+    rows = rows_of(watch, [*first.values()], index=index)
+    return watch, " ".join(" ".join(" ".join(row.texts) for row in rows).split())
+
+
+# The source, and a part of the rows; the first function gets BOOKS
+ROWS = {
+    "the turns in which a line ran": (
+        """\
+        def first(books):
+            result = []
+            for i in range(len(books)):
+                if i == 1:
+                    result.append(books[i])
+                else:
+                    result = result
+            return result""",
+        "3 for i in range(len(books)): 0 | 1 | 2 4 if i == 1: 0 == 1 False | 1 == 1 True | 2 == 1 "
+        "False 5 result.append(books[i]) - | a list of 1 dictionary | - 7 result = result "
+        "[ ], empty | - | a list of 1 dictionary 8 return result gives a list of 1 dictionary",
+    ),
+    "equal turns once": (
+        """\
+        def first(books):
+            for book in books:
+                book["price"] = price(book)
+        def price(book):
+            return 5""",
+        '3 book["price"] = price(book) 5, in each turn turn 1: price got book = books[0]',
+    ),
+    "equal calls once": (
+        """\
+        def first(books):
+            for book in books: total(books)
+        def total(shelf): return shelf[0]["pages"]""",
+        "total got shelf = books, a list of 3 dictionaries, in each turn",
+    ),
+    "what a called function has changed": (
+        """\
+        def first(books):
+            close(books[1])
+        def close(book): book["is_open"] = False""",
+        "close got book = books[1]; it set is_open of books[1] to False",
+    ),
+    "a function of a name of its own": (
+        """\
+        def first(books):
+            def half(x):
+                return x / 2
+            return half(books[0]["pages"])""",
+        "gives 50 half got x = 100 Your function half, called there: 3 return x / 2 gives 50",
+    ),
+    "statements of one line, and no comments": (
+        """\
+        def first(books):
+            a = 1; b = (a +
+                        2)  # three
+            if a > b: a = b
+            return a""",
+        "2 a = 1 a = 1 2 b = (a + 2) b = 3 4 if a > b: 1 > 3 False 4 a = b (never ran) 5 return a",
+    ),
+    "conditions with their values": (
+        """\
+        def first(books):
+            found = []
+            while not found and 2 > len(found) > -1:
+                found.append(5)
+            return found[0]""",
+        "not [ ], empty and 2 > 0 > -1 True | not [5] False",
+    ),
+    "a condition that Python has not looked at": (
+        """\
+        def first(books):
+            a = None
+            if a is not None and a > 1: pass""",
+        "3 if a is not None and a > 1: None is not None False",
+    ),
+    "an index that changes with its value": (
+        """\
+        def first(books):
+            a, i = [0, 0], 0
+            a[i], i = 5, 1""",
+        "3 a[i], i = 5, 1 i = 1",
+    ),
+    "no turn, and the else of a loop": (
+        """\
+        def first(books):
+            for i in range(0): g = i
+            else: g = 7
+            return g""",
+        "2 for i in range(0): no turn 2 g = i (never ran) 3 g = 7 g = 7",
+    ),
+    "match": (
+        """\
+        def first(books):
+            match len(books):
+                case 2: a = 1
+                case _: a = 2
+            return a""",
+        "3 a = 1 (never ran) 4 a = 2 a = 2",
+    ),
+    "where it stopped, the values there, and who gave them": (
+        """\
+        def first(books):
+            list = []
+            if list: return 1
+            print(5)
+            return list(books)""",
+        "5 return list(books) <- stops here: TypeError list is [ ], empty, a list: line 2 gave it "
+        "this value; Python's own list has this name, too books is a list of 3 dictionaries",
+    ),
+    "a name that has no value yet": (
+        """\
+        def first(books):
+            total = total + len(books)""",
+        "books is a list of 3 dictionaries total has no value yet: line 2 gives it one, so total "
+        "is a name of this function alone",
+    ),
+    "the keys of a dictionary that lacks one": (
+        """\
+        def first(books):
+            return books[0]["price"]""",
+        "stops here: KeyError the keys of books[0] are 'pages'",
+    ),
+    "a value that was not taken apart": (
+        """\
+        def first(books):
+            a, b = books""",
+        "stops here: ValueError the value is a list of 3 dictionaries",
+    ),
+    "the helper that stopped": (
+        """\
+        def first(books):
+            for book in books: price(book)
+        def price(book):
+            b = None
+            return b * book["pages"]""",
+        "2 price(book) <- stops here: TypeError price got book = books[0] Your function price, "
+        'called there: 4 b = None b = None 5 return b * book["pages"] <- stops here: TypeError '
+        "b is None: line 4 gave it this value book['pages'] is 100",
+    ),
+    "a print that stopped": (
+        """\
+        def first(books):
+            print(books[7])""",
+        "2 print(books[7]) <- stops here: IndexError",
+    ),
+    "an error that an except takes": (
+        """\
+        def first(books):
+            try:
+                a = 1 / 0
+            except ZeroDivisionError:
+                a = 0
+            return a""",
+        "3 a = 1 / 0 stopped: ZeroDivisionError 4 except ZeroDivisionError: line 3 stopped with "
+        "ZeroDivisionError: division by zero; this except takes it",
+    ),
+    "a raise, in a try": (
+        """\
+        def first(books):
+            try:
+                a = 5
+                raise ValueError("b = 7")
+            except KeyError:
+                a = 0""",
+        '3 a = 5 a = 5 4 raise ValueError("b = 7") <- stops here: ValueError',
+    ),
+    "an error that nobody told": (
+        """\
+        def first(books):
+            from contextlib import suppress
+            with suppress(Exception):
+                a = 1 / 0
+            return 1""",
+        "4 a = 1 / 0 (did not come to its end)",
+    ),
+    "a call in a turn that an except ended is no call of the next turn": (
+        """\
+        def first(books):
+            r = 0
+            for i in range(2):
+                try: r += part(i)
+                except ZeroDivisionError: pass
+        def part(x): return 6 / x""",
+        "4 r += part(i) - | 6 turn 2: part got x = 1; it gave 6",
+    ),
+    "a long loop": (
+        """\
+        def first(books):
+            for i in range(20000): a = i
+            return a""",
+        "turns: not watched further) 2 a = i 0 | 1 | ... |",
+    ),
+    "a value that is not stored": (
+        """\
+        def first(books):
+            sorted([2, 1])""",
+        "2 sorted([2, 1]) gives [1, 2], which is not stored",
+    ),
+    "a function that is not called": (
+        """\
+        def first(books):
+            a = first""",
+        "2 a = first the function first: a call has ( )",
+    ),
+    "an object that would answer otherwise if it was asked again": (
+        """\
+        def first(books):
+            c = Count()
+            c["x"] = 4
+            return c.n
+        class Count(dict):
+            n = 0
+            def __getitem__(self, key): self.n += 1""",
+        "4 return c.n gives 0",
+    ),
+    "as much of a long line as there is room for, and a sign that it goes on": (
+        f"""\
+        def first(books):
+            w = {" + ".join(["len(books)"] * 30)}""",
+        "+ len(books) + ... w = 90",
+    ),
+}
 
 
 @pytest.mark.parametrize("name", ROWS)
-def test_the_rows_say_what_each_line_gave(solve, name):
-    function, version, rows = ROWS[name]
-    _, found = explained(solve, function, version)
-    assert [row for row in rows if row not in found] == [], found
+def test_the_rows_say_what_each_line_did(name):
+    source, expected = ROWS[name]
+    _, found = watch_call(source, [dict(book) for book in BOOKS])
+    assert expected in found
 
 
-@pytest.mark.parametrize("name", FACTS)
-def test_a_sentence_says_where_the_value_in_question_comes_from(solve, name):
-    function, version, line, fact = FACTS[name]
-    first, _ = explained(solve, function, version)
-    if fact:
-        assert fact in first.facts
-    else:
-        assert "was set" not in " ".join(first.facts)
-    assert first.place.endswith(f", line {line}")
+def test_of_many_turns_some_are_shown_and_the_one_in_question():
+    source = """\
+        def first(books):
+            for i in range(9): a = i + 0.25"""
+    _, found = watch_call(source, BOOKS, index=5)
+    assert "2 for i in range(9): 0 | 1 | ... | 5 | ... | 8 (9 turns)" in found
 
 
-WATCHED = [(name, way) for name in PLAIN for way in ("plainly", *RIGHT[name])]
+REMARKS = {
+    "n = 7 // 2": "Line 2 leaves out what comes after the point: // gives 3, / gives 3.5.",
+    "shelf = [{}] * 3": "Line 2 puts one dictionary in the list 3 times.",
+    "books = books.sort(key=len)": "Line 2 stores None: books.sort gives nothing back.",
+    "i = [{}, books[0], dict(books[0])].index(books[0])": None,
+    "shelf = [books[0], dict(books[0])]; i = shelf.index(shelf[1])": (
+        "Line 2 gets 0: index finds the first equal element. This one has 1."
+    ),
+    "n = 6 // 2; m = [1] * 3; books.sort(key=len)": None,
+}
 
 
-@pytest.mark.parametrize(("function", "way"), slow_except(WATCHED[::4], WATCHED))
-def test_a_watched_function_does_what_it_does_unwatched(solve, function, way):
-    solve(function, RIGHT[function].get(way, PLAIN[function]))
-    watch = Watch()
-    with watched(function, watch):
-        outcomes = outcomes_of(function, users=False)
-    assert {outcome.state for outcome in outcomes.values()} == {PASSED}
-    assert watch.calls
+@pytest.mark.parametrize("line", REMARKS)
+def test_what_few_expect_has_a_sentence(line):
+    watch, _ = watch_call(f"def first(books):\n    {line}", [dict(BOOKS[0])])
+    assert [*watch.remarks] == [remark for remark in [REMARKS[line]] if remark]
 
 
-HARMLESS = f"""\
-'A docstring about sin, cos, round and return.'
-# {" ".join(PLAIN)}: R_PARAM, THETA_INIT, DT and G are constants; pend_list[i + 1] == append = while
-print(1.05, "and never")
+def test_an_interrupt_does_not_leave_other_code_in_the_functions():
+    class Interrupted:
+        __globals__: dict = {}
+        codes: list = []
+
+        def __setattr__(self, name, code):
+            self.codes.append(code)
+            if len(self.codes) == 1:
+                raise KeyboardInterrupt
+
+    first, second = Interrupted(), Interrupted()
+    with pytest.raises(KeyboardInterrupt):
+        put_back({first: 1, second: 2})
+    assert Interrupted.codes == [2, 2, 1]
+
+
+README = (ROOT / "tests/line_by_line/README.md").read_text(encoding="utf-8")
+
+
+def test_the_readme_shows_what_its_lines_print(tmp_path):
+    """For functions about books, with nothing but this package."""
+    source = """\
+def total(books):
+    result = 0
+    for book in books:
+        result = result + price(book)
+    return result
+
+def price(book):
+    return book["pages"] / 10
 """
+    (tmp_path / "books.py").write_text(source)
+    code, _, shown = README.partition("prints, for two")
+    lines = [line[4:] for line in code.splitlines() if line.startswith("    ") or not line]
+    path = f"{ROOT / 'tests'}{os.pathsep}{tmp_path}"
+    done = python("-c", "\n".join(lines), PYTHONPATH=path)
+    assert done.stderr == ""
+    assert shown.partition("How it works")[0].split("\n\n")[1] == done.stdout.rstrip()
 
 
-@pytest.mark.parametrize(("function", "words"), slow_except([*WRONG][::9], WRONG))
-def test_harmless_lines_change_no_word(solve, function, words):
-    version = WRONG[function, words]
-    source = dedent(version if isinstance(version, str) else PLAIN[function].replace(*version))
-    outcomes = []
-    for lines in ("\n" * HARMLESS.count("\n"), HARMLESS):
-        first, rows = explained(solve, function, lines + source)
-        outcomes.append([first.hint, first.wrong, rows, first.facts])
-    assert outcomes[0] == outcomes[1]
+def test_values_that_live_on_have_names():
+    source = """\
+        SHELF = []
+        class Counter:
+            n = 3
+        def first(book, books=[], size=5):
+            SHELF.append(Counter.n)
+            len(book)"""
+    expected = {"the default of books": "[ ], empty", "the default of size": "5"}
+    assert state_of(functions_in(source).values()) == expected | {
+        "SHELF": "[ ], empty",
+        "Counter.n": "3",
+    }
 
 
-def test_an_endless_loop_is_shown_at_its_line_and_its_prints_appear_once(
-    solve, monkeypatch, capsys
-):
-    monkeypatch.setattr(limits, "PATIENCE", 0.5)
-    body = f"""\
-        print('begin')
-        i = 0
-        while i < 3:
-            j = i{" + abs(-1)" * 7}
-        return i, j"""
-    _, rows = explained(solve, "angle_update", body)
-    line = "4 while i < 3: 0 < 3 True, in each turn (1000 turns) <- still here after 1000 turns"
-    assert line in rows
-    assert "6 return i, j (never ran)" in rows
-    assert capsys.readouterr().out == "begin\n"
-
-
-def test_a_call_that_gives_something_else_the_second_time_has_no_table(solve):
-    first, _ = explained(solve, "angle_update", "import random; return random.random(), theta")
-    assert (first.rows, first.facts) == ([], [])
-
-
-def test_under_a_debugger_there_is_no_table(solve, monkeypatch):
-    monkeypatch.setattr(limits, "is_debugged", lambda: True)
-    first, _ = explained(solve, "angle_update", "return 1, 1")
-    assert (first.rows, first.facts) == ([], [])
-
-
-def test_with_no_room_the_lines_that_matter_stay(solve):
-    others = "".join(f"    a{i} = {i}\n" for i in range(20))
-    first, _ = explained(solve, "angle_update", f"w = 5\nif True:\n{others}return w, theta")
-    ranks = {row.lines[0].split()[1]: row.rank for row in first.rows}
-    assert ranks["w"] < ranks["a0"]
-
-
-ODD = """\
-class Odd:
-    def __eq__(self, other): raise ValueError
-    __hash__ = None
-    def __bool__(self): raise ValueError
-    def __repr__(self): raise ValueError
-    def __getattr__(self, name): raise ValueError
-odd = Odd()
-row = {1: odd}
-row[2] = [odd] * 9
-{}
-return odd, row"""
-
-
-@pytest.mark.parametrize(
-    "line", ["if row[1] is odd: pass", "row[1] == 5", "if odd: pass", "odd.x", "def f(a=odd): pass"]
-)
-def test_values_that_say_nothing_of_themselves_change_nothing(solve, line):
-    """The table is there, and the failure is that of the student's code."""
-    first, rows = explained(solve, "angle_update", ODD.replace("{}", line))
-    assert rows
-    assert "fault" not in first.message
-
-
-def test_nothing_is_left_of_the_watch(solve):
-    first, _ = explained(solve, "angle_update", "return 1, 1")
-    function = runner.find("angle_update")
-    assert first.rows
-    assert "__watch__" not in function.__globals__
-    assert "__watch__" not in function.__code__.co_names
+def test_another_course_has_its_own_words(monkeypatch):
+    monkeypatch.setattr(words, "NOUNS", [Noun("pages", "book", "books"), *words.NOUNS])
+    monkeypatch.setitem(words.TEXTS, range, lambda value, digits: f"{len(value)} pages")
+    source = """\
+        def first(books):
+            read = range(7)
+            return books"""
+    _, found = watch_call(source, BOOKS)
+    assert "2 read = range(7) read = 7 pages 3 return books gives a list of 3 books" in found

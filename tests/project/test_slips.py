@@ -41,7 +41,6 @@ SLIPS = {  # words behind python, and a part of what it prints
     "-m unittest": f"Type {PYTHON} -m pytest to run them.",
     "tests/test_d.py": f"These are checks. Type {PYTHON} -m pytest to run them.",
     "src/swinging.py": f"This file has only functions. Type {PYTHON} -m pytest",
-    f"{PYTEST} --grade-json=--": "found '--grade-json=--', allowed is no -- after =",
     f"{PYTEST} --tier E": "argument --tier: found 'E', allowed is D, C, B, A or honor",
 }
 

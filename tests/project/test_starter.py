@@ -68,7 +68,10 @@ def test_the_folder_has_the_handouts_files_the_programs_and_the_graded_tests_alo
     sources = {f"src/{path.name}" for path in made.glob("src/*")}
     assert sources == HANDOUTS | {f"src/{name}.py" for name in others}
     suites = {f"{suite}.py" for suite in SUITES.values()}
-    assert {path.name for path in made.glob("tests/*")} - {"__pycache__"} == suites | {"grading"}
+    assert {path.name for path in made.glob("tests/*")} - {"__pycache__"} == suites | {
+        "grading",
+        "line_by_line",
+    }
     assert not [*made.rglob("many_ticks.py")]
     for file in [*made.glob("support/**/*.py"), *made.glob("tests/grading/*.py")]:
         assert file.read_bytes() == (ROOT / file.relative_to(made)).read_bytes()

@@ -1,29 +1,42 @@
 """The rows of a trace table, laid out as lines of the screen."""
 
+from enum import Enum
 from textwrap import wrap
 from typing import NamedTuple
 
-from grading.messages import TERMINAL_COLUMNS
-from grading.traces import ValueInWords
+from line_by_line.traces import ValueInWords
 
+COLUMNS = 80  # of a terminal
 INDENT = 4  # spaces in front of each row
 CODE = 34  # columns of a short line of code; the values of all short lines stand below each other
 MOST_CODE = 2  # lines of the code of a row
 MOST_LINES = 3  # of the values of a row
 
 
-class TraceRow(NamedTuple):
-    """A line of code, and what it gave, as lines of the screen."""
+class Kind(Enum):
+    """What a statement has done."""
 
-    rank: int
-    lines: list[str]
-    is_title: bool = False  # of the table of a helper
+    STOPPED = "it has stopped"
+    MARKED = "its value is not the right one"
+    CALLED = "it has called a function that is named"
+    GAVE = "it has given a value"
+    NO_END = "it never ran to its end, or has none: try"
+    IDLE = "it only ran"
+    TITLE = "it is the name of another function, whose rows follow"
+
+
+class Row(NamedTuple):
+    """A statement, and what it gave, as lines of the screen."""
+
+    kind: Kind
+    number: int  # of the statement; of a title, that of the function's def
+    texts: list[str]
 
 
 class Remark(NamedTuple):
-    """What is said of a line of code. If there is no room, a high rank is left out."""
+    """What is said of a statement."""
 
-    rank: int
+    kind: Kind
     after: str = ""
     below: tuple[str, ...] = ()
 
@@ -32,14 +45,13 @@ def laid_out(number: str, code: str, remark: Remark) -> list[str]:
     """Return a row as lines of the screen: values after short code if they fit, else below it."""
     start = f"{' ' * INDENT}{number}  {code}".ljust(INDENT + len(number) + 2 + CODE)
     after = remark.after
-    if after.count(" = ") == 1 and not has_room(start, after):
-        value = after.partition(" = ")[2]
-        if has_room(start, value):
-            after = value  # the name stands in the code
+    name, _, value = after.partition(" = ")
+    if name.isidentifier() and not has_room(start, after) and has_room(start, value):
+        after = value  # the name stands in the code
     if not after or has_room(start, after):
         lines = [f"{start}  {after}".rstrip()]
     else:
-        code_lines = wrap(start.rstrip(), TERMINAL_COLUMNS, subsequent_indent=" " * (INDENT + 10))
+        code_lines = wrap(start.rstrip(), COLUMNS, subsequent_indent=" " * (INDENT + 10))
         lines = cut(code_lines, MOST_CODE) + indented(after)
     for text in remark.below:
         lines += indented(text)
@@ -48,15 +60,13 @@ def laid_out(number: str, code: str, remark: Remark) -> list[str]:
 
 def has_room(start: str, after: str) -> bool:
     """Return whether both fit into a line."""
-    return len(f"{start}  {after}") <= TERMINAL_COLUMNS
+    return len(f"{start}  {after}") <= COLUMNS
 
 
 def indented(text: str) -> list[str]:
     """Return what is said below a line of code, cut after MOST_LINES."""
     space = " " * (INDENT + 8)
-    return cut(
-        wrap(text, TERMINAL_COLUMNS, initial_indent=space, subsequent_indent=space), MOST_LINES
-    )
+    return cut(wrap(text, COLUMNS, initial_indent=space, subsequent_indent=space), MOST_LINES)
 
 
 def cut(lines: list[str], most: int) -> list[str]:
@@ -68,8 +78,8 @@ def cut(lines: list[str], most: int) -> list[str]:
 
 def shortened(line: str) -> str:
     """Return a line with ... at its end, and without the words that have no room then."""
-    if len(line) > TERMINAL_COLUMNS - 4:
-        line = line[: TERMINAL_COLUMNS - 4]
+    if len(line) > COLUMNS - 4:
+        line = line[: COLUMNS - 4]
         whole_words = line.rpartition(" ")[0]
         if whole_words.strip():
             line = whole_words
@@ -105,21 +115,3 @@ def once(values: list[ValueInWords]) -> str:
         return values[0].text
     texts = [f"{value.code} = {value.text}" if value.code else value.text for value in values]
     return ", ".join(texts)
-
-
-def together(statements: list[Remark]) -> Remark:
-    """Return what is said of several statements in a line."""
-    texts = []
-    below: list[str] = []
-    for remark in statements:
-        if remark.after and remark.after not in texts:
-            texts.append(remark.after)
-        below += remark.below
-    if len(texts) > 1:  # whether a line ran in a turn stands in the others, too
-        texts = [text for text in texts if not says_only_ran(text)]
-    return Remark(min(remark.rank for remark in statements), "; ".join(texts), tuple(below))
-
-
-def says_only_ran(text: str) -> bool:
-    """Return whether a text says nothing but in which turns a line ran."""
-    return {*text.split(" | ")} <= {"ran", "-", "..."}

@@ -4,13 +4,11 @@ import ast
 import builtins
 from contextlib import suppress
 from itertools import islice
+from numbers import Real
 from types import FrameType
 from typing import Any, TypeGuard
 
-from vpython import vector
-
-from grading.messages import text_of
-from grading.values import in_words, names_in, SHAPES
+from line_by_line.words import form_of, in_words, names_in, text_of, TEXTS
 
 # The parts of an expression whose values are traced.
 PARTS = ast.Call, ast.Subscript, ast.Attribute, ast.BinOp, ast.UnaryOp, ast.Compare, ast.BoolOp
@@ -63,25 +61,18 @@ def is_inner_statement(node: ast.AST) -> bool:
     return isinstance(node, (ast.stmt, ast.ExceptHandler))
 
 
-def names_in_head(node: ast.AST) -> set[str]:
+def used_in_head(node: ast.AST) -> list[ast.Name]:
     """Return the names that a statement or an expression uses, without its inner statements."""
-    names = set()
-    left = [node]
-    while left:
-        part = left.pop()
-        if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Load):
-            names.add(part.id)
-        left += [child for child in ast.iter_child_nodes(part) if not is_inner_statement(child)]
-    return names
+    found = [node] if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) else []
+    for child in ast.iter_child_nodes(node):
+        if not is_inner_statement(child):
+            found += used_in_head(child)
+    return found
 
 
-def keys_in_head(node: ast.AST) -> set:
-    """Return the constants in [ ] from which a statement or an expression takes a value."""
-    keys = set()
-    for part in operations_in(node):
-        if isinstance(part, ast.Subscript) and isinstance(part.slice, ast.Constant):
-            keys.add(part.slice.value)
-    return keys
+def names_in_head(node: ast.AST) -> set[str]:
+    """Return the names that a statement or an expression uses, as text."""
+    return {name.id for name in used_in_head(node)}
 
 
 def operations_in(node: ast.AST) -> list[ast.expr]:
@@ -123,11 +114,11 @@ class Values:
     def taken(self, whole: Any, node: ast.Subscript | ast.Attribute) -> Any:
         """Return an element or an attribute of a whole.
 
-        Of a class that the student wrote, this could change it.
+        An object of a class that the student wrote is not asked: it could change.
         """
         if isinstance(node, ast.Subscript) and type(whole) in (dict, list, tuple):
             return whole[self.of(node.slice)]
-        if isinstance(node, ast.Attribute) and isinstance(whole, (*SHAPES, vector)):
+        if isinstance(node, ast.Attribute) and isinstance(whole, tuple(TEXTS)):
             return getattr(whole, node.attr)
         raise LookupError
 
@@ -141,33 +132,53 @@ class Values:
             return self.frame.f_locals[name]
         return {**vars(builtins), **self.frame.f_globals}[name]
 
-    def stopped_at(self, statement: ast.AST) -> list[str]:
-        """Return the values of the operation at which a statement was stopped, in words."""
+    def has(self, name: str) -> bool:
+        """Return whether a name has a value."""
+        with suppress(LookupError):
+            self.of_name(name)
+            return True
+        return False
+
+    def not_called(self, names: list[ast.Name]) -> list[ast.Name]:
+        """Return the names that are no functions, of those that have a value."""
+        return [node for node in names if self.has(node.id) and not callable(self.of_name(node.id))]
+
+    def operands_at_stop(self, statement: ast.AST) -> list[ast.expr]:
+        """Return the operands of the operation that did not come to its end."""
         for node in operations_in(statement):
             try:
                 self.of(node)
-            except Exception:  # this operation did not come to its end
-                parts = ast.iter_child_nodes(node)
-                expressions = [part for part in parts if isinstance(part, ast.expr)]
-                with suppress(Exception):
-                    return [self.operand(part) for part in expressions if self.is_operand(part)]
-                return []
+            except Exception:
+                parts = [part for part in ast.iter_child_nodes(node) if isinstance(part, ast.expr)]
+                return [part for part in parts if self.is_operand(part, node)]
         return []
 
-    def is_operand(self, node: ast.expr) -> bool:
-        """Return whether the value of a part of an operation says something."""
-        return not isinstance(node, ast.Constant) and not callable(self.of(node))
+    def is_operand(self, part: ast.expr, node: ast.expr) -> bool:
+        """Return whether the value of a part says something: not a constant, or what is called."""
+        if isinstance(part, ast.Constant):
+            return False
+        if isinstance(node, ast.Call) and part is node.func:
+            with suppress(Exception):
+                return not callable(self.of(part))
+        return True
 
     def operand(self, node: ast.expr) -> str:
-        """Return the value of a part of an operation, in words; of a dictionary, its keys."""
+        """Return the value of an operand in words; of a dictionary, its keys; "" if it has none."""
         code = ast.unparse(node)
-        value = self.of(node)
+        try:
+            value = self.of(node)
+        except Exception:
+            return ""
         if isinstance(value, dict):
             keys = [text_of(key) for key in islice(value, MOST_KEYS)]
             if len(value) > MOST_KEYS:
                 keys.append("...")
             return f"the keys of {code} are {', '.join(keys) or 'none'}"
-        return f"{code} is {in_words(value, self.names_but(node))}"
+        text = in_words(value, self.names_but(node))
+        form = form_of(value)
+        if callable(value) or isinstance(value, Real) or form in text:
+            return f"{code} is {text}"
+        return f"{code} is {text}, {form}"
 
     def names_but(self, node: ast.AST) -> dict[int, str]:
         """Return the names of dictionaries and lists, without the one that is this node."""

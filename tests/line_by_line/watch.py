@@ -1,7 +1,7 @@
-"""A Watch: it traces what each statement of a student's function gives, in each turn of its loops.
+"""A Watch: it traces what each statement of a function gives, in each turn of its loops.
 
-For one call, instrument.py gives the student's functions other code, which hands its values to a
-Watch. traces.py has what it keeps, and trace_table.py writes this down.
+For one call, instrument.py gives the functions other code, which hands its values to a Watch.
+traces.py has what it keeps, and table.py writes this down.
 """
 
 import ast
@@ -12,59 +12,86 @@ from functools import wraps
 from types import FrameType, FunctionType
 from typing import Any
 
-from grading.expressions import names_in_head, Span, targets_of, Values
-from grading.traces import (
+from line_by_line.expressions import names_in_head, Span, targets_of, Values
+from line_by_line.remarks import remarks_on
+from line_by_line.traces import (
     Called,
     Change,
     changed_keys,
+    dictionaries_in,
     gave_in_words,
     got_by,
-    is_named,
     Known,
     LOOPS,
-    pendula_in,
     Statement,
     Store,
     Trace,
     ValueInWords,
     WatchedCall,
 )
-from grading.tracing import EndlessError, MOST_TURNS, tracing
-from grading.values import in_words, names_in
+from line_by_line.words import in_words, names_in, short_form
 
 MOST_TRACES = 20_000  # of a call: then it is not watched further
 MOST_TRACES_ENDLESS = 200_000  # of a call that is stopped at MOST_TURNS
+MOST_TURNS = 1000  # of a loop, in a function that went over a limit of time: then it is stopped
+
+
+class EndlessError(BaseException):
+    """A loop has made MOST_TURNS turns in a function that went over a limit of time."""
+
+
+def tracing(method: Callable) -> Callable:
+    """Return a function that lets a method of the Watch trace something of the call that calls it.
+
+    The changed code gives it the number of a statement and some values. It calls the method with
+    the watched call in front of these, and returns the last value. It raises an EndlessError, but
+    no other error: the values are a student's.
+    """
+
+    @wraps(method)
+    def trace(self: Any, statement_number: int, *values: Any) -> Any:
+        call = self.call_of(sys._getframe(1))
+        if call:
+            with suppress(Exception):
+                method(self, call, statement_number, *values)
+        return values[-1] if values else None
+
+    return trace
 
 
 class Watch:
     """What the changed code calls, and what it has traced."""
 
-    def __init__(self, call_number: int = 1, is_endless: bool = False):
-        """is_endless says that the function went over the limit of time."""
-        self.call_number = call_number  # its number in the check
-        self.arguments: tuple = ()
+    def __init__(
+        self, is_named: Callable[[FunctionType], bool] = lambda _: True, is_endless: bool = False
+    ):
+        """is_named says whether a table names the calls of a function.
+
+        is_endless says that the function went over a limit of time.
+        """
+        self.is_named = is_named
         self.is_endless = is_endless
         self.most_traces = MOST_TRACES_ENDLESS if is_endless else MOST_TRACES
-        self.count = 0  # of what the changed code has handed over
+        self.replaced: dict[int, Any] = {}  # values that statements get in place of their own
         self.statements: list[Statement] = []
-        self.calls: dict[FrameType, WatchedCall] = {}  # in the order of the calls
-        self.stores: list[Store] = []
-        self.known: dict[int, Known] = {}  # by the id of the dictionary
         self.error: BaseException | None = None  # what stopped the call
+        self.begin(())
 
     def begin(self, arguments: tuple) -> None:
         """A call with these arguments begins: forget the one before."""
         self.arguments = arguments
-        self.calls.clear()
-        self.stores.clear()
-        self.known.clear()
-        self.count = 0
+        self.count = 0  # of what the changed code has handed over
+        self.calls: dict[FrameType, WatchedCall] = {}  # in the order of the calls
+        self.stores: list[Store] = []
+        self.remarks: dict[str, int] = {}  # sentences about what was seen, with their statements
+        self.known: dict[int, Known] = {}  # by the id of the dictionary
         self.know(arguments, "")
 
     def know(self, values: Iterable, giver: str) -> None:
-        """Keep copies of the dictionaries that giver gives: a function, or "" for the check."""
-        for pend in pendula_in(values):
-            self.known.setdefault(id(pend), Known(pend, dict(pend), giver))
+        """Keep copies of the dictionaries that giver gives: a function, or "" for the caller."""
+        for dictionary in dictionaries_in(values):
+            known = Known(dictionary, dict(dictionary), giver)
+            self.known.setdefault(id(dictionary), known)
 
     def call_of(self, frame: FrameType) -> WatchedCall | None:
         """Return the call that has this frame, or None if it is not watched further."""
@@ -74,6 +101,25 @@ class Watch:
             call.is_whole = False
             return None
         return call
+
+    def name_of(self, call: WatchedCall) -> str:
+        """Return the name of the function of a call."""
+        return self.statements[call.definition].node.name
+
+    def numbers_of(self, call: WatchedCall) -> list[int]:
+        """Return the numbers of the statements in the function of a call."""
+        numbers = range(len(self.statements))
+        owner = call.definition
+        return [number for number in numbers if self.statements[number].owner == owner != number]
+
+    def statement_at(self, call: WatchedCall, line: int) -> int:
+        """Return the number of the innermost statement that runs at a line of a call."""
+        found = [call.definition]
+        for number in self.numbers_of(call):
+            node = self.statements[number].node
+            if node.lineno <= line <= node.end_lineno:
+                found.append(number)
+        return max(found, key=lambda number: (number in call.begun, number))
 
     # --- called by the changed code ---
 
@@ -92,10 +138,13 @@ class Watch:
         """A part of a statement's expression has this value."""
         call.parts[number][span] = value
 
-    @tracing
-    def value(self, call: WatchedCall, number: int, value: Any) -> None:
-        """The expression of a statement has this value."""
-        call.whole_values[number] = value
+    def value(self, number: int, value: Any) -> Any:
+        """The expression of a statement has this value, or gets another one."""
+        call = self.call_of(sys._getframe(1))
+        value = self.replaced.get(number, value)
+        if call:
+            call.whole_values[number] = value
+        return value
 
     @tracing
     def receiver(self, call: WatchedCall, number: int, value: Any) -> None:
@@ -108,7 +157,7 @@ class Watch:
         """The condition of an if, a while or an assert has this value."""
         node = self.statements[number].node.test
         text = self.values_in(call, number).condition(node, value)
-        self.end(call, number, [ValueInWords("", text, is_false=not value)])
+        self.end(call, number, [ValueInWords("", text)])
 
     @tracing
     def turn(self, call: WatchedCall, number: int) -> None:
@@ -119,7 +168,7 @@ class Watch:
             self.end(call, number, self.stored(call, number))
         call.turns_now[number] += 1
         can_be_endless = isinstance(node, ast.While) or type(call.whole_values.get(number)) is list
-        if self.is_endless and can_be_endless and call.turns_now[number] >= MOST_TURNS:
+        if self.is_endless and can_be_endless and call.turns_now[number] > MOST_TURNS:
             call.turns[number] -= 1  # the others are whole
             raise EndlessError
 
@@ -134,15 +183,13 @@ class Watch:
         values = self.stored(call, number)
         if number in call.before:
             values += self.changed_by_method(call, number)
-        else:
-            values += self.lost(call, number)
-        self.end(call, number, values)
+        self.end(call, number, values or self.not_stored(call, number))
 
     @tracing
     def gives(self, call: WatchedCall, number: int, value: Any) -> None:
         """A return gives this value."""
         call.result = value
-        call.has_result = True
+        call.returned = number
         node = self.statements[number].node.value
         values = self.values_in(call, number)
         if isinstance(node, (ast.Compare, ast.BoolOp)) and isinstance(value, bool):
@@ -151,6 +198,7 @@ class Watch:
             text = in_words(value)
         else:
             text = in_words(value, values.names_but(node))
+        self.keep(call, "", number, value, text)
         self.end(call, number, [ValueInWords("", f"gives {text}")])
 
     @tracing
@@ -161,7 +209,7 @@ class Watch:
         while step.tb_next and step.tb_frame is not call.frame:
             step = step.tb_next
         kind = type(error).__name__
-        call.hidden[step.tb_lineno] = kind
+        call.hidden[self.statement_at(call, step.tb_lineno)] = kind
         text = f"line {step.tb_lineno} stopped with {kind}: {error}; this except takes it"
         self.end(call, number, [ValueInWords("", text)])
 
@@ -172,7 +220,7 @@ class Watch:
         """
         call = self.call_of(sys._getframe(1))
         plain = getattr(function, "__func__", function)  # of a method
-        if not call or not isinstance(plain, FunctionType) or not is_named(plain):
+        if not call or not isinstance(plain, FunctionType) or not self.is_named(plain):
             return function
 
         @wraps(plain)
@@ -180,15 +228,11 @@ class Watch:
             got = got_by(function, arguments, options, call.frame)
             called = Called(plain.__name__.strip("<>"), got)
             call.called[number].append(called)
-            pendula = pendula_in([*arguments, *options.values()])
-            before = [dict(pend) for pend in pendula]
+            holders = dictionaries_in([*arguments, *options.values()])
+            before = [dict(holder) for holder in holders]
             count = len(self.calls)
-            try:
-                result = function(*arguments, **options)
-            finally:
-                called.watched_call = self.call_after(count, function)
-            line = self.statements[number].node.lineno
-            changes = self.changes(call, line, called, pendula, before)
+            result = function(*arguments, **options)
+            changes = self.changes(call, number, holders, before, len(self.calls) > count)
             called.gave = gave_in_words(result, changes, names_in(call.frame))
             called.says_result = result is not None or not changes
             self.know([result], function.__name__)
@@ -202,15 +246,6 @@ class Watch:
         """Return the values in a statement that has not come to its end."""
         return Values(call.frame, call.parts[number])
 
-    def call_after(self, count: int, function: Callable) -> WatchedCall | None:
-        """Return the call of a function that came after count others, if it was watched."""
-        calls = [*self.calls.values()]
-        if len(calls) <= count:
-            return None
-        call = calls[count]
-        is_of_function = self.statements[call.definition].node.name == function.__name__
-        return call if is_of_function else None
-
     def end(self, call: WatchedCall, number: int, values: list[ValueInWords]) -> None:
         """Keep what a statement gave, at its end."""
         statement = self.statements[number]
@@ -219,15 +254,20 @@ class Watch:
         is_condition = isinstance(statement.node, ast.While)
         call.traces[number].append(Trace(turn, values, call.called.pop(number, []), is_condition))
         call.begun.discard(number)
+        for remark in remarks_on(statement.node, self.values_in(call, number)):
+            self.remarks[remark] = number
         call.parts.pop(number, None)
         if not isinstance(statement.node, ast.For):
             call.whole_values.pop(number, None)
 
+    def keep(self, holder: Any, key: Any, number: int, value: Any, text: str) -> None:
+        """Keep that a statement has stored a value."""
+        self.stores.append(Store(holder, key, number, value, text))
+
     def stored(self, call: WatchedCall, number: int) -> list[ValueInWords]:
         """Return what a statement has stored where, and keep it in stores."""
-        node = self.statements[number].node
         values = self.values_in(call, number)
-        targets = targets_of(node)
+        targets = targets_of(self.statements[number].node)
         new_names = {target.id for target in targets if isinstance(target, ast.Name)}
         found = []
         for target in targets:
@@ -236,14 +276,12 @@ class Watch:
                 continue  # a[i], i = 5, 1: now, i is another one
             with suppress(LookupError, TypeError, AttributeError):
                 value = values.of(target)
-                text = in_words(value, values.names_but(target))
+                text = short_form(value) if len(targets) > 1 else ""
+                text = text or in_words(value, values.names_but(target))
                 if isinstance(target, ast.Subscript):
-                    holder = values.of(target.value)
-                    key = values.of(target.slice)
+                    self.keep(values.of(target.value), values.of(target.slice), number, value, text)
                 else:
-                    holder = call
-                    key = code
-                self.stores.append(Store(holder, key, node.lineno, value, text))
+                    self.keep(call, code, number, value, text)
                 if code != "_":
                     found.append(ValueInWords(code, text))
         return found
@@ -257,18 +295,18 @@ class Watch:
         if isinstance(value, dict):
             for key in changed_keys(value, before):
                 text = in_words(value[key], names_in(call.frame))
-                self.stores.append(Store(value, key, node.lineno, value[key], text))
+                self.keep(value, key, number, value[key], text)
                 found.append(ValueInWords(f"{code}[{key!r}]", text))
         elif len(value) != len(before):
             text = in_words(value)
-            self.stores.append(Store(call, code, node.lineno, value, text))
+            self.keep(call, code, number, value, text)
             found.append(ValueInWords(code, text))
         return found
 
-    def lost(self, call: WatchedCall, number: int) -> list[ValueInWords]:
-        """Return the value of an expression that no name gets.
+    def not_stored(self, call: WatchedCall, number: int) -> list[ValueInWords]:
+        """Return the value of an expression that is not stored.
 
-        None is not lost, and neither is a value that a call in the expression got.
+        None is left out, and a value that a call in the expression got.
         """
         node = self.statements[number].node
         value = call.whole_values.get(number)
@@ -280,19 +318,26 @@ class Watch:
             with suppress(LookupError):
                 if values.of(argument) is value:
                     return []
-        text = f"gives {in_words(value, values.names)}, and no name gets it"
-        return [ValueInWords("", text, is_lost=True)]
+        return [ValueInWords("", f"gives {in_words(value, values.names)}, which is not stored")]
 
     def changes(
-        self, call: WatchedCall, line: int, called: Called, pendula: list[dict], before: list[dict]
+        self,
+        call: WatchedCall,
+        number: int,
+        holders: list[dict],
+        before: list[dict],
+        is_watched: bool,
     ) -> list[Change]:
-        """Return which values of pendula a call has changed, and keep them in stores."""
+        """Return which values of dictionaries a call has changed, and keep them in stores.
+
+        If it was watched, its own lines have stored them.
+        """
         names = names_in(call.frame)
         found = []
-        for pend, old in zip(pendula, before, strict=True):
-            for key in changed_keys(pend, old):
-                text = in_words(pend[key])
-                found.append(Change(key, names.get(id(pend), "a pendulum"), text))
-                if not called.watched_call:  # else its own lines have stored it
-                    self.stores.append(Store(pend, key, line, pend[key], text))
+        for holder, old in zip(holders, before, strict=True):
+            for key in changed_keys(holder, old):
+                text = in_words(holder[key])
+                found.append(Change(key, holder, names.get(id(holder), "a dictionary"), text))
+                if not is_watched:
+                    self.keep(holder, key, number, holder[key], text)
         return found

@@ -5,15 +5,13 @@ import inspect
 from collections import defaultdict
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from pathlib import Path
-from types import FrameType, FunctionType
+from types import FrameType
 from typing import Any, NamedTuple
 
-from grading.begin import ROOT
-
-from grading.values import in_words, names_in
+from line_by_line.words import in_words, names_in, number_of
 
 LOOPS = ast.For, ast.While
+FEW_CHANGES = 2  # of a key that name their dictionaries
 
 
 @dataclass
@@ -31,19 +29,16 @@ class ValueInWords(NamedTuple):
 
     code: str  # of its target, or ""
     text: str
-    is_false: bool = False  # of a condition
-    is_lost: bool = False  # no name gets it
 
 
 @dataclass
 class Called:
-    """A call of another function of src/ or support/."""
+    """A call of another function, which a table names."""
 
     name: str
     got: str  # its parameters and their values
     gave: str = ""  # its result and what it has changed; "" if it did not come to its end
     says_result: bool = False  # whether `gave` has its result
-    watched_call: Any = None  # its WatchedCall, if the student wrote it
 
 
 @dataclass
@@ -57,11 +52,14 @@ class Trace:
 
 
 class Store(NamedTuple):
-    """A value that a line has stored: in a dictionary under a key, or in a call under a name."""
+    """A value that a line has stored: in a dictionary under a key, or in a call under a name.
+
+    A return stores it in its call, under "".
+    """
 
     holder: Any  # the dictionary, or the WatchedCall
     key: Any  # the key, or the name
-    line: int
+    number: int  # of the statement
     value: Any
     text: str  # the value in words
 
@@ -69,9 +67,9 @@ class Store(NamedTuple):
 class Known(NamedTuple):
     """A dictionary that others have made, and a copy of that time."""
 
-    pend: dict
+    dictionary: dict
     copy: dict
-    giver: str  # the function that gave it, "" for the check
+    giver: str  # the function that gave it, "" for the caller
 
 
 class WatchedCall:
@@ -93,11 +91,15 @@ class WatchedCall:
         self.parts: defaultdict[int, dict] = defaultdict(dict)
         self.called: defaultdict[int, list[Called]] = defaultdict(list)
         self.before: dict[int, tuple] = {}  # what a method may change, and a copy from before
-        # The errors that an except has taken, by the line that has stopped
+        # The errors that an except has taken, by the statement that has stopped
         self.hidden: dict[int, str] = {}
         self.result: Any = None
-        self.has_result = False
+        self.returned = 0  # the number of the return that gave the result, 0 without one
         self.is_whole = True  # whether it was watched to its end
+
+    @property
+    def file(self) -> str:
+        return self.frame.f_code.co_filename
 
     def begin(self, number: int) -> None:
         """A statement begins: forget its traces from a turn that an error has stopped."""
@@ -108,26 +110,26 @@ class WatchedCall:
 
 
 class Change(NamedTuple):
-    """A value of a pendulum that a call has changed."""
+    """A value of a dictionary that a call has changed."""
 
     key: str
-    pend: str  # its name
+    dictionary: dict
+    name: str  # of the dictionary
     text: str  # the new value
 
 
 def changes_in_words(changes: list[Change]) -> list[str]:
-    """Return which values of pendula a call has changed: a text for each key."""
+    """Return which values of dictionaries a call has changed: a text for each key."""
     by_key: dict[str, list[Change]] = {}
     for change in changes:
         by_key.setdefault(change.key, []).append(change)
     found: list[str] = []
     for key, same_key in by_key.items():
-        if len(same_key) > 2:
-            whose = "" if found else f" of {len(same_key)} pendula"
-            texts = [change.text for change in same_key]
-            found.append(f"set {key}{whose} to {', '.join(texts)}")
+        if len(same_key) > FEW_CHANGES:
+            whose = number_of([change.dictionary for change in same_key])
+            found.append(f"set {key} of {whose} to {', '.join(each.text for each in same_key)}")
         else:
-            texts = [f"{change.pend} to {change.text}" for change in same_key]
+            texts = [f"{change.name} to {change.text}" for change in same_key]
             found.append(f"set {key} of {' and '.join(texts)}")
     return found
 
@@ -158,18 +160,12 @@ def got_by(function: Callable, arguments: tuple, options: dict[str, Any], frame:
     return ", ".join(found)
 
 
-def is_named(function: FunctionType) -> bool:
-    """Return whether the table names the calls of a function: it is of src/, or makes pendula."""
-    file = Path(function.__code__.co_filename)
-    return file.is_relative_to(ROOT / "src") or file == ROOT / "support" / "pendulum.py"
-
-
 def changed_keys(value: dict, before: dict) -> list:
     """Return the keys of a dictionary that have another value than before, also an equal one."""
     return [key for key in value if value[key] is not before.get(key)]
 
 
-def pendula_in(values: Iterable) -> list[dict]:
+def dictionaries_in(values: Iterable) -> list[dict]:
     """Return the dictionaries in these values, and in the lists among them."""
     found = []
     for value in values:

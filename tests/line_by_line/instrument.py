@@ -1,4 +1,4 @@
-"""Other code for a student's functions, which does the same, and hands its values to a Watch.
+"""Other code for functions, which does the same, and hands its values to a Watch.
 
 watch.py has the Watch. All lines keep their numbers. Of a function with these lines,
 
@@ -18,17 +18,15 @@ the body becomes this (with the lines and columns of i < 3 or of b[i] in place o
 
 import ast
 import linecache
-import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from copy import deepcopy
 from types import CodeType, FunctionType
 from typing import Any
 
-from grading.expressions import AS_THEY_ARE, is_part, span_of
-from grading.handout import FUNCTIONS, is_students, module_of
-from grading.traces import LOOPS, Statement
-from grading.watch import Watch
+from line_by_line.expressions import AS_THEY_ARE, is_part, span_of
+from line_by_line.traces import LOOPS, Statement
+from line_by_line.watch import Watch
 
 WATCH = "__watch__"  # the name under which the changed code finds the Watch
 TRIES = ast.Try, getattr(ast, "TryStar", ast.Try)  # except* is there from Python 3.11 on
@@ -121,11 +119,13 @@ class Changer:
         elif isinstance(node, ast.For):
             node.iter = hand("value", number, node.iter)
         elif isinstance(node, ast.Return) and node.value:
-            node.value = hand("gives", number, node.value)
+            node.value = hand("gives", number, hand("value", number, node.value))
         elif isinstance(node, STORING) and node.value:
             node.value = hand("value", number, node.value)
             return [start, node, line_with(node, "done", number)]
-        elif not isinstance(node, TRIES):
+        elif isinstance(node, TRIES):
+            return [node]
+        else:
             return [line_with(node, "ran", number), node]
         return [start, node]
 
@@ -158,10 +158,10 @@ class Changer:
 
 
 def receiver_in(node: ast.AST) -> ast.expr | None:
-    """Return the node whose method is called in a statement that is nothing but this call."""
-    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
-        function = node.value.func
-        return function.value if isinstance(function, ast.Attribute) else None
+    """Return the node whose method gives the value of a statement."""
+    value = getattr(node, "value", None)
+    if isinstance(node, (ast.Assign, ast.Expr)) and isinstance(value, ast.Call):
+        return value.func.value if isinstance(value.func, ast.Attribute) else None
     return None
 
 
@@ -175,53 +175,46 @@ def is_idle(node: ast.AST) -> bool:
 
 
 @contextmanager
-def watched(function: str, watch: Watch) -> Iterator[None]:
-    """Let a Watch trace what the student's functions for this one do, in the with statement."""
-    plain_codes = {own_function: own_function.__code__ for own_function in own_functions(function)}
-    codes = changed_codes([*plain_codes.values()], watch) if plain_codes else {}
-    for own_function, plain_code in plain_codes.items():
-        code = codes.get((plain_code.co_name, plain_code.co_firstlineno))
-        if code and code.co_freevars == plain_code.co_freevars:
-            own_function.__code__ = code
-            own_function.__globals__[WATCH] = watch
+def watched(functions: Iterable[FunctionType], watch: Watch) -> Iterator[None]:
+    """Let a Watch trace what these functions do, in the with statement."""
+    plain_codes = {function: function.__code__ for function in functions}
     try:
+        for file in dict.fromkeys(code.co_filename for code in plain_codes.values()):
+            codes = changed_codes(file, watch)
+            for function, plain_code in plain_codes.items():
+                code = codes.get((plain_code.co_name, plain_code.co_firstlineno))
+                is_there = code and plain_code.co_filename == file
+                if code and is_there and code.co_freevars == plain_code.co_freevars:
+                    function.__code__ = code
+                    function.__globals__[WATCH] = watch
         yield
     finally:
-        for own_function, plain_code in plain_codes.items():
-            own_function.__code__ = plain_code
-            own_function.__globals__.pop(WATCH, None)
+        put_back(plain_codes)
 
 
-def own_functions(function: str) -> Iterator[FunctionType]:
-    """Yield this function of the handout, and the student's own functions in its file."""
-    module = sys.modules[module_of(FUNCTIONS[function].file)]
-    code = getattr(getattr(module, function, None), "__code__", None)
-    file = code.co_filename if code else ""
-    values = [*vars(module).values()]
-    for value in [*values]:
-        if isinstance(value, type) and value.__module__ == module.__name__:
-            values += vars(value).values()
-    for value in values:
-        if not isinstance(value, FunctionType):
-            continue
-        code = value.__code__
-        if code.co_filename == file and is_students(code.co_name, function):
-            yield value
+def put_back(plain_codes: dict[FunctionType, CodeType]) -> None:
+    """Give functions their codes back, all of them also if an interrupt comes meanwhile."""
+    left = [*plain_codes]
+    interrupt = None
+    while left:
+        try:
+            left[-1].__code__ = plain_codes[left[-1]]
+            left[-1].__globals__.pop(WATCH, None)
+            left.pop()
+        except KeyboardInterrupt as error:
+            interrupt = error
+    if interrupt:
+        raise interrupt
 
 
-def changed_codes(plain_codes: list[CodeType], watch: Watch) -> dict[tuple[str, int], CodeType]:
-    """Return the changed code of functions in one file, by their names and first lines."""
-    file = plain_codes[0].co_filename
-    names = {code.co_name for code in plain_codes}
+def changed_codes(file: str, watch: Watch) -> dict[tuple[str, int], CodeType]:
+    """Return the changed code of all functions in a file, by their names and first lines."""
     tree = ast.parse("".join(linecache.getlines(file)))
-    blocks = [tree.body]
-    for node in tree.body:
-        if isinstance(node, ast.ClassDef):
-            blocks.append(node.body)
     changer = Changer(watch)
+    blocks = [tree.body, *(node.body for node in tree.body if isinstance(node, ast.ClassDef))]
     for block in blocks:
         for node in block:
-            if isinstance(node, ast.FunctionDef) and node.name in names:
+            if isinstance(node, ast.FunctionDef):
                 changer.function(node)
     found = {}
     left = [compile(ast.fix_missing_locations(tree), file, "exec", dont_inherit=True)]

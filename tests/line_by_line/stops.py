@@ -2,14 +2,14 @@
 
 from typing import NamedTuple
 
-from grading.traces import WatchedCall
-from grading.tracing import EndlessError, MOST_TURNS
-from grading.watch import Watch
+from line_by_line.traces import WatchedCall
+from line_by_line.watch import EndlessError, MOST_TURNS, Watch
 
 
 class Stop(NamedTuple):
     """Where a call was stopped."""
 
+    number: int  # of the statement
     line: int
     how: str  # "stops here: TypeError"
     is_error: bool  # and not a limit
@@ -18,24 +18,23 @@ class Stop(NamedTuple):
 def stops_in(watch: Watch) -> dict[WatchedCall, Stop]:
     """Return where the watched calls were stopped, the outer one first."""
     error = watch.error
-    if error is None:
-        return {}
     found: dict[WatchedCall, Stop] = {}
-    step = error.__traceback__
-    while step:
+    step = error.__traceback__ if error else None
+    while error and step:
         call = watch.calls.get(step.tb_frame)
         if call:
-            found[call] = stop_at(step.tb_lineno, error)
+            number = watch.statement_at(call, step.tb_lineno)
+            found[call] = Stop(number, step.tb_lineno, *how_stopped(error))
             if isinstance(error, RecursionError):
                 break  # of these, the outer call is enough
         step = step.tb_next
     return found
 
 
-def stop_at(line: int, error: BaseException) -> Stop:
-    """Return how an error has stopped a line."""
+def how_stopped(error: BaseException) -> tuple[str, bool]:
+    """Return how an error has stopped a call, and whether it is no limit."""
     if isinstance(error, EndlessError):
-        return Stop(line, f"still here after {MOST_TURNS} turns", is_error=False)
+        return f"still here after {MOST_TURNS} turns", False
     if isinstance(error, KeyboardInterrupt):
-        return Stop(line, "stopped here", is_error=False)
-    return Stop(line, f"stops here: {type(error).__name__}", is_error=True)
+        return "stopped here", False
+    return f"stops here: {type(error).__name__}", True

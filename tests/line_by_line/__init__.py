@@ -1,0 +1,1 @@
+"""What functions did in a call, line by line."""
