@@ -55,7 +55,7 @@ def hint_for(error: WrongError, code: Code) -> str:
     found = code.parameters.split(", ")
     expected = FUNCTIONS[function].parameters.split(", ")
     if code.line and sorted(found) == sorted(expected) and found != expected:
-        return f"The line def has changed. It must be: def {function}({', '.join(expected)}):"
+        return f"The def line has changed. It must be: def {function}({', '.join(expected)}):"
     return error.raised.hint if error.raised else error.hint
 
 

@@ -43,10 +43,10 @@ ROWS: list[tuple[Any, str, str]] = [
     (TypeError, r"for \^", "In Python, ** is a power, and ^ is something else."),
     (ImportError, "circular import", "Your files import each other in a circle. Remove the import in this file."),
     (RecursionError, "", "Your function calls itself, without end."),
-    (NameError, "is not defined", "No line that ran has given this name a value. A name comes from the line def, from a line above, or from an import."),
+    (NameError, "is not defined", "No line that ran has given this name a value. A name comes from the def line, from a line above, or from an import."),
     (IndexError, "", "The first element has the index 0, the last one the length minus 1."),
     (FileNotFoundError, "", "There is no such file. The parameter has the path of the file to read."),
-    (ZeroDivisionError, "", "The value below / is 0 here. In the handout, no formula divides by a value that may be 0."),
+    (ZeroDivisionError, "", "The value behind / is 0 here."),
 ]
 # fmt: on
 
@@ -89,6 +89,9 @@ def facts_of(error: Any, text: str, frame: FrameType | None, line: int) -> Itera
     key = re.search(r"'dict' object has no attribute '(\w+)'", text)
     if key and key[1] in KEYS:
         yield f"A dictionary needs brackets and quotes, not a dot: ['{key[1]}']."
+    method = re.match(r"(\w+)\.(\w+)\(\) takes", text)
+    if isinstance(error, TypeError) and method and frame:
+        yield without_self(frame.f_globals.get(method[1]), method[2])
     if isinstance(error, ModuleNotFoundError):
         if any(function.file == f"src/{name}.py" for function in FUNCTIONS.values()):
             yield f"Write src. in front of the file in the import: src.{name}."
@@ -120,6 +123,14 @@ def key_or_import(name: str, code: str, frame: FrameType) -> str:
         source = "comes from another file, or from a package"
         return f"The name {name} {source}. Put its import back, at the top of the file."
     return ""
+
+
+def without_self(owner: Any, name: str) -> str:
+    """Return a sentence about a method of a class that has no self, or ""."""
+    code = getattr(getattr(owner, name, None), "__code__", None)
+    if not code or "self" in code.co_varnames[: code.co_argcount]:
+        return ""
+    return f"The def line of {name} has no self: Python gives the object as the first value."
 
 
 def last_of_student(frames: list[tuple[FrameType, int]], function: str) -> int:

@@ -173,7 +173,7 @@ class Table:
             return "(not watched further)"
         if number in self.call.begun:
             return "(did not come to its end)"
-        return "(never ran)"
+        return "(not in this call)" if len(self.watch.calls_of(self.call)) > 1 else "(never ran)"
 
     # --- the turns of a loop ---
 
@@ -282,7 +282,9 @@ def rows_of(
             name = watch.name_of(call)
             if call.file != calls[0].file:
                 name = f"{name} in {os.path.basename(call.file)}"
-            title = f"{' ' * INDENT}Your function {name}, called there:"
+            same = watch.calls_of(call)
+            which = f" (call {1 + same.index(call)} of {len(same)})" if len(same) > 1 else ""
+            title = f"{' ' * INDENT}Your function {name}, called there{which}:"
             rows.append(Row(Kind.TITLE, call.definition, [title]))
         rows += Table(watch, call, stops.get(call), marks, index).rows()
     return rows

@@ -151,8 +151,8 @@ def got_by(function: Callable, arguments: tuple, options: dict[str, Any], frame:
     parameters = frame.f_code.co_varnames[: frame.f_code.co_argcount]
     try:
         values = inspect.signature(function).bind(*arguments, **options).arguments
-    except TypeError:  # Python says it, too
-        return ", ".join(in_words(value, names) for value in arguments)
+    except TypeError:  # Python says it
+        return ""
     found = []
     for name, value in values.items():
         if name not in parameters or frame.f_locals.get(name) is not value:

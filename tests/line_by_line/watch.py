@@ -106,6 +106,10 @@ class Watch:
         """Return the name of the function of a call."""
         return self.statements[call.definition].node.name
 
+    def calls_of(self, call: WatchedCall) -> list[WatchedCall]:
+        """Return all calls of the function of a call."""
+        return [other for other in self.calls.values() if other.definition == call.definition]
+
     def numbers_of(self, call: WatchedCall) -> list[int]:
         """Return the numbers of the statements in the function of a call."""
         numbers = range(len(self.statements))

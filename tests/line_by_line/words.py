@@ -178,7 +178,7 @@ def in_words(value: Any, names: dict[int, str] | None = None) -> str:
         return f"({texts[0]},)" if len(texts) == 1 else f"({', '.join(texts)})"
     if isinstance(value, (FunctionType, BuiltinFunctionType, MethodType, type)):
         name = value.__name__
-        return "a lambda" if name == "<lambda>" else f"the function {name}: a call has ( )"
+        return "a lambda" if name == "<lambda>" else f"the function {name}, not called"
     if isinstance(value, ModuleType):
         return f"the module {value.__name__}"
     if isinstance(value, str) and (os.path.isabs(value) or os.path.isfile(value)):

@@ -242,7 +242,7 @@ ROWS = {
         """\
         def first(books):
             a = first""",
-        "2 a = first the function first: a call has ( )",
+        "2 a = first a = the function first, not called",
     ),
     "an object that would answer otherwise if it was asked again": (
         """\

@@ -82,7 +82,7 @@ HINTED = {
         "main has not called page.show: the": ("page.show(pend_list)", "page.show"),
     },
     "double_angle_update": {
-        "The value below / is 0": ("g / r_param", "1 / (r_param / g)"),
+        "The value behind / is 0": ("g / r_param", "1 / (r_param / g)"),
         "This is beta'' in place of": ("v = v + dv", "v = v + (dv + du)"),
         "These are the accelerations of two": "u, v = (w - g / r_param * sin(a) * dt for w, a in ((omega_theta, theta), (omega_phi, phi))); return u, v, theta + u * dt, phi + v * dt",
         "This is the result if phi is measured from straight": ("(u, v - u, a, b - a)", "(u, v, a, b)"),
