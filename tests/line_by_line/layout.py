@@ -46,7 +46,8 @@ def laid_out(number: str, code: str, remark: Remark) -> list[str]:
     start = f"{' ' * INDENT}{number}  {code}".ljust(INDENT + len(number) + 2 + CODE)
     after = remark.after
     name, _, value = after.partition(" = ")
-    if name.isidentifier() and not has_room(start, after) and has_room(start, value):
+    is_one = name.isidentifier() and " = " not in value
+    if is_one and not has_room(start, after) and has_room(start, value):
         after = value  # the name stands in the code
     if not after or has_room(start, after):
         lines = [f"{start}  {after}".rstrip()]

@@ -115,6 +115,12 @@ ROWS = {
             if a is not None and a > 1: pass""",
         "3 if a is not None and a > 1: None is not None False",
     ),
+    "two values behind a long line": (
+        """\
+        def first(books):
+            pages_of_one, pages_of_two = 100, 50""",
+        "pages_of_one = 100, pages_of_two = 50",
+    ),
     "an index that changes with its value": (
         """\
         def first(books):
