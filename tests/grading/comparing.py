@@ -114,7 +114,7 @@ def is_exchanged(found: Any, expected: Any) -> bool:
 
 
 def both(what: What | None, found: Any, expected: Any) -> list[tuple[str, list[str]]]:
-    """Return both values as (label, lines) of a message, with the name of what they are.
+    """Return both values as (label, lines) of a message, each value behind its name.
 
     For long lists, these are the lines of the first wrong element.
     """
@@ -138,8 +138,8 @@ def is_long(value: Any) -> bool:
     return len(text_of(value)) > LONG
 
 
-def first_difference(found: list, expected: list) -> int:
-    """Return the index of the first wrong element of a list."""
+def first_difference(found: list | tuple, expected: list | tuple) -> int:
+    """Return the index of the first wrong element of a list or a tuple of the right length."""
     return [same(*pair) for pair in zip(found, expected, strict=True)].index(False)
 
 

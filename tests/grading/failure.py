@@ -3,12 +3,12 @@
 import sys
 from contextlib import redirect_stderr, redirect_stdout, suppress
 from io import StringIO
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from grading import limits
 from grading.grader import Check, checks, place_of, runner, STEPS, WrongError
 from grading.handout import FUNCTIONS
-from grading.messages import error_lines
+from grading.messages import error_lines, place_lines
 from grading.present import present
 from grading.room import labelled, Part, Rank
 from grading.story import WrongCall
@@ -68,8 +68,8 @@ def what_is_wrong(error: WrongError, hint: str, has_code: bool = False) -> list[
     lines = error.lines
     if error.raised and not error.raised.limit:
         sentence, *more = error_lines(error.raised)
-        places = [] if has_code else lines[0][1][1 + len(more) :]
-        lines = [("", [*more, *places]), *lines[1:]]
+        places = [] if has_code else place_lines(error.raised.places)
+        lines = [("", [*more, *places]), *lines]
     end = "" if sentence.endswith((".", "?", "!")) else "."
     pairs = [
         ("wrong", f"{sentence}{end} {hint}".strip()),
@@ -118,6 +118,12 @@ def ask(check: Check, watch: Watch | None = None, seen: dict[str, bool] | None =
         check.ask()
 
 
+def ask_again(check: Check, **again: Any) -> None:
+    """Let a check ask again, with a watch or with seen. The student's code prints nothing now."""
+    with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
+        ask(check, **again)
+
+
 class SeenAgain(NamedTuple):
     """A failed check that was performed again, and what was seen of the wrong call."""
 
@@ -131,8 +137,7 @@ class SeenAgain(NamedTuple):
 def watch_again(check: Check, error: WrongError) -> SeenAgain:
     """Perform a failed check again, watch its calls, and return what was seen of the wrong one.
 
-    The student's code prints nothing now. Nothing is seen under a debugger, and if the function
-    took too much memory.
+    Nothing is seen under a debugger, and if the function took too much memory.
     """
     raised = error.raised
     if present.is_debugged or (raised and isinstance(raised.error, MemoryError)):
@@ -142,8 +147,7 @@ def watch_again(check: Check, error: WrongError) -> SeenAgain:
     depth = sys.getrecursionlimit()
     sys.setrecursionlimit(DEEPER * depth)  # the changed code needs more calls
     try:
-        with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
-            ask(check, watch)
+        ask_again(check, watch=watch)
     except WrongError as again:
         is_slower = again.raised and again.raised.limit  # as it is watched
         again = error if is_endless or is_slower else again
@@ -153,8 +157,10 @@ def watch_again(check: Check, error: WrongError) -> SeenAgain:
                 code = call.parts_of_code()
                 return SeenAgain(again, call.place, code, call.facts(), bool(call.lasting))
         return SeenAgain(again)
-    except (Exception, KeyboardInterrupt):
-        return SeenAgain(error)  # also a WaitError
+    except (Exception, KeyboardInterrupt):  # also a WaitError
+        if present.is_pressed:
+            raise
+        return SeenAgain(error)
     finally:
         present.watch = None
         sys.setrecursionlimit(depth)
@@ -167,10 +173,14 @@ def other_calls(check: Check, error: WrongError) -> list[str]:
         return []
     own = error.call.with_numbers()
     seen: dict[str, bool] = {}
-    with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
-        for other in checks(function=check.function):
-            with suppress(Exception):  # a check may need right results to go on
-                ask(other, seen=seen)
+    for other in checks(function=check.function):
+        try:
+            ask_again(other, seen=seen)
+        except WrongError:  # it went over a limit: no more calls
+            break
+        except (Exception, KeyboardInterrupt):  # a check may need right results to go on
+            if present.is_pressed:
+                raise
     present.seen = None
     others = {text: is_right for text, is_right in seen.items() if not text.startswith(own)}
     right = [text for text, is_right in others.items() if is_right]

@@ -18,6 +18,7 @@ from grading.comparing import (
     are_alike,
     are_pendula,
     both,
+    first_difference,
     fits,
     hint_for_result,
     is_exchanged,
@@ -169,9 +170,10 @@ def expect(
         error.right = right
         error.changed = changed_vectors(call, arguments)
         note_call(call, error)
-        if present.seen is not None:
-            return error.result
-        raise
+        is_over_limit = error.raised and error.raised.limit
+        if present.seen is None or is_over_limit:
+            raise
+        return error.result
     note_call(call, None, result)
     return result
 
@@ -241,8 +243,7 @@ def compared(
         ) from None
     if not fits(found, expected):
         mistake = mistake_in(subject, found, expected)
-        hint = hint_for_result(found, expected, results)
-        hint = hint or mistake.hint
+        hint = hint_for_result(found, expected, results) or mistake.hint
         if not hint and is_exchanged(found, expected):
             hint = "These are the right values, in another order."
             if returns:  # no value is wrong, but the whole
@@ -282,14 +283,16 @@ def marks_in(
             again = call_again(arguments, replaced)
             return same(part(see(again) if see else again), part(expected))
 
-        return marks_of(present.watch, right, arguments, is_mended)
+        try:
+            return marks_of(present.watch, right, arguments, is_mended)
+        except KeyboardInterrupt:  # all these calls have taken too long
+            return {}
 
 
 def first_wrong_part(found: Any, expected: Any) -> Callable:
     """Return a function that takes the first wrong part from a value like these."""
     if are_alike(found, expected):
-        pairs = zip(found, expected, strict=True)
-        return operator.itemgetter([same(*pair) for pair in pairs].index(False))
+        return operator.itemgetter(first_difference(found, expected))
     return lambda value: value
 
 
@@ -350,7 +353,9 @@ def run(call: Call, arguments: tuple, expected_line: tuple[str, Any]) -> Any:
     if raised.stub and not raised.hint:
         place = f"{place_of(raised, call.function) or file}"
         raise WaitError(f"you to write {raised.stub} in {place}", place)
-    sentence = f"{call.function} {raised.limit or 'stops with an error'}."
+    if not raised.limit:
+        raise WrongError(raised.text, call, [expected_line], raised=raised)
+    sentence = f"{call.function} {raised.limit}."
     raise WrongError(sentence, call, [end_of(raised), expected_line], raised=raised)
 
 

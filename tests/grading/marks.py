@@ -36,19 +36,6 @@ def marks_of(
     right value already, or its negative (then a later line may use it wrongly), or if it uses a
     value that may be wrong.
     """
-    try:
-        return first_mark(watch, right, arguments, is_mended)
-    except KeyboardInterrupt:  # all these calls have taken too long
-        return {}
-
-
-def first_mark(
-    watch: Watch,
-    right: Sequence[tuple[str, Any]],
-    arguments: tuple,
-    is_mended: Callable[[dict[int, Any]], bool],
-) -> dict[int, str]:
-    """Do what marks_of does, but let an interrupt pass."""
     known = [value for value in (*dict(right).values(), *arguments) if is_plain(value)]
     for store in stores_once(watch):
         mending: list[Any] = []

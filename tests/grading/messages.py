@@ -12,11 +12,11 @@ from vpython import box, cylinder, sphere, vector
 
 from grading.handout import FUNCTIONS
 from grading.raised import Place, StoppedError
+from grading.room import LABEL
 from line_by_line.layout import COLUMNS
 from line_by_line.words import FORMS, Noun, NOUNS, text_of, TEXTS, WIDTH
 from support.start.output import in_one_line
 
-LABEL = 12  # columns of the labels of a message
 MOST_OF_FILE = 8  # lines of the longest file that is shown whole
 LINES_OF_FILE = 4  # shown of a longer one
 MOST_LINES = 5  # shown of a result, and of an expected value
@@ -166,9 +166,7 @@ def place_lines(places: Sequence[Place]) -> list[str]:
 
 
 def end_of(raised: StoppedError) -> tuple[str, list[str]]:
-    """Return, as (label, lines), how a call was stopped: by an error, or by the grader."""
-    if not raised.limit:
-        return "came back", [*error_lines(raised), *place_lines(raised.places)]
+    """Return, as (label, lines), how the grader has stopped a call that went over a limit."""
     end = f"nothing; it {raised.limit} and was stopped"
     places = place_lines(raised.places)
     return "came back", [f"{end} here:", *places] if places else [f"{end}."]

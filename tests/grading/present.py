@@ -33,7 +33,6 @@ class PresentCheck:
         self.watched_function = function
         self.watch = watch
         self.lasting: dict[str, str] = {}  # how the watched call has changed values that live on
-        self.calls = 0  # of students' functions
         self.seen = seen
         self.advice: list[str] = []  # sentences for a student whose solution is right
         # By which time the grader stopped it: CLOCK or PROCESSOR of limits.py, "" if it did not

@@ -1,4 +1,4 @@
-"""The room on a student's screen: the whole scale of what is left out, and what has room."""
+"""The room on a student's screen: the order in which parts are left out, and those that fit."""
 
 from enum import IntEnum
 from textwrap import wrap

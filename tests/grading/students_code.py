@@ -80,7 +80,6 @@ class StudentsCode:
         Raises a StoppedError if it or its import fails.
         """
         solution = None
-        present.calls += 1
         watch = present.watch if function == present.watched_function else None
         try:
             with limits.limited_memory():
@@ -91,7 +90,7 @@ class StudentsCode:
                 before = state_of(own)
                 try:
                     with watched(own, watch):
-                        return self.repeated(solution, function, arguments, times)
+                        return self.repeated(solution, function, arguments, times, watch)
                 finally:
                     present.lasting = changes_between(before, state_of(own))
         except MissingError:
@@ -107,14 +106,21 @@ class StudentsCode:
         finally:
             self.put_back()
 
-    def repeated(self, solution: Callable, function: str, arguments: tuple, times: int) -> Any:
+    def repeated(
+        self,
+        solution: Callable,
+        function: str,
+        arguments: tuple,
+        times: int,
+        watch: Watch | None = None,
+    ) -> Any:
         """Call a solution this number of times; return the last result.
 
-        Each result gives the first arguments of the next call.
+        Each result gives the first arguments of the next call. A watch keeps the last call.
         """
         for _ in range(times):
-            if present.watch:
-                present.watch.begin(arguments)
+            if watch:
+                watch.begin(arguments)
             result = solution(*arguments)
             if FUNCTIONS[function].returns and isinstance(result, tuple):
                 arguments = (*result, *arguments[len(result) :])

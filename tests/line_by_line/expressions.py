@@ -3,6 +3,7 @@
 import ast
 import builtins
 from contextlib import suppress
+from functools import cached_property
 from itertools import islice
 from numbers import Real
 from types import FrameType
@@ -93,9 +94,13 @@ class Values:
         """parts has the traced values, by their spans."""
         self.frame = frame
         self.parts = parts
-        self.names = names_in(frame)
         # Whether a method that is called in a condition may have changed something
         self.can_change = False
+
+    @cached_property
+    def names(self) -> dict[int, str]:
+        """The names of the dictionaries and the lists in the frame; see names_in."""
+        return names_in(self.frame)
 
     def of(self, node: ast.expr) -> Any:
         """Return the value of a node; raise a LookupError if it is not known."""

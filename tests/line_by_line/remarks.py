@@ -6,7 +6,6 @@ from contextlib import suppress
 from typing import Any
 
 from line_by_line.expressions import operations_in, targets_of, Values
-from line_by_line.words import form_of
 
 
 def remarks_on(statement: Any, values: Values) -> Iterator[str]:
@@ -28,11 +27,11 @@ def of_operation(node: ast.BinOp, values: Values) -> str:
     if isinstance(node.op, ast.FloorDiv):
         exact = values.of(node.left) / values.of(node.right)
         if exact != value:
-            return f"leaves out what comes after the point: // gives {value:g}, / gives {exact:g}."
+            return f"cuts off the digits after the point: // gives {value:g}, / gives {exact:g}."
     if isinstance(node.op, ast.Mult) and isinstance(value, list) and len(value) > 1:
         first = value[0]
         if isinstance(first, (dict, list)) and all(element is first for element in value):
-            one = form_of(first).replace("a ", "one ")
+            one = "one dictionary" if isinstance(first, dict) else "one list"
             return f"puts {one} in the list {len(value)} times."
     return ""
 

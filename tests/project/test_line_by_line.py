@@ -286,7 +286,7 @@ def test_of_many_turns_some_are_shown_and_the_one_in_question():
 
 
 REMARKS = {
-    "n = 7 // 2": "Line 2 leaves out what comes after the point: // gives 3, / gives 3.5.",
+    "n = 7 // 2": "Line 2 cuts off the digits after the point: // gives 3, / gives 3.5.",
     "shelf = [{}] * 3": "Line 2 puts one dictionary in the list 3 times.",
     "books = books.sort(key=len)": "Line 2 stores None: books.sort gives nothing back.",
     "i = [{}, books[0], dict(books[0])].index(books[0])": None,

@@ -264,6 +264,25 @@ def test_a_right_value_with_which_the_function_never_ends_is_no_mark(solve, monk
     assert "is right here" not in screen
 
 
+def test_another_call_that_never_ends_is_no_other_call_and_ends_nothing(solve, monkeypatch):
+    """Otherwise each call of the check would wait for its interrupt, and the last end pytest."""
+    monkeypatch.setattr(limits, "PATIENCE", 0.3)
+    monkeypatch.setattr(limits, "NEXT_INTERRUPT", 0.05)
+    monkeypatch.setattr(limits, "MOST_INTERRUPTS", 3)
+    monkeypatch.setattr(limits, "end_process", pytest.fail)
+    solve("angle_update", "while g == 10: pass\nreturn 1, 1")
+    _, screen = story_of("angle_update")
+    assert "omega_new is 1, not 2." in screen
+
+
+def test_ctrl_c_ends_the_run_also_when_the_check_is_watched(solve, monkeypatch):
+    monkeypatch.setattr("src.swinging.CALLS", [], raising=False)
+    line = "if len(CALLS) == 2: __import__('signal').raise_signal(2)"
+    solve("angle_update", f"CALLS.append(1)\n{line}\nreturn 1, 1")
+    with pytest.raises(KeyboardInterrupt):
+        failures("angle_update")
+
+
 def test_a_result_that_is_right_the_second_time_is_told_so(solve, monkeypatch):
     monkeypatch.setattr("src.swinging.CALLS", [], raising=False)
     right = dedent(PLAIN["angle_update"])
