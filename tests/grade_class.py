@@ -1,6 +1,6 @@
 """Grade a whole class: `python tests/grade_class.py SUBMISSIONS`.
 
-Each submission has a pytest of its own.
+Each submission has a pytest of its own, in a container of its own.
 """
 
 import os
@@ -11,11 +11,10 @@ if __name__ == "__main__":
     signal.signal(signal.SIGINT, lambda *_: os._exit(130))  # while the modules are imported
     sys.path.insert(0, os.path.dirname(__file__))  # with PYTHONSAFEPATH, Python does not
 
-import compileall
 import shutil
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -25,14 +24,13 @@ from support.files.cradle_csv import naming
 from support.files.data_file import whole_file
 from support.start.early import on_signals
 from support.start.options import OneLineParser
-from support.start.output import complain, in_one_line, progress_bar, while_it_is_read
+from support.start.output import in_one_line, progress_bar, while_it_is_read
+from teacher.cluster import Collected, write_packages
+from teacher.containers import find_engine
 from teacher.report import digest_of, line_of, own_folder, Report, results_in, write_gradescope
-from teacher.sandbox import Sandbox
+from teacher.runners import Here, package, Runner
 from teacher.submissions import read_submission, submissions_in
 
-LEFT_OPEN = (
-    "Without bubblewrap, a solution can use the network, all of your files, programs and memory."
-)
 LOOK_AT_THREADS = 0.2  # s from one look at the other threads to the next
 
 
@@ -55,14 +53,17 @@ def main() -> None:
     on_signals(stop)
     file = options.out / "results.jsonl"
     with TemporaryDirectory(prefix="cradle-") as work:
-        mask = os.umask(0o022)  # other users, if there are any, read the starter
-        starter = copy_starter(options.starter, Path(work, "starter"))
-        os.umask(mask)
-        sandbox = Sandbox(Path(work, "starter"), Path(work), options.bubblewrap, stopped)
-        grading = Grading(submitted, starter, file, sandbox, stopped)
+        folder = Path(work, "starter")
+        starter = copy_starter(options.starter, folder)
+        version = digest_of(starter)
+        runner = runner_for(options, folder, version)
+        grading = Grading(submitted, starter, version, file, runner, stopped)
         left = grading.keep_old()
         if stopped.is_set():
             sys.exit(*status)
+        if options.pack:
+            grading.pack(left, options.pack)
+            return
         grading.grade_all(left)
     report = Report()
     for results in (results_in(file), grading.without_grade):
@@ -81,6 +82,16 @@ def main() -> None:
         print(f"\nNo submissions: {in_one_line(', '.join(others))}")
     file = in_one_line(options.out / "grades.csv")
     print(f"\n{count} solutions are graded: {file}, and a text for each student next to it")
+
+
+def runner_for(options, folder, version) -> Runner:
+    """Return what runs the solutions, with the starter in this folder. Raises an OSError without an
+    engine."""
+    if options.collect:
+        return Collected(folder, version, options.collect)
+    if options.here:
+        return Here(folder)
+    return find_engine(folder, version)
 
 
 def read_options():
@@ -113,13 +124,11 @@ def read_options():
         type=Path,
         help="a starter that is already made (default: a new one)",
     )
-    add(
-        "--without-bubblewrap",
-        action="store_true",
-        help="run the solutions without it, although it is there",
-    )
+    add = parser.add_mutually_exclusive_group().add_argument
+    add("--here", action="store_true", help="run the solutions on this machine, without containers")
+    add("--pack", metavar="FOLDER", type=Path, help="write the solutions for a cluster, and stop")
+    add("--collect", metavar="FOLDER", type=Path, help="take the grades of a cluster from there")
     options = parser.parse_args()
-    options.bubblewrap = shutil.which("bwrap") is not None and not options.without_bubblewrap
     folder = options.submissions.resolve()
     options.out = options.out or folder.with_name(f"{folder.name}-grades")
     try:
@@ -128,20 +137,24 @@ def read_options():
         parser.error(f"argument SUBMISSIONS: {options.submissions}: {error.strerror}")
     except ValueError as error:
         parser.error(f"argument SUBMISSIONS: {error}")
-    for name, path in (("out", options.out), ("gradescope", options.gradescope)):
+    for name in ("out", "gradescope", "pack"):
+        path = getattr(options, name)
         if path and path.resolve().is_relative_to(folder):
             allowed = "a folder outside of SUBMISSIONS"
             parser.error(f"argument --{name}: found '{path}', allowed is {allowed}")
     if options.starter and not (options.starter / "tests" / "grading").is_dir():
         allowed = "a folder made by make_starter.py"
         parser.error(f"argument --starter: found '{options.starter}', allowed is {allowed}")
+    if options.collect and not (options.collect / "packages.json").is_file():
+        allowed = "a folder made with --pack"
+        parser.error(f"argument --collect: found '{options.collect}', allowed is {allowed}")
     return options, submitted, others
 
 
 def copy_starter(starter, folder) -> dict[str, bytes]:
     """Copy a starter to this folder, or make one there; return its files by their paths.
 
-    It is compiled, so that Python starts faster.
+    What runs a submission is put into it.
     """
     if starter:
         shutil.copytree(starter, folder, ignore=shutil.ignore_patterns(".*", "__pycache__"))
@@ -150,11 +163,12 @@ def copy_starter(starter, folder) -> dict[str, bytes]:
         from make_starter import make_starter
 
         make_starter(folder)
+    teacher = Path(__file__).with_name("teacher")
+    no_copies = shutil.ignore_patterns("__pycache__")
+    shutil.copytree(teacher, folder / "tests" / "teacher", dirs_exist_ok=True, ignore=no_copies)
     files = {}
     for path in filter(Path.is_file, sorted(folder.rglob("*"))):
         files[path.relative_to(folder).as_posix()] = path.read_bytes()
-    for name in ("support", "tests"):
-        compileall.compile_dir(folder / name, quiet=2)
     return files
 
 
@@ -164,15 +178,15 @@ class Grading:
     results.jsonl keeps each whole one, so the next run grades only what is new or changed.
     """
 
-    def __init__(self, submitted, starter, file, sandbox, stopped):
+    def __init__(self, submitted, starter, version, file, runner, stopped):
         self.submitted = submitted  # by the student's key
         self.starter = starter  # its files by their paths
-        self.version = digest_of(starter)  # of the grader
+        self.version = version  # of the starter and what runs it
         self.file = file
-        self.sandbox = sandbox
+        self.runner = runner
         self.stopped = stopped  # set once no more solutions are graded
         self.lock = threading.Lock()
-        self.unsure: list[str] = []  # students whose run another program may have changed
+        self.unsure: list[str] = []  # students whose run something beside it may have changed
         self.without_grade: list[dict] = []  # results
         self.done = 0  # students who have a result now
 
@@ -180,17 +194,45 @@ class Grading:
         """Grade these students, one on each core; then those that are unsure again, each alone."""
         if not left:
             return
-        jobs = os.cpu_count() or 1
-        with ThreadPoolExecutor(jobs) as workers:
-            finish([workers.submit(self.sandbox.open)])
-            if not self.sandbox.has_bubblewrap:
-                complain(LEFT_OPEN)
-            with progress_bar() as self.progress:
-                self.most = len(left)
-                students = iter(left)
-                finish([workers.submit(self.work, students, jobs) for _ in range(jobs)])
-                again = iter(sorted(self.unsure))
-                finish([workers.submit(self.work, again, 1, is_last=True)])
+        with ThreadPoolExecutor(self.runner.cores) as workers, progress_bar() as self.progress:
+            self.most = len(left)
+            self.finish([workers.submit(self.open)])
+            self.finish([workers.submit(self.grade, student) for student in left])
+            for student in sorted(self.unsure):
+                self.finish([workers.submit(self.grade, student, is_last=True)])
+
+    def open(self) -> None:
+        """Open the runner; if the class is stopped, this may fail."""
+        try:
+            self.runner.open()
+        except OSError:
+            if not self.stopped.is_set():
+                raise
+
+    def finish(self, futures) -> None:
+        """Wait for the work of other threads; raise the error that one of them raises.
+
+        Ctrl+C, and an error, end the others.
+        """
+        while wait(futures, timeout=LOOK_AT_THREADS, return_when=FIRST_EXCEPTION).not_done:
+            # Here, a signal comes through, also on Windows
+            if any(future.done() and future.exception() for future in futures):
+                self.stopped.set()
+            if self.stopped.is_set():
+                self.runner.end_all()
+        for future in futures:
+            future.result()
+
+    def pack(self, students, folder) -> None:
+        """Write the packages of these students, and that of the starter, for a cluster."""
+        self.runner.build()
+        packages = [package({})]
+        for student in students:
+            files, _ = read_submission(self.submitted[student], self.starter)
+            packages.append(package(files))
+        write_packages(folder, self.version, packages)
+        image = self.runner.image
+        print(in_one_line(f"{folder} has {len(packages)} packages for the image {image}."))
 
     def keep_old(self) -> list[str]:
         """Let results.jsonl have only the results that still hold; return the students without one.
@@ -219,23 +261,15 @@ class Grading:
         """Return a hash of what a result depends on."""
         return digest_of(self.version, student, *submission)
 
-    def work(self, students, jobs, is_last=False) -> None:
-        """Grade students, at the same time as other jobs, until there is none left."""
-        try:
-            for student in students:
-                if not self.stopped.is_set():
-                    self.grade(student, jobs, is_last)
-        except BaseException:
-            self.stopped.set()
-            raise
-
-    def grade(self, student, jobs, is_last) -> None:
+    def grade(self, student, is_last=False) -> None:
         """Grade a student, and keep the result if it is sure, or is the last one."""
+        if self.stopped.is_set():
+            return
         with self.lock:  # reading limits the memory of this whole process
             submission = read_submission(self.submitted[student], self.starter)
         files, problems = submission
         begin = time.monotonic()
-        run = self.sandbox.run(files, jobs, is_alone=is_last)
+        run = self.runner.run(files)
         seconds = time.monotonic() - begin
         if self.stopped.is_set():  # it has ended the run
             return
@@ -264,14 +298,6 @@ class Grading:
             self.without_grade.append(result)
         self.done += 1
         self.progress(self.done / self.most)
-
-
-def finish(futures) -> None:
-    """Wait for the work of other threads; raise the error that one of them raises."""
-    while wait(futures, timeout=LOOK_AT_THREADS).not_done:
-        pass  # here, a signal comes through, also on Windows
-    for future in futures:
-        future.result()
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ if __name__ == "__main__":
 
 from grading.begin import ROOT
 
-from make_starter import make_starter
+from grade_class import copy_starter
 
 from support.files.data_file import whole_file
 from support.start.options import OneLineParser
@@ -32,9 +32,8 @@ def main() -> None:
         parser.error(f"argument FILE.zip: found '{file}', allowed is a new file that ends in .zip")
     with whole_file(file) as archive, TemporaryDirectory() as work:
         folder = Path(work, "autograder")
-        make_starter(folder)
+        copy_starter(None, folder)
         shutil.copy(ROOT / "tests" / "grade_class.py", folder / "tests")
-        shutil.copytree(ROOT / "tests" / "teacher", folder / "tests" / "teacher")
         # https://gradescope-autograders.readthedocs.io/en/latest/specs/
         for name in ("setup.sh", "run_autograder"):
             script = (ROOT / "tests" / "teacher" / name).read_bytes()
@@ -45,16 +44,11 @@ def main() -> None:
 
 
 def pack(folder, archive) -> None:
-    """Pack a folder into a .zip, a file to write to.
-
-    All files have one date: a .zip has none before 1980, as files of 1970 need.
-    """
-    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
+    """Pack a folder into a .zip, a file to write to."""
+    # A file may be of 1970, and a .zip has no dates before 1980
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED, strict_timestamps=False) as packed:
         for path in sorted(folder.rglob("*")):
-            if path.is_file():
-                info = zipfile.ZipInfo(path.relative_to(folder).as_posix())
-                info.external_attr = path.stat().st_mode << 16
-                packed.writestr(info, path.read_bytes(), zipfile.ZIP_DEFLATED)
+            packed.write(path, path.relative_to(folder))
 
 
 if __name__ == "__main__":

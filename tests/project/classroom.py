@@ -3,31 +3,24 @@
 import csv
 import json
 import os
-import shutil
 import subprocess
 import sys
-import sysconfig
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
+from grade_class import copy_starter
 from programs import ROOT, SECONDS
 from students import put_files
 
-from teacher.report import TABLES
+from teacher.containers import find_engine
+from teacher.report import digest_of, TABLES
 
-UNBOXED = "--without-bubblewrap"
-needs_bwrap = pytest.mark.skipif(
-    shutil.which("bwrap") is None, reason="bubblewrap is not installed"
-)
-# In bubblewrap, four at a time: none takes what others need.
 FAST = """
-import os, shutil
 import grade_class
-from teacher import sandbox
-sandbox.LAST, sandbox.ALONE, sandbox.SPARE = 12, 8, 2
-os.cpu_count = lambda: 4 if shutil.which("bwrap") else 2
+from teacher import one_run, runners
+one_run.SECONDS, runners.SPARE = 6, 2
 """
 
 SLEEPING = f"{10**9 + os.getpid()}"  # seconds that no other process sleeps
@@ -65,23 +58,22 @@ def rows_in(folder) -> dict[str, dict]:
 class Classroom:
     """A teacher's folder, with the submissions in class, and the program that grades them."""
 
-    def __init__(self, folder, starter, work, python_for_all):
+    def __init__(self, folder, starter, work):
         self.folder = folder
         self.grades = folder / "class-grades"
         self.starter = starter
         self.work = work  # for the program's own folders
-        self.python_for_all = python_for_all  # a function
+        self.how = ["--here"]
 
     def hand_in(self, student, files):
         put_files(self.folder / "class" / student / "src", files)
 
     def start(self, *options, first=""):
         """Start the program; it runs the Python code in first before the rest."""
-        python = self.python_for_all() if UNBOXED in options else sys.executable
         code = f"{FAST}{first}\ngrade_class.main()"
-        command = [python, "-c", code, "class", "--starter", str(self.starter), *options]
+        command = [sys.executable, "-c", code, "class", "--starter", str(self.starter)]
         return subprocess.Popen(
-            command,
+            [*command, *self.how, *options],
             cwd=self.folder,
             env={**os.environ, "TMPDIR": str(self.work), "PYTHONPATH": str(ROOT / "tests")},
             text=True,
@@ -111,39 +103,24 @@ class Classroom:
 
 
 @pytest.fixture
-def classroom(made, tmp_path, request):
+def classroom(made, tmp_path):
     with TemporaryDirectory() as work:
-        os.chmod(work, 0o755)  # other users can pass, as they cannot in pytest's folders
-        yield Classroom(
-            tmp_path, made, Path(work), lambda: request.getfixturevalue("python_for_all")
-        )
+        yield Classroom(tmp_path, made, Path(work))
 
 
 @pytest.fixture(scope="session")
-def python_for_all():
-    """The path of a Python that other users can start: root's may lie where they cannot pass."""
-    if os.geteuid() != 0 or is_for_all(sys.executable):
-        yield sys.executable
-        return
-    name = f"python3.{sys.version_info.minor}"
-    with TemporaryDirectory() as folder:
-        os.chmod(folder, 0o755)
-        with suppress(FileNotFoundError):  # the system has another version
-            subprocess.run([f"/usr/bin/{name}", "-m", "venv", "--without-pip", folder], check=True)
-        packages = Path(folder) / "lib" / name / "site-packages"
-        put_files(packages, {"all.pth": sysconfig.get_path("purelib")})
-        python = f"{folder}/bin/python"
-        if not is_for_all(python):
-            pytest.skip("other users cannot start this Python")
-        yield python
+def engine(made, tmp_path_factory):
+    """An engine that has the image of the starter.
 
-
-def is_for_all(python) -> bool:
-    """Return whether other users can start this Python, and find pytest."""
-    command = [python, "-c", "import pandas, pytest"]
-    nobody = 65534
+    Where CRADLE_BASE names an image to build on, there must be one.
+    """
+    folder = tmp_path_factory.mktemp("image") / "starter"
+    version = digest_of(copy_starter(made, folder))
     try:
-        done = subprocess.run(command, cwd="/", user=nobody, group=nobody, extra_groups=[])
-    except OSError:
-        return False
-    return done.returncode == 0
+        engine = find_engine(folder, version)
+        engine.build()
+    except OSError as error:
+        if "CRADLE_BASE" in os.environ:
+            raise
+        pytest.skip(f"no container: {error}")
+    return engine

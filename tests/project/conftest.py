@@ -10,7 +10,7 @@ import subprocess
 from functools import partial
 
 import pytest
-from classroom import classroom, python_for_all  # noqa: F401  fixtures
+from classroom import classroom, engine  # noqa: F401  fixtures
 from graded import solve  # noqa: F401  a fixture
 from pages import ARGUMENTS, CHROMIUM, FIREFOX, new_page
 from programs import copy_project, needs_vpython, PROGRAM

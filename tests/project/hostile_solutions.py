@@ -4,9 +4,9 @@ from classroom import LEAVES
 
 # Before each of them.
 HEADER = """
-import ctypes, fcntl, mmap, os, shutil, signal, socket, sys, threading, time
+import ctypes, fcntl, mmap, os, resource, shutil, signal, socket, sys, threading, time
 here = os.path.dirname(os.path.dirname(__file__))
-calls = ctypes.CDLL(None)
+calls = ctypes.CDLL(None, use_errno=True)
 
 def error_of(call, *arguments):
     try:
@@ -25,13 +25,13 @@ try:
     for _ in range(60):
         begun.append(os.fork())
         while not begun[-1]:
-            pass
+            time.sleep(1)
 except OSError:
     pass
 for process in begun:
     os.kill(process, 9)
     os.waitpid(process, 0)
-assert 0 < len(begun) < 8
+assert 0 < len(begun) < 12
 """,
     "prints 10 MB": "print('x' * 10**7)",
     "closes the output": "sys.stdout.close()\nsys.stderr.close()",
@@ -47,40 +47,60 @@ for _ in range(2100):  # longer than a path can be
     os.chdir('a')
 os.chdir(here)
 """,
-    "gets no rights": "assert sys.platform != 'linux' or calls.prctl(39, 0, 0, 0, 0) == 1",
     "takes rights away": """
 os.mkdir(here + '/a')
 os.chmod(here + '/a', 0)
 os.chmod(here + '/src', 0o500)
 """,
-}
-
-# what is tried in vain in bubblewrap, by one of them,
-BOXED = {
-    "takes shared memory": "assert calls.shmget(0, 10**6, 0o1666) == -1",
-    "takes memory in a file": "assert error_of(os.memfd_create, 'a')",
-    "takes memory without a file": "assert error_of(mmap.mmap, -1, 9)",
-    "takes zeros": "assert not os.path.exists('/dev/zero')",
-    "calls in a ring": "assert calls.syscall(425, 1, ctypes.create_string_buffer(120)) == -1",
-    "reads keys": """
-number = 250 if os.uname().machine == 'x86_64' else 219
-assert calls.syscall(number, 0, -4, 1) == -1
+    "ignores signals": """
+for number in (signal.SIGTERM, signal.SIGXCPU, signal.SIGHUP):
+    signal.signal(number, signal.SIG_IGN)
 """,
-    "locks": "assert error_of(fcntl.flock, open('/one_run.py'), fcntl.LOCK_EX)",
-    "leases": "assert error_of(fcntl.fcntl, open(__file__), 1024, 1) == 38",
-    "attaches": "assert calls.ptrace(16, 1, 0, 0) == -1",
-    "calls machines": "assert error_of(socket.socket, 40, 1)",
-    "makes namespaces": "assert calls.unshare(0x10000000) == -1",
+    "locks the starter": "fcntl.flock(open('/autograder/source/pyproject.toml'), fcntl.LOCK_EX)",
+    "gets no rights": """
+assert calls.prctl(39, 0, 0, 0, 0) == 1
+assert os.getuid() == os.getgid() == 65534
+assert not [line for line in open('/proc/self/status') if line[:4] == 'Cap' and int(line[8:], 16)]
+""",
+    "makes no namespace": "assert calls.unshare(0x10000000) == calls.unshare(0x20000) == -1",
+    "mounts nothing": "assert calls.mount(b'none', b'/cradle', b'tmpfs', 0, None) == -1",
+    "writes nothing outside": """
+for path in ('/a', '/autograder/source/a', '/etc/passwd', '/proc/sysrq-trigger'):
+    assert error_of(open, path, 'w')
+for path in ('/proc/sys/kernel/core_pattern', '/sys/fs/cgroup/a', '/dev/kmsg', '/dev/mem'):
+    assert error_of(open, path, 'w')
+""",
+    "sees no other process": "assert {int(n) for n in os.listdir('/proc') if n.isdigit()} <= {*range(1, 60)}",
+    "takes no more than it may": """
+for name in ('CORE', 'CPU', 'FSIZE', 'NOFILE', 'NPROC'):
+    number = getattr(resource, f'RLIMIT_{name}')
+    most = resource.getrlimit(number)[1]
+    assert most != resource.RLIM_INFINITY
+    try:
+        resource.setrlimit(number, (most + 1, most + 1))
+        sys.exit(name)
+    except (OSError, ValueError):
+        pass
+""",
+    "has no password of a proxy": "assert not any(v for n, v in os.environ.items() if 'proxy' in n.lower())",
 }
 
 # and these spoil their own run.
 SPOILED = {
     "kills its parent": "os.kill(os.getppid(), 9)",
-    "stops its parent": "os.kill(os.getppid(), signal.SIGSTOP)",
+    "kills all": "os.kill(-1, 9)",
+    "stops all": "os.kill(-1, signal.SIGSTOP)",
+    "traces the first process": """
+assert calls.ptrace(0x4206, 1, 0, 0) == 0  # it seizes it,
+assert calls.ptrace(0x4207, 1, 0, 0) == 0  # and stops it
+time.sleep(999)
+""",
     "forks": """
 while True:
     try:
-        os.fork()
+        if not os.fork():
+            os.setsid()
+            signal.signal(signal.SIGTERM, signal.SIG_IGN)
     except OSError:
         time.sleep(0.01)  # or all others would wait for it
 """,
@@ -93,6 +113,24 @@ rows = [0]
 while True:
     rows += rows
 """,
+    "takes memory in many processes": """
+for _ in range(6):
+    os.fork()
+taken = bytearray(9 * 10**8)
+while True:
+    taken[::4096] = bytes(len(taken[::4096]))
+""",
+    "takes memory in files without a name": """
+files = [os.memfd_create('a') for _ in range(200)]
+while True:
+    for file in files:
+        os.write(file, bytes(10**6))
+""",
+    "takes shared memory": """
+taken = mmap.mmap(-1, 4 * 10**9)
+for i in range(0, 4 * 10**9, 4096):
+    taken[i] = 1
+""",
     "fills its folder": """
 for i in range(10):
     open(f'{here}/{i}', 'wb').write(bytes(9_000_000))
@@ -100,9 +138,22 @@ for i in range(10):
     "removes all": "shutil.rmtree(here, ignore_errors=True)",
     "makes a pipe": "os.mkfifo(here + '/grade.json')",
     "makes a link": "os.symlink('/dev/zero', here + '/grade.json')",
+    "makes a link to a file": "os.symlink('/etc/passwd', here + '/grade.json')\nos._exit(0)",
+    "makes a folder": "os.mkdir(here + '/grade.json')",
+    "makes a file with holes": """
+with open(here + '/grade.json', 'wb') as file:
+    file.truncate(39_000_000)
+os.abort()
+""",
     "prints without end": """
 while True:
     os.write(1, b'x' * 100_000)
 """,
+    "prints a grade without end": """
+pipe = os.open('/proc/1/fd/1', os.O_WRONLY)
+while True:
+    os.write(pipe, b'x' * 100_000)
+""",
     "ends at once": "os.abort()",
+    "waits for nobody": "signal.pthread_sigmask(signal.SIG_BLOCK, range(1, 65))\nwhile True: time.sleep(999)",
 }

@@ -16,7 +16,8 @@ import grade_class
 import make_autograder
 import make_starter
 import pytest
-from classroom import LEAVES, left_processes, needs_bwrap, UNBOXED
+from classroom import LEAVES, left_processes
+from grade_class import copy_starter
 from programs import call, end, on_posix, SECONDS, wait_until
 from students import COUNTS, put_files
 
@@ -85,18 +86,23 @@ def test_the_program_goes_on_and_forgets_who_is_gone(classroom):
     assert not (classroom.grades / "bea.txt").exists()
 
 
-# Some runs at the same time as others are spoiled from outside.
+# Some runs are spoiled from outside, the first time.
 SPOILED = """
 import atexit
-run_files = sandbox.Sandbox.run_files
+run = runners.Runner.run
 runs = []
-def spoiled(self, files, seconds, jobs):
-    runs.append((seconds, jobs))
-    if "src/spoiled.py" in files and jobs > 1:
-        return int(files["src/spoiled.py"]), b""
-    return run_files(self, files, seconds, jobs)
-sandbox.Sandbox.run_files = spoiled
-atexit.register(lambda: print(runs[-3:]))
+def spoiled(self, files):
+    runs.append(files.get("src/spoiled.py"))
+    if runs[-1] and runs.count(runs[-1]) == 1:
+        self.run_package = lambda _: (int(runs[-1]), b"")
+        try:
+            return run(self, files)
+        finally:
+            del self.run_package
+    return run(self, files)
+runners.Runner.run = spoiled
+runners.Runner.cores = 1
+atexit.register(lambda: print(runs))
 """
 
 
@@ -112,31 +118,28 @@ def test_a_run_that_is_not_final_is_made_once_more_alone_and_only_a_grade_is_kep
     rows = classroom.rows()
     assert {row["grade"] for row in rows.values()} == {"Honor roll", "none"}
     assert rows["dan"]["grade"] == "none"
-    assert rows["dan"]["problems"].endswith("no grade: pytest ended with status 134")
+    assert rows["dan"]["problems"].endswith("no grade: the run ended with status 134")
     assert sorted(classroom.results()) == ["ann", "bea", "cem"]
-    assert printed.endswith(f"{[(8, 1)] * 3}\n")
+    assert printed.endswith(f"{[killed, late, None, None, killed, late, None]}\n")
 
 
 @on_posix
 @pytest.mark.parametrize(
-    ("options", "name"),
-    [
-        pytest.param([], "SIGINT", marks=needs_bwrap),
-        pytest.param([UNBOXED], "SIGTERM", marks=pytest.mark.slow),
-    ],
+    ("is_contained", "name"),
+    [(False, "SIGINT"), pytest.param(True, "SIGTERM", marks=pytest.mark.slow)],
 )
-def test_an_interrupted_class_leaves_no_folder_and_no_process(classroom, solved, options, name):
-    endless = f"{LEAVES}\nwhile True: pass".encode()
+def test_an_interrupted_class_leaves_no_folder_and_no_process(
+    classroom, solved, request, is_contained, name
+):
+    endless = "while True: pass"
+    if is_contained:
+        request.getfixturevalue("engine")
+        classroom.how = []
+        endless = f"{LEAVES}\n{endless}"
     for student in range(8):
-        classroom.hand_in(f"{student}", {**solved, "pds_helper.py": endless})
-
-    def has_begun():
-        if sys.platform == "linux":
-            return left_processes()
-        return [*classroom.work.glob("*/tmp*/own/src")]
-
-    process = classroom.start(*options)
-    wait_until(has_begun)
+        classroom.hand_in(f"{student}", {**solved, "pds_helper.py": endless.encode()})
+    process = classroom.start()
+    wait_until(left_processes if is_contained else lambda: [*classroom.work.glob("*/project/src")])
     number = getattr(signal, name)
     for _ in range(3):
         process.send_signal(number)
@@ -155,15 +158,91 @@ def test_ctrl_c_while_the_starter_is_made_ends_at_once_and_keeps_the_grades(clas
     assert (classroom.grades / "grades.csv").read_text() == "before"
 
 
+# A program that stands in for podman: it has an image, and runs nothing.
+ENGINE = """#!/bin/sh
+case $1 in
+    info) echo "1 8000000000" ;;
+    image) ;;
+    *) echo "cannot $1" >&2; exit 125 ;;
+esac
+"""
+WITHOUT_IMAGE = ENGINE.replace("image)", "images)")
+
+
+def put_engine(classroom, monkeypatch, script):
+    """Let this script be podman, or nothing, if it is "", be an engine."""
+    folder = put_files(classroom.folder / "bin", {"podman": script, "docker": script})
+    for program in folder.iterdir():
+        program.chmod(0o755 if script else 0o644)
+    others = os.environ["PATH"] if script else ""
+    monkeypatch.setenv("PATH", f"{folder}:{others}")
+    classroom.how = []
+
+
 @on_posix
-def test_a_bubblewrap_that_fails_ends_the_class_with_one_line(classroom, monkeypatch):
+@pytest.mark.parametrize(
+    ("script", "message"),
+    [
+        ("", "No engine: install one (sudo apt install podman "),
+        ("#!/bin/sh\necho is down >&2; exit 1", "No engine: docker does not run: is down, or see"),
+        (ENGINE, "cannot run\nThe starter: no grade: the run ended with status 125\n"),
+        (WITHOUT_IMAGE, "cannot build\nThe image: cannot be built\n"),
+    ],
+)
+def test_without_a_container_one_line_says_why(classroom, monkeypatch, script, message):
     classroom.hand_in("ann", {"a.txt": ""})
-    bwrap = classroom.folder / "bwrap"
-    bwrap.write_text("#!/bin/sh\necho bwrap: No permissions >&2\nexit 1\n")
-    bwrap.chmod(0o755)
-    monkeypatch.setenv("PATH", f"{classroom.folder}:{os.environ['PATH']}")
-    message = "pytest does not grade it in bubblewrap: bwrap: No permissions. See --help"
-    assert classroom.grade() == (2, "", f"The starter: {message}\n")
+    put_engine(classroom, monkeypatch, script)
+    status, _, errors = classroom.grade()
+    assert status == 2
+    assert errors.startswith(message)
+
+
+@on_posix
+def test_a_cluster_grades_what_is_packed_and_its_grades_are_collected(
+    classroom, solved, monkeypatch, tmp_path
+):
+    classroom.hand_in("ann", solved)
+    classroom.hand_in("bea", with_a_mistake(solved))
+    put_engine(classroom, monkeypatch, ENGINE)
+    status, printed, errors = classroom.grade("--pack", "packed")
+    assert (status, errors) == (0, "")
+    assert "packed has 3 packages for the image localhost/cradle-grader:" in printed
+
+    copy_starter(classroom.starter, tmp_path / "starter")
+    program = tmp_path / "starter" / "tests" / "teacher" / "one_run.py"
+    for number in range(2):  # the last one has not come back
+        folder = classroom.folder / "packed" / f"{number}"
+        with open(folder / "submission.zip") as package, open(folder / "grade.json", "w") as grade:
+            subprocess.run([sys.executable, program], cwd=folder, stdin=package, stdout=grade)
+    status, _, errors = classroom.grade("--collect", "packed")
+    assert (status, errors) == (0, "")
+    rows = classroom.rows()
+    assert rows["ann"]["grade"] == "Honor roll"
+    problem = "no grade: packed/2/grade.json: No such file or directory"
+    assert rows["bea"]["problems"] == problem
+    assert [*classroom.results()] == ["ann"]
+
+    classroom.hand_in("ann", {"swinging.py": b"# later"})
+    classroom.grade("--collect", "packed")
+    problem = classroom.rows()["ann"]["problems"]
+    assert problem.endswith("no grade: packed has no package of it")
+
+
+@pytest.mark.slow
+def test_an_engine_of_another_machine_grades_as_well(classroom, solved, engine, monkeypatch):
+    """podman is its own server, here at a file of this machine."""
+    if engine.program != "podman":
+        pytest.skip("only podman serves at a file")
+    address = f"unix://{classroom.work}/podman"
+    with subprocess.Popen(["podman", "system", "service", "--time=0", address]) as server:
+        wait_until(lambda: os.listdir(classroom.work))
+        monkeypatch.setenv("CONTAINER_HOST", address)
+        classroom.hand_in("ann", solved)
+        classroom.how = []
+        status, _, errors = classroom.grade()
+        server.terminate()
+    assert (status, errors) == (0, "")
+    assert classroom.rows()["ann"]["grade"] == "Honor roll"
 
 
 @on_posix
@@ -200,6 +279,9 @@ def run(monkeypatch, capsys):
         (grade_class, "class --out class/grades", "--out: found 'class/grades'"),
         (grade_class, "class --starter class", "--starter: found 'class'"),
         (grade_class, "class --out file.zip", "file.zip: allowed is a new folder"),
+        (grade_class, "class --pack class/packed", "--pack: found 'class/packed'"),
+        (grade_class, "class --collect class", "--collect: found 'class', allowed is a folder"),
+        (grade_class, "class --collect class --here", "--here: not allowed with"),
         (make_autograder, "file.zip", "FILE.zip: found 'file.zip'"),
         (make_autograder, "cradle.tar", "FILE.zip: found 'cradle.tar'"),
         (make_autograder, "nowhere/cradle.zip", "nowhere/cradle.zip: cannot be written: "),
@@ -224,7 +306,7 @@ def test_wrong_arguments_are_refused_in_one_line(
 def test_a_full_disk_leaves_no_half_of_a_zip_and_it_is_named(tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
     full = Mock(side_effect=OSError(errno.ENOSPC, "No space left on device"))
-    monkeypatch.setattr("zipfile.ZipFile.writestr", full)
+    monkeypatch.setattr("zipfile.ZipFile.write", full)
     message = "a.zip: cannot be written: No space left on device\n"
     assert run(make_autograder, "a.zip") == (2, "", message)
     assert [*tmp_path.iterdir()] == []
@@ -238,10 +320,11 @@ def test_the_autograder_grades_a_solution_and_holds_no_answers(
     """Without an installation, this Python stands in for that of the autograder."""
 
     def make_old_starter(folder):
-        make_starter.make_starter(folder)
+        make(folder)
         os.utime(folder / "src" / "swinging.py", (0, 0))  # of 1970, as in a Nix store
 
-    monkeypatch.setattr(make_autograder, "make_starter", make_old_starter)
+    make = make_starter.make_starter
+    monkeypatch.setattr(make_starter, "make_starter", make_old_starter)
     status, _, errors = run(make_autograder, tmp_path / "cradle.zip")
     assert (status, errors) == (0, "")
     source = tmp_path / "source"

@@ -1,0 +1,180 @@
+"""What a solution can do: to its grade, to the machine, and to other solutions."""
+
+import json
+import os
+import shutil
+import socket
+import subprocess
+import sys
+from contextlib import contextmanager
+
+import pytest
+from classroom import rows_in
+from grade_class import copy_starter
+from hostile_solutions import HARMLESS, HEADER, SPOILED
+from programs import on_posix
+from students import COUNTS, graded_in
+
+from teacher import one_run, report
+from teacher.runners import package, Runner
+
+POINTS = sum(COUNTS.values())
+
+
+# --- the grade -----------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="session")
+def empty(made, tmp_path_factory):
+    """The grade of the starter."""
+    return graded_in(shutil.copytree(made, tmp_path_factory.mktemp("empty") / "starter"))
+
+
+@pytest.fixture
+def runner(made, empty):
+    """A runner that is open."""
+    runner = Runner(made)
+    runner.empty = empty
+    return runner
+
+
+def run_that_prints(runner, status, output):
+    """Return the run of a solution that has ended with this status and this output."""
+    runner.run_package = lambda _: (status, output.encode())
+    return runner.run({})
+
+
+@pytest.mark.parametrize(
+    ("status", "is_complete", "is_final"),
+    [
+        (0, True, True),
+        (1, True, True),  # pytest had to end a thread
+        (1, False, False),
+        (one_run.LATE, True, False),
+        (137, True, False),  # killed
+    ],
+)
+def test_the_grade_of_a_run_that_came_to_its_end_is_final(runner, status, is_complete, is_final):
+    checks = {name: {**check, "state": "passed"} for name, check in runner.empty["checks"].items()}
+    grade = {**runner.empty, "checks": checks, "final": is_complete}
+    run = run_that_prints(runner, status, json.dumps(grade))
+    assert sum(run.grade["points"].values()) == POINTS
+    assert run.problem == ""
+    assert run.is_final == is_final
+
+
+def test_a_run_without_a_whole_grade_has_none(runner):
+    checks = runner.empty["checks"]
+    fewer = dict([*checks.items()][1:])
+    more = {**checks, "a": {}}
+    other = dict.fromkeys(checks, 1)
+    ends = [(1, json.dumps({**runner.empty, "checks": form})) for form in (fewer, more, other)]
+    ends += [(1, "[" * 100_000), (one_run.LATE, ""), ("packages: No such file", "")]
+    problems = []
+    for status, output in ends:
+        run = run_that_prints(runner, status, output)
+        problems.append(run.problem)
+        assert not run.is_final
+        assert sum(run.grade["points"].values()) == 0
+        assert run.grade["checks"].keys() == checks.keys()
+    assert problems == [
+        *["no grade: the run ended with status 1"] * 4,
+        "no grade: the run took longer than 300 s",
+        "no grade: packages: No such file",
+    ]
+
+
+def test_what_a_solution_says_is_short_and_has_no_codes_of_a_terminal(empty, tmp_path):
+    texts = {"message": "\x1b[2J=1;2\n" + "x" * 50_000, "hint": "=1+1;=2"}
+    output = {
+        **empty,
+        "checks": {name: {**check, **texts} for name, check in empty["checks"].items()},
+        "next": "\t=1;2\x1b" + "y" * 50_000,
+        "text": ["\x1b[2J\ud800" + "z" * 20_000] * 300,
+    }
+    grade = report.read_grade(empty, json.dumps(output).encode())
+    table = report.Report()
+    table.add(tmp_path, {"student": "@a;b", "seconds": 1.0, "problems": [], **grade})
+    table.write(tmp_path)
+    (row,) = rows_in(tmp_path).values()
+    assert row["student"] == "'@a,b"
+    assert row["next"].startswith("\\t=1,2\\x")
+    assert (tmp_path / "grades.csv").stat().st_size < 3000
+    text = (tmp_path / "@a;b.txt").read_text(encoding="utf-8")
+    assert len(text) < 11_000
+    assert text.replace("\n", "").isprintable()
+
+
+def test_a_cell_is_no_formula():
+    for name in ("=1", "-a", "@b", "+c", " =1"):
+        assert report.cell(name) == f"'{name}"
+    assert report.cell("Bea") == "Bea"
+
+
+# --- a run ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("files", "problem"),
+    [
+        ({"a.py": b"", "a.py/b.py": b""}, "The files cannot be written: "),
+        ({f"{'a' * 300}.py": b""}, "The files cannot be written: "),
+        ({"\udce9.py": b"", "conftest.py": b"raise OSError('read')"}, "OSError: read"),
+    ],
+)
+def test_a_run_says_why_there_is_no_grade(made, tmp_path, files, problem):
+    copy_starter(made, tmp_path / "starter")
+    program = tmp_path / "starter" / "tests" / "teacher" / "one_run.py"
+    done = subprocess.run(
+        [sys.executable, program], input=package(files), capture_output=True, cwd=tmp_path
+    )
+    assert done.returncode in (1, 4)
+    assert problem in done.stdout.decode()
+
+
+# --- the machine and the others ------------------------------------------------------------------
+
+
+def contents(folder):
+    return {path: path.read_bytes() for path in folder.rglob("*.*") if path.is_file()}
+
+
+@contextmanager
+def servers():
+    """Listen at an address of the network, and at one of this machine without a file."""
+    with socket.create_server(("127.0.0.1", 0)) as net, socket.socket(socket.AF_UNIX) as unix:
+        unix.bind(f"\0cradle-{os.getpid()}")
+        unix.listen()
+        yield net.getsockname(), unix.getsockname()
+
+
+@on_posix
+@pytest.mark.slow
+def test_hostile_solutions_harm_nobody_else(classroom, solved, tmp_path, engine):
+    classroom.how = []
+    (tmp_path / "secret.txt").write_text("secret")
+    names = ["secret.txt", "class/an honest one/src/swinging.py", "new.txt"]
+    with servers() as (net, unix):
+        in_vain = [
+            f"assert socket.socket().connect_ex({net})",
+            f"assert error_of(socket.socket(socket.AF_UNIX).connect, {unix})",
+        ]
+        for name in names:
+            in_vain.append(f"assert error_of(open, {str(tmp_path / name)!r}, 'w')")
+            in_vain.append(f"assert not os.path.exists({str(tmp_path / name)!r})")
+        unharmed = {**HARMLESS, "tries all in vain": "\n".join(in_vain)}
+        for student, code in {**unharmed, **SPOILED}.items():
+            swinging = solved["swinging.py"] + f"{HEADER}{code}".encode()
+            classroom.hand_in(student, {**solved, "swinging.py": swinging})
+        classroom.hand_in("an honest one", solved)
+        before = contents(tmp_path)
+        status, _, errors = classroom.grade()
+    assert (status, errors) == (0, "")
+    rows = classroom.rows()
+    points = {student: int(rows[student]["points"]) for student in ("an honest one", *unharmed)}
+    assert points == dict.fromkeys(points, POINTS)
+    graded = [student for student, row in rows.items() if "no grade" not in row["problems"]]
+    assert sorted(classroom.results()) == sorted(graded)
+    shutil.rmtree(classroom.grades)
+    assert contents(tmp_path) == before
+    classroom.require_clean()

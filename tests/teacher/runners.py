@@ -1,0 +1,149 @@
+"""The runs of a class: what becomes of a submission, and plain processes on this machine.
+
+one_run.py gets a submission as a .zip on stdin, and prints its grade.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import threading
+import zipfile
+from contextlib import suppress
+from io import BytesIO
+from tempfile import TemporaryDirectory, TemporaryFile
+from typing import NamedTuple
+from uuid import uuid4
+
+from support.start.output import complain
+from teacher import one_run
+from teacher.report import no_grade, read_grade
+
+SPARE = 15  # s in which a container begins, and ends
+
+
+class GradedRun(NamedTuple):
+    """What has become of a submission."""
+
+    grade: dict  # as report.read_grade returns it, or report.no_grade
+    problem: str  # why there is no grade, or ""
+    is_final: bool  # whether nothing that ran beside it can have changed this
+
+
+class Runner:
+    """Grades submissions, each in a fresh copy of a starter. Open it first."""
+
+    cores = os.cpu_count() or 1
+
+    def __init__(self, folder):
+        self.folder = folder  # of the starter
+        self.empty: dict = {}  # the grade of the starter
+
+    def open(self) -> None:
+        """Grade the starter; raise an OSError if this fails."""
+        status, output = self.run_package(package({}))
+        with suppress(ValueError):
+            self.empty = json.loads(output)
+        if read_grade(self.empty, output) is None:
+            why = why_none(status)
+            if output.strip():
+                why += f": {output.decode(errors='replace').strip().splitlines()[-1]}"
+            raise OSError(0, why, "The starter")
+
+    def run(self, files) -> GradedRun:
+        """Grade the files of a submission, by their paths in the project."""
+        status, output = self.run_package(package(files))
+        grade = read_grade(self.empty, output)
+        if grade is None:
+            return GradedRun(no_grade(self.empty, output), why_none(status), is_final=False)
+        return GradedRun(grade, "", is_final=grade.pop("final") and status < one_run.LATE)
+
+    def run_package(self, content) -> tuple[int | str, bytes]:
+        """Return what one_run.py prints for a package, and its exit status or why there is none."""
+        raise NotImplementedError
+
+    def end_all(self) -> None:
+        """End what runs."""
+
+
+def why_none(status) -> str:
+    """Return why there is no grade, from what run_package returns."""
+    if isinstance(status, str):
+        return f"no grade: {status}"
+    if status == one_run.LATE:
+        return f"no grade: the run took longer than {one_run.SECONDS} s"
+    return f"no grade: the run ended with status {status}"
+
+
+def package(files) -> bytes:
+    """Return a .zip with these files: always the same one."""
+    content = BytesIO()
+    with zipfile.ZipFile(content, "w") as archive:
+        for name, text in files.items():
+            # On Linux, a name can have letters that are none
+            archive.writestr(zipfile.ZipInfo(name.encode(errors="replace").decode()), text)
+    return content.getvalue()
+
+
+class Processes(Runner):
+    """Starts a process of this machine for each run."""
+
+    def __init__(self, folder):
+        super().__init__(folder)
+        self.stderr = subprocess.DEVNULL
+        self.running: dict[str, subprocess.Popen] = {}  # by the name of the run
+
+    def run_package(self, content) -> tuple[int, bytes]:
+        name = f"cradle-{os.getpid()}-{uuid4().hex}"
+        with (
+            TemporaryDirectory(prefix="cradle-", ignore_cleanup_errors=True) as folder,
+            TemporaryFile() as package,
+        ):
+            package.write(content)
+            package.seek(0)
+            process = subprocess.Popen(
+                [*self.command(name), f"{one_run.SECONDS}"],
+                cwd=folder,
+                stdin=package,
+                stdout=subprocess.PIPE,
+                stderr=self.stderr,
+                start_new_session=True,  # Ctrl+C is for this program
+            )
+            self.running[name] = process
+            late = threading.Timer(one_run.SECONDS + SPARE, self.end, [name])
+            late.start()
+            output = process.stdout.read(one_run.MOST_BYTES + 1)
+            if len(output) > one_run.MOST_BYTES:
+                self.end(name)
+            process.stdout.close()
+            status = process.wait()
+            late.cancel()
+            del self.running[name]
+        return status, output
+
+    def command(self, name) -> list[str]:
+        """Return the words that start one_run.py; the seconds that it takes come last."""
+        raise NotImplementedError
+
+    def end(self, name) -> None:
+        """End a run, also if it has just ended."""
+        raise NotImplementedError
+
+    def end_all(self) -> None:
+        for name in [*self.running]:
+            self.end(name)
+
+
+class Here(Processes):
+    """Runs each pytest as a plain process: for code that you trust."""
+
+    def open(self) -> None:
+        complain("Without a container, a solution can do here all that you can.")
+        super().open()
+
+    def command(self, name) -> list[str]:
+        return [sys.executable, f"{self.folder / 'tests' / 'teacher' / 'one_run.py'}"]
+
+    def end(self, name) -> None:
+        with suppress(KeyError):
+            self.running[name].terminate()
