@@ -28,7 +28,7 @@ from support.start.output import in_one_line, progress_bar, while_it_is_read
 from teacher.cluster import Collected, write_packages
 from teacher.containers import find_engine
 from teacher.report import digest_of, line_of, own_folder, Report, results_in, write_gradescope
-from teacher.runners import Here, package, Runner
+from teacher.runners import Here, package, READING, Runner
 from teacher.submissions import read_submission, submissions_in
 
 LOOK_AT_THREADS = 0.2  # s from one look at the other threads to the next
@@ -145,7 +145,9 @@ def read_options():
     if options.starter and not (options.starter / "tests" / "grading").is_dir():
         allowed = "a folder made by make_starter.py"
         parser.error(f"argument --starter: found '{options.starter}', allowed is {allowed}")
-    if options.collect and not (options.collect / "packages.json").is_file():
+    if options.pack and options.pack.exists() and any(options.pack.iterdir()):
+        parser.error(f"argument --pack: found '{options.pack}', allowed is a new or empty folder")
+    if options.collect and not (options.collect / "packages.txt").is_file():
         allowed = "a folder made with --pack"
         parser.error(f"argument --collect: found '{options.collect}', allowed is {allowed}")
     return options, submitted, others
@@ -265,7 +267,7 @@ class Grading:
         """Grade a student, and keep the result if it is sure, or is the last one."""
         if self.stopped.is_set():
             return
-        with self.lock:  # reading limits the memory of this whole process
+        with READING:
             submission = read_submission(self.submitted[student], self.starter)
         files, problems = submission
         begin = time.monotonic()

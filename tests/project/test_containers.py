@@ -1,5 +1,6 @@
 """What a solution can do: to its grade, to the machine, and to other solutions."""
 
+import csv
 import json
 import os
 import shutil
@@ -89,7 +90,7 @@ def test_what_a_solution_says_is_short_and_has_no_codes_of_a_terminal(empty, tmp
     output = {
         **empty,
         "checks": {name: {**check, **texts} for name, check in empty["checks"].items()},
-        "next": "\t=1;2\x1b" + "y" * 50_000,
+        "next": "\t=1;=2,=3\x1b" + "y" * 50_000,
         "text": ["\x1b[2J\ud800" + "z" * 20_000] * 300,
     }
     grade = report.read_grade(empty, json.dumps(output).encode())
@@ -97,8 +98,12 @@ def test_what_a_solution_says_is_short_and_has_no_codes_of_a_terminal(empty, tmp
     table.add(tmp_path, {"student": "@a;b", "seconds": 1.0, "problems": [], **grade})
     table.write(tmp_path)
     (row,) = rows_in(tmp_path).values()
-    assert row["student"] == "'@a,b"
-    assert row["next"].startswith("\\t=1,2\\x")
+    assert row["student"] == "'@a;b"
+    assert row["next"].startswith("\\t=1;'=2,'=3\\x")
+    for name, other in (("grades.csv", ";"), ("grades_semicolons.csv", ",")):
+        with open(tmp_path / name, encoding="utf-8-sig") as file:
+            cells = [cell for cells in csv.reader(file, delimiter=other) for cell in cells]
+        assert not [cell for cell in cells if cell.startswith("=")]
     assert (tmp_path / "grades.csv").stat().st_size < 3000
     text = (tmp_path / "@a;b.txt").read_text(encoding="utf-8")
     assert len(text) < 11_000
@@ -106,7 +111,7 @@ def test_what_a_solution_says_is_short_and_has_no_codes_of_a_terminal(empty, tmp
 
 
 def test_a_cell_is_no_formula():
-    for name in ("=1", "-a", "@b", "+c", " =1"):
+    for name in ("=1", "-a", "@b", "+c", " =1", "\uff1d1"):
         assert report.cell(name) == f"'{name}"
     assert report.cell("Bea") == "Bea"
 

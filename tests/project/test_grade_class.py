@@ -210,7 +210,8 @@ def test_a_cluster_grades_what_is_packed_and_its_grades_are_collected(
 
     copy_starter(classroom.starter, tmp_path / "starter")
     program = tmp_path / "starter" / "tests" / "teacher" / "one_run.py"
-    for number in range(2):  # the last one has not come back
+    (classroom.folder / "packed" / "2" / "grade.json").symlink_to(classroom.starter / "README.md")
+    for number in range(2):
         folder = classroom.folder / "packed" / f"{number}"
         with open(folder / "submission.zip") as package, open(folder / "grade.json", "w") as grade:
             subprocess.run([sys.executable, program], cwd=folder, stdin=package, stdout=grade)
@@ -218,7 +219,7 @@ def test_a_cluster_grades_what_is_packed_and_its_grades_are_collected(
     assert (status, errors) == (0, "")
     rows = classroom.rows()
     assert rows["ann"]["grade"] == "Honor roll"
-    problem = "no grade: packed/2/grade.json: No such file or directory"
+    problem = "no grade: packed/2/grade.json is not there, or no plain file"
     assert rows["bea"]["problems"] == problem
     assert [*classroom.results()] == ["ann"]
 
@@ -280,6 +281,7 @@ def run(monkeypatch, capsys):
         (grade_class, "class --starter class", "--starter: found 'class'"),
         (grade_class, "class --out file.zip", "file.zip: allowed is a new folder"),
         (grade_class, "class --pack class/packed", "--pack: found 'class/packed'"),
+        (grade_class, "class --pack .", "--pack: found '.', allowed is a new or empty folder"),
         (grade_class, "class --collect class", "--collect: found 'class', allowed is a folder"),
         (grade_class, "class --collect class --here", "--here: not allowed with"),
         (make_autograder, "file.zip", "FILE.zip: found 'file.zip'"),

@@ -1,10 +1,8 @@
 """A class on a cluster: its packages go out, and its grades come back.
 
 FOLDER/0/submission.zip and so on are for the jobs with these numbers; each writes grade.json beside
-its package. packages.json stays with the teacher: no job can give itself the package of another.
+its package. packages.txt stays with the teacher: no job can give itself the package of another.
 """
-
-import json
 
 from support.files.cradle_csv import naming
 from support.files.data_file import whole_file
@@ -14,18 +12,17 @@ from teacher.runners import Runner
 
 
 def write_packages(folder, version, packages) -> None:
-    """Write packages for a cluster into a folder. Raises an OSError if this fails."""
+    """Write packages for a cluster into a new folder. Raises an OSError if this fails."""
     own_folder(folder)
     digests = []
     for number, package in enumerate(packages):
         digests.append(digest_of(version, package))
         place = folder / f"{number}"
         with naming(folder):
-            place.mkdir(exist_ok=True)
+            place.mkdir()
             (place / "submission.zip").write_bytes(package)
-            (place / "grade.json").unlink(missing_ok=True)
-    with whole_file(folder / "packages.json") as file:
-        json.dump(digests, file)
+    with whole_file(folder / "packages.txt") as file:
+        file.write("\n".join(digests))
 
 
 class Collected(Runner):
@@ -35,15 +32,15 @@ class Collected(Runner):
         super().__init__(folder)
         self.version = version  # of the starter
         self.packed = packed  # the folder of write_packages
-        self.digests = json.loads((packed / "packages.json").read_text())
+        self.digests = (packed / "packages.txt").read_text(errors="replace").split()
 
     def run_package(self, content) -> tuple[int | str, bytes]:
         digest = digest_of(self.version, content)
         if digest not in self.digests:
             return f"{self.packed} has no package of it", b""
         file = self.packed / f"{self.digests.index(digest)}" / "grade.json"
-        try:
-            with open(file, "rb") as grade:
-                return 0, grade.read(one_run.MOST_BYTES + 1)
-        except OSError as error:
-            return f"{file}: {error.strerror}", b""
+        # A link could lead to another file, and a pipe would never end
+        if file.is_symlink() or not file.is_file():
+            return f"{file} is not there, or no plain file", b""
+        with open(file, "rb") as grade:
+            return 0, grade.read(one_run.MOST_BYTES + 1)

@@ -13,10 +13,10 @@ import sys
 from support.start.output import say
 from teacher import one_run
 from teacher.report import digest_of
-from teacher.runners import Processes
+from teacher.runners import Processes, SPARE
 
 # How an engine says how many cores and bytes of memory it has: mostly those of a virtual machine
-ENGINES = {
+SIZES = {
     "podman": "{{.Host.CPUs}} {{.Host.MemTotal}}",
     "docker": "{{.NCPU}} {{.MemTotal}}",
 }
@@ -42,6 +42,21 @@ TIMEOUT = ["timeout", "-k", "5"]
 ONE_RUN = ["python", "/autograder/source/tests/teacher/one_run.py"]
 
 
+# podman leaves /tmp open otherwise, and ends by itself a container whose first process is stopped
+OF_PODMAN = ["--read-only-tmpfs=false", f"--timeout={one_run.SECONDS + SPARE}"]
+
+
+def call(program, *words) -> subprocess.CompletedProcess:
+    """Run a command of an engine to its end."""
+    return subprocess.run(
+        [program, *words],
+        capture_output=True,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        start_new_session=True,  # Ctrl+C is for this program
+    )
+
+
 class Engine(Processes):
     """Runs each pytest in a container, by this program: podman or docker."""
 
@@ -51,7 +66,10 @@ class Engine(Processes):
         self.image = f"localhost/cradle-grader:{digest_of(version, BASE)[:16]}"
         self.program = program
         self.cores = cores
-        self.memory = min(MEMORY, memory // (cores + 1))
+        share = min(MEMORY, memory // (cores + 1))
+        self.limits = [*LIMITS, f"--memory={share}", f"--memory-swap={share}"]
+        if program == "podman":
+            self.limits += OF_PODMAN
         self.building: subprocess.Popen | None = None
 
     def open(self) -> None:
@@ -62,7 +80,7 @@ class Engine(Processes):
 
     def build(self) -> None:
         """Build the image, if it is not there; raise an OSError if this fails."""
-        if self.call("image", "inspect", self.image).returncode == 0:
+        if call(self.program, "image", "inspect", self.image).returncode == 0:
             return
         say("The image for the containers is built once. It takes a minute.")
         command = [self.program, "build", "--quiet", f"--tag={self.image}"]
@@ -70,41 +88,37 @@ class Engine(Processes):
             command.append(f"--build-arg=BASE={BASE}")
         file = self.folder / "tests" / "teacher" / "Containerfile"
         self.building = subprocess.Popen(
-            [*command, f"--file={file}", self.folder], stdout=subprocess.DEVNULL
+            [*command, f"--file={file}", self.folder],
+            stdout=subprocess.DEVNULL,
+            start_new_session=True,
         )
         if self.building.wait():
             raise OSError(0, "cannot be built", "The image")
 
     def command(self, name) -> list[str]:
-        memory = [f"--memory={self.memory}", f"--memory-swap={self.memory}"]
-        limits = [f"--name={name}", *LIMITS, *memory]
-        seconds = one_run.SECONDS + 5  # one_run.py itself ends a pytest that takes too long
-        return [self.program, "run", *limits, self.image, *TIMEOUT, f"{seconds}", *ONE_RUN]
+        run = [self.program, "run", f"--name={name}", *self.limits, self.image]
+        # one_run.py itself ends a pytest that takes too long
+        return [*run, *TIMEOUT, f"{one_run.SECONDS + 5}", *ONE_RUN]
 
     def end(self, name) -> None:
-        self.call("kill", name)
+        call(self.program, "kill", name)
 
     def end_all(self) -> None:
         if self.building:
             self.building.terminate()
         super().end_all()
 
-    def call(self, *words) -> subprocess.CompletedProcess:
-        """Run a command of the engine's to its end."""
-        return subprocess.run([self.program, *words], capture_output=True, stdin=subprocess.DEVNULL)
-
 
 def find_engine(folder, version) -> Engine:
     """Return the first engine that runs, for the starter in this folder; raise an OSError without
     one."""
     said = f"install one ({INSTALL.get(sys.platform, 'podman.io')})"
-    for program, form in ENGINES.items():
+    for program, sizes in SIZES.items():
         if shutil.which(program):
-            info = subprocess.run(
-                [program, "info", "--format", form], capture_output=True, text=True
-            )
+            info = call(program, "info", "--format", sizes)
             if info.returncode == 0:
                 cores, memory = map(int, info.stdout.split())
                 return Engine(folder, version, program, cores, memory)
-            said = f"{program} does not run: {info.stderr.strip().rpartition(chr(10))[2]}"
+            reason = [f"status {info.returncode}", *info.stderr.strip().splitlines()][-1]
+            said = f"{program} does not run: {reason}"
     raise OSError(0, f"{said}, or see --here in --help", "No engine")

@@ -4,6 +4,7 @@ import csv
 import hashlib
 import json
 import os
+import re
 from collections import Counter
 from contextlib import suppress
 from stat import S_IWGRP, S_IWOTH
@@ -16,6 +17,9 @@ KEPT = "state", "message", "place", "hint"  # of what a run says of a check
 MOST_LETTERS = 10_000  # of a text
 MOST_LINES = 200  # of a text
 MOST_OF_CELL = 2000  # letters of a cell
+# The begin of one: of a cell, or where a spreadsheet splits it at the delimiter of the other table.
+# Some read wide signs as well.
+FORMULA = re.compile(r"(^|[,;])(\s*[=+\-@\uff1d\uff0b\uff0d\uff20])")
 TABLES = {"grades.csv": ",", "grades_semicolons.csv": ";"}  # the delimiter of each
 
 
@@ -111,12 +115,8 @@ def is_ours(status) -> bool:
 
 
 def cell(text) -> str:
-    """Return a text as a cell that no spreadsheet takes for a formula.
-
-    Some split at ";".
-    """
-    text = in_one_line(text[:MOST_OF_CELL]).replace(";", ",")
-    return f"'{text}" if text.lstrip()[:1] in tuple("=+-@") else text
+    """Return a text as a cell that no spreadsheet takes for a formula."""
+    return FORMULA.sub(r"\1'\2", in_one_line(text[:MOST_OF_CELL]))
 
 
 class Report:

@@ -20,6 +20,8 @@ from teacher import one_run
 from teacher.report import no_grade, read_grade
 
 SPARE = 15  # s in which a container begins, and ends
+# Nothing starts while a submission is read: that limits the memory of all that it starts
+READING = threading.Lock()
 
 
 class GradedRun(NamedTuple):
@@ -42,7 +44,7 @@ class Runner:
     def open(self) -> None:
         """Grade the starter; raise an OSError if this fails."""
         status, output = self.run_package(package({}))
-        with suppress(ValueError):
+        with suppress(ValueError, RecursionError):
             self.empty = json.loads(output)
         if read_grade(self.empty, output) is None:
             why = why_none(status)
@@ -101,17 +103,18 @@ class Processes(Runner):
         ):
             package.write(content)
             package.seek(0)
-            process = subprocess.Popen(
-                [*self.command(name), f"{one_run.SECONDS}"],
-                cwd=folder,
-                stdin=package,
-                stdout=subprocess.PIPE,
-                stderr=self.stderr,
-                start_new_session=True,  # Ctrl+C is for this program
-            )
-            self.running[name] = process
             late = threading.Timer(one_run.SECONDS + SPARE, self.end, [name])
-            late.start()
+            with READING:
+                process = subprocess.Popen(
+                    [*self.command(name), f"{one_run.SECONDS}"],
+                    cwd=folder,
+                    stdin=package,
+                    stdout=subprocess.PIPE,
+                    stderr=self.stderr,
+                    start_new_session=True,  # Ctrl+C is for this program
+                )
+                self.running[name] = process
+                late.start()
             output = process.stdout.read(one_run.MOST_BYTES + 1)
             if len(output) > one_run.MOST_BYTES:
                 self.end(name)
