@@ -1,6 +1,6 @@
 """Grade a whole class: `python tests/grade_class.py SUBMISSIONS`.
 
-Each submission has a pytest of its own, in a container of its own.
+Each submission has a pytest of its own and, without --here, a container.
 """
 
 import os
@@ -28,7 +28,7 @@ from support.start.output import in_one_line, progress_bar, while_it_is_read
 from teacher.cluster import Collected, write_packages
 from teacher.containers import find_engine
 from teacher.report import digest_of, line_of, own_folder, Report, results_in, write_gradescope
-from teacher.runners import Here, package, READING, Runner
+from teacher.runners import Here, package, READ_OR_START, Runner
 from teacher.submissions import read_submission, submissions_in
 
 LOOK_AT_THREADS = 0.2  # s from one look at the other threads to the next
@@ -62,8 +62,8 @@ def main() -> None:
         if stopped.is_set():
             sys.exit(*status)
         if options.pack:
-            grading.pack(left, options.pack)
-            return
+            grading.pack_all(left, options.pack)
+            sys.exit(*status)
         grading.grade_all(left)
     report = Report()
     for results in (results_in(file), grading.without_grade):
@@ -72,23 +72,23 @@ def main() -> None:
             if options.gradescope:
                 write_gradescope(options.gradescope / result["student"], result)
     report.write(options.out)
-    count = len(report.rows)
+    count = len(report.rows) - len(grading.without_grade)
+    graded = f"{count} of {len(submitted)} solutions are graded"
     if status:
-        graded = f"{count} of {len(submitted)} solutions are graded."
-        print(f"{graded} The same command goes on from there.")
+        print(f"{graded}. The same command goes on from there.")
         sys.exit(*status)
     print(*report.summary(), sep="\n")
     if others:
         print(f"\nNo submissions: {in_one_line(', '.join(others))}")
     file = in_one_line(options.out / "grades.csv")
-    print(f"\n{count} solutions are graded: {file}, and a text for each student next to it")
+    print(f"\n{graded}: {file}, and a text for each student next to it")
 
 
 def runner_for(options, folder, version) -> Runner:
     """Return what runs the solutions, with the starter in this folder. Raises an OSError without an
     engine."""
     if options.collect:
-        return Collected(folder, version, options.collect)
+        return Collected(version, options.collect)
     if options.here:
         return Here(folder)
     return find_engine(folder, version)
@@ -104,7 +104,7 @@ def read_options():
         "submissions",
         metavar="SUBMISSIONS",
         type=Path,
-        help="a folder with a folder or a .zip for each student",
+        help="a folder with a folder or a .zip for each student, or with the files of all",
     )
     add(
         "--out",
@@ -156,18 +156,19 @@ def read_options():
 def copy_starter(starter, folder) -> dict[str, bytes]:
     """Copy a starter to this folder, or make one there; return its files by their paths.
 
-    What runs a submission is put into it.
+    The files of the image, and of a run, are put into it.
     """
     if starter:
-        shutil.copytree(starter, folder, ignore=shutil.ignore_patterns(".*", "__pycache__"))
+        ignored = shutil.ignore_patterns(".*", "__pycache__")
+        shutil.copytree(starter, folder, ignore=ignored, ignore_dangling_symlinks=True)
     else:
         # A folder for Gradescope, itself a starter, does not have it
         from make_starter import make_starter
 
         make_starter(folder)
-    teacher = Path(__file__).with_name("teacher")
-    no_copies = shutil.ignore_patterns("__pycache__")
-    shutil.copytree(teacher, folder / "tests" / "teacher", dirs_exist_ok=True, ignore=no_copies)
+    (folder / "tests" / "teacher").mkdir(exist_ok=True)
+    for name in ("Containerfile", "one_run.py", "setup.sh"):
+        shutil.copy(Path(__file__).with_name("teacher") / name, folder / "tests" / "teacher")
     files = {}
     for path in filter(Path.is_file, sorted(folder.rglob("*"))):
         files[path.relative_to(folder).as_posix()] = path.read_bytes()
@@ -198,15 +199,15 @@ class Grading:
             return
         with ThreadPoolExecutor(self.runner.cores) as workers, progress_bar() as self.progress:
             self.most = len(left)
-            self.finish([workers.submit(self.open)])
+            self.finish([workers.submit(self.get_ready, self.runner.open)])
             self.finish([workers.submit(self.grade, student) for student in left])
             for student in sorted(self.unsure):
                 self.finish([workers.submit(self.grade, student, is_last=True)])
 
-    def open(self) -> None:
-        """Open the runner; if the class is stopped, this may fail."""
+    def get_ready(self, act) -> None:
+        """Open the runner, or build its image, by this; if the class is stopped, this may fail."""
         try:
-            self.runner.open()
+            act()
         except OSError:
             if not self.stopped.is_set():
                 raise
@@ -217,7 +218,7 @@ class Grading:
         Ctrl+C, and an error, end the others.
         """
         while wait(futures, timeout=LOOK_AT_THREADS, return_when=FIRST_EXCEPTION).not_done:
-            # Here, a signal comes through, also on Windows
+            # Between two waits, a signal comes through, also on Windows
             if any(future.done() and future.exception() for future in futures):
                 self.stopped.set()
             if self.stopped.is_set():
@@ -225,16 +226,24 @@ class Grading:
         for future in futures:
             future.result()
 
+    def pack_all(self, students, folder) -> None:
+        """Write packages of the starter and of these students for a cluster."""
+        with ThreadPoolExecutor(1) as workers:
+            self.finish([workers.submit(self.get_ready, self.runner.build)])
+            self.finish([workers.submit(self.pack, students, folder)])
+
     def pack(self, students, folder) -> None:
-        """Write the packages of these students, and that of the starter, for a cluster."""
-        self.runner.build()
         packages = [package({})]
         for student in students:
+            if self.stopped.is_set():
+                return
             files, _ = read_submission(self.submitted[student], self.starter)
             packages.append(package(files))
+        if self.stopped.is_set():
+            return
         write_packages(folder, self.version, packages)
-        image = self.runner.image
-        print(in_one_line(f"{folder} has {len(packages)} packages for the image {image}."))
+        jobs = f"the starter and {len(students)} solutions, for the jobs 0 to {len(students)}"
+        print(in_one_line(f"{folder} has {jobs} in the image {self.runner.image}."))
 
     def keep_old(self) -> list[str]:
         """Let results.jsonl have only the results that still hold; return the students without one.
@@ -267,7 +276,7 @@ class Grading:
         """Grade a student, and keep the result if it is sure, or is the last one."""
         if self.stopped.is_set():
             return
-        with READING:
+        with READ_OR_START:
             submission = read_submission(self.submitted[student], self.starter)
         files, problems = submission
         begin = time.monotonic()

@@ -15,7 +15,7 @@ if __name__ == "__main__":
 
 from grading.begin import ROOT
 
-from grade_class import copy_starter
+from make_starter import make_starter
 
 from support.files.data_file import whole_file
 from support.start.options import OneLineParser
@@ -32,12 +32,13 @@ def main() -> None:
         parser.error(f"argument FILE.zip: found '{file}', allowed is a new file that ends in .zip")
     with whole_file(file) as archive, TemporaryDirectory() as work:
         folder = Path(work, "autograder")
-        copy_starter(None, folder)
+        make_starter(folder)
         shutil.copy(ROOT / "tests" / "grade_class.py", folder / "tests")
+        no_copies = shutil.ignore_patterns("__pycache__")
+        shutil.copytree(ROOT / "tests" / "teacher", folder / "tests" / "teacher", ignore=no_copies)
         # https://gradescope-autograders.readthedocs.io/en/latest/specs/
         for name in ("setup.sh", "run_autograder"):
-            script = (ROOT / "tests" / "teacher" / name).read_bytes()
-            (folder / name).write_bytes(script.replace(b"\r", b""))
+            shutil.copy(folder / "tests" / "teacher" / name, folder)
             (folder / name).chmod(0o755)
         pack(folder, archive.buffer)
     print(in_one_line(f"{file} is ready. On Gradescope, upload it under Configure Autograder."))

@@ -1,4 +1,7 @@
-"""Hostile solutions: what they do when Python reads their file."""
+"""Hostile solutions, and such as look for a way out: what they do when Python reads their file.
+
+Those of HARMLESS keep all their points, and those of SPOILED spoil their own run.
+"""
 
 from classroom import LEAVES
 
@@ -16,7 +19,6 @@ def error_of(call, *arguments):
 
 """
 
-# These keep all their points,
 HARMLESS = {
     "leaves a process": LEAVES,
     "starts 60 processes": """
@@ -60,7 +62,7 @@ for number in (signal.SIGTERM, signal.SIGXCPU, signal.SIGHUP):
     "gets no rights": """
 assert calls.prctl(39, 0, 0, 0, 0) == 1
 assert os.getuid() == os.getgid() == 65534
-assert not [line for line in open('/proc/self/status') if line[:4] == 'Cap' and int(line[8:], 16)]
+assert not [line for line in open('/proc/self/status') if line[:3] == 'Cap' and int(line[8:], 16)]
 """,
     "makes no namespace": "assert calls.unshare(0x10000000) == calls.unshare(0x20000) == -1",
     "mounts nothing": "assert calls.mount(b'none', b'/cradle', b'tmpfs', 0, None) == -1",
@@ -85,7 +87,6 @@ for name in ('CORE', 'CPU', 'FSIZE', 'NOFILE', 'NPROC'):
     "has no password of a proxy": "assert not any(v for n, v in os.environ.items() if 'proxy' in n.lower())",
 }
 
-# and these spoil their own run.
 SPOILED = {
     "kills its parent": "os.kill(os.getppid(), 9)",
     "kills all": "os.kill(-1, 9)",

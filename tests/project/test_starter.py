@@ -124,12 +124,14 @@ def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out(tmp_path, m
     assert hidden == {".devcontainer", ".github", ".gitignore"}
 
 
-def test_the_workflow_for_github_has_the_lines_of_the_readme(made):
+def test_the_workflow_for_github_has_the_lines_of_the_readme_and_the_base_of_the_image(made):
     workflow = (made / ".github" / "workflows" / "classroom.yml").read_text()
     lines = workflow.partition("run: |\n")[2].splitlines()
     readme = (made / "README.md").read_text()
     installs = re.findall(r"^    (.*\.venv/bin/pip .*)$", readme, re.MULTILINE)
     assert [line.strip() for line in lines] == [*installs, ".venv/bin/pytest"]
+    base = re.search("container: (.+)", workflow)[1]
+    assert f"/{base}\n" in (ROOT / "tests" / "teacher" / "Containerfile").read_text()
 
 
 @pytest.mark.parametrize("place", ["deep/down/new", "."])

@@ -28,8 +28,8 @@ def write_packages(folder, version, packages) -> None:
 class Collected(Runner):
     """Takes the grades that the jobs of a cluster have written."""
 
-    def __init__(self, folder, version, packed):
-        super().__init__(folder)
+    def __init__(self, version, packed):
+        super().__init__()
         self.version = version  # of the starter
         self.packed = packed  # the folder of write_packages
         self.digests = (packed / "packages.txt").read_text(errors="replace").split()
@@ -37,7 +37,7 @@ class Collected(Runner):
     def run_package(self, content) -> tuple[int | str, bytes]:
         digest = digest_of(self.version, content)
         if digest not in self.digests:
-            return f"{self.packed} has no package of it", b""
+            return f"{self.packed} has no package of it, or is of another version", b""
         file = self.packed / f"{self.digests.index(digest)}" / "grade.json"
         # A link could lead to another file, and a pipe would never end
         if file.is_symlink() or not file.is_file():

@@ -2,10 +2,12 @@
 
 It has no network and no files but its own, of which nothing is kept. Its files come on stdin, and
 its grade goes to stdout, so the engine can also be that of another machine. Its first process is
-timeout: no signal of a solution's ends or stops it.
+timeout: no signal of a solution's ends or stops it. By ptrace, a solution can stop it, so the time
+is also counted from outside.
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -13,17 +15,18 @@ import sys
 from support.start.output import say
 from teacher import one_run
 from teacher.report import digest_of
-from teacher.runners import Processes, SPARE
+from teacher.runners import APART, Processes, READ_OR_START, SPARE
 
 # How an engine says how many cores and bytes of memory it has: mostly those of a virtual machine
 SIZES = {
     "podman": "{{.Host.CPUs}} {{.Host.MemTotal}}",
     "docker": "{{.NCPU}} {{.MemTotal}}",
 }
+MACHINE = "podman machine init --memory 4096; podman machine start"
 INSTALL = {
-    "linux": "sudo apt install podman (Fedora: sudo dnf install podman)",
-    "darwin": "brew install podman && podman machine init && podman machine start",
-    "win32": "winget install RedHat.Podman; podman machine init; podman machine start",
+    "linux": "sudo apt install podman; on Fedora, sudo dnf install podman",
+    "darwin": f"brew install podman; {MACHINE}",
+    "win32": f"winget install RedHat.Podman; {MACHINE}",
 }
 BASE = os.environ.get("CRADLE_BASE", "")  # another image than that of the Containerfile
 MEMORY = 1_500_000_000  # bytes for a submission, with its files; grading/limits.py allows 1 GB
@@ -38,23 +41,38 @@ LIMITS = [
     *(f"--env={name}=" for name in PROXIES),
     *(f"--env={name.upper()}=" for name in PROXIES),
 ]
-TIMEOUT = ["timeout", "-k", "5"]
-ONE_RUN = ["python", "/autograder/source/tests/teacher/one_run.py"]
-
-
-# podman leaves /tmp open otherwise, and ends by itself a container whose first process is stopped
+# Without the first one, podman leaves /tmp open. The second one holds if this program is killed.
 OF_PODMAN = ["--read-only-tmpfs=false", f"--timeout={one_run.SECONDS + SPARE}"]
+ONE_RUN = "/autograder/source/tests/teacher/one_run.py"
+NO_START = 125  # the exit status if the engine could not start a run; a solution can have it, too
+PATIENCE = 60  # s for an answer of the engine
 
 
 def call(program, *words) -> subprocess.CompletedProcess:
     """Run a command of an engine to its end."""
-    return subprocess.run(
-        [program, *words],
-        capture_output=True,
-        text=True,
-        stdin=subprocess.DEVNULL,
-        start_new_session=True,  # Ctrl+C is for this program
-    )
+    try:
+        return subprocess.run(
+            [program, *words],
+            capture_output=True,
+            text=True,
+            errors="replace",
+            stdin=subprocess.DEVNULL,
+            timeout=PATIENCE,
+            **APART,
+        )
+    except subprocess.TimeoutExpired:
+        return subprocess.CompletedProcess(words, 1, "", "it does not answer")
+
+
+def size_of(program) -> tuple[int, int]:
+    """Return how many cores, and bytes of memory, an engine has; raise an OSError if it does not
+    run."""
+    info = call(program, "info", "--format", SIZES[program])
+    found = re.fullmatch(r"([1-9]\d*) ([1-9]\d*)", info.stdout.strip())
+    if found is None:
+        reason = [f"status {info.returncode}", *info.stderr.strip().splitlines()][-1]
+        raise OSError(0, f"it does not run: {reason}", program)
+    return int(found[1]), int(found[2])
 
 
 class Engine(Processes):
@@ -71,6 +89,7 @@ class Engine(Processes):
         if program == "podman":
             self.limits += OF_PODMAN
         self.building: subprocess.Popen | None = None
+        self.is_ended = False
 
     def open(self) -> None:
         self.build()
@@ -90,21 +109,30 @@ class Engine(Processes):
         self.building = subprocess.Popen(
             [*command, f"--file={file}", self.folder],
             stdout=subprocess.DEVNULL,
-            start_new_session=True,
+            **APART,
         )
-        if self.building.wait():
+        if self.building.wait() or self.is_ended:
             raise OSError(0, "cannot be built", "The image")
+
+    def run_package(self, content) -> tuple[int, bytes]:
+        status, output = super().run_package(content)
+        if status == NO_START:
+            size_of(self.program)  # or the class ends here
+        return status, output
 
     def command(self, name) -> list[str]:
         run = [self.program, "run", f"--name={name}", *self.limits, self.image]
         # one_run.py itself ends a pytest that takes too long
-        return [*run, *TIMEOUT, f"{one_run.SECONDS + 5}", *ONE_RUN]
+        seconds = one_run.SECONDS
+        return [*run, "timeout", "-k", "5", f"{seconds + 5}", "python", ONE_RUN, f"{seconds}"]
 
     def end(self, name) -> None:
-        call(self.program, "kill", name)
+        with READ_OR_START:
+            call(self.program, "kill", name)
 
     def end_all(self) -> None:
-        if self.building:
+        if self.building and not self.is_ended:
+            self.is_ended = True  # a second signal could damage the engine's images
             self.building.terminate()
         super().end_all()
 
@@ -112,13 +140,11 @@ class Engine(Processes):
 def find_engine(folder, version) -> Engine:
     """Return the first engine that runs, for the starter in this folder; raise an OSError without
     one."""
-    said = f"install one ({INSTALL.get(sys.platform, 'podman.io')})"
-    for program, sizes in SIZES.items():
+    error = OSError(0, f"none is installed: {INSTALL.get(sys.platform, 'podman.io')}", "podman")
+    for program in SIZES:
         if shutil.which(program):
-            info = call(program, "info", "--format", sizes)
-            if info.returncode == 0:
-                cores, memory = map(int, info.stdout.split())
-                return Engine(folder, version, program, cores, memory)
-            reason = [f"status {info.returncode}", *info.stderr.strip().splitlines()][-1]
-            said = f"{program} does not run: {reason}"
-    raise OSError(0, f"{said}, or see --here in --help", "No engine")
+            try:
+                return Engine(folder, version, program, *size_of(program))
+            except OSError as found:
+                error = found
+    raise error

@@ -2,7 +2,7 @@
 
 The .zip has the files of the submission, by their paths in the project. The grade is what pytest
 --grade-json writes or, without one, the end of what pytest prints. The folder `project` of the
-working directory is a copy of the starter with these files. This program needs only Python.
+working directory is a copy of the starter with these files. This program imports nothing else.
 """
 
 import os

@@ -5,6 +5,7 @@ one_run.py gets a submission as a .zip on stdin, and prints its grade.
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import threading
@@ -20,8 +21,14 @@ from teacher import one_run
 from teacher.report import no_grade, read_grade
 
 SPARE = 15  # s in which a container begins, and ends
-# Nothing starts while a submission is read: that limits the memory of all that it starts
-READING = threading.Lock()
+# Reading a submission limits the memory of this process, also for what it starts then
+READ_OR_START = threading.Lock()
+# Ctrl+C is for this program
+APART = (
+    {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
+    if os.name == "nt"
+    else {"start_new_session": True}
+)
 
 
 class GradedRun(NamedTuple):
@@ -37,8 +44,7 @@ class Runner:
 
     cores = os.cpu_count() or 1
 
-    def __init__(self, folder):
-        self.folder = folder  # of the starter
+    def __init__(self):
         self.empty: dict = {}  # the grade of the starter
 
     def open(self) -> None:
@@ -58,7 +64,7 @@ class Runner:
         grade = read_grade(self.empty, output)
         if grade is None:
             return GradedRun(no_grade(self.empty, output), why_none(status), is_final=False)
-        return GradedRun(grade, "", is_final=grade.pop("final") and status < one_run.LATE)
+        return GradedRun(grade, "", is_final=grade.pop("final") and 0 <= status < one_run.LATE)
 
     def run_package(self, content) -> tuple[int | str, bytes]:
         """Return what one_run.py prints for a package, and its exit status or why there is none."""
@@ -91,7 +97,8 @@ class Processes(Runner):
     """Starts a process of this machine for each run."""
 
     def __init__(self, folder):
-        super().__init__(folder)
+        super().__init__()
+        self.folder = folder  # of the starter
         self.stderr = subprocess.DEVNULL
         self.running: dict[str, subprocess.Popen] = {}  # by the name of the run
 
@@ -104,14 +111,14 @@ class Processes(Runner):
             package.write(content)
             package.seek(0)
             late = threading.Timer(one_run.SECONDS + SPARE, self.end, [name])
-            with READING:
+            with READ_OR_START:
                 process = subprocess.Popen(
-                    [*self.command(name), f"{one_run.SECONDS}"],
+                    self.command(name),
                     cwd=folder,
                     stdin=package,
                     stdout=subprocess.PIPE,
                     stderr=self.stderr,
-                    start_new_session=True,  # Ctrl+C is for this program
+                    **APART,
                 )
                 self.running[name] = process
                 late.start()
@@ -125,7 +132,7 @@ class Processes(Runner):
         return status, output
 
     def command(self, name) -> list[str]:
-        """Return the words that start one_run.py; the seconds that it takes come last."""
+        """Return the words that start one_run.py."""
         raise NotImplementedError
 
     def end(self, name) -> None:
@@ -141,12 +148,15 @@ class Here(Processes):
     """Runs each pytest as a plain process: for code that you trust."""
 
     def open(self) -> None:
-        complain("Without a container, a solution can do here all that you can.")
+        complain("Each solution runs as a plain process, and can do here all that you can.")
         super().open()
 
     def command(self, name) -> list[str]:
-        return [sys.executable, f"{self.folder / 'tests' / 'teacher' / 'one_run.py'}"]
+        program = self.folder / "tests" / "teacher" / "one_run.py"
+        return [sys.executable, f"{program}", f"{one_run.SECONDS}"]
 
     def end(self, name) -> None:
+        # On Windows, also to the pytest below it
+        number = signal.CTRL_BREAK_EVENT if os.name == "nt" else signal.SIGTERM
         with suppress(KeyError):
-            self.running[name].terminate()
+            self.running[name].send_signal(number)

@@ -32,9 +32,9 @@ def empty(made, tmp_path_factory):
 
 
 @pytest.fixture
-def runner(made, empty):
+def runner(empty):
     """A runner that is open."""
-    runner = Runner(made)
+    runner = Runner()
     runner.empty = empty
     return runner
 
