@@ -14,7 +14,7 @@ if __name__ == "__main__":
 import shutil
 import threading
 import time
-from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
+from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -56,7 +56,7 @@ def main() -> None:
         folder = Path(work, "starter")
         starter = copy_starter(options.starter, folder)
         version = digest_of(starter)
-        runner = runner_for(options, folder, version)
+        runner = runner_for(options, folder, version, stopped)
         grading = Grading(submitted, starter, version, file, runner, stopped)
         left = grading.keep_old()
         if stopped.is_set():
@@ -84,14 +84,14 @@ def main() -> None:
     print(f"\n{graded}: {file}, and a text for each student next to it")
 
 
-def runner_for(options, folder, version) -> Runner:
+def runner_for(options, folder, version, stopped) -> Runner:
     """Return what runs the solutions, with the starter in this folder. Raises an OSError without an
     engine."""
     if options.collect:
         return Collected(version, options.collect)
     if options.here:
         return Here(folder)
-    return find_engine(folder, version)
+    return find_engine(folder, version, stopped)
 
 
 def read_options():
@@ -217,7 +217,7 @@ class Grading:
 
         Ctrl+C, and an error, end the others.
         """
-        while wait(futures, timeout=LOOK_AT_THREADS, return_when=FIRST_EXCEPTION).not_done:
+        while wait(futures, timeout=LOOK_AT_THREADS).not_done:
             # Between two waits, a signal comes through, also on Windows
             if any(future.done() and future.exception() for future in futures):
                 self.stopped.set()
@@ -233,6 +233,7 @@ class Grading:
             self.finish([workers.submit(self.pack, students, folder)])
 
     def pack(self, students, folder) -> None:
+        """Read these students' submissions, and write the packages."""
         packages = [package({})]
         for student in students:
             if self.stopped.is_set():

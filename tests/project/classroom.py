@@ -8,6 +8,7 @@ import sys
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from threading import Event
 
 import pytest
 from grade_class import copy_starter
@@ -117,7 +118,7 @@ def engine(made, tmp_path_factory):
     folder = tmp_path_factory.mktemp("image") / "starter"
     version = digest_of(copy_starter(made, folder))
     try:
-        engine = find_engine(folder, version)
+        engine = find_engine(folder, version, Event())
         engine.build()
     except OSError as error:
         if "CRADLE_BASE" in os.environ:

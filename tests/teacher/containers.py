@@ -78,9 +78,10 @@ def size_of(program) -> tuple[int, int]:
 class Engine(Processes):
     """Runs each pytest in a container, by this program: podman or docker."""
 
-    def __init__(self, folder, version, program, cores, memory):
+    def __init__(self, folder, version, stopped, program, cores, memory):
+        """version is that of the files in this folder; stopped, an Event, is set by Ctrl+C."""
         super().__init__(folder)
-        # version is that of the files in this folder
+        self.stopped = stopped
         self.image = f"localhost/cradle-grader:{digest_of(version, BASE)[:16]}"
         self.program = program
         self.cores = cores
@@ -89,7 +90,7 @@ class Engine(Processes):
         if program == "podman":
             self.limits += OF_PODMAN
         self.building: subprocess.Popen | None = None
-        self.is_ended = False
+        self.is_told = False  # that the class has been stopped
 
     def open(self) -> None:
         self.build()
@@ -111,7 +112,9 @@ class Engine(Processes):
             stdout=subprocess.DEVNULL,
             **APART,
         )
-        if self.building.wait() or self.is_ended:
+        if self.stopped.is_set():  # what begins after Ctrl+C can ignore the signal of end_all
+            self.building.kill()
+        if self.building.wait() or self.stopped.is_set():
             raise OSError(0, "cannot be built", "The image")
 
     def run_package(self, content) -> tuple[int, bytes]:
@@ -131,20 +134,20 @@ class Engine(Processes):
             call(self.program, "kill", name)
 
     def end_all(self) -> None:
-        if self.building and not self.is_ended:
-            self.is_ended = True  # a second signal could damage the engine's images
+        if self.building and not self.is_told:
+            self.is_told = True  # a second signal could damage the engine's images
             self.building.terminate()
         super().end_all()
 
 
-def find_engine(folder, version) -> Engine:
+def find_engine(folder, version, stopped) -> Engine:
     """Return the first engine that runs, for the starter in this folder; raise an OSError without
     one."""
     error = OSError(0, f"none is installed: {INSTALL.get(sys.platform, 'podman.io')}", "podman")
     for program in SIZES:
         if shutil.which(program):
             try:
-                return Engine(folder, version, program, *size_of(program))
+                return Engine(folder, version, stopped, program, *size_of(program))
             except OSError as found:
                 error = found
     raise error
