@@ -238,7 +238,7 @@ class Grading:
         for student in students:
             if self.stopped.is_set():
                 return
-            files, _ = read_submission(self.submitted[student], self.starter)
+            files, _ = self.read(student)
             packages.append(package(files))
         if self.stopped.is_set():
             return
@@ -255,9 +255,7 @@ class Grading:
         for student in self.submitted:
             if self.stopped.is_set():
                 return []
-            digests[student] = self.digest(
-                student, read_submission(self.submitted[student], self.starter)
-            )
+            digests[student] = self.digest(student, self.read(student))
         old = results_in(self.file)
         with whole_file(self.file) as kept:
             for result in old:
@@ -269,6 +267,11 @@ class Grading:
                     del digests[student]
         return [*digests]
 
+    def read(self, student) -> tuple[dict[str, bytes], list[str]]:
+        """Return a student's files, and the problems with them, as read_submission does."""
+        with READ_OR_START:
+            return read_submission(self.submitted[student], self.starter)
+
     def digest(self, student, submission) -> str:
         """Return a hash of what a result depends on."""
         return digest_of(self.version, student, *submission)
@@ -277,8 +280,7 @@ class Grading:
         """Grade a student, and keep the result if it is sure, or is the last one."""
         if self.stopped.is_set():
             return
-        with READ_OR_START:
-            submission = read_submission(self.submitted[student], self.starter)
+        submission = self.read(student)
         files, problems = submission
         begin = time.monotonic()
         run = self.runner.run(files)

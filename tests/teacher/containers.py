@@ -1,9 +1,9 @@
 """A container for each submission, by podman or Docker: what it may reach, and what it may take.
 
-It has no network and no files but its own, of which nothing is kept. Its files come on stdin, and
-its grade goes to stdout, so the engine can also be that of another machine. Its first process is
-timeout: no signal of a solution's ends or stops it. By ptrace, a solution can stop it, so the time
-is also counted from outside.
+A solution has no network, and sees no file of the machine. What it writes is not kept. Its files
+come on stdin, and its grade goes to stdout, so the engine can be that of another machine. The first
+process is timeout: no signal of a solution ends or stops it. By ptrace, a solution can stop it, so
+the time is also counted from outside.
 """
 
 import os

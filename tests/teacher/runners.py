@@ -106,16 +106,16 @@ class Processes(Runner):
         name = f"cradle-{os.getpid()}-{uuid4().hex}"
         with (
             TemporaryDirectory(prefix="cradle-", ignore_cleanup_errors=True) as folder,
-            TemporaryFile() as package,
+            TemporaryFile() as stdin,
         ):
-            package.write(content)
-            package.seek(0)
+            stdin.write(content)
+            stdin.seek(0)
             late = threading.Timer(one_run.SECONDS + SPARE, self.end, [name])
             with READ_OR_START:
                 process = subprocess.Popen(
                     self.command(name),
                     cwd=folder,
-                    stdin=package,
+                    stdin=stdin,
                     stdout=subprocess.PIPE,
                     stderr=self.stderr,
                     **APART,
