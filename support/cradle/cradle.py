@@ -35,7 +35,7 @@ class Cradle:
     cord_count = 1  # of a pendulum; each cord has one bob
     cords_length = R_PARAM  # from an axle to the centre of the lowest bob at rest (m)
     # For each cord, the name of its release angle, and the least and the largest one (degrees).
-    angle_limits: Mapping[str, tuple[float, float]] = {"release angle": (0, 180)}
+    angle_limits: Mapping[str, tuple[float, float]] = {"release_angle": (0, 180)}
     # A pendulum's keys of its angles (rad), the upper cord first, and of their rates (rad/s).
     angle_keys: Sequence[str] = ("theta",)
     rate_keys: Sequence[str] = ("omega",)

@@ -20,7 +20,7 @@ class DoubleCradle(Cradle):
     dt = DOUBLE_DT
     cord_count = 2
     cords_length = 2 * R_PARAM
-    angle_limits = {"angle theta": (0, 180), "angle phi": (-180, 180)}
+    angle_limits = {"angle_theta": (0, 180), "angle_phi": (-180, 180)}
     angle_keys = ("theta", "phi")
     rate_keys = ("omega", "phi_omega")
     make_name = "make_double_newton_cradle"

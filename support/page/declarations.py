@@ -29,9 +29,9 @@ SPEEDS = (0.1, 2.0)  # times real time: the ends of the slider
 MOST_BOBS = 9  # of the slider, if the CSV has no more
 MASSES = (0.5, 10.0)  # kg: the ends of the slider, if the bob's mass is between them
 ANGLES_IN_WORDS = {
-    "release angle": "Release angle: theta, from straight down",
-    "angle theta": "Angle theta: of the upper cord, from straight down",
-    "angle phi": "Angle phi: how far the lower cord is bent outwards, from the upper one",
+    "release_angle": "Release angle: theta, from straight down",
+    "angle_theta": "Angle theta: of the upper cord, from straight down",
+    "angle_phi": "Angle phi: how far the lower cord is bent outwards, from the upper one",
 }
 
 
@@ -55,7 +55,7 @@ def experiment_controls(viewer: "Viewer") -> list[Control]:
         choices=viewer.chooser.names,
     )
     ask_first = Switch(
-        name="ask first",
+        name="ask_first",
         label="Predict first",
         get=lambda: viewer.questions.ask_first,
         set=viewer.actions.set_ask_first,
@@ -178,7 +178,7 @@ def show_controls(viewer: "Viewer") -> list[Control]:
         help="Angle and speed (m/s) at each bob, a dial, and a stopwatch",
     )
     slow_hits = Switch(
-        name="slow hits",
+        name="slow_hits",
         label="Slow hits",
         get=lambda: viewer.looks_at_hits,
         set=viewer.actions.slow_down_hits,
@@ -210,7 +210,7 @@ def release_angle(viewer: "Viewer", cord: int, name: str) -> Slider:
 
     return Slider(
         name=name,
-        label=name.capitalize(),
+        label=name.replace("_", " ").capitalize(),
         get=get,
         set=lambda degrees: viewer.actions.set_release_angle(cord, degrees),
         limits=lambda: viewer.cradle.angle_limits[name],
@@ -234,9 +234,9 @@ def declare_commands(actions: Actions) -> dict[str, Command]:
         "edit": Command(actions.edit, (is_count, is_in_table, is_text)),
         "grab": Command(actions.grab, (is_point, is_direction)),
         "drag": Command(actions.drag, (is_point, is_direction)),
-        "let go": Command(actions.let_go),
+        "let_go": Command(actions.let_go),
         "ghosts": Command(actions.show_ghosts, (is_text, is_file)),
-        "remove ghosts": Command(actions.remove_ghosts),
+        "remove_ghosts": Command(actions.remove_ghosts),
     }
 
 

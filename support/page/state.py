@@ -20,7 +20,7 @@ def state_of_page(viewer: "Viewer") -> dict[str, Any]:
         **setup(viewer),
         **state_of(viewer.controls),
         "ghosts": viewer.ghosts.name,
-        "mistake in ghosts": viewer.ghosts.mistake,
+        "mistake_in_ghosts": viewer.ghosts.mistake,
         "title": cradle.title,
         "constants": readout.constants(cradle),
         "remark": " ".join(remarks),

@@ -225,7 +225,7 @@ class Tabs:
 
     def close(self, socket: Any) -> None:
         """Forget a tab; a bob that it held swings on."""
-        self.receive(socket, b'["let go"]')
+        self.receive(socket, b'["let_go"]')
         del self.tabs[socket]
 
     def receive(self, socket: Any, data: bytes) -> None:
@@ -239,9 +239,9 @@ class Tabs:
             command, *values = json.loads(data)
         except (ValueError, TypeError, RecursionError):
             return
-        if command in ("grab", "drag", "let go"):
+        if command in ("grab", "drag", "let_go"):
             is_free = self.holder is None and command == "grab"
             if self.holder is not socket and not is_free:
                 return  # one tab alone has the mouse down
-            self.holder = None if command == "let go" else socket
+            self.holder = None if command == "let_go" else socket
         self.give(command, *values)

@@ -12,7 +12,7 @@ PUT_BACK = """() => {
     dispatchEvent(new Event("afterprint"));
     send("experiment", state.controls.experiment.choices[0]);
     if (state.running || state.question?.asking) send("pause");
-    for (const name of ["ask first", "slow hits", "arrows", "separating"]) send(name, false);
+    for (const name of ["ask_first", "slow_hits", "arrows", "separating"]) send(name, false);
     for (const name of ["collision", "graph", "span"]) send(name, state.controls[name].choices[0]);
     send("count", 5);
     send("e", 1);
@@ -20,8 +20,8 @@ PUT_BACK = """() => {
     send("edit", 1, "mass", "1.0");
     send("speed", 1);
     send("lifted", 1);
-    send("release angle", 45);
-    send("remove ghosts");
+    send("release_angle", 45);
+    send("remove_ghosts");
     send("restart");
     if (one("#sound").checked) one("#sound").click();
     for (const open of find("details[open]")) open.open = false;
@@ -33,12 +33,12 @@ PUT_BACK = """() => {
 }"""
 IS_BACK = """() => !state.running && parseFloat(state.motion.t) === 0
     && !state.arrows && !state.question && bobs().length === 5
-    && state.speed === 1 && state.lifted === 1 && state["release angle"] === 45
+    && state.speed === 1 && state.lifted === 1 && state["release_angle"] === 45
     && state.mass === 1 && state.e === 1"""
 
 # Ask the question of the first experiment.
 ASK = """async () => {
-    send("ask first", true);
+    send("ask_first", true);
     send("next");
     while (!state.question) await new Promise(requestAnimationFrame);
 }"""

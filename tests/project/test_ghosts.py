@@ -78,10 +78,10 @@ def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
 def test_a_mistake_in_a_file_is_named_and_the_old_ghosts_stay(rig, text, message):
     rig.give("ghosts", "old.csv", "t,theta_1\n0,0\n")
     rig.give("ghosts", "a.csv", text)
-    assert rig.state["mistake in ghosts"].startswith(f"a.csv{message}")
+    assert rig.state["mistake_in_ghosts"].startswith(f"a.csv{message}")
     assert rig.state["ghosts"] == "old.csv"
-    rig.give("remove ghosts")
-    assert rig.state["mistake in ghosts"] == rig.state["ghosts"] == ""
+    rig.give("remove_ghosts")
+    assert rig.state["mistake_in_ghosts"] == rig.state["ghosts"] == ""
 
 
 def film():
@@ -110,7 +110,7 @@ def test_the_right_model_is_off_by_the_noise_of_a_film_and_another_one_by_more(c
     rig = Rig(csv, 30)
     rig.give("e", 0.95)
     rig.give("ghosts", "film.txt", film())
-    assert rig.state["release angle"] == pytest.approx(abs(degrees(THETA_INIT)))
+    assert rig.state["release_angle"] == pytest.approx(abs(degrees(THETA_INIT)))
     rig.wait(2)
     assert off_by(rig) > 2
     rig.give("e", 1)
@@ -145,7 +145,7 @@ def test_ghosts_of_a_recording_of_the_cradle_are_behind_its_bobs(csv, kind):
     assert len(visible_ghosts(rig)) == 1
     [label] = rig.state["view"]["labels"]
     assert label["text"] == "your answer"
-    rig.give("slow hits", True)
+    rig.give("slow_hits", True)
     while rig.state["hit"] is None:
         rig.wait(FRAME)
     assert not visible_ghosts(rig)
@@ -167,7 +167,7 @@ def test_a_file_is_chosen_on_the_page_and_its_ghosts_are_removed(shared):
     shared.locator(".keep summary").click()
     choose("start,2,-20\nt,theta_5 (degrees)\n0,30\n99,30\n")
     pages.button(shared, "Remove a.csv").wait_for()
-    shared.wait_for_function("() => state['release angle'] === 20 && state.motion['off by']")
+    shared.wait_for_function("() => state['release_angle'] === 20 && state.motion['off by']")
     axle, _ = pages.axle(4)
     assert shared.evaluate(GHOSTS) == [pytest.approx(axle + R_PARAM / 2)]
     choose("t,theta_5\n0,red\n")

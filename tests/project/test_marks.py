@@ -144,7 +144,7 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
     """With its speeds, rings, equal and opposite changes of momentum, and the arrows after it."""
     monkeypatch.setattr(visualize_cradle_run, "newton_cradle_tick", tick)
     rig = Rig(csv, 45, lifted=2)
-    rig.give("slow hits", True)
+    rig.give("slow_hits", True)
     rig.give("arrows", True)
     pendula = [id(pend) for pend in rig.cradle.pend_list]
     rig.wait(PERIOD / 4 + EACH / 4)
@@ -183,7 +183,7 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
 
 def test_the_numbers_are_those_of_the_hit_that_is_shown(rig):
     """After a hit with e = 0.9, a bob keeps 0.05 of its speed; the other one gets 0.95 of it."""
-    rig.give("slow hits", True)
+    rig.give("slow_hits", True)
     rig.give("arrows", True)
     rig.give("e", 0.9)
     while rig.state["hit"] is None:
@@ -196,7 +196,7 @@ def test_the_numbers_are_those_of_the_hit_that_is_shown(rig):
 
 def test_a_step_goes_on_to_the_next_of_the_slow_hits(rig):
     """Also if a step has brought the first of them."""
-    rig.give("slow hits", True)
+    rig.give("slow_hits", True)
     rig.wait(0.2)
     rig.give("pause")
     while rig.state["hit"] is None:
@@ -247,7 +247,7 @@ def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(
     if is_paused:  # the graph has the same scale, and one row for this time
         [(_, _, _, total)] = rig.state["curves"]["rows"]
         assert total == pytest.approx(100)
-    rig.give("let go")
+    rig.give("let_go")
     rig.mouse("drag", axle)
     rig.wait(0.1)
     assert (rig.bob_angles()[4] == 45) == is_paused
@@ -259,7 +259,7 @@ def test_a_drag_and_its_end_in_one_picture_are_in_the_graph(rig):
     rig.mouse("grab", rig.cradle.bobs()[4].pos)
     far = rig.cradle.axles()[4].pos + vector(3, -3, 0)
     rig.tabs.give("drag", far.value, [0, 0, -1])
-    rig.give("let go")
+    rig.give("let_go")
     assert rig.bob_angles()[4] == 45
     assert rig.state["curves"]["rows"][-1][3] == pytest.approx(100)
 
@@ -278,6 +278,6 @@ def test_the_nearest_bob_is_taken_or_the_foremost_one_or_none_far_away(
     bob = rig.cradle.bobs()[bob]
     rig.mouse("grab", bob.pos + vector(radii * bob.radius, 0, 0), direction)
     assert rig.cradle.held_bob.index == taken
-    rig.give("let go")
+    rig.give("let_go")
     assert rig.viewer.motion.start_energy == 0
     assert rig.cradle.pend_list[0]["omega"] == 3.0

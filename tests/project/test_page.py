@@ -68,7 +68,7 @@ def test_what_you_type_counts_and_on_another_alphabet_the_place_of_the_key(share
     shared.keyboard.press("ArrowRight")
     wait_until(lambda: readout(shared, "t") > before)
     # None of the other keys has done anything
-    texts = slider_texts(shared, "speed", "lifted", "release-angle")
+    texts = slider_texts(shared, "speed", "lifted", "release_angle")
     assert texts == ["1.0x", "1 of 5", "45°"]
     # On a Russian keyboard, and on one in Dvorak's order
     for key in (("к", "KeyR"), ("r", "KeyO")):

@@ -149,7 +149,7 @@ def test_three_tabs_show_one_cradle_with_the_settings_of_all(tabs):
         tab.wait_for_function(
             "() => glowObjs.some(o => o?.constructor.name === 'arrow' && o.visible)"
         )
-        sliders = tab, "speed", "lifted", "release-angle"
+        sliders = tab, "speed", "lifted", "release_angle"
         wait_until(lambda names=sliders: pages.slider_texts(*names) == ["2.0x", "2 of 5", "70°"])
         wait_for_moves(tab)
     pause(first)

@@ -51,7 +51,7 @@ def question_of(rig):
 @pytest.fixture
 def asking(rig):
     """A viewer that asks the question of an experiment, Two bobs."""
-    rig.give("ask first", True)
+    rig.give("ask_first", True)
     rig.give("experiment", TWO)
     return rig
 
@@ -163,17 +163,17 @@ def test_the_box_asks_at_once_and_takes_the_question_back(rig, name, question):
     """Your CSV has no question."""
     rig.give("experiment", name)
     rig.wait(0.2)
-    rig.give("ask first", True)
+    rig.give("ask_first", True)
     assert question_of(rig) == question
     assert (rig.time() == 0) == (name == TWO)
-    rig.give("ask first", False)
+    rig.give("ask_first", False)
     rig.wait(0.2)
     assert question_of(rig) is None
     assert rig.time() > 0.1
 
 
 CHANGES = [
-    ("release angle", 10),
+    ("release_angle", 10),
     ("collision", INELASTIC),
     ("separating", True),
     ("edit", 0, "mass", "2"),
@@ -189,7 +189,7 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
         bob = asking.viewer.cradle.bobs()[4].pos
         asking.mouse("grab", bob)
         asking.mouse("drag", bob)
-        asking.give("let go")
+        asking.give("let_go")
         assert question_of(asking) == ASKING  # it has not moved
         asking.mouse("grab", bob)
         asking.mouse("drag", bob + vector(0.01, 0, 0))
@@ -202,8 +202,8 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
     assert question_of(asking) is None
     assert asking.state["word"] == ("" if change == ("save",) else questions.OVER)
     assert asking.state["running"]  # only the question has held it up
-    asking.give("ask first", False)
-    asking.give("ask first", True)
+    asking.give("ask_first", False)
+    asking.give("ask_first", True)
     assert asking.state["experiment"] == name
     assert asking.state["changed"] == (name == TWO)
     assert question_of(asking) is None

@@ -128,7 +128,7 @@ def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys,
         site.wait(LOOK_AT_TABS)
     else:
         tab.cut()
-    assert given == ["grab", "let go"]
+    assert given == ["grab", "let_go"]
     site.wait(connections.LOST)
     assert capsys.readouterr().out == GONE.format(57)
     tab.onOpen()

@@ -39,7 +39,7 @@ def test_each_change_of_the_cradle_releases_it_again_and_reset_all_takes_it_back
     changes = {
         "e": 0.5,
         "mass": 2,
-        "release angle": 10,
+        "release_angle": 10,
         "count": 4,
         "lifted": 2,
         "separating": True,
@@ -49,7 +49,7 @@ def test_each_change_of_the_cradle_releases_it_again_and_reset_all_takes_it_back
         rig.give(name, value)
         assert rig.time() == 0, name
         assert rig.state["changed"]
-    for name in ("ask first", "arrows", "measure", "slow hits"):
+    for name in ("ask_first", "arrows", "measure", "slow_hits"):
         rig.give(name, True)
     rig.give("speed", 2)
     rig.give("next")
@@ -149,7 +149,7 @@ def test_bobs_are_added_and_taken_away_at_the_right_end(csv, kind):
 
 def test_an_experiment_with_another_number_of_bobs_is_changed(rig):
     """The bobs are then lifted as the sliders say; a CSV with more bobs has a wider slider."""
-    rig.give("ask first", True)
+    rig.give("ask_first", True)
     rig.give("experiment", TWO)
     rig.give("count", 3)
     assert rig.state["changed"]
@@ -167,7 +167,7 @@ def test_a_cradle_of_which_main_lifts_no_bob_says_how_many_the_slider_lifts(csv,
     monkeypatch.setattr("whole_cradles.THETA_INIT", 0.0)
     rig = Rig(csv, None, lifted=None)
     assert rig.state["lifted"] == 0
-    rig.give("release angle", 30)
+    rig.give("release_angle", 30)
     assert rig.bob_angles() == [30, 0, 0, 0, 0]
     assert rig.state["lifted"] == 1
 
@@ -177,14 +177,14 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
     rig = Rig(csv, 30, 10, kind=DoubleCradle)
     assert "separating" not in rig.state["controls"]
     for key, least, angle in (("theta", 0, 75), ("phi", -180, -12.5)):
-        name = f"angle {key}"
-        assert rig.control(name)["label"] == name.capitalize()
+        name = f"angle_{key}"
+        assert rig.control(name)["label"] == f"Angle {key}"
         assert rig.control(name)["min"] == least
         assert rig.control(name)["max"] == 180
         rig.give(name, angle)
         assert rig.state[name] == angle
         assert rig.values(key)[0] == pytest.approx(outwards_to_angle(angle))
-    assert rig.state["angle theta"] == 75
+    assert rig.state["angle_theta"] == 75
     assert rig.state["keys"] == ["theta", "phi", "omega", "phi_omega"]
     assert rig.control("graph")["choices"] == [
         ENERGY,
@@ -224,7 +224,7 @@ def test_the_picture_of_a_choice_has_its_colors_masses_and_angles(rig):
 def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
     """If the file was saved meanwhile, it comes back without your edits."""
     rig.give("edit", 1, "mass", "3")
-    rig.give("release angle", 20)
+    rig.give("release_angle", 20)
     rig.give("lifted", 2)
     rig.give("collision", INELASTIC)
     rig.give("experiment", FROM_BOTH_SIDES)

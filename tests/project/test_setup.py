@@ -66,7 +66,7 @@ def options_of(start, tmp_path):
     ("commands", "options"),
     [
         ([], "--angle=30 --lift=1"),
-        ([("release angle", 77.5), ("e", 0.35)], "--angle=77.5 --lift=1 --e=0.35"),
+        ([("release_angle", 77.5), ("e", 0.35)], "--angle=77.5 --lift=1 --e=0.35"),
         ([("experiment", "Two bobs")], f"--experiment={BUILT_IN}"),
         ([("experiment", "Two bobs"), ("e", 0.5)], BY_FILE),
         ([("edit", 1, "mass", "0.1"), ("lifted", 2)], BY_FILE),
@@ -100,7 +100,7 @@ def test_a_bob_that_was_let_go_begins_there(options_of, rig):
     rig.give("pause")
     rig.mouse("grab", rig.cradle.bobs()[4].pos)
     rig.mouse("drag", rig.cradle.axles()[4].pos + vector(1, 0, 0))
-    rig.give("let go")
+    rig.give("let_go")
     assert rig.thetas()[4] == pytest.approx(radians(90))
     assert options_of(rig) == BY_FILE
     rig.give("restart")

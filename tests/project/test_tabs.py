@@ -188,11 +188,11 @@ def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(mon
     ("events", "commands"),
     [
         (
-            "1 drag, 1 grab, 2 grab, 2 drag, 2 let go, 1 drag, 1 let go, 1 drag",
-            "grab, drag, let go",
+            "1 drag, 1 grab, 2 grab, 2 drag, 2 let_go, 1 drag, 1 let_go, 1 drag",
+            "grab, drag, let_go",
         ),
-        ("1 grab, 1 let go, 2 grab, 1 drag, 2 drag", "grab, let go, grab, drag"),
-        ("1 grab, 2 closes, 1 drag, 1 closes", "grab, drag, let go"),
+        ("1 grab, 1 let_go, 2 grab, 1 drag, 2 drag", "grab, let_go, grab, drag"),
+        ("1 grab, 2 closes, 1 drag, 1 closes", "grab, drag, let_go"),
         # The viewer refuses what it does not know
         ("1 grab, 2 pause, 2 no command", "grab, pause, no command"),
     ],

@@ -146,9 +146,9 @@ def test_a_saved_csv_makes_a_new_cradle(rig):
 
 def test_a_swing_above_the_frame_widens_the_view_until_the_next_restart(rig):
     near = rig.state["view"]
-    rig.give("release angle", 150)
+    rig.give("release_angle", 150)
     assert rig.state["view"] != near
-    rig.give("release angle", 45)
+    rig.give("release_angle", 45)
     assert rig.state["view"] == near
 
 

@@ -5,7 +5,7 @@ const makers = {
     return [make("label", {}, box, label)];
   },
   Slider({ name, label, step }) {
-    const id = name.replaceAll(" ", "-");
+    const id = name;
     return [make("div", { className: "slider" },
       make("label", { htmlFor: id }, label),
       make("input", { type: "range", id, name, step }),
@@ -81,7 +81,7 @@ const keys = {
   n: () => send("next"),
   f: () => present(),
   v: () => resetView(),
-  h: () => send("slow hits", !state["slow hits"]),
+  h: () => send("slow_hits", !state["slow_hits"]),
   t: () => tell(),
   "?": () => one("#keys").togglePopover(),
 };

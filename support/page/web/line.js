@@ -30,7 +30,7 @@ const isOpen = () => socket?.readyState === WebSocket.OPEN;
 
 function send(...command) {
   // A late drag would be wrong, but a bob that is let go must not stay in the air.
-  const isAllowed = isHeard || command[0] === "let go";
+  const isAllowed = isHeard || command[0] === "let_go";
   if (isOpen() && isAllowed) socket.send(JSON.stringify(command));
 }
 

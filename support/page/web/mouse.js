@@ -16,7 +16,7 @@ function listen() {
   scene().bind("mousemove", event => send("drag", ...ray(event)));
   scene().bind("mouseup", letGo);
 }
-const letGo = () => send("let go");
+const letGo = () => send("let_go");
 
 const isCanvas = target => home && target.matches(".canvas canvas");
 
