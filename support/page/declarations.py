@@ -228,14 +228,14 @@ def declare_commands(actions: Actions) -> dict[str, Command]:
         "restart": Command(actions.viewer.want_cradle),
         "reset": Command(actions.reset),
         "next": Command(actions.choose_next),
-        "again": Command(actions.repeat, (is_switch,)),
+        "repeat": Command(actions.repeat, (is_switch,)),
         "answer": Command(actions.answer, (is_text, is_answer)),
         "vote": Command(actions.questions.vote, (is_text, is_count, is_switch)),
         "edit": Command(actions.edit, (is_count, is_in_table, is_text)),
         "grab": Command(actions.grab, (is_point, is_direction)),
         "drag": Command(actions.drag, (is_point, is_direction)),
         "let_go": Command(actions.let_go),
-        "ghosts": Command(actions.show_ghosts, (is_text, is_file)),
+        "load_ghosts": Command(actions.show_ghosts, (is_text, is_file)),
         "remove_ghosts": Command(actions.remove_ghosts),
     }
 

@@ -35,7 +35,7 @@ def setup(viewer: "Viewer") -> dict[str, str]:
     if csv != NC_FP:
         options = [csv, *options]
     again = command_line(viewer.cradle.page_program, options)
-    return {"again": again, "advice": advice, "setup": file_text(viewer)}
+    return {"same_cradle": again, "advice": advice, "setup": file_text(viewer)}
 
 
 def options_of(viewer: "Viewer") -> list[str] | None:

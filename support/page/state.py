@@ -44,7 +44,7 @@ def state_of_page(viewer: "Viewer") -> dict[str, Any]:
         "keys": [*cradle.angle_keys, *cradle.rate_keys],
         "table": {column: cradle.values(column) for column in SETTABLE},
         "refused": {place: refusal._asdict() for place, refusal in viewer.chooser.refused.items()},
-        "tick": viewer.tick_lines,
+        "tick_lines": viewer.tick_lines,
         "now": {name: f"{number:.6f}" for name, number in cradle.coordinates().items()},
     }
 

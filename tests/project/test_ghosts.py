@@ -76,8 +76,8 @@ def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
     ],
 )
 def test_a_mistake_in_a_file_is_named_and_the_old_ghosts_stay(rig, text, message):
-    rig.give("ghosts", "old.csv", "t,theta_1\n0,0\n")
-    rig.give("ghosts", "a.csv", text)
+    rig.give("load_ghosts", "old.csv", "t,theta_1\n0,0\n")
+    rig.give("load_ghosts", "a.csv", text)
     assert rig.state["mistake_in_ghosts"].startswith(f"a.csv{message}")
     assert rig.state["ghosts"] == "old.csv"
     rig.give("remove_ghosts")
@@ -109,7 +109,7 @@ def test_the_right_model_is_off_by_the_noise_of_a_film_and_another_one_by_more(c
     """From each release on. The first one has the angle of the film."""
     rig = Rig(csv, 30)
     rig.give("e", 0.95)
-    rig.give("ghosts", "film.txt", film())
+    rig.give("load_ghosts", "film.txt", film())
     assert rig.state["release_angle"] == pytest.approx(abs(degrees(THETA_INIT)))
     rig.wait(2)
     assert off_by(rig) > 2
@@ -131,7 +131,7 @@ def test_ghosts_of_a_recording_of_the_cradle_are_behind_its_bobs(csv, kind):
         rig.wait(FRAME)
         rows.append(rig.viewer.motion.sample())
     lines = [",".join(map(str, line)) for line in (rows[0], *map(dict.values, rows))]
-    rig.give("ghosts", "a.csv", "\n".join(lines))
+    rig.give("load_ghosts", "a.csv", "\n".join(lines))
     assert rig.time() == 0
     rig.give("count", 3)
     rig.wait(0.2)  # the first hit is later

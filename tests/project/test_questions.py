@@ -275,7 +275,7 @@ def test_again_keeps_the_answer(asking, slowly, speed):
     asking.give("speed", 2)
     asking.give("answer", KEY, 1)
     asking.wait(0.5)
-    asking.give("again", slowly)
+    asking.give("repeat", slowly)
     assert asking.bob_angles()[:2] == [45, 45]
     assert question_of(asking) == QuestionState(reply=reply)
     asking.wait(0.47 / speed + 0.1)

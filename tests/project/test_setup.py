@@ -50,7 +50,7 @@ def options_of(start, tmp_path):
 
     def options_of(rig):
         (tmp_path / FILE).write_text(rig.state["setup"])
-        _, program, csv, *options = shlex.split(rig.state["again"])
+        _, program, csv, *options = shlex.split(rig.state["same_cradle"])
         assert program.endswith(rig.cradle.page_program)
         assert ("save" in rig.state["advice"]) == (options == [BY_FILE])
         for words in (" ".join([csv, *options]), BY_FILE):
@@ -86,7 +86,7 @@ def test_the_csv_is_that_of_the_cradle_or_no_options_make_it(options_of, rig):
     rig.save(HEADER + GOOD * 2)
     assert options_of(rig) == "--angle=30 --lift=2"
     rig.save("mistake")
-    assert rig.state["again"].endswith(BY_FILE)
+    assert rig.state["same_cradle"].endswith(BY_FILE)
     rig.give("separating", True)
     assert rig.state["advice"].startswith(NO_RULE)
 
@@ -110,7 +110,7 @@ def test_a_bob_that_was_let_go_begins_there(options_of, rig):
 def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, tmp_path):
     """Without a question, nothing is asked."""
     viewer = start("--mass 0.1")
-    assert setup(viewer)["again"].endswith("run.py --mass=0.1")
+    assert setup(viewer)["same_cradle"].endswith("run.py --mass=0.1")
     names = viewer.chooser.names()
     (tmp_path / "two.txt").write_text("name = Two bobs\ntheta = 0 -10")
     for path, count in ((BUILT_IN, 5), ("two.txt", 2)):

@@ -98,7 +98,7 @@ ALLOWED = {
     "next": [],
     "let_go": [],
     "arrows": [True],
-    "again": [True],
+    "repeat": [True],
     "speed": [0.5],
     "lifted": [2],
     "graph": ["Angles theta"],
@@ -189,12 +189,12 @@ CALLS = {
 def test_one_tick_shows_each_pendulum_before_and_after_while_paused(rig, monkeypatch):
     """Also before handle_collision is written."""
     rig.give("tick")
-    assert rig.state["tick"] == []
+    assert rig.state["tick_lines"] == []
     rig.give("pause")
     theta = rig.values("theta")[0]
     rig.give("tick")
     assert rig.viewer.motion.ticks == 1
-    first, *pendula, last = rig.state["tick"]
+    first, *pendula, last = rig.state["tick_lines"]
     assert first == f"One tick, {DT:g} s: before -> after"
     now = f"theta {theta:.6g} -> {rig.values('theta')[0]:.6g}"
     assert pendula[0].startswith(f"[0] {now} ")
@@ -202,10 +202,10 @@ def test_one_tick_shows_each_pendulum_before_and_after_while_paused(rig, monkeyp
     assert [line[:9] for line in pendula] == [f"[{i}] theta" for i in range(5)]
     assert last == "No call of handle_collision was seen."
     rig.give("restart")
-    assert rig.state["tick"] == []
+    assert rig.state["tick_lines"] == []
     monkeypatch.delattr(visualize_cradle_run, "handle_collision")
     rig.give("tick")
-    assert rig.state["tick"][-1] == last
+    assert rig.state["tick_lines"][-1] == last
 
 
 def test_one_tick_of_a_cradle_that_a_saved_file_replaces_is_forgotten(rig, csv):
@@ -219,7 +219,7 @@ def test_one_tick_of_a_cradle_that_a_saved_file_replaces_is_forgotten(rig, csv):
     rig.give("pause")
     rig.wait(0.1)
     assert len(rig.cradle.pend_list) == 7
-    assert rig.state["tick"] == []
+    assert rig.state["tick_lines"] == []
 
 
 @pytest.mark.parametrize("kind", CALLS)
@@ -232,7 +232,7 @@ def test_one_tick_shows_each_call_of_the_collision_function(csv, kind):
     first["objects"][1].radius *= 1.5
     first["omega"] = 2.0
     rig.give("tick")
-    _, *pendula, call = rig.state["tick"][:4]
+    _, *pendula, call = rig.state["tick_lines"][:4]
     assert call == CALLS[kind]
     for line in pendula:
         assert line.count("->") == 2 * kind.cord_count

@@ -13,6 +13,6 @@ const save = (download, href) => make("a", { download, href }).click();
 // The program refuses a large file.
 one("#ghosts").addEventListener("change", async ({ target }) => {
   const [file] = target.files;
-  send("ghosts", file.name, await file.slice(0, 1e7 + 1).text());
+  send("load_ghosts", file.name, await file.slice(0, 1e7 + 1).text());
   target.value = ""; // so that you can choose the same file again
 });

@@ -39,8 +39,8 @@ function makeQuestion({ key, question, answers, votes, asking, reply, happened }
   if (reply) element.append(paragraph(reply));
   if (happened) element.append(
     outcome(happened),
-    button("Again", "", "again", false),
-    button("Again slowly", "", "again", true),
+    button("Again", "", "repeat", false),
+    button("Again slowly", "", "repeat", true),
     button("Next experiment", "", "next"),
   );
   element.append(make("button", { onclick: () => print() }, "Print a sheet"));

@@ -1,0 +1,119 @@
+"""The names that the page and the program have in common; each is declared here, once.
+
+The page gets them as names.js. mypy finds a name here that is spelled in another way in a Python
+file, the type checker of JavaScript one in a script, and test_names.py one in page.html.
+"""
+
+import json
+from typing import Any, TypedDict
+
+from support.page.controls import Command, Menu, Slider, Switch
+
+
+class Controls(TypedDict, total=False):
+    """The controls of the page. Each kind of cradle lacks some.
+
+    A name is that of a control's value in the state, and that of its command, which sets the value.
+    """
+
+    experiment: Menu
+    ask_first: Switch
+    speed: Slider
+    count: Slider
+    lifted: Slider
+    release_angle: Slider
+    angle_theta: Slider
+    angle_phi: Slider
+    mass: Slider
+    e: Slider
+    collision: Menu
+    separating: Switch
+    slow: Switch
+    arrows: Switch
+    measure: Switch
+    slow_hits: Switch
+    graph: Menu
+    span: Menu
+
+
+class Commands(TypedDict):
+    """What else a tab can ask for."""
+
+    pause: Command
+    step: Command
+    tick: Command
+    restart: Command
+    reset: Command
+    next: Command
+    repeat: Command
+    answer: Command
+    vote: Command
+    edit: Command
+    grab: Command
+    drag: Command
+    let_go: Command
+    load_ghosts: Command
+    remove_ghosts: Command
+
+
+class State(TypedDict, total=False):
+    """What a tab shows besides VPython's objects; a message has those values that have changed."""
+
+    controls: dict[str, dict]  # their descriptions
+    # The words of the page
+    title: str
+    remark: str
+    constants: str
+    error: str  # the mistake in your CSV
+    endless: str  # a function that does not return
+    ended: str | None  # why the program has ended
+    word: str  # about your last command
+    same_cradle: str  # a command that makes this cradle again
+    advice: str  # what to do with it
+    setup: str  # the cradle as the file of an experiment
+    # The motion
+    paused: bool
+    running: bool
+    view: dict[str, Any]  # what the camera shows
+    sound: dict[str, float]
+    motion: dict[str, str]  # the readout
+    summary: str  # the same in a sentence
+    bars: dict[str, Any] | None
+    impacts: list[str]
+    hit: dict[str, Any] | None  # the slow hit of now
+    curves: dict[str, Any]  # of the graph
+    # The experiments
+    pictures: dict[str, list]
+    mistakes: list[str]
+    changed: bool
+    question: dict[str, Any] | None
+    # The ghosts of a file
+    ghosts: str
+    mistake_in_ghosts: str
+    # The table of the pendula
+    columns: list[str]
+    keys: list[str]
+    colors: list[str]
+    table: dict[str, list[float]]
+    refused: dict[str, dict[str, str]]
+    now: dict[str, str]
+    tick_lines: list[str]  # what One tick has done
+
+
+class Texts(TypedDict):
+    """What stands in the page when it is served: a tab has it also without the program."""
+
+    command: str  # that starts this program again
+    terminal: str  # that shows the cradle as text
+
+
+COMMANDS = [*Controls.__annotations__, *Commands.__annotations__]
+VALUES = [*Controls.__annotations__, *State.__annotations__]
+
+
+def names_as_module() -> str:
+    """Return the names as a module of JavaScript."""
+    return (
+        f"export const COMMANDS = /** @type {{const}} */ ({json.dumps(COMMANDS)});\n"
+        f"export const VALUES = /** @type {{const}} */ ({json.dumps(VALUES)});\n"
+    )
